@@ -24,6 +24,7 @@
 //! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math, words |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
 //! | [`sparse`] | `L D L^T` on the types of sprs: ordering, symbolic analysis, two numeric factors, triangular sweeps | math |
+//! | [`quads`] | quads along the lines of curvature: cross field, seamless map, exact extraction | math, words, mesh, sparse |
 //! | [`solve`] | energies, assembly, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, sparse |
 //! | [`scene`] | the scene file: serde types, validation, and the optimisation problem that it defines | math, words, json, mesh, constraint, sparse, solve |
 //! | [`fabricate`] | parts to cut: panels on sheets, offsets, the build check, files for machines | math, words, mesh, sparse, scene |
@@ -151,6 +152,8 @@ mod json;
 pub mod math;
 #[cfg(feature = "engine")]
 pub mod mesh;
+#[cfg(feature = "engine")]
+pub mod quads;
 #[cfg(feature = "engine")]
 pub mod scene;
 #[cfg(feature = "engine")]

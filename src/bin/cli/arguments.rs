@@ -2,8 +2,9 @@
 
 use super::edit::Remesh;
 use super::new_mesh::New;
+use super::remesh::Quads;
 use super::words::{Word, Words};
-use crate::cli::{edit, new_mesh};
+use crate::cli::{edit, new_mesh, remesh};
 use serde_json::Value;
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
 use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryCloseness, BuildSetting, UNITS};
@@ -33,6 +34,7 @@ pub(super) enum Command {
     },
     Refine(Refine),
     Edit(Remesh),
+    Remesh(Quads),
     New(New),
     Parametrize(Parametrize),
     Examples {
@@ -145,6 +147,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "check" => check(words),
         "refine" => refine(words),
         "edit" => edit::parse(words).map(Command::Edit),
+        "remesh" => remesh::parse(words).map(Command::Remesh),
         "new" => new_mesh::parse(words).map(Command::New),
         "parametrize" => parametrize(words),
         "examples" => {
@@ -165,7 +168,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "help" => Ok(Command::Help),
         "--version" | "-V" => Ok(Command::Version),
         _ => Err(format!(
-            "unknown command `{command}`, expected solve, build, refine, edit, check, new, parametrize, examples, experiment or operators"
+            "unknown command `{command}`, expected solve, build, refine, remesh, edit, check, new, parametrize, examples, experiment or operators"
         )),
     }
 }
@@ -367,7 +370,7 @@ fn place(path: &Path) -> PathBuf {
     absolute.canonicalize().ok().or_else(of_folder).unwrap_or(absolute)
 }
 
-fn unknown(word: &Word, command: &str) -> String {
+pub(super) fn unknown(word: &Word, command: &str) -> String {
     let word = match word {
         Word::File(file) => file.to_string_lossy(),
         Word::Option(name) => name.into(),

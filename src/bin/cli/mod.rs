@@ -7,7 +7,7 @@
 //! | `usage` | the usage text |
 //! | `input` | reading of mesh and scene files |
 //! | `output` | atomic writing of files, mesh files of sessions, output folders, and standard output |
-//! | `solve`, `build`, `check`, `edit`, `refine`, `parametrize`, `examples`, `experiment` | the commands of these names |
+//! | `solve`, `build`, `check`, `edit`, `refine`, `remesh`, `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `new_mesh` | the command `new` |
 //! | `results` | `check` of students' results |
 
@@ -22,6 +22,7 @@ mod new_mesh;
 mod output;
 mod parametrize;
 mod refine;
+mod remesh;
 mod results;
 mod solve;
 mod usage;
@@ -78,6 +79,7 @@ fn perform(command: Command) -> Result<(), Failure> {
             results::check_class(&folder, scene.as_deref(), csv.as_deref())
         }
         Command::Edit(asked) => edit::edit(&asked),
+        Command::Remesh(asked) => remesh::run(&asked),
         Command::New(new) => new_mesh::make(&new),
         Command::Parametrize(parametrize) => parametrize::parametrize(&parametrize),
         Command::Examples { out: None } => examples::list(),

@@ -21,6 +21,8 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH|auto
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
                 [--keep DEGREES] [--panels KIND] [--adopt]
                 [--out FILE.obj|FILE.mesh|FILE.json] [--report FILE.json]
+       shape-up remesh MESH [--quads N | --size LENGTH] [--follow 0..1] [--even 0..1]
+                [--crease DEGREES] [--boundary follow|cut] [--out FILE.obj] [--report FILE.json]
        shape-up edit SCENE|MESH OPERATION [--SIZE VALUE ...] [--vertices LIST] [--faces LIST]
                 [--out FILE.obj|FILE.mesh|FILE.json]
        shape-up check MESH [--report FILE.json]
@@ -64,6 +66,11 @@ creases and corners that turn by more than DEGREES (75) stay sharp. With --panel
 first level and after each; with --adopt the shape of each level is the original of the next, which stays
 close to it: faster and smoother, but farther from the input. The scene is adapted: --out writes the mesh,
 or the scene with its mesh if the name ends in .json.
+remesh covers a surface, of triangles or any polygons, with quads along its lines of curvature, which
+can become circular panels with a small move: N panels (500), or panels with sides of a LENGTH. --follow
+trades few irregular vertices (0) for a small move (1), --even a small move (0) for even panels (1); by
+default 0.67 and 0.25. Creases that turn by more than DEGREES (40) are lines of the panels; 180 follows
+none. The boundary is followed, or cuts the panels. Details smaller than a panel are named.
 edit changes the faces of a mesh, and adapts the scene. A LIST is like 0-4,7; a length is in the unit of
 the mesh. Operations and their defaults, with lengths in mean edge lengths:
 {}

@@ -122,6 +122,11 @@ impl Words {
         self.number_that(name, "a number from 0", |number| number >= 0.0)
     }
 
+    /// Returns the value of an option that takes a number from 0 to 1.
+    pub(super) fn share(&mut self, name: &str) -> Result<f64, String> {
+        self.number_that(name, "a number from 0 to 1", |number| (0.0..=1.0).contains(&number))
+    }
+
     /// Returns the value of an option that takes any number.
     pub(super) fn number(&mut self, name: &str) -> Result<f64, String> {
         self.number_that(name, "a number", |_| true)

@@ -1,0 +1,184 @@
+//! `shape-up remesh`: covers a surface with quads along its lines of curvature.
+
+use crate::cli::arguments::{apart, unknown};
+use crate::cli::words::{Word, Words};
+use crate::cli::{Failure, input, output};
+use serde::Serialize;
+use shape_up::mesh::write_obj;
+use shape_up::quads::{
+    Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, RemeshStage, Remeshed,
+    direction_weight, follow_weight, remesh,
+};
+use shape_up::solve::clock;
+use shape_up::words;
+use std::path::{Path, PathBuf};
+
+/// The number of panels if neither number nor size is given.
+const QUADS: usize = 500;
+/// A crease of half a turn is none.
+const NO_CREASE: f64 = 180.0;
+
+/// `shape-up remesh`.
+#[derive(Debug, PartialEq)]
+pub(in crate::cli) struct Quads {
+    input: PathBuf,
+    options: MapOptions,
+    out: Option<PathBuf>,
+    report: Option<PathBuf>,
+}
+
+/// The report written by `--report`.
+#[derive(Serialize)]
+struct Report {
+    #[serde(flatten)]
+    measures: RemeshMeasures,
+    /// The level of retry: 0 follows the curvature as asked, 3 not at all.
+    level: u32,
+    notes: Vec<Note>,
+    seconds: Seconds,
+}
+
+/// A sentence with the places that it names.
+#[derive(Serialize)]
+struct Note {
+    words: String,
+    places: Vec<[f64; 3]>,
+}
+
+/// Seconds in each stage.
+#[derive(Default, Serialize)]
+struct Seconds {
+    load: f64,
+    prepare: f64,
+    field: f64,
+    map: f64,
+    round: f64,
+    extract: f64,
+    verify: f64,
+    total: f64,
+}
+
+/// Parses the arguments.
+pub(in crate::cli) fn parse(mut words: Words) -> Result<Quads, String> {
+    let mut options = MapOptions::of_size(PanelSize::Count(QUADS));
+    let (mut out, mut report, mut input, mut sized) = (None, None, None, None);
+    while let Some(name) = words.option(&mut input)? {
+        match name.as_str() {
+            "--quads" | "--size" => {
+                if let Some(first) = sized.replace(name.clone()) {
+                    return Err(format!("remesh takes {first} or {name}, not both"));
+                }
+                options.size = match name.as_str() {
+                    "--quads" => PanelSize::Count(words.iterations(&name)? as usize),
+                    _ => PanelSize::Length(words.positive(&name)?),
+                };
+            }
+            "--follow" => options.follow = follow_weight(words.share(&name)?),
+            "--even" => options.direction = direction_weight(words.share(&name)?),
+            "--crease" => {
+                let degrees = words.not_negative(&name)?;
+                options.crease = (degrees < NO_CREASE).then_some(degrees);
+            }
+            "--boundary" => {
+                let all = [Boundary::Followed, Boundary::Cut];
+                options.boundary = words.word_of(&name, all, Boundary::word)?;
+            }
+            "--out" => out = Some(words.mesh(&name, &["obj"])?),
+            "--report" => report = Some(words.file(&name)?),
+            _ => return Err(unknown(&Word::Option(name), "remesh")),
+        }
+    }
+    if options.size == PanelSize::Count(0) {
+        return Err("--quads takes a whole number from 1, found `0`".to_owned());
+    }
+    let input = input.ok_or("remesh needs a mesh file")?;
+    apart(&input, &[("--out", &out), ("--report", &report)])?;
+    Ok(Quads { input, options, out, report })
+}
+
+/// Covers the surface, and writes the files.
+pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
+    let started = clock::now();
+    let path = asked.input.display();
+    if input::is_scene(&asked.input) {
+        return Err(Failure::Usage(format!("remesh takes a mesh file, found `{path}`")));
+    }
+    let input::Input { scene, mesh, mut remarks, .. } = input::read(&asked.input)?;
+    let at_input = |error: String| Failure::Input(format!("{path}: {error}"));
+    scene.validate(&mesh).map_err(|error| at_input(error.to_string()))?;
+    let loaded = clock::now();
+    let mut seconds = Seconds { load: loaded - started, ..Seconds::default() };
+    let mut last = (RemeshStage::Prepare, loaded);
+    let mut entered = |stage: RemeshStage| {
+        let now = clock::now();
+        *seconds.of(last.0) += now - last.1;
+        last = (stage, now);
+    };
+    let found = remesh(&mesh, &asked.options, &scene.units, &mut |stage, _| {
+        entered(stage);
+        true
+    });
+    entered(RemeshStage::Verify);
+    let found = found.map_err(|error| at_input(refusal(&error)))?;
+    seconds.total = clock::now() - started;
+    if mesh.groups.len() + mesh.curves.len() > 0 {
+        remarks.push("groups and curves of the input are not carried over".to_owned());
+    }
+    let mut text = format!("{path}: {}\n", summary(&found, &scene.units));
+    found.notes.iter().for_each(|note| text += &format!("note: {}\n", note.words));
+    remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
+    let mut files: Vec<(&Path, String)> = Vec::new();
+    if let Some(out) = &asked.out {
+        files.push((out, write_obj(&found.mesh, &found.mesh.positions)));
+    }
+    if let Some(to) = &asked.report {
+        let note = |note: &shape_up::quads::RemeshNote| Note {
+            words: note.words.clone(),
+            places: note.places.iter().map(|&place| place.into()).collect(),
+        };
+        let notes = found.notes.iter().map(note).collect();
+        let Remeshed { measures, level, .. } = found;
+        files.push((to, output::json(&Report { measures, level, notes, seconds })));
+    }
+    output::write(&files)?;
+    output::print(&text)
+}
+
+impl Seconds {
+    fn of(&mut self, stage: RemeshStage) -> &mut f64 {
+        match stage {
+            RemeshStage::Prepare => &mut self.prepare,
+            RemeshStage::Field => &mut self.field,
+            RemeshStage::Map => &mut self.map,
+            RemeshStage::Round => &mut self.round,
+            RemeshStage::Extract => &mut self.extract,
+            RemeshStage::Verify => &mut self.verify,
+        }
+    }
+}
+
+/// One line on the result: `490 panels, 12 irregular vertices, edges 6.0° off the lines of curvature`.
+fn summary(found: &Remeshed, units: &str) -> String {
+    let RemeshMeasures { quads, other_faces, irregular, angle, edge, .. } = &found.measures;
+    let irregular = irregular.inside + irregular.boundary;
+    let mut parts = vec![
+        words::count(quads + other_faces, "panel", "panels"),
+        words::count(irregular, "irregular vertex", "irregular vertices"),
+    ];
+    parts.extend(angle.map(|angle| {
+        format!("edges {} off the lines of curvature", words::rough_degrees(angle.mean))
+    }));
+    parts.push(format!("{} on average", words::length(edge.mean, units)));
+    parts.join(", ")
+}
+
+/// Why nothing came out, with the place.
+fn refusal(error: &RemeshError) -> String {
+    match error.place() {
+        None => error.to_string(),
+        Some(place) => {
+            let [x, y, z] = [place.x, place.y, place.z].map(words::number);
+            format!("{error}; it is at ({x}, {y}, {z})")
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! What is wrong with a result.
+
+use std::fmt;
+
+/// What is wrong with a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// A face has a corner twice, or another number of corners than it may have.
+    Face {
+        /// Number of such faces.
+        count: usize,
+    },
+    /// An edge has more than two faces, or two that run along it in the same direction.
+    Edge {
+        /// Number of such edges.
+        count: usize,
+    },
+    /// The faces at a vertex are more than one fan.
+    Vertex {
+        /// Number of such vertices.
+        count: usize,
+    },
+    /// The number of boundary loops is not that of the input.
+    Loops {
+        /// Of the input.
+        expected: usize,
+        /// Of the result.
+        found: usize,
+    },
+    /// The Euler characteristic, vertices minus edges plus faces, is not that of the input.
+    Euler {
+        /// Of the input.
+        expected: i64,
+        /// Of the result.
+        found: i64,
+    },
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fault::Face { count } => write!(f, "{count} faces are not quads"),
+            Fault::Edge { count } => write!(f, "{count} edges have three or more faces"),
+            Fault::Vertex { count } => write!(f, "{count} vertices join parts that touch"),
+            Fault::Loops { expected, found } => {
+                write!(f, "there are {found} boundary loops instead of {expected}")
+            }
+            Fault::Euler { expected, found } => {
+                write!(f, "the Euler characteristic is {found} instead of {expected}")
+            }
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Minimisation of a smooth function of a few hundred unknowns: limited-memory BFGS (Nocedal 1980;
+//! Nocedal and Wright 2006, algorithm 7.5) with halved steps.
+
+/// Number of pairs remembered.
+const MEMORY: usize = 8;
+/// Sufficient decrease, as a fraction of that of the slope.
+const DECREASE: f64 = 1e-4;
+/// Most halvings of a step.
+const HALVINGS: usize = 30;
+/// Relative decrease at which it ends.
+const SMALL: f64 = 1e-5;
+
+/// Minimises from `x` in at most `steps` steps. `function` returns the value and sets the gradient.
+pub(super) fn minimise(
+    x: &mut [f64],
+    steps: usize,
+    mut function: impl FnMut(&[f64], &mut [f64]) -> f64,
+) {
+    let n = x.len();
+    let mut gradient = vec![0.0; n];
+    let mut value = function(x, &mut gradient);
+    let mut pairs: Vec<(Vec<f64>, Vec<f64>, f64)> = Vec::new();
+    let (mut next, mut next_gradient) = (vec![0.0; n], vec![0.0; n]);
+    for _ in 0..steps {
+        let mut direction: Vec<f64> = gradient.iter().map(|g| -g).collect();
+        apply_inverse(&pairs, &mut direction);
+        let mut slope = dot(&direction, &gradient);
+        if slope >= 0.0 || !slope.is_finite() {
+            pairs.clear();
+            direction = gradient.iter().map(|g| -g).collect();
+            slope = -dot(&gradient, &gradient);
+        }
+        if slope == 0.0 {
+            return;
+        }
+        // Without memory the length of the gradient says nothing.
+        let longest = direction.iter().fold(0.0f64, |most, d| most.max(d.abs()));
+        let mut step = if pairs.is_empty() { (0.1 / longest).min(1.0) } else { 1.0 };
+        let mut halvings = 0;
+        let next_value = loop {
+            for i in 0..n {
+                next[i] = x[i] + step * direction[i];
+            }
+            let found = function(&next, &mut next_gradient);
+            if found.is_finite() && found <= value + DECREASE * step * slope {
+                break found;
+            }
+            halvings += 1;
+            if halvings > HALVINGS {
+                return;
+            }
+            step *= 0.5;
+        };
+        let moved: Vec<f64> = next.iter().zip(&*x).map(|(a, b)| a - b).collect();
+        let changed: Vec<f64> = next_gradient.iter().zip(&gradient).map(|(a, b)| a - b).collect();
+        let curvature = dot(&moved, &changed);
+        if curvature > 1e-12 * dot(&changed, &changed) {
+            if pairs.len() == MEMORY {
+                pairs.remove(0);
+            }
+            pairs.push((moved, changed, 1.0 / curvature));
+        }
+        let decrease = value - next_value;
+        x.copy_from_slice(&next);
+        gradient.copy_from_slice(&next_gradient);
+        value = next_value;
+        if decrease <= SMALL * value.abs() {
+            return;
+        }
+    }
+}
+
+/// Applies the remembered inverse to a vector, by the two loops of Nocedal.
+fn apply_inverse(pairs: &[(Vec<f64>, Vec<f64>, f64)], vector: &mut [f64]) {
+    let mut amounts = Vec::with_capacity(pairs.len());
+    for (moved, changed, inverse) in pairs.iter().rev() {
+        let amount = inverse * dot(moved, vector);
+        vector.iter_mut().zip(changed).for_each(|(v, y)| *v -= amount * y);
+        amounts.push(amount);
+    }
+    if let Some((_, changed, inverse)) = pairs.last() {
+        let scale = 1.0 / (inverse * dot(changed, changed));
+        vector.iter_mut().for_each(|v| *v *= scale);
+    }
+    for ((moved, changed, inverse), amount) in pairs.iter().zip(amounts.into_iter().rev()) {
+        let other = inverse * dot(changed, vector);
+        vector.iter_mut().zip(moved).for_each(|(v, s)| *v += (amount - other) * s);
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_finds_the_bottom_of_a_curved_valley() {
+        let mut x = [-1.2, 1.0];
+        minimise(&mut x, 200, |x, gradient| {
+            let (a, b) = (1.0 - x[0], x[1] - x[0] * x[0]);
+            gradient.copy_from_slice(&[-2.0 * a - 400.0 * x[0] * b, 200.0 * b]);
+            a * a + 100.0 * b * b
+        });
+        assert!((x[0] - 1.0).abs() < 1e-2 && (x[1] - 1.0).abs() < 2e-2, "{x:?}");
+    }
+}

@@ -1,0 +1,316 @@
+//! Pairs of integer points and lines that rounding has thrown together: singular vertices on one point,
+//! or on the wrong side of a feature. Nothing unfolds a map there; so the integers between them are
+//! given before rounding again.
+
+use super::seams::{Seams, turned};
+use crate::math::Vec3;
+use crate::quads::surface::Prepared;
+use crate::quads::{Side, Triangulation};
+use std::collections::{BTreeMap, VecDeque};
+
+/// Pairs farther apart than this many panels are not looked at.
+const REACH: f64 = 1.5;
+/// Of a point and a line, and of two lines.
+const REACH_OF_LINES: f64 = 1.0;
+
+/// A sum of free unknowns of the seams, all integers, that must have a value.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Separation {
+    pub row: Vec<(u32, f64)>,
+    pub value: f64,
+    /// The sides of creases on which one of the two lies.
+    pub creases: Vec<Side>,
+    /// Distance of the two, in the unit of the mesh; near pairs go first.
+    distance: f64,
+}
+
+/// Where a triangle's coordinates lie in the chart of the first one: turned, then shifted.
+#[derive(Clone)]
+struct Chart {
+    turns: u8,
+    shift: [Vec<(u32, f64)>; 2],
+}
+
+/// Finds pairs near the `flipped` triangles that `rounded` values put together, although those of the
+/// seamless map, `free`, are apart.
+pub(super) fn separations(
+    prepared: &Prepared,
+    seams: &Seams,
+    flipped: &[usize],
+    free: &[f64],
+    rounded: &[f64],
+) -> Vec<Separation> {
+    let surface = &prepared.surface;
+    let reach = REACH * prepared.size;
+    let finder = Finder {
+        surface,
+        seams,
+        reach,
+        size: prepared.size,
+        charts: charts_over_cuts(seams),
+        free,
+        rounded,
+    };
+    // Integer points within reach of flipped triangles.
+    let mut sources = BTreeMap::new();
+    let mut found: Vec<Separation> = Vec::new();
+    for &t in flipped {
+        let near = finder.near(t, surface.at(t, 0));
+        for &(near, _) in &near {
+            for corner in (0..3).filter(|&corner| finder.is_integer_point(near, corner)) {
+                sources.entry(surface.triangles[near][corner]).or_insert((near, corner));
+            }
+        }
+        finder.of_lines(&near, &mut found);
+    }
+    for (t, corner) in sources.into_values() {
+        finder.of_point(t, corner, &mut found);
+    }
+    // Both points of a pair find it.
+    found.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    let mut unique: Vec<Separation> = Vec::new();
+    for one in found {
+        let negative: Vec<(u32, f64)> = one.row.iter().map(|&(k, c)| (k, -c)).collect();
+        if unique.iter().all(|other| other.row != one.row && other.row != negative) {
+            unique.push(one);
+        }
+    }
+    unique
+}
+
+/// The shift over each cut side, as sums: the same from both sides.
+fn charts_over_cuts(seams: &Seams) -> BTreeMap<Side, Chart> {
+    let mut charts = BTreeMap::new();
+    for (&[side, back], &turns) in seams.cut.iter().zip(&seams.quarter_turns) {
+        for (from, to, turns) in [(side, back, turns), (back, side, (4 - turns) % 4)] {
+            // x_from = R^-1 (x_to - t), that is the chart of `to` in that of `from`.
+            let inverse = (4 - turns) % 4;
+            let shift = [0, 1].map(|axis| {
+                let here = seams.corner(from.triangle, from.side, axis).to_vec();
+                let (k, sign) = turned(inverse, axis);
+                let there = seams.corner(to.triangle, to.side + 1, k);
+                sum(&here, there, -sign)
+            });
+            charts.insert(from, Chart { turns: inverse, shift });
+        }
+    }
+    charts
+}
+
+struct Finder<'a> {
+    surface: &'a Triangulation,
+    seams: &'a Seams,
+    reach: f64,
+    size: f64,
+    charts: BTreeMap<Side, Chart>,
+    free: &'a [f64],
+    rounded: &'a [f64],
+}
+
+impl Finder<'_> {
+    /// Triangles within reach of a point, from a triangle on, not over features; with their charts.
+    fn near(&self, first: usize, at: Vec3<f64>) -> Vec<(usize, Chart)> {
+        let start = Chart { turns: 0, shift: [Vec::new(), Vec::new()] };
+        let mut charts = BTreeMap::from([(first, start)]);
+        let mut queue = VecDeque::from([first]);
+        while let Some(triangle) = queue.pop_front() {
+            for side in (0..3).map(|side| Side { triangle, side }) {
+                let Some(next) = self.surface.across(side) else { continue };
+                let distance = (0..3)
+                    .map(|k| (self.surface.at(next.triangle, k) - at).length())
+                    .fold(f64::INFINITY, f64::min);
+                if self.surface.is_feature(side)
+                    || distance > self.reach
+                    || charts.contains_key(&next.triangle)
+                {
+                    continue;
+                }
+                let own = &charts[&triangle];
+                let chart = match self.charts.get(&side) {
+                    None => own.clone(),
+                    Some(over) => self.joined(own, over),
+                };
+                charts.insert(next.triangle, chart);
+                queue.push_back(next.triangle);
+            }
+        }
+        charts.into_iter().collect()
+    }
+
+    /// The chart `inner` of a neighbour seen from the first triangle.
+    fn joined(&self, outer: &Chart, inner: &Chart) -> Chart {
+        let shift = [0, 1].map(|axis| {
+            let (k, sign) = turned(outer.turns, axis);
+            sum(&outer.shift[axis], &inner.shift[k], sign)
+        });
+        Chart { turns: (outer.turns + inner.turns) % 4, shift }
+    }
+
+    /// A coordinate of a corner in the chart of the first triangle.
+    fn coordinate(&self, chart: &Chart, t: usize, corner: usize, axis: usize) -> Vec<(u32, f64)> {
+        let (k, sign) = turned(chart.turns, axis);
+        sum(&chart.shift[axis], self.seams.corner(t, corner, k), sign)
+    }
+
+    fn is_integer(&self, row: &[(u32, f64)]) -> bool {
+        row.iter().all(|&(k, _)| self.seams.is_integer[k as usize])
+    }
+
+    /// Whether both coordinates of a corner are integers.
+    fn is_integer_point(&self, t: usize, corner: usize) -> bool {
+        (0..2).all(|axis| self.is_integer(self.seams.corner(t, corner, axis)))
+    }
+
+    /// Finds the points and lines that are thrown together with an integer point.
+    fn of_point(&self, t: usize, corner: usize, found: &mut Vec<Separation>) {
+        let at = self.surface.at(t, corner);
+        let vertex = self.surface.triangles[t][corner];
+        let own = [0, 1].map(|axis| self.seams.corner(t, corner, axis));
+        let near = self.near(t, at);
+        for &(near, ref chart) in &near {
+            for k in (0..3).filter(|&k| self.surface.triangles[near][k] != vertex) {
+                let distance = (self.surface.at(near, k) - at).length();
+                if distance > self.reach || !self.is_integer_point(near, k) {
+                    continue;
+                }
+                let apart =
+                    [0, 1].map(|axis| sum(&self.coordinate(chart, near, k, axis), own[axis], -1.0));
+                let [u, v] = [0, 1].map(|axis| value(&apart[axis], self.free));
+                if apart.iter().any(|row| value(row, self.rounded).abs() > 0.5) {
+                    continue;
+                }
+                let first = usize::from(v.abs() > u.abs());
+                let axis = if apart[first].is_empty() { 1 - first } else { first };
+                let row = apart[axis].clone();
+                if !row.is_empty() {
+                    let value = value(&row, self.free).signum();
+                    found.push(Separation { row, value, creases: Vec::new(), distance });
+                }
+            }
+        }
+        for line in self.lines(&near) {
+            let (distance, end) = distance_to_segment(at, line.ends);
+            let apart = sum(&own[line.axis], &line.row, -1.0);
+            if self.faces(&line, end) && distance < REACH_OF_LINES * self.size {
+                self.add_ahead(apart, line.inward, distance, &[line.side], found);
+            }
+        }
+    }
+
+    /// Finds pairs of lines that face each other.
+    fn of_lines(&self, near: &[(usize, Chart)], found: &mut Vec<Separation>) {
+        let lines = self.lines(near);
+        for (k, a) in lines.iter().enumerate() {
+            for b in &lines[..k] {
+                if a.axis != b.axis || a.inward != -b.inward || a.row == b.row {
+                    continue;
+                }
+                let middle = (b.ends[0] + b.ends[1]) * 0.5;
+                let (distance, end) = distance_to_segment(middle, a.ends);
+                if self.faces(a, end) && distance < REACH_OF_LINES * self.size {
+                    let apart = sum(&b.row, &a.row, -1.0);
+                    self.add_ahead(apart, a.inward, distance, &[a.side, b.side], found);
+                }
+            }
+        }
+    }
+
+    /// The feature sides of triangles, as lines of the chart.
+    fn lines(&self, near: &[(usize, Chart)]) -> Vec<FeatureLine> {
+        let mut lines = Vec::new();
+        for (triangle, chart) in near {
+            for side in (0..3).map(|side| Side { triangle: *triangle, side }) {
+                let Some(run) = self.seams.runs[side.triangle][side.side] else { continue };
+                // The surface lies to the left of its sides.
+                let [x, y] = turned_unit((run + 1 + chart.turns) % 4);
+                let (axis, inward) = if x == 0.0 { (1, y) } else { (0, x) };
+                let row = self.coordinate(chart, side.triangle, side.side, axis);
+                if self.is_integer(&row) {
+                    let ends =
+                        [side.side, side.side + 1].map(|k| self.surface.at(side.triangle, k));
+                    lines.push(FeatureLine { side, axis, inward, row, ends });
+                }
+            }
+        }
+        lines
+    }
+
+    /// Whether a line lies in front of a point whose foot is at one of its ends, or between them: it
+    /// goes on beyond an end unless it has a corner there.
+    fn faces(&self, line: &FeatureLine, end: Option<usize>) -> bool {
+        let Side { triangle, side } = line.side;
+        end.is_none_or(|end| !self.is_integer_point(triangle, side + end))
+    }
+
+    /// Adds that `apart` must be on the side `inward` of zero, if it is not.
+    fn add_ahead(
+        &self,
+        apart: Vec<(u32, f64)>,
+        inward: f64,
+        distance: f64,
+        sides: &[Side],
+        found: &mut Vec<Separation>,
+    ) {
+        let behind = value(&apart, self.rounded) * inward < 0.5;
+        if behind && !apart.is_empty() && self.is_integer(&apart) {
+            let is_crease = |side: &&Side| self.surface.across(**side).is_some();
+            let creases = sides.iter().filter(is_crease).copied().collect();
+            found.push(Separation { row: apart, value: inward, creases, distance });
+        }
+    }
+}
+
+/// A feature side in a chart: the coordinate `axis` is the sum `row` on it, and the surface lies in
+/// the direction `inward` along that axis.
+struct FeatureLine {
+    side: Side,
+    axis: usize,
+    inward: f64,
+    row: Vec<(u32, f64)>,
+    ends: [Vec3<f64>; 2],
+}
+
+/// The first axis turned by quarters.
+fn turned_unit(quarter_turns: u8) -> [f64; 2] {
+    [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][quarter_turns as usize]
+}
+
+/// The sum `a + factor b` of two sums.
+fn sum(a: &[(u32, f64)], b: &[(u32, f64)], factor: f64) -> Vec<(u32, f64)> {
+    let mut terms: BTreeMap<u32, f64> = a.iter().copied().collect();
+    for &(k, c) in b {
+        *terms.entry(k).or_default() += factor * c;
+    }
+    terms.into_iter().filter(|&(_, c)| c != 0.0).collect()
+}
+
+fn value(row: &[(u32, f64)], values: &[f64]) -> f64 {
+    row.iter().map(|&(k, c)| c * values[k as usize]).sum()
+}
+
+/// The distance of a point from a segment, and the end at which its foot lies, if it does.
+fn distance_to_segment(p: Vec3<f64>, [a, b]: [Vec3<f64>; 2]) -> (f64, Option<usize>) {
+    let along = b - a;
+    let t = (p - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
+    let end = if t < 0.01 {
+        Some(0)
+    } else if t > 0.99 {
+        Some(1)
+    } else {
+        None
+    };
+    ((a + along * t.clamp(0.0, 1.0) - p).length(), end)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_cancel() {
+        assert_eq!(
+            sum(&[(1, 1.0), (4, -2.0)], &[(1, 1.0), (2, 1.0)], -1.0),
+            [(2, -1.0), (4, -2.0)]
+        );
+    }
+}

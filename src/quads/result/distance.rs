@@ -1,0 +1,52 @@
+//! How far the result and the input are from each other.
+
+use crate::math::Vec3;
+use crate::mesh::{Mesh, Point, Surface};
+use serde::Serialize;
+
+/// Largest distances, in the unit of the mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct LargestDistances {
+    /// From the vertices of the result to the input.
+    pub to_input: f64,
+    /// From the vertices of the input to the result.
+    pub from_input: f64,
+}
+
+/// The distance of each vertex to the other mesh, in the unit of the mesh.
+pub(in crate::quads) struct Distances {
+    /// From the vertices of the result to the input.
+    pub(in crate::quads) to_input: Vec<f64>,
+    /// From the used vertices of the input to the result.
+    pub(in crate::quads) from_input: Vec<f64>,
+}
+
+impl Distances {
+    /// Measures the distances both ways between two meshes.
+    pub(in crate::quads) fn between(result: &Mesh, input: &Mesh) -> Distances {
+        let of = |from: &Mesh, to: &Mesh| {
+            let surface = Surface::new(&to.positions, to);
+            distances(&from.used_positions(), &surface)
+        };
+        Distances { to_input: of(result, input), from_input: of(input, result) }
+    }
+
+    /// The largest of them.
+    pub(in crate::quads) fn largest(&self) -> LargestDistances {
+        let largest = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
+        LargestDistances {
+            to_input: largest(&self.to_input),
+            from_input: largest(&self.from_input),
+        }
+    }
+}
+
+/// The distance of each point to a surface.
+fn distances(points: &[Point], surface: &Surface) -> Vec<f64> {
+    let mut hint = Surface::NO_HINT;
+    let to_surface = |&point: &Point| {
+        let closest = surface.closest(point, &mut hint);
+        (Vec3::from(closest) - Vec3::from(point)).length()
+    };
+    points.iter().map(to_surface).collect()
+}

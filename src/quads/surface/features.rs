@@ -1,0 +1,63 @@
+//! Creases of a surface: edges that turn, in sets long enough to be meant.
+
+use super::edges::Edges;
+use super::refine::Line;
+use crate::math::{Vec3, cosine};
+
+/// Marks the sides on the boundary, and those on creases: edges between triangles whose normals turn
+/// by more than `crease` degrees, in connected sets of at least the length `shortest`. Returns the
+/// marks, `#T by 3`, and the number of crease edges that were dropped.
+pub(super) fn lines(
+    positions: &[Vec3<f64>],
+    triangles: &[[usize; 3]],
+    crease: Option<f64>,
+    shortest: f64,
+) -> (Vec<[Line; 3]>, usize) {
+    let edges = Edges::new(triangles);
+    let normal = |t: usize| {
+        let [a, b, c] = triangles[t].map(|v| positions[v]);
+        let (_, normal) = (b - a).cross(c - a).length_and_direction();
+        normal.unwrap_or_else(Vec3::zero)
+    };
+    let least = crease.map(|degrees| cosine(degrees / 360.0));
+    let mut line: Vec<Line> = edges
+        .sides
+        .iter()
+        .map(|sides| match (sides.as_slice(), least) {
+            ([_], _) => Line::Boundary,
+            ([a, b], Some(least)) if normal(a.triangle).dot(normal(b.triangle)) < least => {
+                Line::Crease
+            }
+            _ => Line::None,
+        })
+        .collect();
+    let mut at_vertex: Vec<Vec<usize>> = vec![Vec::new(); positions.len()];
+    for (e, &line) in line.iter().enumerate().filter(|&(_, &line)| line == Line::Crease) {
+        debug_assert_eq!(line, Line::Crease);
+        edges.ends[e].iter().for_each(|&v| at_vertex[v].push(e));
+    }
+    let mut dropped = 0;
+    let mut seen = vec![false; line.len()];
+    for first in 0..line.len() {
+        if line[first] != Line::Crease || seen[first] {
+            continue;
+        }
+        seen[first] = true;
+        let (mut set, mut next, mut length) = (vec![first], 0, 0.0);
+        while let Some(&e) = set.get(next) {
+            next += 1;
+            let [a, b] = edges.ends[e];
+            length += (positions[a] - positions[b]).length();
+            for &other in at_vertex[a].iter().chain(&at_vertex[b]) {
+                if !std::mem::replace(&mut seen[other], true) {
+                    set.push(other);
+                }
+            }
+        }
+        if length < shortest {
+            dropped += set.len();
+            set.into_iter().for_each(|e| line[e] = Line::None);
+        }
+    }
+    (edges.of_side.iter().map(|sides| sides.map(|e| line[e])).collect(), dropped)
+}

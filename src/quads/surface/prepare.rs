@@ -1,0 +1,172 @@
+//! A part of the input prepared for panels of one size: refined, with features and their tangents
+//! (section 4.1 and 4.2 of the study).
+
+use super::chains::Chains;
+use super::cones::cones;
+use super::edges::Edges;
+use super::features;
+use super::input::{InputSurface, Tensor};
+use super::refine::{Line, Refined};
+use crate::math::Vec3;
+use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
+
+/// Connected creases shorter than this many panels are noise.
+const SHORTEST_CREASE: f64 = 6.0;
+/// A boundary loop must be at least this many panels long.
+const SHORTEST_LOOP: f64 = 2.0;
+/// More panels than this are refused.
+const MOST_PANELS: f64 = 100_000.0;
+
+/// A connected surface, ready for its field.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prepared {
+    /// The refined surface.
+    pub surface: Triangulation,
+    /// Side of a panel, in the unit of the mesh.
+    pub size: f64,
+    /// `#V`: the second fundamental form, interpolated linearly.
+    pub(crate) tensors: Vec<Tensor>,
+    /// `#T by 3`: for feature sides the tangent of the feature, in the direction of the side.
+    pub(crate) tangents: Vec<[Vec3<f64>; 3]>,
+    /// `#T`: a direction of the field given by a sharp wedge.
+    pub(crate) cones: Vec<Option<Vec3<f64>>>,
+    /// What was found.
+    pub notes: PrepareNotes,
+}
+
+impl Prepared {
+    /// Follows the features that the surface marks: tangents, wedges, and creases that are released
+    /// beside other features.
+    fn with_features(mut surface: Triangulation, tensors: Vec<Tensor>, size: f64) -> Prepared {
+        let edges = Edges::new(&surface.triangles);
+        let (cones, wedges) = cones(&surface, size);
+        let mut is_feature: Vec<bool> =
+            edges.sides.iter().map(|sides| surface.is_feature(sides[0])).collect();
+        let is_crease = |e: usize| edges.sides[e].len() == 2;
+        let mut tangents = vec![Vec3::zero(); edges.ends.len()];
+        let chains = Chains::new(&surface.positions, &edges, &is_feature);
+        let corners = chains.tangents(&edges, size, &mut tangents);
+        let released = chains.too_close(size, is_crease);
+        drop(chains);
+        for &e in &released {
+            is_feature[e] = false;
+            edges.sides[e].iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
+        }
+        let creases = (0..is_feature.len()).filter(|&e| is_feature[e] && is_crease(e)).count();
+        let released = released.len();
+        let notes = PrepareNotes { corners, creases, released, wedges, ..PrepareNotes::default() };
+        let of_side = |t: usize| {
+            [0, 1, 2].map(|k| {
+                let e = edges.of_side[t][k];
+                let ascends = surface.triangles[t][k] == edges.ends[e][0];
+                if ascends { tangents[e] } else { -tangents[e] }
+            })
+        };
+        let tangents = (0..surface.triangles.len()).map(of_side).collect();
+        Prepared { surface, size, tensors, tangents, cones, notes }
+    }
+
+    /// The same surface without the connected creases on which these sides lie: the grid cannot
+    /// follow them with panels of this size.
+    pub(crate) fn without_creases(&self, sides: &[Side]) -> Prepared {
+        let edges = Edges::new(&self.surface.triangles);
+        let is_crease =
+            |e: usize| edges.sides[e].len() == 2 && self.surface.is_feature(edges.sides[e][0]);
+        let mut at_vertex: Vec<Vec<usize>> = vec![Vec::new(); self.surface.positions.len()];
+        for e in (0..edges.ends.len()).filter(|&e| is_crease(e)) {
+            edges.ends[e].iter().for_each(|&v| at_vertex[v].push(e));
+        }
+        let mut surface = self.surface.clone();
+        let mut queue: Vec<usize> =
+            sides.iter().map(|side| edges.of_side[side.triangle][side.side]).collect();
+        let mut abandoned = 0;
+        while let Some(e) = queue.pop() {
+            let own = &edges.sides[e];
+            if !is_crease(e) || !surface.is_feature(own[0]) {
+                continue;
+            }
+            abandoned += 1;
+            own.iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
+            queue.extend(edges.ends[e].iter().flat_map(|&v| &at_vertex[v]));
+        }
+        let mut prepared = Prepared::with_features(surface, self.tensors.clone(), self.size);
+        prepared.notes.dropped_creases = self.notes.dropped_creases;
+        prepared.notes.abandoned = self.notes.abandoned + abandoned;
+        prepared
+    }
+}
+
+/// Counts of what was found in a surface.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PrepareNotes {
+    /// Vertices of the surface at corners of feature chains.
+    pub corners: Vec<usize>,
+    /// Crease edges of the input that are not followed, because their set is short.
+    pub dropped_creases: usize,
+    /// Crease edges of the surface that are followed.
+    pub creases: usize,
+    /// Edges of creases released beside another chain.
+    pub released: usize,
+    /// Crease edges of the surface given up because they are nearer to each other than a panel.
+    pub abandoned: usize,
+    /// Sharp wedges.
+    pub wedges: usize,
+}
+
+impl InputSurface {
+    /// Prepares the surface for panels of the side `size`.
+    ///
+    /// # Errors
+    /// If the size is out of range for this surface.
+    pub fn prepare(&self, size: f64, options: &MapOptions) -> Result<Prepared, RemeshError> {
+        self.check(size)?;
+        let shortest = SHORTEST_CREASE * size;
+        let (lines, dropped) =
+            features::lines(&self.positions, &self.triangles, options.crease, shortest);
+        let mut refined = Refined {
+            positions: self.positions.clone(),
+            tensors: self.tensors.clone(),
+            vertices: self.vertices.iter().map(|&v| Some(v)).collect(),
+            triangles: self.triangles.clone(),
+            lines,
+            faces: self.faces.clone(),
+        };
+        let on_feature = |line: Line| match line {
+            Line::None => false,
+            Line::Crease => true,
+            Line::Boundary => options.boundary == Boundary::Followed,
+        };
+        refined.split_long(size);
+        refined.separate(on_feature);
+        let Refined { positions, tensors, vertices, triangles, lines, faces } = refined;
+        let surface = Triangulation {
+            neighbours: Edges::new(&triangles).neighbours(),
+            feature: lines.iter().map(|sides| sides.map(on_feature)).collect(),
+            positions,
+            triangles,
+            faces,
+            vertices,
+        };
+        let mut prepared = Prepared::with_features(surface, tensors, size);
+        prepared.notes.dropped_creases = dropped;
+        Ok(prepared)
+    }
+
+    /// Checks the size against the area and the boundary.
+    fn check(&self, size: f64) -> Result<(), RemeshError> {
+        let least = (self.area() / MOST_PANELS).sqrt();
+        if !(size >= least && size.is_finite()) {
+            return Err(RemeshError::SizeTooSmall { least });
+        }
+        let edges = Edges::new(&self.triangles);
+        let is_boundary: Vec<bool> = edges.sides.iter().map(|sides| sides.len() == 1).collect();
+        let chains = Chains::new(&self.positions, &edges, &is_boundary);
+        let whole = 0.5 * self.area().sqrt();
+        let (length, at) = chains.shortest().unwrap_or((SHORTEST_LOOP * whole, self.positions[0]));
+        let greatest = (length / SHORTEST_LOOP).min(whole);
+        if size > greatest {
+            return Err(RemeshError::SizeTooLarge { greatest, at });
+        }
+        Ok(())
+    }
+}
