@@ -1,55 +1,33 @@
 // A static host like that of the site: compressed, with validators, so that a second visit is warm.
-// It counts the bytes sent.
 
-import { createHash } from 'node:crypto';
-import { existsSync, readFileSync, statSync } from 'node:fs';
+import { once } from 'node:events';
+import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { types } from '../serve.mjs';
 
-/** Returns the response for a file. */
-function answerOf(path, headers) {
-  const body = gzipSync(readFileSync(path), { level: 9 });
-  const etag = `"${createHash('sha256').update(body).digest('hex').slice(0, 16)}"`;
-  const type = types[extname(path)] ?? 'application/octet-stream';
-  const encoding = { 'content-type': type, 'content-encoding': 'gzip' };
-  return { body, headers: { ...encoding, 'cache-control': 'max-age=600', etag, ...headers } };
-}
-
-/**
- * Serves folders, each under a path that ends in "/". Resolves with { address, close, takeBytes }.
- */
-export async function host({ folders, headers = {} }) {
-  const known = new Map();
-  const find = (path) => {
-    const mount = Object.keys(folders).find((start) => path.startsWith(start));
-    const file = mount && join(folders[mount], path.slice(mount.length) || 'index.html');
-    if (!file || !existsSync(file) || !statSync(file).isFile()) return null;
-    if (!known.has(file)) known.set(file, answerOf(file, headers));
-    return known.get(file);
-  };
+/** Serves a folder; resolves with { address, close, sent }: the bytes of all bodies so far. */
+export async function host(folder, headers = {}) {
+  /** Bodies by file: compressed once, so that no visit waits for it. */
+  const bodies = new Map();
   let bytes = 0;
   const server = createServer((request, response) => {
-    const found = find(new URL(request.url, 'http://localhost').pathname);
-    if (!found) {
-      response.writeHead(404, headers).end();
-    } else if (request.headers['if-none-match'] === found.headers.etag) {
-      response.writeHead(304, found.headers).end();
-    } else {
-      bytes += found.body.length;
-      response.writeHead(200, found.headers).end(found.body);
-    }
+    const { pathname } = new URL(request.url, 'http://localhost');
+    const file = join(folder, pathname, pathname.endsWith('/') ? 'index.html' : '');
+    const found = statSync(file, { throwIfNoEntry: false });
+    if (!found?.isFile()) return response.writeHead(404, headers).end();
+    const etag = `"${found.size}-${found.mtimeMs}"`;
+    const type = types[extname(file)] ?? 'application/octet-stream';
+    const kept = { 'cache-control': 'max-age=600', etag, ...headers };
+    if (request.headers['if-none-match'] === etag) return response.writeHead(304, kept).end();
+    if (!bodies.has(file)) bodies.set(file, gzipSync(readFileSync(file), { level: 9 }));
+    bytes += bodies.get(file).length;
+    response.writeHead(200, { 'content-type': type, 'content-encoding': 'gzip', ...kept });
+    return response.end(bodies.get(file));
   });
-  await new Promise((done) => server.listen(0, '127.0.0.1', done));
-  return {
-    address: `http://127.0.0.1:${server.address().port}/`,
-    close: () => server.close(),
-    /** Returns the bytes of all response bodies since the last call. */
-    takeBytes() {
-      const sum = bytes;
-      bytes = 0;
-      return sum;
-    },
-  };
+  server.listen(0, '127.0.0.1');
+  await once(server, 'listening');
+  const address = `http://127.0.0.1:${server.address().port}/`;
+  return { address, close: () => server.close(), sent: () => bytes };
 }
