@@ -12,7 +12,7 @@ import { main, outputOf, Problem, say } from '../run.mjs';
 import { setUp } from '../setup.mjs';
 import { startBrowser } from './browser.mjs';
 import { startNative } from './native.mjs';
-import { casesOf, measured, parts } from './parts.mjs';
+import { casesOf, measured, parts, tablesOf } from './parts.mjs';
 import { benchFolder, letters } from './problems.mjs';
 import { isQuiet, unrest, unrestText } from './quiet.mjs';
 import { table } from './tables.mjs';
@@ -129,11 +129,10 @@ async function measure(options, words) {
 }
 
 /** Returns the tables of results as text: those of the README, or all. */
-export function markdown({ machine, moments, rows }, { readme = false } = {}) {
+function markdown({ machine, moments, rows }, forReadme) {
   const texts = Object.entries(rows).flatMap(([name, all]) =>
-    parts[name].tables
-      .filter((one) => one.readme || !readme)
-      .map((one) => [one.title, table(one.columns, all)])
+    tablesOf(name, forReadme)
+      .map(([title, columns]) => [title, table(columns, all)])
       .filter(([, text]) => text),
   );
   return [`${machine} ${unrestText(...moments)}`, ...texts.flat()].join('\n\n');
@@ -152,7 +151,7 @@ export function writeReadme(results, path) {
   const [before, rest] = readFileSync(path, 'utf8').split(start);
   const after = rest?.split(end)[1];
   if (after === undefined) throw new Problem('README.md: the marks of the speed tables are gone');
-  const section = markdown(results, { readme: true });
+  const section = markdown(results, true);
   writeFileSync(path, `${before}${start}\n${section}\n\n${end}${after}`);
 }
 

@@ -44,11 +44,10 @@ export async function startNative(trial) {
       const words = ['solve', sceneFile, ...(traced ? ['--trace'] : []), '--iterations'];
       const of = (accelerator) => {
         const take = (count) => call(...words, count, '--accelerator', accelerator);
-        const pairs = Array.from({ length: TIMES }, () => [take(FEW), take(FEW + more)]);
-        const [few, many] = [0, 1].map((k) => median(pairs.map((pair) => pair[k])));
-        return { total: (many - few) / more };
+        const pair = () => take(FEW + more) - take(FEW);
+        return { total: median(Array.from({ length: TIMES }, pair)) / more };
       };
-      return { 'quasi-newton': of('quasi-newton'), none: of('none') };
+      return { none: of('none'), 'quasi-newton': of('quasi-newton') };
     },
     exact({ sceneFile, size }) {
       const { seconds, max_distance, misses } = reportOn('solve', sceneFile).exact;

@@ -7,40 +7,35 @@ import { measureStart } from './start.mjs';
 const SIZES = { sizes: [2500, 10_000], more: [30_000, 100_000] };
 
 /** Where ours is measured beside a peer: natively if both make panels exact. */
-const placeOf = (measure) => (measure === 'exact' ? 'native' : 'browser');
+const placeOf = (peer) => (peer.what ? 'browser' : 'native');
 
 const rowOf = ({ surface, kind, vertices }) => ({ surface, kind, vertices });
 
 /**
  * By name: the `problems` in vertices of `sizes`, with `--full` also of `more`, and the `places` of
  * the measurement of this name, which are both unless named. Two parts have their own `cases` for
- * some options, and `measure` one as a row or several. `readme` is for tables of the README.
+ * some options, and `measure` one as a row or several. `tables` are columns by title; with `readme`
+ * the first one is for the README.
  */
 export const parts = {
   iterations: {
     problems: ['A', 'B', 'C', 'E'],
     ...SIZES,
-    tables: [
-      {
-        readme: true,
-        title: 'In the browser, milliseconds, medians:',
-        columns: `
-          problem | vertices | iteration = browser.quasi-newton.total |
-          of it projections = browser.quasi-newton.shape |
-          closeness = browser.quasi-newton.close | global step = browser.quasi-newton.global |
-          file opened = browser.quasi-newton.opened |
-          constraints changed = browser.quasi-newton.change |
-          handle added = browser.quasi-newton.handle`,
-      },
-      {
-        title: 'An iteration by accelerator and place, milliseconds:',
-        columns: `
-          problem | vertices | plain, natively = native.none.total |
-          plain, in the browser = browser.none.total |
-          quasi-newton, natively = native.quasi-newton.total |
-          quasi-newton, in the browser = browser.quasi-newton.total`,
-      },
-    ],
+    readme: true,
+    tables: {
+      'In the browser, milliseconds, medians:': `
+        problem | vertices | iteration = browser.quasi-newton.total |
+        of it projections = browser.quasi-newton.shape |
+        closeness = browser.quasi-newton.close | global step = browser.quasi-newton.global |
+        file opened = browser.quasi-newton.opened |
+        constraints changed = browser.quasi-newton.change |
+        handle added = browser.quasi-newton.handle`,
+      'An iteration by accelerator and place, milliseconds:': `
+        problem | vertices | plain, natively = native.none.total |
+        plain, in the browser = browser.none.total |
+        quasi-newton, natively = native.quasi-newton.total |
+        quasi-newton, in the browser = browser.quasi-newton.total`,
+    },
   },
 
   maps: {
@@ -48,13 +43,11 @@ export const parts = {
     sizes: [2500, 10_000],
     // The paper's largest map has 35,000 vertices.
     more: [35_000, 100_000],
-    tables: [
-      {
-        readme: true,
-        title: 'The first conformal map of a visit (problem D), milliseconds:',
-        columns: 'vertices | natively = native.cold | in the browser = browser.cold',
-      },
-    ],
+    readme: true,
+    tables: {
+      'The first conformal map of a visit (problem D), milliseconds:':
+        'vertices | natively = native.cold | in the browser = browser.cold',
+    },
   },
 
   factors: {
@@ -62,13 +55,10 @@ export const parts = {
     // Around which the faster one changes.
     sizes: [500, 1000, 2500, 5000, 10_000],
     places: ['browser'],
-    tables: [
-      {
-        title: 'In the browser, from changed constraints to the end of the first iteration, ms:',
-        columns: `
-          problem | vertices | sprs-ldl = browser.sprs-ldl | supernodal = browser.supernodal`,
-      },
-    ],
+    tables: {
+      'In the browser, from changed constraints to the end of the first iteration, ms:': `
+        problem | vertices | sprs-ldl = browser.sprs-ldl | supernodal = browser.supernodal`,
+    },
   },
 
   convergence: {
@@ -77,52 +67,40 @@ export const parts = {
     problems: ['B', 'C'],
     ...SIZES,
     places: ['browser'],
-    tables: [
-      {
-        readme: true,
-        title:
-          'Seconds (iterations) from the moved handle until the energy is within 1e-4 of the converged one:',
-        columns: `
-          problem | vertices | plain = browser.none | quasi-newton = browser.quasi-newton |
-          anderson = browser.anderson`,
-      },
-    ],
+    readme: true,
+    tables: {
+      'Seconds (iterations) from the moved handle until the energy is within 1e-4 of the converged one:': `
+        problem | vertices | plain = browser.none | quasi-newton = browser.quasi-newton |
+        anderson = browser.anderson`,
+    },
   },
 
   start: {
     cases: ({ where }) => (where.includes('browser') ? [{}] : []),
     measure: measureStart,
-    tables: [
-      {
-        readme: true,
-        title:
-          'The page with its first model, drawn without a graphics card, in milliseconds. The kB are those until a second and a half later: with what the page keeps for use without a network.',
-        columns: `
-          visit | first paint = median.painted | model there, solved = median.solved |
-          first frame drawn = median.drawn | kB = median.kB`,
-      },
-    ],
+    readme: true,
+    tables: {
+      'The page with its first model, drawn without a graphics card, in milliseconds. The kB are those until a second and a half later: with what the page keeps for use without a network.': `
+        visit | first paint = median.painted | model there, solved = median.solved |
+        first frame drawn = median.drawn | kB = median.kB`,
+    },
   },
 
   exact: {
     problems: ['circles near a net', 'planes near a net', 'rough circles', 'rough planes'],
     sizes: [2500, 10_000, 30_000],
-    tables: [
-      {
-        title:
-          'From the soft solution until all panels are exact; the memory is that of the module:',
-        columns: `
-          mesh = surface | panels = kind | vertices | seconds, natively = native.seconds |
-          seconds, in the browser = browser.seconds | distance, natively = native.distance |
-          distance, in the browser = browser.distance | MB = browser.megabytes`,
-      },
-    ],
+    tables: {
+      'From the soft solution until all panels are exact; the memory is that of the module:': `
+        mesh = surface | panels = kind | vertices | seconds, natively = native.seconds |
+        seconds, in the browser = browser.seconds | distance, natively = native.distance |
+        distance, in the browser = browser.distance | MB = browser.megabytes`,
+    },
   },
 
   peers: {
     cases: ({ sizes, where }) =>
       peers
-        .filter(({ ours }) => where.includes(placeOf(ours)))
+        .filter((peer) => where.includes(placeOf(peer)))
         .flatMap((peer) =>
           peer.problems.map((problem) => ({ problem, size: sizes?.[0] ?? peer.vertices, peer })),
         ),
@@ -130,27 +108,29 @@ export const parts = {
       const problem = problemOf(name, size);
       const distance = (theirs) => on('native', 'distance', theirs);
       const theirs = await measurePeer(peer, problem, distance);
-      const ours = await on(placeOf(peer.ours), peer.ours, problem);
-      return { ...rowOf(problem), ...theirs, ours: ours.none ?? ours };
+      const { what, equal } = peer;
+      const measure = problem.map ? 'maps' : what ? 'iterations' : 'exact';
+      const ours = await on(placeOf(peer), measure, problem);
+      return { what, equal, ...rowOf(problem), ...theirs, ours: ours.none ?? ours };
     },
-    tables: [
-      {
-        readme: true,
-        title:
-          'Other libraries, natively, and what of their problem is equal to ours, in milliseconds:',
-        columns: `
-          library | what = peer.what | equal = peer.equal | vertices | it = its | ours in the browser = ours.total`,
-      },
-      {
-        title: 'Panels made exact, all natively; distances are relative to the size of the mesh:',
-        columns: `
-          mesh = surface | panels = kind | library | its way = way |
-          its distance = itsDistance | its s = its | our distance = ours.distance |
-          our s = ours.seconds`,
-      },
-    ],
+    readme: true,
+    tables: {
+      'Other libraries, natively, and what of their problem is equal to ours, in milliseconds:': `
+        library | what | equal | vertices | it = its | ours in the browser = ours.total`,
+      'Panels made exact, all natively; distances are relative to the size of the mesh:': `
+        mesh = surface | panels = kind | library | its way = way |
+        its distance = itsDistance | its s = its | our distance = ours.distance |
+        our s = ours.seconds`,
+    },
   },
 };
+
+/** Returns [title, columns] of the tables of a part: all, or the one for the README. */
+export function tablesOf(name, forReadme = false) {
+  const all = Object.entries(parts[name].tables);
+  if (!forReadme) return all;
+  return parts[name].readme ? [all[0]] : [];
+}
 
 /** Returns the cases of a part for some options. */
 export function casesOf(name, options) {

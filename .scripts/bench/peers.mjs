@@ -5,13 +5,13 @@ import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { at } from '../project.mjs';
-import { say } from '../run.mjs';
 import { benchFolder, objText } from './problems.mjs';
 import { median } from './statistics.mjs';
 
 /**
  * Every peer with the problems that it gets, the number of vertices (those that it can do in a
- * reasonable time), the function of `tests/bench/peers.py`, and the measurement of ours. `equal` is what its problem has in common with ours.
+ * reasonable time) and the function of `tests/bench/peers.py`. `equal` is what its problem has in
+ * common with ours, unless both make panels exact.
  */
 export const peers = [
   {
@@ -20,7 +20,6 @@ export const peers = [
     problems: ['circles'],
     vertices: 10_000,
     call: 'compas_circles',
-    ours: 'iterations',
     what: 'circles, closeness to the rest positions',
     equal: 'the mesh, the constraints, closeness to fixed points',
   },
@@ -30,7 +29,6 @@ export const peers = [
     problems: ['C'],
     vertices: 10_000,
     call: 'libigl_arap',
-    ours: 'iterations',
     what: 'as rigid as possible (spokes), handles',
     equal: 'the mesh, one rotation per vertex, the handles and their move',
   },
@@ -40,7 +38,6 @@ export const peers = [
     problems: ['planes'],
     vertices: 2500,
     call: 'libigl_planes',
-    ours: 'iterations',
     what: 'planarize_quad_mesh',
     equal: 'the mesh, a plane for every quad, nothing else',
   },
@@ -50,7 +47,6 @@ export const peers = [
     problems: ['lscm'],
     vertices: 10_000,
     call: 'libigl_lscm',
-    ours: 'maps',
     what: 'least-squares conformal map, the whole call',
     equal: 'the mesh, the energy',
   },
@@ -59,28 +55,25 @@ export const peers = [
     problems: ['circles near a net', 'planes near a net', 'rough circles', 'rough planes'],
     vertices: 2500,
     call: 'compas_exact',
-    ours: 'exact',
   },
   {
     library: 'libigl',
     problems: ['planes near a net', 'rough planes'],
     vertices: 2500,
     call: 'libigl_exact',
-    ours: 'exact',
   },
 ];
 
 const venv = join(benchFolder, 'peers');
 const python = join(venv, 'bin', 'python');
-const [taskFile, resultFile] = ['task', 'result'].map((name) => join(venv, `${name}.json`));
+const [taskFile, resultFile] = ['task', 'result'].map((name) =>
+  join(benchFolder, `peer-${name}.json`),
+);
 
-/** Installs the peers, which is done once; what is not there then cannot be imported. */
-function setUp() {
-  if (existsSync(python)) return;
-  say('installing libraries from PyPI under target/');
-  spawnSync('python3', ['-m', 'venv', venv]);
-  for (const library of new Set(peers.map((peer) => peer.library)))
-    spawnSync(python, ['-m', 'pip', 'install', '--only-binary', ':all:', 'numpy', library]);
+/** Installs a peer, unless it is there; what cannot be installed cannot be imported. */
+function setUp(library) {
+  if (!existsSync(python)) spawnSync('python3', ['-m', 'venv', venv]);
+  spawnSync(python, ['-m', 'pip', 'install', '--only-binary', ':all:', 'numpy', library]);
 }
 
 /**
@@ -88,7 +81,7 @@ function setUp() {
  * corners to their circle or plane, of its way that comes closest. `distance` measures a problem.
  */
 export async function measurePeer({ library, call }, problem, distance) {
-  setUp();
+  setUp(library);
   const { points, faces, handles, kind } = problem;
   writeFileSync(taskFile, JSON.stringify({ library, call, kind, handles, points, faces }));
   const words = [at('tests', 'bench', 'peers.py'), taskFile, resultFile];
@@ -106,5 +99,6 @@ export async function measurePeer({ library, call }, problem, distance) {
     const itsDistance = await distance({ ...problem, meshFile });
     found.push({ ...named, way, its: ms / 1e3, itsDistance });
   }
-  return found.toSorted((a, b) => a.itsDistance - b.itsDistance)[0];
+  found.sort((a, b) => a.itsDistance - b.itsDistance);
+  return found[0] ?? { ...named, way: 'the mesh collapses in every way' };
 }
