@@ -2,7 +2,7 @@
 
 import { browserFlags, findBrowser } from '../browser.mjs';
 import { root } from '../project.mjs';
-import { host } from './host.mjs';
+import { serve } from '../serve.mjs';
 
 /** In the page: performs a measurement of `measures.mjs`. */
 const perform = async ([measure, problem, trial]) =>
@@ -12,10 +12,13 @@ const perform = async ([measure, problem, trial]) =>
 export async function startBrowser(trial) {
   const { chromium } = await import('@playwright/test');
   // In an isolated page the clock steps by 5 microseconds instead of 100.
-  const server = await host(root, {
+  const extra = {
     'cross-origin-opener-policy': 'same-origin',
     'cross-origin-embedder-policy': 'require-corp',
-  });
+    // So that compiled code is kept, as it is for later visits of the site.
+    'cache-control': 'max-age=600',
+  };
+  const server = await serve(root, { port: 0, extra });
   const executablePath = (await findBrowser()) ?? undefined;
   const browser = await chromium.launch({ executablePath, args: browserFlags });
   // It stays open: without a page, the browser would end during measurements elsewhere.
