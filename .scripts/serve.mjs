@@ -13,7 +13,7 @@ import { main, Problem } from './run.mjs';
 const host = '127.0.0.1';
 
 // Browsers reject .wasm files and modules of any other type.
-export const types = {
+const types = {
   '.css': 'text/css; charset=utf-8',
   '.html': 'text/html; charset=utf-8',
   '.js': 'text/javascript; charset=utf-8',
@@ -44,8 +44,11 @@ function fileOf(folder, base, url) {
   }
 }
 
-/** Serves `folder`, resolves with { address, close }. If the port is taken, tries the next ones. */
-export function serve(folder, { port, base = '/' }) {
+/**
+ * Serves `folder`, resolves with { address, close }. If the port is taken, tries the next ones.
+ * `extra` headers are sent with every file, whose content is what `read` streams.
+ */
+export function serve(folder, { port, base = '/', extra = {}, read = createReadStream }) {
   const server = createServer((request, response) => {
     const found = fileOf(folder, base, request.url);
     if (!found) {
@@ -55,13 +58,13 @@ export function serve(folder, { port, base = '/' }) {
     const { file, version } = found;
     const type = types[extname(file)] ?? 'application/octet-stream';
     const kept = isHashed(folder, file) ? 'max-age=31536000, immutable' : 'no-cache';
-    const headers = { 'content-type': type, 'cache-control': kept, etag: version };
+    const headers = { 'content-type': type, 'cache-control': kept, etag: version, ...extra };
     if (request.headers['if-none-match'] === version) {
       response.writeHead(304, headers).end();
       return;
     }
     response.writeHead(200, headers);
-    createReadStream(file).pipe(response);
+    read(file).pipe(response);
   });
   return new Promise((done, reject) => {
     let next = port;

@@ -11,20 +11,19 @@ import { at } from '../project.mjs';
 import { main, outputOf, Problem, say } from '../run.mjs';
 import { setUp } from '../setup.mjs';
 import { startBrowser } from './browser.mjs';
-import { nativePlace, nativeProgram } from './native.mjs';
-import { parts } from './parts.mjs';
-import { benchFolder, problems } from './problems.mjs';
+import { startNative } from './native.mjs';
+import { casesOf, measured, parts, tablesOf } from './parts.mjs';
+import { benchFolder, letters } from './problems.mjs';
 import { isQuiet, unrest, unrestText } from './quiet.mjs';
 import { table } from './tables.mjs';
 
-const usual = Object.keys(parts).filter((part) => parts[part].usual);
-const letters = Object.keys(problems).filter((name) => name.length === 1);
+const usual = ['iterations', 'maps', 'convergence', 'start'];
 
-const usage = `npm run bench -- [options] [MESH...]
+const usage = `npm run bench -- [options]
 
-  --sizes N,N      vertices of the meshes (default 2500,10000; --full 2500,10000,30000,100000)
+  --sizes N,N      vertices of the meshes (default depends on the part), from 36 on
   --problems A,B   of ${letters} (default all but E: A with boundary curves and a trace)
-  --parts P,P      of ${Object.keys(parts)} (default ${usual}; folds is on the named meshes)
+  --parts P,P      of ${Object.keys(parts)} (default ${usual})
   --where W,W      of native, browser (default both)
   --full           all sizes and parts
   --trial          check that it works, with what has been built for the tests
@@ -41,67 +40,51 @@ const declared = {
   ...{ readme: { type: 'boolean' }, help: { type: 'boolean' } },
 };
 
-function listOf(name, text, known) {
-  const words = text.split(',');
-  const strange = words.find((word) => !known.includes(word));
-  if (strange === undefined) return words;
-  throw new Problem(`--${name} ${strange}: expected some of ${known.join(', ')}\n\n${usage}`);
-}
-
-function sizesOf(text) {
-  const sizes = text.split(',').map(Number);
-  if (sizes.every((size) => size >= 36)) return sizes;
-  throw new Problem(`--sizes ${text}: expected numbers from 36 on`);
-}
+/** What may be in the lists. */
+const isGood = {
+  sizes: (word) => Number(word) >= 36,
+  problems: (word) => letters.includes(word),
+  parts: (word) => word in parts,
+  where: (word) => ['native', 'browser'].includes(word),
+};
 
 /** Returns the options given by the arguments. */
 export function optionsOf(args) {
   try {
-    const { values, positionals } = parseArgs({ args, options: declared, allowPositionals: true });
-    const { full, trial, readme, help } = values;
-    const all = Object.keys(parts);
-    const chosen = full ? all : usual;
-    return {
-      // A trial is no measurement.
-      ...{ full, trial, readme: readme && !trial, help, meshes: positionals },
-      sizes: sizesOf(values.sizes ?? (full ? '2500,10000,30000,100000' : '2500,10000')),
-      names: listOf('problems', values.problems, letters),
-      parts: values.parts ? listOf('parts', values.parts, all) : chosen,
-      where: listOf('where', values.where, ['native', 'browser']),
-    };
+    const { values } = parseArgs({ args, options: declared });
+    for (const name of Object.keys(isGood)) {
+      values[name] = values[name]?.split(',');
+      const strange = values[name]?.find((word) => !isGood[name](word));
+      if (strange !== undefined) throw new Problem(`--${name} ${strange}: not known`);
+    }
+    // A trial is no measurement.
+    if (values.trial && values.readme) throw new Problem('--readme: not with --trial');
+    const chosen = values.full ? Object.keys(parts) : usual;
+    return { ...values, sizes: values.sizes?.map(Number), parts: values.parts ?? chosen };
   } catch (error) {
-    throw error instanceof Problem ? error : new Problem(`${error.message}\n\n${usage}`);
+    throw new Problem(`${error.message}\n\n${usage}`);
   }
 }
 
-/**
- * Builds what is measured. Returns the browser's version, `on`, which measures a problem in a place
- * if the options name that place, and `close`.
- */
+/** Builds what is measured, and starts the places that the options name. */
 async function begin({ where, trial }) {
-  const isWanted = (place) => where.includes(place);
-  if (isWanted('browser') && !trial) {
+  const places = {};
+  if (where.includes('browser') && !trial) {
     await setUp({ checks: true });
     await buildSite();
   }
-  const browser = isWanted('browser') ? await startBrowser() : null;
-  const native = isWanted('native') ? nativePlace(await nativeProgram(trial)) : null;
-  const places = { browser: browser?.perform, native };
-  const on = async (place, measure, problem, task = {}) => {
-    const values = await places[place]?.(measure, { problem, ...task });
-    return values && { vertices: problem.vertices, ...values };
-  };
-  return { version: browser?.version, on, close: () => browser?.close() };
+  if (where.includes('native')) places.native = await startNative(trial);
+  if (where.includes('browser')) places.browser = await startBrowser(trial);
+  return places;
 }
 
 /** Measures all cases of a part; a failure leaves the other rows, which took long. */
-async function rowsOf(name, context) {
+async function rowsOf(name, options, on) {
   const rows = [];
-  for (const one of parts[name].cases(context)) {
-    const words = Object.values(one).filter((value) => typeof value !== 'object');
-    say([name, ...words].join(', '));
+  for (const one of casesOf(name, options)) {
+    say([name, one.peer?.library, one.problem, one.size].filter(Boolean).join(', '));
     try {
-      const found = [await parts[name].measure(one, context)].flat();
+      const found = [await measured(name, one, options.where, on)].flat();
       rows.push(...found.map((values) => ({ ...one, ...values })));
     } catch (error) {
       say(`failed: ${error.message}`);
@@ -111,40 +94,48 @@ async function rowsOf(name, context) {
   return rows;
 }
 
-async function measure(options, words) {
-  const { version, on, close } = await begin(options);
-  const moment = options.trial ? 50 : 1000;
-  const before = await unrest(moment);
-  const rows = {};
-  // Numbers of a busy machine are of use, but not in the README.
-  const names = options.readme && !isQuiet(before) ? [] : options.parts;
-  for (const name of names) rows[name] = await rowsOf(name, { ...options, on });
-  await close();
-  const machine = {
-    command: ['npm run bench', ...(words.length ? ['--', ...words] : [])].join(' '),
-    commit: outputOf('git', ['rev-parse', '--short', 'HEAD']),
-    date: new Date().toISOString().slice(0, 10),
-    processor: `one of the ${cpus().length} cores of an ${cpus()[0].model}`,
-    versions: [version && `Chromium ${version}`, outputOf('rustc', ['--version'])],
-    ...{ before, after: await unrest(moment) },
-  };
-  return { machine, rows };
+/** Refuses to go on to the README with numbers of a busy machine, which are of use otherwise. */
+function requireQuiet(...moments) {
+  if (moments.every(isQuiet)) return;
+  throw new Problem(`${unrestText(...moments)} The README is not written.`);
 }
 
-function machineText({ command, commit, date, processor, versions, before, after }) {
-  const on = [processor, ...versions].filter(Boolean).join(', ');
-  return `\`${command}\` at ${commit} on ${date}, on ${on}. ${unrestText(before, after)}`;
+/** Describes the command, and what it ran on. */
+function machineText(words, browser) {
+  const command = ['npm run bench', ...(words.length ? ['--', ...words] : [])].join(' ');
+  const commit = outputOf('git', ['rev-parse', '--short', 'HEAD']);
+  const date = new Date().toISOString().slice(0, 10);
+  const processor = `one of the ${cpus().length} cores of an ${cpus()[0].model}`;
+  const on = [processor, browser, outputOf('rustc', ['--version'])].filter(Boolean).join(', ');
+  return `\`${command}\` at ${commit} on ${date}, on ${on}.`;
+}
+
+/** Returns the rows of all parts by name, and the unrest before and after. */
+async function measure(options, words) {
+  const moment = options.trial ? 50 : 1000;
+  const places = await begin(options);
+  const on = (place, ...task) => places[place].perform(...task);
+  const moments = [await unrest(moment)];
+  say(unrestText(...moments));
+  const rows = {};
+  try {
+    if (options.readme) requireQuiet(...moments);
+    for (const name of options.parts) rows[name] = await rowsOf(name, options, on);
+  } finally {
+    await places.browser?.close();
+  }
+  moments.push(await unrest(moment));
+  return { machine: machineText(words, places.browser?.version), moments, rows };
 }
 
 /** Returns the tables of results as text: those of the README, or all. */
-export function markdown({ machine, rows }, { readme = false } = {}) {
+function markdown({ machine, moments, rows }, forReadme) {
   const texts = Object.entries(rows).flatMap(([name, all]) =>
-    parts[name].tables
-      .filter((one) => one.readme || !readme)
-      .map((one) => [one.title, table(one, all)])
+    tablesOf(name, forReadme)
+      .map(([title, columns]) => [title, table(columns, all)])
       .filter(([, text]) => text),
   );
-  return [machineText(machine), ...texts.flat()].join('\n\n');
+  return [`${machine} ${unrestText(...moments)}`, ...texts.flat()].join('\n\n');
 }
 
 /** The lines of the README that enclose its tables. */
@@ -153,13 +144,14 @@ export const marks = [
   '<!-- end of speed -->\n',
 ];
 
-function writeReadme(results) {
-  const path = at('README.md');
+/** Writes the tables into the README at a path, if the machine was quiet before and after. */
+export function writeReadme(results, path) {
+  requireQuiet(...results.moments);
   const [start, end] = marks;
   const [before, rest] = readFileSync(path, 'utf8').split(start);
   const after = rest?.split(end)[1];
   if (after === undefined) throw new Problem('README.md: the marks of the speed tables are gone');
-  const section = markdown(results, { readme: true });
+  const section = markdown(results, true);
   writeFileSync(path, `${before}${start}\n${section}\n\n${end}${after}`);
 }
 
@@ -175,10 +167,7 @@ async function bench(words) {
   console.log(`\n${text}`);
   const failed = Object.values(results.rows).flatMap((all) => all.filter((row) => row.failed));
   if (failed.length) throw new Problem(`${failed.length} measurements failed, see above`);
-  const { before, after } = results.machine;
-  if (!options.readme) return;
-  if (![before, after].every(isQuiet)) throw new Problem('Not quiet: the README is not written.');
-  writeReadme(results);
+  if (options.readme) writeReadme(results, at('README.md'));
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

@@ -1,36 +1,36 @@
 // Measures problems in headless Chromium, with the solver module as shipped.
 
 import { browserFlags, findBrowser } from '../browser.mjs';
-import { at } from '../project.mjs';
-import { host } from './host.mjs';
+import { root } from '../project.mjs';
+import { serve } from '../serve.mjs';
 
-/** The folder of the module that has the solver. */
-const moduleFolder = at('www', 'pkg', 'engine');
-
-/** In the page: performs a task of `measures.mjs`. */
-const perform = async ([measure, task]) => (await import('/bench/measures.mjs'))[measure](task);
+/** In the page: performs a measurement of `measures.mjs`. */
+const perform = async ([measure, problem, trial]) =>
+  (await import('/.scripts/bench/measures.mjs'))[measure](problem, trial);
 
 /** Starts the browser; returns { version, perform, close }. */
-export async function startBrowser() {
+export async function startBrowser(trial) {
   const { chromium } = await import('@playwright/test');
-  const server = await host({
-    folders: { '/module/': moduleFolder, '/bench/': at('.scripts', 'bench') },
-    // In an isolated page the clock steps by 5 microseconds instead of 100.
-    headers: {
-      'cross-origin-opener-policy': 'same-origin',
-      'cross-origin-embedder-policy': 'require-corp',
-    },
-  });
+  // In an isolated page the clock steps by 5 microseconds instead of 100.
+  const extra = {
+    'cross-origin-opener-policy': 'same-origin',
+    'cross-origin-embedder-policy': 'require-corp',
+    // So that compiled code is kept, as it is for later visits of the site.
+    'cache-control': 'max-age=600',
+  };
+  const server = await serve(root, { port: 0, extra });
   const executablePath = (await findBrowser()) ?? undefined;
   const browser = await chromium.launch({ executablePath, args: browserFlags });
   // It stays open: without a page, the browser would end during measurements elsewhere.
   const page = await browser.newPage();
   return {
-    version: browser.version(),
-    async perform(measure, task) {
+    version: `Chromium ${browser.version()}`,
+    async perform(measure, problem) {
       // Each time with a module that has run nothing yet.
-      await page.goto(`${server.address}bench/page.html`);
-      return page.evaluate(perform, [measure, task]);
+      await page.goto(`${server.address}.scripts/bench/page.html`);
+      // Long lists would take a while to get there, and are in the text of the mesh.
+      const sent = { ...problem, points: null, faces: null };
+      return page.evaluate(perform, [measure, sent, trial]);
     },
     async close() {
       await browser.close();

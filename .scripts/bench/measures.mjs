@@ -1,8 +1,8 @@
-// Measures problems with the solver module as shipped, which starts anew for each. Times are in
-// milliseconds unless named otherwise.
+// Measures problems in a page with the solver module as shipped, which starts anew for each. Times
+// are in milliseconds unless named otherwise. Those of a trial are short.
 
-import init, { ModelCopy, Solver } from '/module/shape_up.js';
-import { iterationsUntil, median, medians } from './statistics.mjs';
+import init, { ModelCopy, Solver } from '/www/pkg/engine/shape_up.js';
+import { median, medians, sum } from './statistics.mjs';
 
 const { memory } = await init();
 const encoder = new TextEncoder();
@@ -10,179 +10,154 @@ const encoder = new TextEncoder();
 /** Iterations of a run, and how many of the first ones are not counted. */
 const STEPS = 25;
 const UNCOUNTED = 5;
+/** The least time of all iterations. */
+const LEAST_MS = 1500;
+/** How often an edit is made. */
+const EDITS = 5;
 /** Iterations between looks at the energy, and how little they change it in the end, relatively. */
 const LOOK = 20;
 const STILL = 1e-10;
 /** Relative distance to the converged energy that counts as reached. */
 const NEAR = 1e-4;
+/** The longest that a run may take to come there. */
+const LIMIT_MS = 3000;
 
-/** Returns the result of a call, and its milliseconds. */
+/** Calls a function some times, with 0, 1, ...; returns the results. */
+const times = (count, call) => Array.from({ length: count }, (_, k) => call(k));
+
+/** Returns the milliseconds of a call. */
 function timed(call) {
   const start = performance.now();
-  const value = call();
-  return [value, performance.now() - start];
+  call();
+  return performance.now() - start;
 }
 
-/** Loads a problem, with other settings of the solver if given. */
-function open(solver, { scene, mesh }, settings = {}) {
+/** Loads a problem with a setting of the solver; returns the milliseconds. */
+function open(solver, { scene, mesh }, setting) {
   const document = JSON.parse(scene);
-  Object.assign(document.solver, settings);
+  Object.assign(document.solver, setting);
   const bytes = encoder.encode(JSON.stringify(document));
   const meshBytes = encoder.encode(mesh);
   return timed(() => {
     for (const path of solver.sceneFiles(bytes)) solver.addFile(path, meshBytes);
     solver.load('problem.shapeup.json', bytes);
-  })[1];
-}
-
-function run(solver) {
-  solver.beginRun();
-  while (!solver.step());
-  solver.endRun();
+  });
 }
 
 /** Times one iteration: the total, and the parts reported by the solver. */
 function step(solver) {
   const before = solver.iterateSeconds();
-  const [, total] = timed(() => solver.step());
+  const total = timed(() => solver.step());
   const after = solver.iterateSeconds();
   const [shape, close, , global] = after.map((seconds, i) => 1e3 * (seconds - before[i]));
   return { total, shape, close, global };
 }
 
-/**
- * Medians of the iterations of some runs, which take `least` milliseconds or more, and with `edits`
- * of opening and editing until the first iteration.
- */
-export function iterations({ problem, least, edits }) {
-  const solver = new Solver();
-  const opening = () => open(solver, problem) + step(solver).total;
-  // The first opening compiles code and is not counted.
-  opening();
-  const opened = median(Array.from({ length: edits && 3 }, opening));
-  const steps = [];
-  for (let [round, spent] = [0, 0]; round < 4 || spent < least; round++) {
-    solver.edit('reset');
-    const all = Array.from({ length: STEPS }, () => step(solver));
-    // The first run compiles code, too.
-    if (round > 0) steps.push(...all.slice(UNCOUNTED));
-    spent += all.reduce((sum, { total }) => sum + total, 0);
-  }
-  const handle = [];
-  const change = [];
-  for (let k = 0; k < edits; k++) {
-    const vertices = [problem.spare[k % problem.spare.length]];
-    handle.push(timed(() => solver.edit({ addHandles: { vertices, fixed: false } }))[1]);
-    solver.edit({ removeHandles: { vertices } });
-  }
-  for (let k = 0; k < edits; k++) change.push(changed(solver, k));
-  return { ...medians(steps), opened, change: median(change), handle: median(handle) };
-}
-
 /** Milliseconds from changed constraints to the end of the first iteration. */
 function changed(solver, k) {
   const edit = { setConstraint: { index: 0, weight: 1.5 + 0.5 * k } };
-  return timed(() => (solver.edit(edit), solver.step()))[1];
+  return timed(() => (solver.edit(edit), solver.step()));
+}
+
+/** Milliseconds to add a handle, which is removed again. */
+function handleAdded(solver, vertex) {
+  const vertices = [vertex];
+  const ms = timed(() => solver.edit({ addHandles: { vertices, fixed: false } }));
+  solver.edit({ removeHandles: { vertices } });
+  return ms;
+}
+
+/** Medians of iterations, of opening until the first one, and of edits. */
+function iterationsWith(accelerator, problem, trial) {
+  const solver = new Solver();
+  const opening = () => open(solver, problem, { accelerator }) + step(solver).total;
+  // The first opening compiles code and is not counted, nor is the first run.
+  const opened = median(times(4, opening).slice(1));
+  const steps = [];
+  for (let [round, spent] = [0, 0]; round < 4 || (spent < LEAST_MS && !trial); round++) {
+    solver.edit('reset');
+    const all = times(STEPS, () => step(solver));
+    if (round > 0) steps.push(...all.slice(UNCOUNTED));
+    spent += sum(all.map(({ total }) => total));
+  }
+  const { spare } = problem;
+  const handle = median(times(EDITS, (k) => handleAdded(solver, spare[k % spare.length])));
+  const change = median(times(EDITS, (k) => changed(solver, k)));
+  solver.free();
+  return { ...medians(steps), opened, change, handle };
+}
+
+/** By accelerator: the default one last, when its code is compiled. */
+export function iterations(problem, trial) {
+  const of = (accelerator) => iterationsWith(accelerator, problem, trial);
+  return { none: of('none'), 'quasi-newton': of('quasi-newton') };
 }
 
 /** Changed constraints with each numeric factor in turn. */
-export function factors({ problem, rounds }) {
-  const taken = ['sprs-ldl', 'supernodal'].map((factorization) => {
+export function factors(problem, trial) {
+  const rounds = trial ? 1 : Math.max(7, Math.min(41, Math.round(60_000 / problem.vertices)));
+  const names = ['sprs-ldl', 'supernodal'];
+  const solvers = names.map((factorization) => {
     const solver = new Solver();
     open(solver, problem, { factorization });
-    return { factorization, solver, times: [] };
+    return solver;
   });
-  for (let round = 0; round <= rounds; round++) {
-    for (const { solver, times } of taken) {
-      const ms = changed(solver, round);
-      if (round > 0) times.push(ms);
-    }
-  }
-  return Object.fromEntries(
-    taken.map(({ factorization, times }) => [factorization, median(times)]),
-  );
+  // The first round compiles code.
+  const all = times(rounds + 1, (round) => solvers.map((solver) => changed(solver, round)));
+  const counted = all.slice(1);
+  return Object.fromEntries(names.map((name, i) => [name, median(counted.map((ms) => ms[i]))]));
 }
 
-/** Energies and milliseconds of iterations until a goal, a time, or until hardly anything changes. */
-function descent(problem, accelerator, goal, limit) {
+/** Iterates until a goal, for some time, or until hardly anything changes. */
+function descent(problem, accelerator, limit, goal = 0) {
   const solver = new Solver();
   open(solver, problem, { accelerator });
   const energy = () => solver.report().energy.final.total;
-  const energies = [energy()];
-  const times = [];
-  let [spent, last, still] = [0, Infinity, false];
-  while (spent < limit && energies.at(-1) > goal && !still) {
-    for (let k = 0; k < LOOK && spent < limit; k++) {
-      times.push(timed(() => solver.step())[1]);
-      spent += times.at(-1);
-    }
-    // Six numbers per iteration: first its number, last the total. Long traces have only every
-    // second, fourth, ... iteration.
-    const trace = solver.trace();
-    for (let k = 0; k < trace.length; k += 6)
-      while (energies.length <= trace[k]) energies.push(trace[k + 5]);
-    const now = energy();
-    still = last - now <= STILL * now;
-    last = now;
+  const all = [];
+  let [last, now] = [Infinity, energy()];
+  const isStill = () => last - now <= STILL * now;
+  while (sum(all) < limit && now > goal && !isStill()) {
+    all.push(...times(LOOK, () => timed(() => solver.step())));
+    [last, now] = [now, energy()];
   }
-  return { energies, times, spent, still };
+  return { energy: now, isStill: isStill(), all, trace: solver.trace() };
 }
 
 /** By accelerator: the seconds and iterations until the energy is near the converged one. */
-export function convergence({ problem, limit }) {
-  const { energies, still } = descent(problem, 'quasi-newton', -1, 3 * limit);
+export function convergence(problem) {
+  const { energy, isStill } = descent(problem, 'quasi-newton', 3 * LIMIT_MS);
   // Without a certain goal there is nothing to compare.
-  if (!still) return {};
-  const goal = (1 + NEAR) * Math.min(...energies);
+  if (!isStill) return {};
+  const goal = (1 + NEAR) * energy;
   const of = (accelerator) => {
-    const { energies, times, spent } = descent(problem, accelerator, goal, limit);
-    const iterations = iterationsUntil(goal, energies);
-    const ms = times.slice(0, iterations ?? 0).reduce((sum, one) => sum + one, 0);
-    return { iterations, seconds: (iterations === null ? spent : ms) / 1e3 };
+    const { all, trace } = descent(problem, accelerator, LIMIT_MS, goal);
+    // Six numbers per iteration: first its number, last the total energy.
+    const reached = trace.findIndex((value, k) => k % 6 === 5 && value <= goal);
+    const iterations = reached < 0 ? null : trace[reached - 5];
+    return { iterations, seconds: sum(all.slice(0, iterations ?? all.length)) / 1e3 };
   };
   return Object.fromEntries(['none', 'quasi-newton', 'anderson'].map((name) => [name, of(name)]));
 }
 
 /** Hard constraints met from the soft solution, and the memory of the module. */
-export function exact({ problem }) {
+export function exact(problem) {
   const solver = new Solver();
   open(solver, problem);
-  run(solver);
+  solver.beginRun();
+  while (!solver.step());
+  solver.endRun();
   const { seconds, max_distance, misses } = solver.report().exact;
   const distance = max_distance / problem.size;
   return { seconds, distance, misses, megabytes: memory.buffer.byteLength / 1e6 };
 }
 
 /** Flat maps: the first one, in a module that has run nothing yet, and three more. */
-export function map({ problem }) {
+export function maps(problem) {
   const solver = new Solver();
   solver.load('problem.obj', encoder.encode(problem.mesh));
   const copy = new ModelCopy(solver.scene(), solver.generation());
-  const once = () => timed(() => copy.parametrize(problem.map, 'boundary'));
-  const [[{ eigenvalue }, cold], ...others] = [once(), once(), once(), once()];
-  return { cold, total: median(others.map(([, ms]) => ms)), eigenvalue };
-}
-
-/** A mesh as opened, whose panels are made of a kind: lengths relative to the mean edge. */
-export function folds({ problem: { name, text, kind, way } }) {
-  const solver = new Solver();
-  const { tolerance, meanEdge } = solver.load(name, encoder.encode(text));
-  const [, ms] = timed(() => {
-    if (way === 'press') {
-      solver.makePanels(kind, tolerance, 'now');
-    } else {
-      const require = way === 'exact' ? way : { within: tolerance };
-      solver.edit({ addConstraint: { kind, params: {}, on: 'faces', weight: 1 } });
-      solver.edit({ setConstraint: { index: 0, require } });
-    }
-    run(solver);
-  });
-  const { exact, folded, moved, energy } = solver.report();
-  return {
-    ...{ folded: folded ?? 0, met: exact.met ? 'yes' : 'no', eased: exact.eased?.panels ?? 0 },
-    ...{ tolerance: exact.tolerance / meanEdge, farthest: exact.max_distance / meanEdge },
-    ...{ moved: moved.max / meanEdge, mean: moved.mean / meanEdge, attempts: exact.attempts },
-    energy: (energy.final.close + energy.final.smooth) / meanEdge ** 2,
-    seconds: ms / 1e3,
-  };
+  let eigenvalue;
+  const once = () => timed(() => ({ eigenvalue } = copy.parametrize(problem.map, 'boundary')));
+  const [cold, ...others] = times(4, once);
+  return { cold, total: median(others), eigenvalue };
 }

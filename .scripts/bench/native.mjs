@@ -14,7 +14,7 @@ const TIMES = 5;
 const reportFile = join(benchFolder, 'report.json');
 
 /** Compiles the program; a trial takes the one that `cargo test` leaves. */
-export async function nativeProgram(trial) {
+async function compiled(trial) {
   if (trial && !existsSync(program)) throw new Problem('cargo test builds what a trial measures');
   if (trial) return program;
   say('compiling the native program');
@@ -22,8 +22,9 @@ export async function nativeProgram(trial) {
   return join(targetFolder, 'release', 'shape-up');
 }
 
-/** Returns a function that performs a measurement, under the same name as in `measures.mjs`. */
-export function nativePlace(program) {
+/** Returns { perform }, which performs a measurement: the same names as in `measures.mjs`. */
+export async function startNative(trial) {
+  const program = await compiled(trial);
   const call = (...words) => {
     const started = performance.now();
     if (outputOf(program, words) === null) throw new Problem(`${program} ${words.join(' ')} fails`);
@@ -36,25 +37,31 @@ export function nativePlace(program) {
   const measures = {
     /**
      * Everything that an iteration does, the recording of its energies included: the difference of
-     * runs of two lengths, of half a second or more unless `least` is zero.
+     * runs of two lengths, of half a second or more unless it is a trial.
      */
-    iterations({ problem, least }) {
-      const traced = problem.traced ? ['--trace'] : [];
-      const take = (count) => call('solve', problem.sceneFile, '--iterations', count, ...traced);
-      const more = Math.max(100, least && Math.round(1.5e6 / problem.vertices));
-      const pairs = Array.from({ length: least ? TIMES : 1 }, () => [take(FEW), take(FEW + more)]);
-      const [few, many] = [0, 1].map((k) => median(pairs.map((pair) => pair[k])));
-      return { total: (many - few) / more };
+    iterations({ sceneFile, traced, vertices }) {
+      const more = trial ? 100 : Math.max(100, Math.round(1.5e6 / vertices));
+      const words = ['solve', sceneFile, ...(traced ? ['--trace'] : []), '--iterations'];
+      const of = (accelerator) => {
+        const take = (count) => call(...words, count, '--accelerator', accelerator);
+        const pair = () => take(FEW + more) - take(FEW);
+        return { total: median(Array.from({ length: TIMES }, pair)) / more };
+      };
+      return { none: of('none'), 'quasi-newton': of('quasi-newton') };
     },
-    exact({ problem }) {
-      const { exact } = reportOn('solve', problem.sceneFile);
-      const { seconds, max_distance, misses } = exact;
-      return { seconds, distance: max_distance / problem.size, misses };
+    exact({ sceneFile, size }) {
+      const { seconds, max_distance, misses } = reportOn('solve', sceneFile).exact;
+      return { seconds, distance: max_distance / size, misses };
     },
-    map({ problem }) {
-      const report = reportOn('parametrize', problem.meshFile, '--weights', problem.map);
-      return { cold: 1e3 * report.seconds.total, eigenvalue: report.eigenvalue };
+    maps({ meshFile, map }) {
+      const { seconds, eigenvalue } = reportOn('parametrize', meshFile, '--weights', map);
+      return { cold: 1e3 * seconds.total, eigenvalue };
+    },
+    /** How far corners are from their circle or plane in a mesh of another library. */
+    distance({ meshFile, kind, size }) {
+      const { circularity, planarity } = reportOn('check', meshFile);
+      return (kind === 'circle' ? circularity : planarity).max_distance / size;
     },
   };
-  return (measure, task) => measures[measure](task);
+  return { perform: (measure, problem) => measures[measure](problem) };
 }

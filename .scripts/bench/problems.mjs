@@ -19,53 +19,47 @@ function random() {
   };
 }
 
-/** Displaces a point of the unit square on a surface by a part of an edge, half of it in height. */
-function displaced(part, surface) {
-  return (side) => {
-    const next = random();
-    const edge = part / (side - 1);
-    return (i, j) => {
-      const [x, y, z] = surface(i / (side - 1), j / (side - 1));
-      return [x + 2 * edge * next(), y + 2 * edge * next(), z + edge * next()];
-    };
-  };
-}
+/** Displaces a point at random by up to a length, half of it in height. */
+const displaced = ([x, y, z], length, next) => [
+  x + 2 * length * next(),
+  y + 2 * length * next(),
+  z + length * next(),
+];
 
-/** By name: from the number of vertices per side to the point of a place in the grid. */
+/** By name: the point at a place of a grid with some vertices per side. */
 const surfaces = {
   /** A jittered, bumpy height field with edges of about 1. */
-  bumps: (side) => (i, j) => {
+  bumps(i, j, side) {
     const shift = (channel) => 0.3 * jitter(i, j, channel);
     const wave = Math.sin((5 * i) / side) * Math.cos((4 * j) / side);
     return [i + shift(1), j + shift(2), 0.1 * side * wave + 0.3 * shift(3)];
   },
   /** A quarter of a torus, whose edge lines are nearly its principal circles. */
-  'near a principal net': displaced(0.01, (x, y) => {
-    const [along, around] = [0.9 * (x - 0.5), 1.1 * (y - 0.5)];
+  'near a principal net'(i, j, side, next) {
+    const [along, around] = [0.9 * (i / (side - 1) - 0.5), 1.1 * (j / (side - 1) - 0.5)];
     const radius = 0.6 + 0.5 * Math.cos(around);
-    return [radius * Math.sin(along), 0.5 * Math.sin(around), radius * Math.cos(along)];
-  }),
+    const point = [radius * Math.sin(along), 0.5 * Math.sin(around), radius * Math.cos(along)];
+    return displaced(point, 0.01 / (side - 1), next);
+  },
   /** A surface to which no solution is near. */
-  rough: displaced(0.15, (x, y) => [
-    ...[x, y],
-    0.1 * Math.sin(3 * x) * Math.cos(4 * y) + 0.05 * Math.sin(7 * x * y),
-  ]),
+  rough(i, j, side, next) {
+    const [x, y] = [i / (side - 1), j / (side - 1)];
+    const height = 0.1 * Math.sin(3 * x) * Math.cos(4 * y) + 0.05 * Math.sin(7 * x * y);
+    return displaced([x, y, height], 0.15 / (side - 1), next);
+  },
 };
 
 const circles = { constraints: [{ kind: 'circle', on: 'faces' }] };
-const circular = { ...circles, weights: { shape: 5, close: 10, smooth: 2 } };
-const rigid = (on) => ({
-  constraints: [{ kind: 'rigid', on }],
-  weights: { shape: 1 },
-  closeness: { to: 'none' },
-});
+const weights = { shape: 5, close: 10, smooth: 2 };
+const free = { weights: { shape: 1 }, closeness: { to: 'none' } };
+const rigid = (on) => ({ constraints: [{ kind: 'rigid', on }], ...free });
 
 /** Panels to be made exact, with the weights of the reference study. */
 const exact = (surface, kind) => ({
   ...{ surface, kind },
   scene: {
     constraints: [{ kind, on: 'faces', require: 'exact' }],
-    weights: { shape: 5, close: 10, smooth: 2 },
+    weights,
     closeness: { to: 'rest' },
     smoothness: { of: 'displacement', weighting: 'uniform' },
   },
@@ -75,26 +69,19 @@ const exact = (surface, kind) => ({
  * By name: the surface (bumps unless named), whether its quads are split into triangles, and the
  * scene, or instead of one the weights of a conformal `map`. `lifted`: six handles, of which the
  * middle one is lifted. `traced`: the energies of every iteration are recorded, natively as well
- * as on the page. `converges`: the energy has a minimum to compare with. That of A is zero: nothing
- * holds the boundary, so that smoothness contracts the mesh on its surface without end.
+ * as on the page.
  */
 export const problems = {
-  A: { scene: { ...circular, closeness: { to: 'surface' } } },
-  B: { scene: rigid('faces'), lifted: true, converges: true },
-  C: { triangles: true, scene: rigid('rings'), lifted: true, converges: true },
+  A: { scene: { ...circles, weights, closeness: { to: 'surface' } } },
+  B: { scene: rigid('faces'), lifted: true },
+  C: { triangles: true, scene: rigid('rings'), lifted: true },
   D: { triangles: true, map: 'inverse-area' },
   E: {
-    scene: { ...circular, closeness: { to: 'surface', boundary: { corners: 40 } } },
+    scene: { ...circles, weights, closeness: { to: 'surface', boundary: { corners: 40 } } },
     traced: true,
   },
   circles: { scene: { ...circles, weights: { shape: 5, close: 10 }, closeness: { to: 'rest' } } },
-  planes: {
-    scene: {
-      constraints: [{ kind: 'plane', on: 'faces' }],
-      weights: { shape: 1 },
-      closeness: { to: 'none' },
-    },
-  },
+  planes: { scene: { constraints: [{ kind: 'plane', on: 'faces' }], ...free } },
   lscm: { triangles: true, map: 'lscm' },
   'circles near a net': exact('near a principal net', 'circle'),
   'planes near a net': exact('near a principal net', 'plane'),
@@ -102,66 +89,79 @@ export const problems = {
   'rough planes': exact('rough', 'plane'),
 };
 
-/** Returns the text of an OBJ file of a square grid. */
-function objText(rows, side, triangles) {
-  const lines = rows.map((row) => `v ${row.join(' ')}`);
-  for (let first = 1; first < side * (side - 1); first++) {
-    if (first % side === 0) continue;
-    const [a, b, c, d] = [first, first + 1, first + side + 1, first + side];
-    if (triangles) lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
-    else lines.push(`f ${a} ${b} ${c} ${d}`);
+/** Those that can be chosen by `--problems`. */
+export const letters = Object.keys(problems).filter((name) => name.length === 1);
+
+/** The faces of a square grid. */
+function facesOf(side, triangles) {
+  const faces = [];
+  for (let a = 0; a < side * (side - 1); a++) {
+    if (a % side === side - 1) continue;
+    const [b, c, d] = [a + 1, a + side + 1, a + side];
+    if (triangles) faces.push([a, b, c], [a, c, d]);
+    else faces.push([a, b, c, d]);
   }
-  return `${lines.join('\n')}\n`;
+  return faces;
+}
+
+/** Returns the text of an OBJ file. */
+export function objText(points, faces) {
+  const vertexLines = points.map((point) => `v ${point.join(' ')}\n`);
+  const faceLines = faces.map((face) => `f ${face.map((vertex) => vertex + 1).join(' ')}\n`);
+  return vertexLines.join('') + faceLines.join('');
 }
 
 /** The diagonal of the bounding box. */
-function sizeOf(rows) {
+function sizeOf(points) {
   const extents = [0, 1, 2].map((c) => {
-    const values = rows.map((row) => row[c]).sort((a, b) => a - b);
+    const values = Float64Array.from(points, (point) => point[c]).sort();
     return values.at(-1) - values[0];
   });
   return Math.hypot(...extents);
 }
 
 /** The four corners, a vertex between, and last the middle, which is lifted. */
-function handlesOf(rows, side) {
+function handlesOf(points, side) {
   const [last, half, third, quarter] = [side - 1, side >> 1, Math.floor(side / 3), side >> 2];
   const corners = [0, last].flatMap((j) => [0, last].map((i) => [i, j]));
   const places = [...corners, [third, quarter], [half, half]];
   const vertices = places.map(([i, j]) => j * side + i);
-  const targets = vertices.map((vertex) => [...rows[vertex]]);
+  const targets = vertices.map((vertex) => [...points[vertex]]);
   targets.at(-1)[2] += 0.3 * side;
   return { vertices, targets, weight: 100 };
 }
 
 /**
  * Returns the problem on a mesh of about `size` vertices: `scene` and `mesh` are the texts of its
- * files at `sceneFile` and `meshFile`, `size` is about the diameter of the bounding sphere, `spare` are
- * vertices that are no handles.
+ * files at `sceneFile` and `meshFile`, `size` is about the diameter of the bounding sphere, `spare`
+ * are vertices that are no handles.
  */
-export function problemOf(name, size, solver = {}) {
+export function problemOf(name, size) {
   const { surface = 'bumps', scene, lifted, triangles, ...rest } = problems[name];
   const side = Math.max(6, Math.round(Math.sqrt(size)));
-  const point = surfaces[surface](side);
-  const rows = Array.from({ length: side * side }, (_, k) => point(k % side, Math.floor(k / side)));
-  const file = `${triangles ? 'triangles' : surface}-${side * side}.obj`.replaceAll(' ', '-');
-  const handles = lifted ? [handlesOf(rows, side)] : [];
+  const next = random();
+  const points = Array.from({ length: side * side }, (_, k) =>
+    surfaces[surface](k % side, Math.floor(k / side), side, next),
+  );
+  const faces = facesOf(side, triangles);
+  const handles = lifted ? [handlesOf(points, side)] : [];
   const document = {
-    ...{ format: 'shape-up-scene', version: 1, mesh: { file }, ...scene, handles },
+    ...{ format: 'shape-up-scene', version: 1, mesh: { file: 'problem.obj' }, ...scene, handles },
     // Hard constraints begin at the converged soft solution, other problems iterate on.
-    solver: { ...(rest.kind ? {} : { tolerance: 0 }), ...solver },
+    solver: rest.kind ? {} : { tolerance: 0 },
   };
   const fifth = Math.floor(side / 5);
-  const [sceneFile, meshFile] = ['problem.shapeup.json', file].map((own) => join(benchFolder, own));
   const problem = {
-    ...{ ...rest, surface, sceneFile, meshFile, handles: handles[0] },
-    ...{ scene: JSON.stringify(document), mesh: objText(rows, side, triangles) },
+    ...{ ...rest, surface, points, faces, handles: handles[0] },
+    ...{ scene: JSON.stringify(document), mesh: objText(points, faces) },
+    sceneFile: join(benchFolder, 'problem.shapeup.json'),
+    meshFile: join(benchFolder, 'problem.obj'),
     spare: [1, 2, 3].map((k) => k * fifth * side + k * fifth + 1),
-    vertices: side * side,
-    size: sizeOf(rows),
+    vertices: points.length,
+    size: sizeOf(points),
   };
   mkdirSync(benchFolder, { recursive: true });
-  writeFileSync(sceneFile, problem.scene);
-  writeFileSync(meshFile, problem.mesh);
+  writeFileSync(problem.sceneFile, problem.scene);
+  writeFileSync(problem.meshFile, problem.mesh);
   return problem;
 }

@@ -1,13 +1,13 @@
 // Whether the machine is quiet: others neither compute nor take the core on which we do.
 
 import { cpus } from 'node:os';
+import { setTimeout as wait } from 'node:timers/promises';
+import { sum } from './statistics.mjs';
 
 /** The most that counts as quiet: busy cores beside us, and the part of the time without our core. */
 const MOST = { busy: 0.25, stalled: 0.02 };
 /** A loop that reads the clock never takes so many milliseconds by itself. */
 const GAP_MS = 0.2;
-
-const sum = (numbers) => numbers.reduce((all, one) => all + one, 0);
 
 /** Returns the milliseconds that all cores have been idle so far. */
 const idle = () => sum(cpus().map(({ times }) => times.idle));
@@ -15,7 +15,7 @@ const idle = () => sum(cpus().map(({ times }) => times.idle));
 /** Returns the number of cores that others use while we wait. */
 async function busyCores(moment) {
   const [start, before] = [performance.now(), idle()];
-  await new Promise((done) => setTimeout(done, moment));
+  await wait(moment);
   return Math.max(0, cpus().length - (idle() - before) / (performance.now() - start));
 }
 
@@ -38,10 +38,11 @@ export async function unrest(moment) {
 
 export const isQuiet = ({ busy, stalled }) => busy <= MOST.busy && stalled <= MOST.stalled;
 
-/** Describes the measured unrest before and after something. */
+/** Describes the measured unrest of some moments. */
 export function unrestText(...moments) {
   const words = moments.every(isQuiet) ? 'It was quiet' : 'It was **not quiet**';
   const cores = moments.map(({ busy }) => busy.toFixed(1)).join(' and ');
   const lost = moments.map(({ stalled }) => `${(100 * stalled).toFixed(1)} %`).join(' and ');
-  return `${words}: before and after, others used ${cores} cores, and ours was lost for ${lost} of the time.`;
+  const when = moments.length > 1 ? ' before and after' : '';
+  return `${words}: others used ${cores} cores, and ours was lost for ${lost} of the time${when}.`;
 }

@@ -1,29 +1,44 @@
 // Time to open the page: three visits in a new browser profile, of which the first one is cold.
 
-import { mkdtempSync, rmSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, rmSync } from 'node:fs';
 import { join } from 'node:path';
+import { Readable } from 'node:stream';
+import { gzipSync } from 'node:zlib';
 import { findBrowser, webgl2Flags } from '../browser.mjs';
 import { at } from '../project.mjs';
-import { host } from './host.mjs';
+import { serve } from '../serve.mjs';
+import { benchFolder } from './problems.mjs';
 import { medians } from './statistics.mjs';
 
-const visits = ['first visit', 'second visit', 'third visit'];
+const VISITS = ['first visit', 'second visit', 'third visit'];
+/** New profiles, of which the medians are taken. */
+const PROFILES = 5;
 
-/** In the page, before its own scripts: records the times. */
-function watch() {
-  const times = {};
-  Object.assign(window, { benchTimes: times });
-  const look = () => {
-    const state = window.shapeUp?.state();
-    const isDrawn =
-      state && state.renderer.startsWith('web') && !document.getElementById('first-picture');
-    if (state?.converged) times.solved ??= performance.now();
-    if (isDrawn) times.drawn ??= performance.now();
-    if (!(times.drawn && times.solved)) requestAnimationFrame(look);
+/** Serves dist/ as the host of the site does: compressed. `sent()` is the bytes of all bodies so far. */
+async function host() {
+  /** Compressed once, so that no visit waits for it. */
+  const bodies = new Map();
+  let bytes = 0;
+  const read = (file) => {
+    if (!bodies.has(file)) bodies.set(file, gzipSync(readFileSync(file), { level: 9 }));
+    bytes += bodies.get(file).length;
+    return Readable.from([bodies.get(file)]);
   };
-  requestAnimationFrame(look);
+  const extra = { 'content-encoding': 'gzip', 'cache-control': 'max-age=600' };
+  const server = await serve(at('dist'), { port: 0, extra, read });
+  return { ...server, sent: () => bytes };
 }
+
+/** In the page: the time, if its first model is solved. */
+const solvedAt = () => window.shapeUp?.state().converged && performance.now();
+
+/** In the page: the time, if its first model is drawn. */
+const drawnAt = () =>
+  window.shapeUp?.state().renderer.startsWith('web') &&
+  !document.getElementById('first-picture') &&
+  performance.now();
+
+const paintedAt = () => performance.getEntriesByName('first-contentful-paint')[0]?.startTime;
 
 /** Opens the page once in a profile; returns milliseconds since the navigation began, and kB. */
 async function visit(chromium, profile, server) {
@@ -35,40 +50,35 @@ async function visit(chromium, profile, server) {
   });
   try {
     const page = await context.newPage();
-    await page.addInitScript(watch);
-    server.takeBytes();
-    await page.goto(server.address);
-    await page.waitForFunction(() => window.benchTimes.drawn && window.benchTimes.solved, null, {
-      timeout: 120_000,
-    });
-    const times = await page.evaluate(() => {
-      const [painted] = performance.getEntriesByName('first-contentful-paint');
-      return { painted: painted?.startTime ?? null, ...window.benchTimes };
-    });
+    page.setDefaultTimeout(120_000);
+    const before = server.sent();
+    await page.goto(server.address, { waitUntil: 'commit' });
+    // Asked in every frame.
+    const reached = [solvedAt, drawnAt].map((asked) => page.waitForFunction(asked));
+    const [solved, drawn] = await Promise.all(reached);
+    const painted = await page.evaluate(paintedAt);
     // Compiled code is written to the profile a moment later.
     await page.waitForTimeout(1500);
-    return { ...times, kB: server.takeBytes() / 1e3 };
+    const ms = { painted, solved: await solved.jsonValue(), drawn: await drawn.jsonValue() };
+    return { ...ms, kB: (server.sent() - before) / 1e3 };
   } finally {
     await context.close();
   }
 }
 
-/** Returns a row for each visit: medians over some new profiles, rounded. */
-export async function measureStart(profiles) {
+/** Returns a row for each visit. */
+export async function measureStart() {
   const { chromium } = await import('@playwright/test');
-  const server = await host({ folders: { '/': at('dist') } });
-  const all = visits.map(() => []);
-  for (let k = 0; k < profiles; k++) {
-    const profile = mkdtempSync(join(tmpdir(), 'shape-up-bench-'));
-    try {
-      for (const done of all) done.push(await visit(chromium, profile, server));
-    } finally {
+  const server = await host();
+  const profile = join(benchFolder, 'profile');
+  const all = VISITS.map(() => []);
+  try {
+    for (let k = 0; k < PROFILES; k++) {
       rmSync(profile, { recursive: true, force: true });
+      for (const done of all) done.push(await visit(chromium, profile, server));
     }
+  } finally {
+    server.close();
   }
-  server.close();
-  return all.map((done, k) => {
-    const rounded = Object.entries(medians(done)).map(([key, value]) => [key, Math.round(value)]);
-    return { visit: visits[k], ...Object.fromEntries(rounded) };
-  });
+  return VISITS.map((name, k) => ({ visit: name, median: medians(all[k]) }));
 }

@@ -1,5 +1,7 @@
 // Statistics of repeated measurements, for Node.js and for the browser.
 
+export const sum = (values) => values.reduce((all, one) => all + one, 0);
+
 /** The middle one of the values, or null if there are none. */
 export const median = (values) =>
   values.length ? values.toSorted((a, b) => a - b)[values.length >> 1] : null;
@@ -8,10 +10,4 @@ export const median = (values) =>
 export function medians(objects) {
   const keys = Object.keys(objects[0] ?? {});
   return Object.fromEntries(keys.map((key) => [key, median(objects.map((one) => one[key]))]));
-}
-
-/** Returns the number of iterations until the energies, of which one precedes them, reach a goal. */
-export function iterationsUntil(goal, energies) {
-  const reached = energies.findIndex((energy) => energy <= goal);
-  return reached < 0 ? null : reached;
 }

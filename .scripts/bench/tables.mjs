@@ -2,13 +2,18 @@
 
 const missing = '–';
 
-/** Formats a number with three significant digits, or as a power of ten if it is tiny. */
+/** Three significant digits, but no more than three decimals. */
+const rounded = new Intl.NumberFormat('en', {
+  ...{ minimumSignificantDigits: 3, maximumSignificantDigits: 3 },
+  ...{ minimumFractionDigits: 3, maximumFractionDigits: 3 },
+  roundingPriority: 'lessPrecision',
+});
+
+/** Formats a number; one that is tiny as a power of ten. */
 export function number(value) {
   if (!Number.isFinite(value)) return missing;
   if (Number.isInteger(value)) return value.toLocaleString('en');
-  if (Math.abs(value) < 1e-3) return value.toExponential(0);
-  const digits = Math.max(0, 2 - Math.floor(Math.log10(Math.max(Math.abs(value), 0.01))));
-  return value.toFixed(Math.min(3, digits));
+  return Math.abs(value) < 1e-3 ? value.toExponential(0) : rounded.format(value);
 }
 
 /** Formats a text, a number, or seconds with the iterations in them; null if they are not enough. */
@@ -25,18 +30,20 @@ function cell(value) {
 const valueAt = (row, path) => path.split('.').reduce((value, key) => value?.[key], row);
 
 /**
- * Returns a table of the rows that have a value at the path `has`, or null if there are none.
- * `columns` is its head: for each column a title and the path of its values, which may be the title.
- * Columns without any value are left out.
+ * Returns a table of the rows with a measurement in it, or null if there are none. `columns` is its
+ * head: for each column a title and the path of its values, which may be the title. Measurements
+ * are those inside of others, at a path with a dot. Columns without any value are left out.
  */
-export function table({ has, columns }, all) {
-  const rows = all.filter((row) => valueAt(row, has) !== undefined);
-  const filled = columns
-    .split('|')
-    .map((column) => column.trim().split(' = '))
+export function table(columns, all) {
+  const heads = columns.split('|').map((column) => column.trim().split(' = '));
+  const measured = heads.map(([, path = '']) => path).filter((path) => path.includes('.'));
+  const rows = all.filter((row) => measured.some((path) => valueAt(row, path) !== undefined));
+  if (!rows.length) return null;
+  const filled = heads
     .map(([head, path = head]) => [head, ...rows.map((row) => cell(valueAt(row, path)))])
     .filter(([, ...cells]) => cells.some((text) => text !== missing));
-  const line = (k) => `| ${filled.map((column) => column[k]).join(' | ')} |`;
-  const lines = rows.map((_, k) => line(k + 1));
-  return rows.length ? [line(0), `|${'---|'.repeat(filled.length)}`, ...lines].join('\n') : null;
+  const [head, ...lines] = ['', ...rows].map(
+    (_, k) => `| ${filled.map((column) => column[k]).join(' | ')} |`,
+  );
+  return [head, `|${'---|'.repeat(filled.length)}`, ...lines].join('\n');
 }

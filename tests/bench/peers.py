@@ -1,23 +1,16 @@
 """Times of other libraries on one mesh, for `npm run bench -- --parts peers`.
 
-peers.py TASK.json RESULT.json. The task gives an OBJ file of quads or triangles and the call; the result is
-in milliseconds. Single-threaded: the caller sets OMP_NUM_THREADS.
+peers.py TASK.json RESULT.json. The task has the points and faces of a mesh, and the call. The result has
+the milliseconds of single steps, or the shapes made in several ways. Single-threaded: the caller sets
+OMP_NUM_THREADS.
 """
 
+import importlib.metadata
 import json
 import sys
 import time
 
 import numpy
-
-
-def read_obj(path):
-    """Vertices and faces of an OBJ file that contains nothing else."""
-    with open(path, encoding="utf-8") as file:
-        lines = [line.split() for line in file]
-    vertices = [[float(part) for part in rest] for word, *rest in lines if word == "v"]
-    faces = [[int(part) - 1 for part in rest] for word, *rest in lines if word == "f"]
-    return numpy.array(vertices), numpy.array(faces)
 
 
 def timed(call):
@@ -30,7 +23,7 @@ def timed(call):
 def differences(run, steps):
     """Milliseconds of one iteration, as the difference of runs of two lengths, three times."""
     run(1)
-    return [(run(1 + steps) - run(1)) / steps for _ in range(3)]
+    return {"steps": [(run(1 + steps) - run(1)) / steps for _ in range(3)]}
 
 
 def compas_solver(points, faces, kind, weight, closeness):
@@ -48,52 +41,50 @@ def compas_solver(points, faces, kind, weight, closeness):
     return solver
 
 
-def compas_circles(task):
+def compas_circles(points, faces, task):
     """Circles and closeness to the initial positions: one iteration per call."""
-    solver = compas_solver(*read_obj(task["mesh"]), "circle", 5.0, 10.0)
-    steps = [timed(lambda: solver.solve(1))[1] for _ in range(task["iterations"])]
+    solver = compas_solver(points, faces, "circle", 5.0, 10.0)
+    steps = [timed(lambda: solver.solve(1))[1] for _ in range(21)]
     return {"steps": steps[1:]}
 
 
-def libigl_arap(task):
+def libigl_arap(points, faces, task):
     """As-rigid-as-possible with fixed handles, the middle one lifted: whole runs."""
     import igl
 
-    vertices, faces = read_obj(task["mesh"])
     handles = numpy.array(task["handles"]["vertices"], dtype=numpy.int32)
     targets = numpy.array(task["handles"]["targets"])
     data = igl.ARAPData()
     data.energy = igl.ARAP_ENERGY_TYPE_SPOKES
-    igl.arap_precomputation(vertices, faces, 3, handles, data)
+    igl.arap_precomputation(points, faces, 3, handles, data)
 
     def run(iterations):
         data.max_iter = iterations
-        return timed(lambda: igl.arap_solve(targets, data, vertices))[1]
+        return timed(lambda: igl.arap_solve(targets, data, points))[1]
 
-    return {"steps": differences(run, task["iterations"])}
+    return differences(run, 5)
 
 
-def libigl_planes(task):
-    """Planes for quads; the matrix is factored in the call, so runs of two lengths are compared."""
+def planarized(points, faces, iterations):
+    """Planes for quads, and the milliseconds; with threshold 0 all iterations are made."""
     import igl
 
-    vertices, faces = read_obj(task["mesh"])
-
-    def run(iterations):
-        return timed(lambda: igl.planarize_quad_mesh(vertices, faces, iterations, 0.0))[1]
-
-    return {"steps": differences(run, task["iterations"])}
+    return timed(lambda: igl.planarize_quad_mesh(points, faces, iterations, 0.0))
 
 
-def libigl_lscm(task):
+def libigl_planes(points, faces, task):
+    """Planes for quads; the matrix is factored in the call, so runs of two lengths are compared."""
+    return differences(lambda count: planarized(points, faces, count)[1], 2)
+
+
+def libigl_lscm(points, faces, task):
     """Least-squares conformal map with two fixed vertices: whole calls."""
     import igl
 
-    vertices, faces = read_obj(task["mesh"])
-    ends = numpy.array([0, len(vertices) - 1])
-    width = float(numpy.linalg.norm(vertices[ends[1]] - vertices[ends[0]]))
+    ends = numpy.array([0, len(points) - 1])
+    width = float(numpy.linalg.norm(points[ends[1]] - points[ends[0]]))
     at = numpy.array([[0.0, 0.0], [width, 0.0]])
-    runs = [timed(lambda: igl.lscm(vertices, faces, ends, at))[1] for _ in range(3)]
+    runs = [timed(lambda: igl.lscm(points, faces, ends, at))[1] for _ in range(3)]
     return {"steps": runs[1:]}
 
 
@@ -109,69 +100,42 @@ COMPAS_WAYS = {
 }
 
 
-def compas_exact(task):
-    """Circles or planes by their weight against closeness, for each setting above: the least remaining distance,
-    its setting, and the total time of that setting."""
-    vertices, faces = read_obj(task["mesh"])
+def compas_exact(points, faces, task):
+    """Circles or planes, 2000 iterations in each way above; those that collapse the mesh are left out."""
 
     def run(weights, closeness):
-        points = vertices
+        shape = points
         for weight in weights:
-            solver = compas_solver(points, faces, task["kind"], weight, closeness)
-            solver.solve(max(1, task["iterations"] // len(weights)))
-            points = numpy.array(solver.get_points()).reshape(3, -1, order="F").T
-        return points
+            solver = compas_solver(shape, faces, task["kind"], weight, closeness)
+            solver.solve(2000 // len(weights))
+            shape = numpy.array(solver.get_points()).reshape(3, -1, order="F").T
+        return shape
 
-    tried = []
+    ways = []
     for way, setting in COMPAS_WAYS.items():
-        points, ms = timed(lambda: run(*setting))
-        distance = worst(points, faces, task["kind"])
-        if numpy.isfinite(distance) and not collapsed(points, vertices, faces):
-            tried.append({"ms": ms, "distance": distance, "way": way})
-    return min(tried, key=lambda one: one["distance"])
+        shape, ms = timed(lambda: run(*setting))
+        # A collapsed mesh meets every constraint.
+        if (lengths(shape, faces) > 0.01 * lengths(points, faces)).all():
+            ways.append({"way": way, "ms": ms, "shape": shape.tolist()})
+    return {"ways": ways}
 
 
-def collapsed(points, before, faces):
-    """Whether an edge has shrunk below a hundredth of its length: a collapsed mesh meets every constraint."""
-
-    def lengths(points):
-        return numpy.linalg.norm(points[faces] - points[numpy.roll(faces, 1, axis=1)], axis=2)
-
-    return bool((lengths(points) < 0.01 * lengths(before)).any())
+def lengths(points, faces):
+    """The edge lengths of each face; none is greater than another if they are not numbers."""
+    return numpy.linalg.norm(points[faces] - points[numpy.roll(faces, 1, axis=1)], axis=2)
 
 
-def libigl_exact(task):
-    """Planes; with threshold 0 all iterations are made."""
-    import igl
-
-    vertices, faces = read_obj(task["mesh"])
-    points, ms = timed(lambda: igl.planarize_quad_mesh(vertices, faces, task["iterations"], 0.0))
-    way = f"planarize_quad_mesh, {task['iterations']} iterations"
-    return {"ms": ms, "distance": worst(points, faces, task["kind"]), "way": way}
-
-
-def worst(points, faces, kind):
-    """Greatest distance of a corner to the least-squares plane of its quad, or to the algebraic circle in it."""
-    corners = points[faces]
-    away = corners - corners.mean(axis=1, keepdims=True)
-    axes = numpy.linalg.svd(away)[2]
-    along = away @ axes.transpose(0, 2, 1)
-    height = along[:, :, 2]
-    if kind == "plane":
-        return float(numpy.abs(height).max())
-    flat = along[:, :, :2]
-    squares = (flat**2).sum(axis=2)
-    rows = numpy.concatenate([2 * flat, numpy.ones_like(height)[:, :, None]], axis=2)
-    found = (numpy.linalg.pinv(rows) @ squares[:, :, None])[:, :, 0]
-    centre = found[:, None, :2]
-    radius = numpy.sqrt(found[:, 2] + (found[:, :2] ** 2).sum(axis=1))
-    off = numpy.linalg.norm(flat - centre, axis=2) - radius[:, None]
-    return float(numpy.hypot(off, height).max())
+def libigl_exact(points, faces, task):
+    """Planes, in one way."""
+    shape, ms = planarized(points, faces, 100)
+    return {"ways": [{"way": "planarize_quad_mesh, 100 iterations", "ms": ms, "shape": shape.tolist()}]}
 
 
 if __name__ == "__main__":
     with open(sys.argv[1], encoding="utf-8") as file:
         asked = json.load(file)
-    result = globals()[asked["call"]](asked)
+    mesh = [numpy.array(asked[name]) for name in ("points", "faces")]
+    version = importlib.metadata.version(asked["library"])
+    result = globals()[asked["call"]](*mesh, asked)
     with open(sys.argv[2], "w", encoding="utf-8") as file:
-        json.dump(result, file)
+        json.dump({"version": version, **result}, file)

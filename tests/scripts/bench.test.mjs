@@ -1,19 +1,21 @@
 // The evaluation of the benchmark's measurements.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { test } from 'node:test';
-import { markdown, marks, optionsOf } from '../../.scripts/bench/bench.mjs';
-import { parts } from '../../.scripts/bench/parts.mjs';
+import { marks, optionsOf, writeReadme } from '../../.scripts/bench/bench.mjs';
+import { casesOf, parts, tablesOf } from '../../.scripts/bench/parts.mjs';
 import { peers } from '../../.scripts/bench/peers.mjs';
 import { problems } from '../../.scripts/bench/problems.mjs';
 import { isQuiet, unrestText } from '../../.scripts/bench/quiet.mjs';
-import { iterationsUntil, median, medians } from '../../.scripts/bench/statistics.mjs';
+import { median, medians } from '../../.scripts/bench/statistics.mjs';
 import { number, table } from '../../.scripts/bench/tables.mjs';
 import { at } from '../../.scripts/project.mjs';
 
 const quiet = { busy: 0.1, stalled: 0.001 };
-const machine = { versions: ['Chromium 1'], before: quiet, after: quiet };
+const busy = { ...quiet, busy: 1.04 };
 
 test('medians are those of the sorted values, of each property', () => {
   assert.equal(median([10, 9, 1, 2, 3]), 3);
@@ -26,19 +28,13 @@ test('medians are those of the sorted values, of each property', () => {
   assert.deepEqual(medians(all), { a: 2, b: 8 });
 });
 
-test('an energy counts as reached at the first iteration that is as close', () => {
-  const energies = [9, 1.5, 1.009, 1.00001];
-  assert.equal(iterationsUntil(1.01, energies), 2);
-  assert.equal(iterationsUntil(1, energies), null);
-});
-
 test('numbers keep three significant digits, tiny ones their power of ten', () => {
-  const values = [0.01234, 1.234, 12.34, 123.4, 12345, 2e-14, null, undefined];
-  const texts = ['0.012', '1.23', '12.3', '123', '12,345', '2e-14', '–', '–'];
+  const values = [0.01234, 0.43, 1.234, 12.34, 1431.4, 12345, 2e-14, null, undefined];
+  const texts = ['0.012', '0.430', '1.23', '12.3', '1,430', '12,345', '2e-14', '–', '–'];
   assert.deepEqual(values.map(number), texts);
 });
 
-test('a table has the rows with a value, and the columns with one', () => {
+test('a table has the rows with a measurement, and the columns with a value', () => {
   const columns = 'name | time = a.ms | to the goal = a.goal | nothing';
   const rows = [
     { name: 'one', a: { ms: 1.25, goal: { seconds: 0.5, iterations: 12 } } },
@@ -46,20 +42,29 @@ test('a table has the rows with a value, and the columns with one', () => {
     { name: 'failed' },
   ];
   assert.equal(
-    table({ has: 'a', columns }, rows),
+    table(columns, rows),
     '| name | time | to the goal |\n|---|---|---|\n| one | 1.25 | 0.500 (12) |\n| two | – | > 3.01 |',
   );
-  assert.equal(table({ has: 'b', columns }, rows), null);
+  assert.equal(table('name | other = b.ms', rows), null);
 });
 
 test('command line options are checked', () => {
   assert.throws(() => optionsOf(['--sizes', 'many']), /--sizes many/);
-  assert.throws(() => optionsOf(['--problems', 'A,Q']), /Q: expected some of A, B, C, D/);
+  assert.throws(() => optionsOf(['--problems', 'A,Q']), /--problems Q.* of A,B,C,D,E/s);
   assert.throws(() => optionsOf(['--fast']), /--fast/);
-  const { sizes, parts, meshes } = optionsOf(['roof.obj']);
-  assert.deepEqual(sizes, [2500, 10_000]);
-  assert.ok(parts.includes('start') && !parts.includes('peers'));
-  assert.deepEqual(meshes, ['roof.obj']);
+  assert.throws(() => optionsOf(['--trial', '--readme']), /--readme/);
+  const { parts: named } = optionsOf([]);
+  assert.ok(named.includes('start') && !named.includes('peers'));
+  assert.ok(optionsOf(['--full', '--readme']).parts.includes('peers'));
+});
+
+test('a part measures its problems in the sizes asked for', () => {
+  const casesFor = (...words) => casesOf('iterations', optionsOf(words));
+  const problems = (cases) => cases.map(({ problem }) => problem).join('');
+  assert.equal(problems(casesFor('--sizes', '900')), 'ABC');
+  assert.deepEqual(casesFor('--sizes', '900', '--problems', 'D,E'), [{ problem: 'E', size: 900 }]);
+  assert.equal(problems(casesFor()), 'ABCABC');
+  assert.equal(casesFor('--full').at(-1).size, 100_000);
 });
 
 test('peers get problems that exist', () => {
@@ -68,24 +73,56 @@ test('peers get problems that exist', () => {
 
 test('a machine is not quiet if others compute, or take our core', () => {
   assert.ok(isQuiet(quiet));
-  assert.ok(!isQuiet({ ...quiet, busy: 1 }) && !isQuiet({ ...quiet, stalled: 0.1 }));
-  assert.match(unrestText(quiet, { busy: 1.04, stalled: 0 }), /not quiet.* 0\.1 and 1\.0 cores/);
+  assert.ok(!isQuiet(busy) && !isQuiet({ ...quiet, stalled: 0.1 }));
+  assert.match(unrestText(quiet, busy), /not quiet.* 0\.1 and 1\.0 cores/);
 });
 
-test('the README has the tables that the benchmark writes, and only those of the browser', () => {
-  const readme = readFileSync(at('README.md'), 'utf8');
-  for (const mark of marks) assert.equal(readme.split(mark).length, 2, mark);
-  const section = readme.split(marks[0])[1].split(marks[1])[0];
-  const shown = Object.values(parts).flatMap(({ tables }) => tables.filter((one) => one.readme));
-  for (const { title } of shown) assert.ok(section.includes(`\n${title}\n`), title);
+/** Writes results of a machine with some unrest into an empty README; returns what it is then. */
+function written(...moments) {
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-readme-'));
+  const path = join(folder, 'README.md');
   const iterations = [
     {
-      ...{ problem: 'A', vertices: 2500, iterated: true },
+      ...{ problem: 'A', vertices: 2500 },
       browser: { 'quasi-newton': { total: 1.25 } },
       native: { none: { total: 77 } },
     },
   ];
-  const text = markdown({ machine, rows: { iterations } }, { readme: true });
-  assert.match(text, /\| A \| 2,500 \| 1\.25 \|/);
+  writeFileSync(path, `# Title\n${marks.join('')}The end.\n`);
+  try {
+    writeReadme({ machine: 'Here.', moments, rows: { iterations } }, path);
+    return readFileSync(path, 'utf8');
+  } catch ({ message }) {
+    return { message, text: readFileSync(path, 'utf8') };
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+test('the tables of the browser are written between the marks', () => {
+  const text = written(quiet, quiet);
+  assert.match(
+    text,
+    /^# Title\n<!-- speed.*Here\..*\| A \| 2,500 \| 1\.25 \|.*end of.*The end\.\n$/s,
+  );
   assert.doesNotMatch(text, /77/);
+});
+
+test('nothing is written if the machine was not quiet, before or after', () => {
+  for (const moments of [
+    [quiet, busy],
+    [busy, quiet],
+  ]) {
+    const { message, text } = written(...moments);
+    assert.match(message, /not quiet.*README is not written/);
+    assert.equal(text, `# Title\n${marks.join('')}The end.\n`);
+  }
+});
+
+test('the README has the tables that the benchmark writes', () => {
+  const readme = readFileSync(at('README.md'), 'utf8');
+  for (const mark of marks) assert.equal(readme.split(mark).length, 2, mark);
+  const section = readme.split(marks[0])[1].split(marks[1])[0];
+  for (const [title] of Object.keys(parts).flatMap((name) => tablesOf(name, true)))
+    assert.ok(section.includes(`\n${title}\n`), title);
 });
