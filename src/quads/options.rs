@@ -1,10 +1,15 @@
 //! What can be chosen of a remeshing, and how far it has come.
 
+use serde::{Deserialize, Serialize};
+
 /// What the grid does at the boundary of the surface.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[serde(rename_all = "lowercase")]
 pub enum Boundary {
     /// The boundary is a line of the grid.
     #[default]
+    #[serde(rename = "follow")]
     Followed,
     /// The grid runs over the boundary, which cuts its panels.
     Cut,
@@ -72,6 +77,20 @@ pub enum RemeshStage {
     Extract,
     /// Checks of the result.
     Verify,
+}
+
+impl RemeshStage {
+    /// What is done, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            RemeshStage::Prepare => "Measuring the curvature …",
+            RemeshStage::Field => "Following the lines of curvature …",
+            RemeshStage::Map => "Laying out a grid …",
+            RemeshStage::Round => "Closing the grid …",
+            RemeshStage::Extract => "Cutting panels …",
+            RemeshStage::Verify => "Checking the panels …",
+        }
+    }
 }
 
 /// Told the stage and the fraction of it that is done; returns whether to go on.

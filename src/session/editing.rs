@@ -205,9 +205,17 @@ impl Session {
     /// If the operation is refused, or the system would be singular; nothing has changed then.
     fn remesh(&mut self, remeshing: &Remeshing) -> Result<(String, Change), Error> {
         let (operation, edited) = self.remeshed(remeshing)?;
+        Ok((operation.label.to_owned(), self.replace_mesh(&edited)?))
+    }
+
+    /// Replaces the mesh by one made from it at its current positions, and returns the inverse change.
+    ///
+    /// # Errors
+    /// If the system would be singular; nothing has changed then.
+    pub(super) fn replace_mesh(&mut self, edited: &Edited) -> Result<Change, Error> {
         let (rest, carried) =
-            self.carried_to(&edited, self.scene.positions(), self.rest.positions());
-        Ok((operation.label.to_owned(), self.go_to_mesh(rest, carried)?))
+            self.carried_to(edited, self.scene.positions(), self.rest.positions());
+        self.go_to_mesh(rest, carried)
     }
 
     /// Returns the operations on the mesh, with default sizes that suit it.

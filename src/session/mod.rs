@@ -9,6 +9,7 @@
 //! | `load` | opening a scene, also in place of another |
 //! | `opened_file` | reading a file that the user opens: a mesh with its scene, or a scene with its mesh |
 //! | `editing` | edits, undo and redo, and restoring them after a restart |
+//! | `panel_layout` | new panels along the lines of curvature, in place of the mesh |
 //! | `dragging` | drags and runs, one step of undo each |
 //! | `iterating` | iterations, whole and in halves |
 //! | `hard_constraints` | meeting hard constraints, during a run or at once |
@@ -39,6 +40,7 @@ mod hard_constraints;
 mod iterating;
 mod load;
 mod opened_file;
+mod panel_layout;
 mod queries;
 mod report;
 mod requirements;
@@ -61,6 +63,7 @@ pub use edit::{
 pub use error::Error;
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
+pub use panel_layout::{LayoutSettings, LayoutWords, PanelLayout};
 pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,
     FaceMeasure, GoalWords, MeasureUnit, Projections, Report, RowPalette, RunVerdict, Seconds,

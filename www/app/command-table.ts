@@ -296,6 +296,15 @@ export function commandTable(
       action: opens(() => openEdit(app)),
     },
     {
+      id: 'new-panels',
+      group: 'Edit',
+      label: 'New panels along the lines of curvature',
+      keys: [],
+      enabled: ({ model, document }) =>
+        Boolean(model?.faces && !model.tets && !document?.lesson?.lock.includes('mesh')),
+      action: () => byId('new-panels-button').click(),
+    },
+    {
       id: 'new-mesh',
       group: 'File',
       label: 'New mesh',

@@ -11,7 +11,11 @@ import type { Jobs } from '../worker/jobs-worker.ts';
 /** Time after which the user may want to cancel a job, in milliseconds. */
 const LONG_MS = 1500;
 
-export class JobsClient extends Emitter<{ busy: { busy: boolean } }> {
+export class JobsClient extends Emitter<{
+  busy: { busy: boolean };
+  /** what the current job does, in words */
+  told: { words: string };
+}> {
   #module;
   #worker: Promise<Worker> | null = null;
   #waiting = new Waiting();
@@ -51,7 +55,10 @@ export class JobsClient extends Emitter<{ busy: { busy: boolean } }> {
       type: 'module',
       name: 'jobs',
     });
-    worker.onmessage = ({ data }: MessageEvent<Answer>) => this.#receive(data);
+    worker.onmessage = ({ data }: MessageEvent<Answer | { told: string }>) => {
+      if ('told' in data) this.emit('told', { words: data.told });
+      else this.#receive(data);
+    };
     worker.onerror = (event) => {
       event.preventDefault();
       this.#end(new Error('A part of the page could not be fetched. Check the network.'));

@@ -3,7 +3,7 @@
  * functions (`solver/remote.ts`), so that a question is one method of the engine and one use.
  */
 
-import { exampleFile, type PanelStart, type Solver } from '../pkg/engine/shape_up.js';
+import { exampleFile, type LaidOut, type PanelStart, type Solver } from '../pkg/engine/shape_up.js';
 import { missingFiles, open, type Opening } from './open.ts';
 import type { Scheduler } from './scheduler.ts';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.ts';
@@ -78,6 +78,17 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     makeExact: (shape: ExactShape, positions: Float64Array, joins: boolean) =>
       !scheduler.isMoving &&
       scheduler.betweenRuns(() => solver.makeExact(shape, positions, joins), true),
+    /**
+     * Puts panels that the second worker has laid out in place of the mesh, if they are for the current
+     * model, as one step of undo.
+     * @returns whether it was done
+     */
+    takePanels(generation: number, { positions, offsets, indices }: LaidOut) {
+      scheduler.pause();
+      return scheduler.betweenRuns(() =>
+        solver.takePanels(generation, positions, offsets, indices),
+      );
+    },
     /** @returns the name of what was undone */
     undo: () => paused(() => scheduler.betweenRuns(() => solver.undo() ?? null)),
     /** @returns the name of what was redone */

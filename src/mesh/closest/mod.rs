@@ -27,6 +27,8 @@ use triangle::{Corners, Hit, Planes, is_sliver, splat};
 pub struct Surface {
     /// Origin of the coordinates below, so that coordinates far from zero do not lose digits.
     centre: Vec3<f64>,
+    /// The face of each triangle; empty without faces.
+    faces: Vec<u32>,
     /// In the order of the hierarchy, so that neighbours in space are neighbours in memory.
     planes: Vec<Planes>,
     corners: Vec<Corners>,
@@ -45,7 +47,8 @@ impl Surface {
         let at = |v: &u32| positions[*v as usize];
         let fans = mesh.faces.iter().map(|face| face.len().saturating_sub(2)).sum();
         let mut triangles: Vec<[Point; 3]> = Vec::with_capacity(fans);
-        for face in mesh.faces.iter() {
+        let mut faces = Vec::with_capacity(fans);
+        for (index, face) in (0..).zip(mesh.faces.iter()) {
             for side in face[1..].windows(2) {
                 let [a, b, c] = [at(&face[0]), at(&side[0]), at(&side[1])];
                 if is_sliver([a, b, c]) {
@@ -54,6 +57,7 @@ impl Surface {
                     triangles.push([a, b, c]);
                 }
             }
+            faces.resize(triangles.len(), index);
         }
         if mesh.faces.is_empty() {
             let segments = mesh.curves.iter().flat_map(|curve| curve.windows(2));
@@ -62,10 +66,11 @@ impl Surface {
         if triangles.is_empty() {
             triangles.extend(positions.iter().map(|&p| [p; 3]));
         }
-        Surface::of_triangles(triangles)
+        Surface::of_triangles(triangles, &faces)
     }
 
-    fn of_triangles(triangles: Vec<[Point; 3]>) -> Surface {
+    /// `faces` are those of the triangles, or none.
+    fn of_triangles(triangles: Vec<[Point; 3]>, faces: &[u32]) -> Surface {
         let centre = Box3::around(triangles.as_flattened()).centre();
         let triangles: Vec<[Vec3<f64>; 3]> =
             triangles.into_iter().map(|corners| corners.map(|p| Vec3::from(p) - centre)).collect();
@@ -77,7 +82,11 @@ impl Surface {
         let planes: Vec<Planes> = ordered().map(|t| Planes::new(triangles[t])).collect();
         let corners: Vec<Corners> = ordered().map(|t| Corners::new(triangles[t])).collect();
         let neighbourhoods = TriangleNeighbourhoods::new(&bvh, &boxes, &planes, &corners);
-        Surface { centre, planes, corners, neighbourhoods, bvh }
+        let faces = match faces {
+            [] => Vec::new(),
+            faces => ordered().map(|t| faces[t]).collect(),
+        };
+        Surface { centre, faces, planes, corners, neighbourhoods, bvh }
     }
 
     /// Returns the point of the surface closest to `p`; `p` itself if the surface is empty.
@@ -94,6 +103,14 @@ impl Surface {
             }
         }
         (self.search(p, hint) + self.centre).into()
+    }
+
+    /// Returns the face closest to `p`; none if the surface has no faces. If several are equally close,
+    /// it returns one of them.
+    pub fn closest_face(&self, p: Point) -> Option<u32> {
+        let mut hint = Surface::NO_HINT;
+        self.closest(p, &mut hint);
+        self.faces.get(hint as usize).copied()
     }
 
     /// Returns the same as [`Surface::closest`]. `cache` also comes from the last search for this

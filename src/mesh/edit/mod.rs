@@ -4,12 +4,14 @@
 //! |---|---|
 //! | `weld` | welding of coincident vertices in meshes whose faces do not share vertices |
 //! | `origins` | the map from the elements of a new mesh to those of the mesh it was made from |
+//! | `covering` | a mesh that covers the surface of another one, as made from it |
 //! | `sharp` | sharp edges and fixed corners |
 //! | `subdivide` | subdivision: Catmull-Clark, linear, Loop |
 //! | `rebuild` | builder of a mesh made from another one |
 //! | `size` | numeric parameters of operations and of new meshes |
 //! | `operation` | editing operations: quads from triangles, dual, strips, holes |
 
+mod covering;
 mod operation;
 mod origins;
 mod rebuild;

@@ -157,18 +157,25 @@ impl<'a> Rebuild<'a> {
             curves.iter().map(|curve| if curve.len() > 1 { next.next() } else { None }).collect();
         edited.curves = curves.iter().filter(|curve| curve.len() > 1).collect();
         edited.curves.rename(&places);
-        if !mesh.groups.is_empty() {
-            let mut made = vec![Vec::new(); mesh.faces.len()];
-            for (face, of) in (0..).zip(parents.iter()) {
-                of.iter().for_each(|&parent| made[parent as usize].push(face));
-            }
-            let rebuilt = |group| rebuilt(group, &parents, &made, &curve_index);
-            edited.groups = mesh.groups.iter().filter_map(rebuilt).collect();
-        }
+        edited.groups = regrouped(mesh, &parents, &curve_index);
         let vertices = names.iter().map(|&name| index[name as usize]).collect();
         let origins = Origins { vertices, positions, between, faces: parents };
         Edited { mesh: edited, origins }
     }
+}
+
+/// Returns the groups of a mesh made from `mesh`: `parents` are the old faces of each new one,
+/// `curve_index` is the new index of each old curve. A group keeps the faces made from its own only.
+pub(super) fn regrouped(mesh: &Mesh, parents: &Ragged, curve_index: &[Option<u32>]) -> Vec<Group> {
+    if mesh.groups.is_empty() {
+        return Vec::new();
+    }
+    let mut made = vec![Vec::new(); mesh.faces.len()];
+    for (face, of) in (0..).zip(parents.iter()) {
+        of.iter().for_each(|&parent| made[parent as usize].push(face));
+    }
+    let rebuilt = |group| rebuilt(group, parents, &made, curve_index);
+    mesh.groups.iter().filter_map(rebuilt).collect()
 }
 
 /// Returns a group with the faces made from its own only and its remaining curves; `None` if it is

@@ -132,11 +132,26 @@ impl Forecast {
         near.or_else(least).map_or("", |kind| kind.kind)
     }
 
+    /// Whether panels along the lines of curvature are the better choice: the edges are far off these
+    /// lines, the mesh would move a lot, and no simple change of it helps as much.
+    pub fn recommends_new_panels(&self) -> bool {
+        let moves_a_lot =
+            |kinds: &[ForecastOfKind]| kinds.iter().any(|it| it.how_far == HowFar::Lot);
+        let is_off = self.off_curvature_lines.is_some_and(|angle| angle >= OFF);
+        is_off && moves_a_lot(&self.kinds) && self.diagonal.as_deref().is_none_or(moves_a_lot)
+    }
+
+    /// How far the mesh will move, as a part of a sentence: "move a little for flat or circular panels
+    /// (about 20 mm on average)". `units` is as in [`Forecast::words`].
+    pub fn moves(&self, units: &str) -> String {
+        let far = |kind: &ForecastOfKind| words::rough_length(kind.least_move * self.edge, units);
+        moves(&self.kinds, Some(&far))
+    }
+
     /// Describes the forecast in a few sentences: the move for each kind, its cause, and a remedy.
     /// `units` is the symbol of the unit of the mesh, empty if not known.
     pub fn words(&self, units: &str) -> String {
-        let far = |kind: &ForecastOfKind| words::rough_length(kind.least_move * self.edge, units);
-        let mut words = format!("This mesh will {}", moves(&self.kinds, Some(&far)));
+        let mut words = format!("This mesh will {}", self.moves(units));
         let is_far = self.kinds.iter().any(|kind| kind.how_far == HowFar::Lot);
         words += &match self.off_curvature_lines.filter(|&angle| angle >= OFF) {
             Some(angle) if is_far => {

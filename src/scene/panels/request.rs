@@ -160,7 +160,8 @@ pub fn panel_remedy(mesh: &Mesh) -> Option<MeshRemedy> {
     let can_join = mesh.faces.len() > 1 && mesh.tets.is_empty() && is_of_triangles(mesh);
     let adjectives: Vec<&str> = KINDS.iter().filter_map(|info| info.panels).collect();
     let words = format!(
-        "All panels are triangles, which are always {}. Pairs of them can be joined to quads.",
+        "All panels are triangles, which are always {}. New panels can follow the lines of curvature, or \
+         pairs of triangles can be joined to quads.",
         adjectives.join(" and ")
     );
     can_join.then(|| MeshRemedy::new("quads", words)).flatten()

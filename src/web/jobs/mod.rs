@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `model_copy` | the copy, and trials on it: the cost of exactness, improvements, edits that may help |
 //! | `variations` | the search for variations of an exact shape |
+//! | `panel_layout` | new panels along the lines of curvature |
 //! | `flat_map` | the conformal map |
 //! | `build` | parts and sheets of a shape |
 //! | `curvature` | lines of curvature on a shape |
@@ -16,6 +17,7 @@ pub mod build;
 pub mod curvature;
 mod flat_map;
 mod model_copy;
+mod panel_layout;
 mod variations;
 
 pub use model_copy::ModelCopy;

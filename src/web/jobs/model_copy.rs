@@ -33,10 +33,13 @@ enum Trial {
 /// How far making panels of one shape will move the mesh.
 #[derive(Serialize, Tsify)]
 #[tsify(missing_as_null)]
+#[serde(rename_all = "camelCase")]
 pub struct ForecastWords {
     words: String,
     /// The id of the kind to recommend.
     recommended: &'static str,
+    /// Whether new panels along the lines of curvature are the better choice.
+    new_panels: bool,
     /// A change of the mesh that would reduce the move.
     remedy: Option<MeshRemedy>,
 }
@@ -46,6 +49,7 @@ impl ForecastWords {
         ForecastWords {
             words: forecast.words(&session.document().units),
             recommended: forecast.recommended(),
+            new_panels: forecast.recommends_new_panels(),
             remedy: forecast.remedy(),
         }
     }

@@ -4,8 +4,8 @@
 use super::solver::Solver;
 use crate::mesh::Point;
 use crate::session::{Edit, ExactReport, ExactShape, PanelStart};
-use crate::web::thrown;
 use crate::web::values::{Js, read, read_back, refused};
+use crate::web::{mesh_of, thrown};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen]
@@ -34,6 +34,21 @@ impl Solver {
     ) -> Result<(), JsValue> {
         let from = read(from)?;
         self.open_mut()?.make_panels(kind, tolerance, from).map_err(refused)
+    }
+
+    /// Puts panels in place of the mesh, if the model still has this generation: see
+    /// [`crate::session::Session::take_panels`]. The positions are `#V by 3`; panel `k` has the corners
+    /// from `offsets[k]` to `offsets[k + 1]` of `indices`.
+    #[wasm_bindgen(js_name = takePanels)]
+    pub fn take_panels(
+        &mut self,
+        generation: u32,
+        positions: &[f64],
+        offsets: &[u32],
+        indices: &[u32],
+    ) -> Result<bool, JsValue> {
+        let panels = mesh_of(positions, offsets, indices);
+        self.open_mut()?.take_panels(generation, &panels).map_err(refused)
     }
 
     /// Undoes the last step; returns its name, or undefined.

@@ -6,6 +6,7 @@
 import { button } from '../../ui/controls/fields.ts';
 import { element, byId } from '../../ui/dom.ts';
 import { sketch } from '../../ui/kinds/sketch.ts';
+import { openNewPanels } from './new-panels.ts';
 import { openRefine } from './refine-dialog.ts';
 import { openEdit } from './refine-operation.ts';
 import type { KindInfo } from '../../solver/types.ts';
@@ -67,19 +68,30 @@ export function panelButtons(
   };
 }
 
-/** Adds the buttons that change the mesh to the mesh tools. */
-export function addButtons(app: AppContext) {
+/**
+ * Adds the buttons that change the mesh to the mesh tools.
+ * @param make makes all panels one shape
+ */
+export function addButtons(app: AppContext, make: (kind: KindInfo) => unknown) {
   const { store, actions } = app;
   const offer = (label: string, open: () => unknown) =>
     button(label, () => actions.reportErrors(open()), { 'aria-haspopup': 'dialog' });
-  const buttons = [offer('Refine', () => openRefine(app)), offer('Edit mesh', () => openEdit(app))];
+  const buttons = [
+    button('New panels', () => openNewPanels(app, make), {
+      id: 'new-panels-button',
+      title: 'Lays out panels along the lines of curvature',
+    }),
+    offer('Refine', () => openRefine(app)),
+    offer('Edit mesh', () => openEdit(app)),
+  ];
+  const titles = new Map(buttons.map((one) => [one, one.title]));
   byId('mesh-tools').prepend(...buttons);
   store.subscribe(['model', 'document'], (state) => {
     const { model, document: scene } = state;
     const locked = isMeshLocked(state);
     for (const one of buttons) {
       one.disabled = !model?.faces || model.tets > 0 || !scene || locked;
-      one.title = locked ? 'Locked by the lesson' : '';
+      one.title = locked ? 'Locked by the lesson' : (titles.get(one) ?? '');
     }
   });
 }

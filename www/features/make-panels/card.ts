@@ -11,6 +11,7 @@ import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from 
 import { cover, showElements } from '../../viewport/camera.ts';
 import { BetterChoices } from './better-choices.ts';
 import { isMeshLocked, panelButtons, addButtons } from './buttons.ts';
+import { openNewPanels } from './new-panels.ts';
 import { openEdit } from './refine-operation.ts';
 import type { BetterPress, KindInfo, PanelStart, PanelVerdict } from '../../solver/types.ts';
 import type { MeshRemedy } from '../../pkg/engine/shape_up.js';
@@ -37,6 +38,12 @@ export class MakePanels {
   #text = element('p');
   /** How far the mesh will move, and why. */
   #forecast = element('p.quiet.forecast');
+  /** Lays out panels along the lines of curvature; not offered where they would help little. */
+  #newPanels = button(
+    'New panels along the curvature',
+    () => openNewPanels(this.#app, (kind) => this.#make(kind)),
+    { class: 'bordered remedy' },
+  );
   /** The model of the forecast. */
   #forecastOf: unknown = null;
   /** A change of the mesh that would reduce the move. */
@@ -70,7 +77,7 @@ export class MakePanels {
     );
     const { group } = this.#better;
     this.#changes = element('div.changes', this.#showFolds, this.#again, group);
-    addButtons(app);
+    addButtons(app, (kind) => this.#make(kind));
     const { store, solver } = app;
     store.subscribe(['model', 'kinds', 'document', 'example', 'flatMap'], () => this.#show());
     // The next mesh starts without fitted shapes.
@@ -174,7 +181,9 @@ export class MakePanels {
     this.#panel.hidden = !offers || here !== this.#panel;
     if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
     else {
-      const press = element('div', ...buttons, this.#remedyButton, this.#somethingElse());
+      const others = [...buttons, this.#remedyButton, this.#somethingElse()];
+      this.#offerNewPanels(Boolean(model?.panelRemedy));
+      const press = element('div', this.#newPanels, ...others);
       renew(here, ...reasons, this.#forecast, press, this.#closeButton());
       void this.#showForecast();
     }
@@ -202,12 +211,20 @@ export class MakePanels {
     setText(this.#forecast, forecast?.words ?? '');
     this.#forecast.hidden = !forecast;
     this.#remedy = forecast?.remedy ?? null;
+    const isOffered = this.#offerNewPanels(Boolean(forecast?.newPanels || model?.panelRemedy));
     this.#remedyButton.hidden = !this.#canChangeMesh();
+    this.#remedyButton.classList.toggle('remedy', !isOffered);
     setText(this.#remedyButton, this.#remedy?.label ?? '');
     for (const one of this.#card.querySelectorAll<HTMLElement>('[data-kind]')) {
       one.classList.toggle('recommended', one.dataset.kind === forecast?.recommended);
     }
     this.#cover();
+  }
+
+  #offerNewPanels(helps: boolean) {
+    const isOffered = helps && !isMeshLocked(this.#app.store.get());
+    this.#newPanels.hidden = !isOffered;
+    return isOffered;
   }
 
   #canChangeMesh() {

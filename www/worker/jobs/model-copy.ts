@@ -1,6 +1,6 @@
 /** What the second worker computes on a copy of the open model. */
 
-import { ModelCopy } from '../../pkg/engine/shape_up.js';
+import { ModelCopy, type LayoutSettings } from '../../pkg/engine/shape_up.js';
 import type { MapNorm, MapWeights, Snapshot } from '../../solver/types.ts';
 
 /** Duration of a slice of a trial, in milliseconds: other calls wait no longer. */
@@ -32,6 +32,9 @@ function current(): ModelCopy {
 export const onCopy = {
   /** How far making panels of one shape will move the mesh, in words; null if none is offered. */
   forecast: (model: Snapshot) => copyOf(model).forecast() ?? null,
+  /** Panels along the lines of curvature; what is being done is told in words. */
+  layOutPanels: (model: Snapshot, settings: LayoutSettings) =>
+    copyOf(model).layOutPanels(settings, (told: string) => postMessage({ told })),
   /** A flat map of the shape. */
   parametrize: (model: Snapshot, weights: MapWeights, norm: MapNorm) =>
     copyOf(model).parametrize(weights, norm),

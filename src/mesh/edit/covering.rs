@@ -1,0 +1,144 @@
+//! A mesh that covers the surface of another one, as an edit of it: where its elements lie on the old
+//! ones.
+
+use super::origins::{Combinations, Edited, Origins};
+use super::rebuild::regrouped;
+use crate::math::Vec3;
+use crate::mesh::{Mesh, Point, Ragged, Surface};
+
+/// A new vertex whose weight on a corner is at most this does not depend on it.
+const NEGLIGIBLE: f64 = 1e-9;
+
+impl Edited {
+    /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
+    /// from the old face at its centre; sets and groups follow that. Old curves are left out.
+    pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
+        let surface = Surface::new(&mesh.positions, mesh);
+        let face_at = |point: Point| surface.closest_face(point).unwrap_or(0);
+        let terms: Vec<Vec<(u32, f64)>> =
+            cover.positions.iter().map(|&point| weights(mesh, face_at(point), point)).collect();
+        // The old vertex at the same place, if there is one.
+        let old = |v: usize| match terms[v][..] {
+            [(old, _)] if mesh.positions[old as usize] == cover.positions[v] => Some(old),
+            _ => None,
+        };
+        let mut order: Vec<usize> = (0..terms.len()).collect();
+        order.sort_by_key(|&v| old(v).map_or(u32::MAX, |old| old));
+        let mut place = vec![0; terms.len()];
+        (0..).zip(&order).for_each(|(new, &v)| place[v] = new);
+
+        let mut made = Mesh { faces: cover.faces.clone(), ..Mesh::default() };
+        made.faces.rename(&place);
+        let mut vertices = vec![None; mesh.positions.len()];
+        let (mut positions, mut between) = (Combinations::default(), Ragged::new());
+        for (new, &v) in (0..).zip(&order) {
+            if let Some(old) = old(v) {
+                vertices[old as usize].get_or_insert(new);
+            }
+            made.positions.push(cover.positions[v]);
+            positions.push(&terms[v]);
+            let mut corners: Vec<u32> = terms[v].iter().map(|(corner, _)| *corner).collect();
+            corners.sort_unstable();
+            between.push(&corners);
+        }
+        let faces: Ragged = cover.faces.iter().map(|face| [face_at(centre(cover, face))]).collect();
+        made.groups = regrouped(mesh, &faces, &vec![None; mesh.curves.len()]);
+        Edited { mesh: made, origins: Origins { vertices, positions, between, faces } }
+    }
+}
+
+/// The mean of the corners of a face.
+fn centre(mesh: &Mesh, face: &[u32]) -> Point {
+    let sum = face.iter().fold(Vec3::zero(), |sum, &v| sum + mesh.positions[v as usize].into());
+    (sum * (1.0 / face.len() as f64)).into()
+}
+
+/// A point as an affine combination of the corners of a face: of those of the triangle of its fan
+/// `(f0, fk, fk+1)` in which the point lies, or of which it is least outside.
+fn weights(mesh: &Mesh, face: u32, point: Point) -> Vec<(u32, f64)> {
+    let corners = mesh.faces.row(face as usize);
+    let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    let first = corners[0];
+    let inside = |weights: &[(u32, f64); 3]| {
+        weights.iter().map(|(_, weight)| *weight).fold(f64::INFINITY, f64::min)
+    };
+    let mut best = [(first, 1.0), (first, 0.0), (first, 0.0)];
+    let mut most = f64::NEG_INFINITY;
+    for sides in corners[1..].windows(2) {
+        let [b, c] = [sides[0], sides[1]];
+        let (ab, ac, ap) = (at(b) - at(first), at(c) - at(first), Vec3::from(point) - at(first));
+        let normal = ab.cross(ac);
+        let area = normal.length_squared();
+        if area == 0.0 {
+            continue;
+        }
+        let [u, v] = [ap.cross(ac).dot(normal) / area, ab.cross(ap).dot(normal) / area];
+        let found = [(first, 1.0 - u - v), (b, u), (c, v)];
+        if inside(&found) > most {
+            most = inside(&found);
+            best = found;
+        }
+    }
+    let kept: Vec<(u32, f64)> =
+        best.into_iter().filter(|(_, weight)| weight.abs() > NEGLIGIBLE).collect();
+    match kept[..] {
+        [(corner, _)] => vec![(corner, 1.0)],
+        _ => kept,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{Group, GroupKeyword};
+
+    /// A square of two triangles, and a cover of it by two quads side by side.
+    fn square() -> (Mesh, Mesh) {
+        let corner = |x: f64, y: f64| [x, y, 0.0];
+        let triangles = Mesh {
+            positions: vec![corner(0., 0.), corner(1., 0.), corner(1., 1.), corner(0., 1.)],
+            faces: [[0, 1, 2], [0, 2, 3]].iter().collect(),
+            groups: vec![Group {
+                name: "lower".to_owned(),
+                keyword: GroupKeyword::Group,
+                faces: vec![0],
+                curves: Vec::new(),
+            }],
+            ..Mesh::default()
+        };
+        let quads = Mesh {
+            positions: vec![
+                corner(0.5, 0.),
+                corner(0.5, 1.),
+                corner(1., 1.),
+                corner(1., 0.),
+                corner(0., 0.),
+                corner(0., 1.),
+            ],
+            faces: [[4, 0, 1, 5], [0, 3, 2, 1]].iter().collect(),
+            ..Mesh::default()
+        };
+        (triangles, quads)
+    }
+
+    #[test]
+    fn vertices_at_old_places_keep_their_order_and_the_others_follow_with_the_surface() {
+        let (mesh, quads) = square();
+        let edited = Edited::covering(&mesh, &quads);
+        assert_eq!(edited.origins.vertices, [Some(0), Some(1), Some(2), Some(3)]);
+        assert_eq!(edited.mesh.positions[..4], mesh.positions[..]);
+        assert_eq!(edited.mesh.faces.row(0), [0, 4, 5, 3]);
+        assert_eq!(edited.origins.between.row(4), [0, 1]);
+        let lifted: Vec<Point> = mesh.positions.iter().map(|&[x, y, _]| [x, y, x]).collect();
+        let moved = edited.in_other_state(&mesh.positions, &lifted);
+        assert_eq!(moved[4], [0.5, 0.0, 0.5]);
+    }
+
+    #[test]
+    fn a_group_gets_the_faces_whose_centres_are_on_its_own() {
+        let (mesh, quads) = square();
+        let edited = Edited::covering(&mesh, &quads);
+        let groups: Vec<_> = edited.mesh.groups.iter().map(|group| &group.faces[..]).collect();
+        assert_eq!(groups, [[1]]);
+    }
+}
