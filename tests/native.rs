@@ -13,6 +13,7 @@ mod experiments;
 mod fabricate;
 mod golden;
 mod mesh;
+mod quads;
 mod readme;
 mod rooms;
 mod scene;

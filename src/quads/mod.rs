@@ -13,7 +13,8 @@
 //! | `extract` | the exact extraction of the grid |
 //! | `repair` | faces that are not quads, replaced |
 //! | `result` | checks and measures of the result |
-//! | `remesh` | all of it |
+//! | `part` | one connected part |
+//! | `remesh` | all parts |
 //! | `sliders` | the choices of users |
 
 mod error;
@@ -23,6 +24,7 @@ mod field;
 mod grid_map;
 mod map;
 mod options;
+mod part;
 mod remesh;
 mod repair;
 mod result;
@@ -35,7 +37,7 @@ pub use fault::Fault;
 pub use grid_map::{FRACTION_BITS, GridMap, Side, Transition, Triangulation, UNIT};
 pub use map::{GridMapper, MapNotes, grid_map};
 pub use options::{Boundary, MapOptions, PanelSize, RemeshObserver, RemeshStage};
-pub use remesh::{RemeshNote, Remeshed, remesh};
+pub use remesh::{RemeshNote, Remeshed, Remesher, remesh};
 pub use result::{AngleToCurvature, EdgeLengths, Irregular, LargestDistances, RemeshMeasures};
 pub use sliders::{direction_weight, follow_weight};
 pub use surface::{InputSurface, PrepareNotes, Prepared};

@@ -1,15 +1,12 @@
 //! The whole way from a mesh to quads along its lines of curvature: part by part, checked, measured
 //! and put into words.
 
-use super::extract::{Extraction, Node, Place, extract};
-use super::fault::Fault;
-use super::grid_map::Triangulation;
-use super::map::{MapNotes, grid_map};
-use super::repair::{Repaired, repair, trim};
-use super::result::{Distances, RemeshMeasures, Samples, Shape, Tally, places, verify};
-use super::surface::{InputSurface, Prepared};
+use super::map::GridMapper;
+use super::part::{Asked, Part};
+use super::result::{Distances, RemeshMeasures, Tally, places};
+use super::surface::InputSurface;
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage};
-use crate::math::{Vec3, twice_vector_area};
+use crate::math::Vec3;
 use crate::mesh::{Mesh, Point};
 use crate::words;
 
@@ -35,16 +32,83 @@ pub struct RemeshNote {
     pub places: Vec<Vec3<f64>>,
 }
 
-/// The result of one connected part.
-struct Part {
-    positions: Vec<Vec3<f64>>,
-    faces: Vec<Vec<usize>>,
-    samples: Samples,
-    shape: Shape,
+/// A surface to be covered, with what other settings can use again: its curvature, and while size,
+/// creases and boundary stay the same, the prepared surface with its fields and maps.
+pub struct Remesher {
+    mesh: Mesh,
+    surfaces: Vec<InputSurface>,
+    area: f64,
+    kept: Option<Kept>,
+}
+
+/// The maps of all parts for panels of one size.
+struct Kept {
     size: f64,
-    level: u32,
-    /// Where faces were repaired or panels are turned over.
-    lost: Vec<Vec3<f64>>,
+    crease: Option<f64>,
+    boundary: Boundary,
+    /// One for each part; none if its last map gave creases up, which another one may need.
+    mappers: Vec<Option<GridMapper>>,
+}
+
+impl Remesher {
+    /// Triangulates the faces of a mesh and measures their curvature.
+    ///
+    /// # Errors
+    /// If the faces are no surface.
+    pub fn new(mesh: &Mesh) -> Result<Remesher, RemeshError> {
+        let surfaces = InputSurface::components(mesh)?;
+        let area = surfaces.iter().map(InputSurface::area).sum();
+        Ok(Remesher { mesh: mesh.clone(), surfaces, area, kept: None })
+    }
+
+    /// Covers the surface; see [`remesh`]. The result does not depend on what was asked before.
+    ///
+    /// # Errors
+    /// If a part of the surface cannot be covered.
+    pub fn remesh(
+        &mut self,
+        options: &MapOptions,
+        units: &str,
+        observer: &mut RemeshObserver<'_>,
+    ) -> Result<Remeshed, RemeshError> {
+        let size = match options.size {
+            PanelSize::Length(length) => length,
+            PanelSize::Count(count) => (self.area / count.max(1) as f64).sqrt(),
+        };
+        let Remesher { mesh, surfaces, .. } = self;
+        let fits = |kept: &Kept| {
+            (kept.size, kept.crease, kept.boundary) == (size, options.crease, options.boundary)
+        };
+        let mut kept = self.kept.take().filter(fits).unwrap_or_else(|| Kept {
+            size,
+            crease: options.crease,
+            boundary: options.boundary,
+            mappers: surfaces.iter().map(|_| None).collect(),
+        });
+        let count = surfaces.len() as f64;
+        let mut parts = Vec::new();
+        for (k, (surface, place)) in surfaces.iter().zip(&mut kept.mappers).enumerate() {
+            let mut of_part =
+                |stage: RemeshStage, share: f64| observer(stage, (k as f64 + share) / count);
+            if !of_part(RemeshStage::Prepare, 0.0) {
+                return Err(RemeshError::Cancelled);
+            }
+            let mut mapper = match place.take() {
+                Some(mapper) => mapper,
+                None => GridMapper::new(surface.prepare(size, options)?),
+            };
+            let wanted = surface.area() / (size * size);
+            let part = Asked { mesh, options, wanted }.part(&mut mapper, &mut of_part)?;
+            parts.push(part);
+            *place = (mapper.prepared().notes.abandoned == 0).then_some(mapper);
+        }
+        if !observer(RemeshStage::Verify, 1.0) {
+            return Err(RemeshError::Cancelled);
+        }
+        let found = together(mesh, parts, options.boundary == Boundary::Cut, units);
+        self.kept = Some(kept);
+        Ok(found)
+    }
 }
 
 /// Covers the surface of a mesh with quads along its lines of curvature. `units` is the symbol of
@@ -58,137 +122,15 @@ pub fn remesh(
     units: &str,
     observer: &mut RemeshObserver<'_>,
 ) -> Result<Remeshed, RemeshError> {
-    let surfaces = InputSurface::components(mesh)?;
-    let area: f64 = surfaces.iter().map(InputSurface::area).sum();
-    let size = match options.size {
-        PanelSize::Length(length) => length,
-        PanelSize::Count(count) => (area / count.max(1) as f64).sqrt(),
-    };
-    let count = surfaces.len() as f64;
-    let mut parts = Vec::new();
-    for (k, surface) in surfaces.iter().enumerate() {
-        let wanted = match options.size {
-            PanelSize::Length(_) => None,
-            PanelSize::Count(count) => Some(count as f64 * surface.area() / area),
-        };
-        let mut of_part =
-            |stage: RemeshStage, share: f64| observer(stage, (k as f64 + share) / count);
-        parts.push(part(mesh, surface, size, wanted, options, &mut of_part)?);
-    }
-    if !observer(RemeshStage::Verify, 1.0) {
-        return Err(RemeshError::Cancelled);
-    }
-    Ok(together(mesh, parts, options.boundary == Boundary::Cut, units))
+    Remesher::new(mesh)?.remesh(options, units, observer)
 }
 
-/// Divisors of the weight of alignment, tried in turn if a result is not a surface like its input.
-const ATTEMPTS: [f64; 3] = [1.0, 16.0, f64::INFINITY];
 /// Input vertices farther than this many panels from the result are not followed.
 const FAR: f64 = 1.0;
 /// Places nearer to each other than this many panels are one.
 const NEAR: f64 = 2.5;
 /// A panel follows a surface that turns by no more than this along it, in radians.
 const TURN: f64 = 1.0;
-
-/// Remeshes one part, by several attempts if the result is not a surface like it.
-fn part(
-    mesh: &Mesh,
-    input: &InputSurface,
-    size: f64,
-    wanted: Option<f64>,
-    options: &MapOptions,
-    observer: &mut RemeshObserver<'_>,
-) -> Result<Part, RemeshError> {
-    let prepared = input.prepare(size, options)?;
-    let expected = Shape::of(&prepared.surface.triangles);
-    let mut first: Option<Fault> = None;
-    for divisor in ATTEMPTS {
-        let options = MapOptions { follow: options.follow / divisor, ..*options };
-        let (map, notes) = grid_map(&prepared, &options, wanted, observer)?;
-        for careful in [false, true] {
-            if !observer(RemeshStage::Extract, if careful { 0.5 } else { 0.0 }) {
-                return Err(RemeshError::Cancelled);
-            }
-            let extraction = extract(&prepared.surface, &map, careful);
-            let (part, boundary) = finish(mesh, &prepared, extraction, &notes, options.boundary);
-            let fits = |face: &[usize]| {
-                let trimmed =
-                    options.boundary == Boundary::Cut && face.iter().any(|&v| boundary[v]);
-                face.len() == 4 || trimmed && (3..=5).contains(&face.len())
-            };
-            let (shape, faults) = verify(&part.faces, expected, fits);
-            if faults.is_empty() {
-                return Ok(Part { shape, ..part });
-            }
-            first = first.or(faults.first().copied());
-        }
-    }
-    let fault = first.expect("an attempt failed");
-    Err(RemeshError::NotFollowed { fault })
-}
-
-/// Repairs what was extracted, and numbers the vertices that are left; whether each is on the
-/// boundary.
-fn finish(
-    mesh: &Mesh,
-    prepared: &Prepared,
-    Extraction { mut nodes, cells, .. }: Extraction,
-    notes: &MapNotes,
-    boundary: Boundary,
-) -> (Part, Vec<bool>) {
-    let is_boundary: Vec<bool> = nodes.iter().map(|node| node.boundary).collect();
-    let is_trimmed =
-        |face: &[usize]| boundary == Boundary::Cut && face.iter().any(|&node| is_boundary[node]);
-    let cells = match boundary {
-        Boundary::Followed => cells.faces,
-        Boundary::Cut => trim(&nodes, cells.faces, prepared.size),
-    };
-    let Repaired { mut faces, replaced } = repair(&mut nodes, cells, is_trimmed);
-    let middle = |face: &[usize]| {
-        let sum = face.iter().fold(Vec3::zero(), |sum, &node| sum + nodes[node].position);
-        sum * (1.0 / face.len().max(1) as f64)
-    };
-    let mut lost: Vec<Vec3<f64>> = replaced.iter().map(|face| middle(face)).collect();
-    let samples = Samples::of(prepared, &nodes);
-    let is_turned = |face: &[usize]| {
-        let area = twice_vector_area(face.iter().map(|&node| nodes[node].position));
-        let normal = face.iter().fold(Vec3::zero(), |sum, &node| sum + samples.normals[node]);
-        area.dot(normal) <= 0.0
-    };
-    lost.extend(faces.iter().filter(|face| is_turned(face)).map(|face| middle(face)));
-    // Only nodes of faces become vertices.
-    let mut number = vec![usize::MAX; nodes.len()];
-    let mut used: Vec<usize> = faces.iter().flatten().copied().collect();
-    used.sort_unstable();
-    used.dedup();
-    used.iter().enumerate().for_each(|(k, &node)| number[node] = k);
-    faces.iter_mut().flatten().for_each(|node| *node = number[*node]);
-    let part = Part {
-        positions: used
-            .iter()
-            .map(|&node| position(mesh, &prepared.surface, &nodes[node]))
-            .collect(),
-        faces,
-        samples: Samples {
-            normals: used.iter().map(|&node| samples.normals[node]).collect(),
-            tensors: used.iter().map(|&node| samples.tensors[node]).collect(),
-        },
-        shape: Shape { euler: 0, loops: 0 },
-        size: prepared.size,
-        level: notes.level,
-        lost,
-    };
-    (part, used.iter().map(|&node| nodes[node].boundary).collect())
-}
-
-/// The position of a node; exactly that of the vertex of the input on which it lies.
-fn position(mesh: &Mesh, surface: &Triangulation, node: &Node) -> Vec3<f64> {
-    let of_input = match node.place {
-        Place::Vertex(v) if surface.positions[v] == node.position => surface.vertices[v],
-        _ => None,
-    };
-    of_input.map_or(node.position, |v| mesh.positions[v as usize].into())
-}
 
 /// One mesh of all parts, measured and described.
 fn together(input: &Mesh, parts: Vec<Part>, cuts: bool, units: &str) -> Remeshed {

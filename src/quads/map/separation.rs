@@ -6,7 +6,8 @@ use super::seams::{Seams, turned};
 use crate::math::Vec3;
 use crate::quads::surface::Prepared;
 use crate::quads::{Side, Triangulation};
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// Pairs farther apart than this many panels are not looked at.
 const REACH: f64 = 1.5;
@@ -51,20 +52,29 @@ pub(super) fn separations(
         free,
         rounded,
     };
-    // Integer points within reach of flipped triangles.
-    let mut sources = BTreeMap::new();
     let mut found: Vec<Separation> = Vec::new();
-    for &t in flipped {
-        let near = finder.near(t, surface.at(t, 0));
-        for &(near, _) in &near {
-            for corner in (0..3).filter(|&corner| finder.is_integer_point(near, corner)) {
-                sources.entry(surface.triangles[near][corner]).or_insert((near, corner));
+    // Integer points within reach of flipped triangles.
+    let is_near =
+        |at: Vec3<f64>| flipped.iter().any(|&t| (surface.at(t, 0) - at).length() <= reach);
+    let mut seen = BTreeSet::new();
+    for (t, corners) in surface.triangles.iter().enumerate() {
+        for (corner, &v) in corners.iter().enumerate() {
+            if finder.is_integer_point(t, corner)
+                && seen.insert(v)
+                && is_near(surface.at(t, corner))
+            {
+                finder.of_point(t, corner, &mut found);
             }
         }
-        finder.of_lines(&near, &mut found);
     }
-    for (t, corner) in sources.into_values() {
-        finder.of_point(t, corner, &mut found);
+    // Lines around flipped triangles, of which one stands for those near it.
+    let mut centres: Vec<Vec3<f64>> = Vec::new();
+    for &t in flipped {
+        let at = surface.at(t, 0);
+        if centres.iter().all(|&other| (other - at).length() > 0.5 * prepared.size) {
+            centres.push(at);
+            finder.of_lines(&finder.near(t, at), &mut found);
+        }
     }
     // Both points of a pair find it.
     found.sort_by(|a, b| a.distance.total_cmp(&b.distance));
@@ -109,32 +119,34 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     /// Triangles within reach of a point, from a triangle on, not over features; with their charts.
-    fn near(&self, first: usize, at: Vec3<f64>) -> Vec<(usize, Chart)> {
+    fn near(&self, first: usize, at: Vec3<f64>) -> Vec<(usize, Rc<Chart>)> {
         let start = Chart { turns: 0, shift: [Vec::new(), Vec::new()] };
-        let mut charts = BTreeMap::from([(first, start)]);
-        let mut queue = VecDeque::from([first]);
-        while let Some(triangle) = queue.pop_front() {
+        let mut found = vec![(first, Rc::new(start))];
+        let mut seen = BTreeSet::from([first]);
+        let mut next = 0;
+        while next < found.len() {
+            let (triangle, chart) = found[next].clone();
+            next += 1;
             for side in (0..3).map(|side| Side { triangle, side }) {
-                let Some(next) = self.surface.across(side) else { continue };
-                let distance = (0..3)
-                    .map(|k| (self.surface.at(next.triangle, k) - at).length())
-                    .fold(f64::INFINITY, f64::min);
+                let Some(back) = self.surface.across(side) else { continue };
+                let is_near = |k| {
+                    let corner = self.surface.at(back.triangle, k);
+                    (corner - at).length_squared() <= self.reach * self.reach
+                };
                 if self.surface.is_feature(side)
-                    || distance > self.reach
-                    || charts.contains_key(&next.triangle)
+                    || !(0..3).any(is_near)
+                    || !seen.insert(back.triangle)
                 {
                     continue;
                 }
-                let own = &charts[&triangle];
                 let chart = match self.charts.get(&side) {
-                    None => own.clone(),
-                    Some(over) => self.joined(own, over),
+                    None => Rc::clone(&chart),
+                    Some(over) => Rc::new(self.joined(&chart, over)),
                 };
-                charts.insert(next.triangle, chart);
-                queue.push_back(next.triangle);
+                found.push((back.triangle, chart));
             }
         }
-        charts.into_iter().collect()
+        found
     }
 
     /// The chart `inner` of a neighbour seen from the first triangle.
@@ -198,7 +210,7 @@ impl Finder<'_> {
     }
 
     /// Finds pairs of lines that face each other.
-    fn of_lines(&self, near: &[(usize, Chart)], found: &mut Vec<Separation>) {
+    fn of_lines(&self, near: &[(usize, Rc<Chart>)], found: &mut Vec<Separation>) {
         let lines = self.lines(near);
         for (k, a) in lines.iter().enumerate() {
             for b in &lines[..k] {
@@ -216,7 +228,7 @@ impl Finder<'_> {
     }
 
     /// The feature sides of triangles, as lines of the chart.
-    fn lines(&self, near: &[(usize, Chart)]) -> Vec<FeatureLine> {
+    fn lines(&self, near: &[(usize, Rc<Chart>)]) -> Vec<FeatureLine> {
         let mut lines = Vec::new();
         for (triangle, chart) in near {
             for side in (0..3).map(|side| Side { triangle: *triangle, side }) {

@@ -1,0 +1,234 @@
+//! Properties of integer-grid maps (the study's section 7: 1, 3, 5 and 7), on surfaces whose lines of
+//! curvature are known and on foreign ones.
+
+use super::surfaces::{ellipsoid, hypar, parametric, plate, torus, tube, vault};
+use crate::support::random::{Random, in_frame};
+use crate::support::shared;
+use shape_up::math::{Vec3, cosine, sine};
+use shape_up::mesh::Mesh;
+use shape_up::quads::{
+    Boundary, GridMap, GridMapper, InputSurface, MapNotes, MapOptions, PanelSize, Prepared, Side, UNIT,
+};
+
+/// A map with its surface.
+struct Mapped {
+    prepared: Prepared,
+    map: GridMap,
+    notes: MapNotes,
+}
+
+fn mapped(mesh: &Mesh, options: &MapOptions) -> Vec<Mapped> {
+    let PanelSize::Count(count) = options.size else { panic!("tests give a number") };
+    let parts = InputSurface::components(mesh).unwrap();
+    let whole: f64 = parts.iter().map(InputSurface::area).sum();
+    let of_part = |part: &InputSurface| {
+        let prepared = part.prepare((whole / count as f64).sqrt(), options).unwrap();
+        let mut mapper = GridMapper::new(prepared);
+        let wanted = count as f64 * part.area() / whole;
+        let found = mapper.map(options.follow, options.direction, wanted, &mut |_, _| true);
+        let (map, notes) = found.unwrap();
+        Mapped { prepared: mapper.prepared().clone(), map, notes }
+    };
+    parts.iter().map(of_part).collect()
+}
+
+fn followed(mesh: &Mesh, count: usize) -> Vec<Mapped> {
+    mapped(mesh, &MapOptions::of_size(PanelSize::Count(count)))
+}
+
+/// A dome over a rectangle with a bump, which has no symmetry.
+fn bumpy() -> Mesh {
+    parametric([30, 24], [false, false], |u, v| {
+        let bump = 0.5 * sine(u) * sine(1.5 * v) + 0.3 * cosine(u + 0.5 * v);
+        [5.0 * u, 4.0 * v, 2.0 * u * (1.0 - u) + bump]
+    })
+}
+
+/// All meshes, with a number of panels.
+fn meshes() -> Vec<(&'static str, Mesh, usize)> {
+    let mut all = vec![
+        ("torus", torus(), 300),
+        ("tube", tube(), 200),
+        ("ellipsoid", ellipsoid([3.0, 2.0, 1.5]), 300),
+        ("plate", plate(), 300),
+        ("hypar", hypar(), 200),
+        ("vault", vault(), 250),
+        ("bumpy", bumpy(), 300),
+    ];
+    // A scan with details smaller than a panel, a figure with creases, and what architects draw.
+    for (name, count) in [
+        ("M2_eq_quad2.obj", 500),
+        ("halftunnel.off", 500),
+        ("hemisphere.obj", 500),
+        ("horse_quad.obj", 500),
+        ("camelhead.off", 500),
+        ("botanic-garden-bubble-0.obj", 500),
+    ] {
+        all.extend(shared::mesh(name).map(|mesh| (name, mesh, count)));
+    }
+    all
+}
+
+/// The sum of the indices of inner vertices and of the quads missing or left over at the boundary.
+fn turning(mapped: &Mapped) -> i64 {
+    let surface = &mapped.prepared.surface;
+    let mut angle = vec![0.0; surface.positions.len()];
+    for (triangle, corners) in surface.triangles.iter().enumerate() {
+        for k in 0..3 {
+            let [p, q, r] = [0, 1, 2].map(|j| mapped.map.corners[triangle][(k + j) % 3]);
+            let [a, b] = [q, r].map(|end| [0, 1].map(|axis| (end[axis] - p[axis]) as f64));
+            let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+            angle[corners[k]] += turn / std::f64::consts::FRAC_PI_2;
+        }
+    }
+    let on_boundary = surface.boundary_vertices();
+    let missing = |v: usize| {
+        let quarters = angle[v].round();
+        assert!((angle[v] - quarters).abs() < 1e-6, "{} quarters at vertex {v}", angle[v]);
+        if on_boundary[v] { 2 - quarters as i64 } else { 4 - quarters as i64 }
+    };
+    (0..angle.len()).map(missing).sum()
+}
+
+fn euler(prepared: &Prepared) -> i64 {
+    let surface = &prepared.surface;
+    let inner = surface.sides().filter(|&side| surface.across(side).is_some()).count() as i64;
+    let triangles = surface.triangles.len() as i64;
+    let edges = 3 * triangles - inner / 2;
+    surface.positions.len() as i64 - edges + triangles
+}
+
+/// Every transition carries the coordinates exactly and keeps the grid; no triangle is flipped;
+/// features are grid lines, and singular vertices grid points.
+fn check(name: &str, mapped: &Mapped) {
+    let Mapped { prepared, map, notes } = mapped;
+    let surface = &prepared.surface;
+    assert!(notes.flipped.is_empty(), "{name}: {:?}", notes.flipped);
+    for side in surface.sides() {
+        let Side { triangle, side: k } = side;
+        assert!(map.doubled_area(triangle) > 0, "{name}: triangle {triangle}");
+        let corner = |side: Side, k: usize| map.corners[side.triangle][(side.side + k) % 3];
+        if let Some(back) = surface.across(side) {
+            let there = map.transitions[triangle][k];
+            assert_eq!(there.shift.map(|shift| shift % UNIT), [0; 2], "{name}");
+            assert_eq!(there.apply(corner(side, 0)), corner(back, 1), "{name}: {side:?}");
+            assert_eq!(there.apply(corner(side, 1)), corner(back, 0), "{name}: {side:?}");
+            assert_eq!(map.transitions[back.triangle][back.side], there.inverse());
+        }
+        if surface.is_feature(side) {
+            let [a, b] = [corner(side, 0), corner(side, 1)];
+            let is_line = |axis: usize| a[axis] == b[axis] && a[axis] % UNIT == 0;
+            assert!(is_line(0) || is_line(1), "{name}: feature from {a:?} to {b:?}");
+        }
+    }
+    for (triangle, corners) in surface.triangles.iter().enumerate() {
+        for (k, &v) in corners.iter().enumerate() {
+            let is_singular = notes.singularities.iter().any(|&(other, _)| other == v);
+            let at = map.corners[triangle][k];
+            assert!(!is_singular || at.iter().all(|x| x % UNIT == 0), "{name}: {at:?}");
+        }
+    }
+}
+
+#[test]
+fn maps_keep_the_grid_and_their_indices_sum_up_to_the_euler_characteristic() {
+    for (name, mesh, count) in meshes() {
+        let parts = followed(&mesh, count);
+        for part in &parts {
+            check(name, part);
+            assert_eq!(turning(part), 4 * euler(&part.prepared), "{name}");
+        }
+        let quads: f64 = parts.iter().map(|part| part.notes.quads).sum();
+        let off = quads / count as f64;
+        assert!((0.9..1.1).contains(&off), "{name}: {quads} quads for {count}");
+    }
+}
+
+#[test]
+fn singularities_are_as_few_as_the_shape_asks_for() {
+    let count = |mesh: &Mesh, quads| followed(mesh, quads)[0].notes.singularities.len();
+    assert_eq!(count(&torus(), 300), 0);
+    assert_eq!(count(&tube(), 200), 0);
+    assert_eq!(count(&plate(), 300), 0);
+    assert_eq!(count(&vault(), 250), 0);
+    // Two at each of the four umbilic points.
+    let found = &followed(&ellipsoid([3.0, 2.0, 1.5]), 300)[0].notes;
+    assert_eq!(found.singularities.len(), 8);
+    assert!(found.singularities.iter().all(|&(_, index)| index == 1));
+}
+
+#[test]
+fn a_cut_boundary_leaves_the_lines_of_curvature_alone() {
+    let options = MapOptions::of_size(PanelSize::Count(300));
+    let along = mapped(&hypar(), &options);
+    let cut = mapped(&hypar(), &MapOptions { boundary: Boundary::Cut, ..options });
+    check("cut", &cut[0]);
+    assert!(cut[0].notes.singularities.is_empty());
+    assert!(!along[0].notes.singularities.is_empty());
+}
+
+#[test]
+fn a_moved_and_scaled_surface_has_the_same_map() {
+    let mesh = bumpy();
+    let [before] = &followed(&mesh, 300)[..] else { panic!("it is one part") };
+    let frame = Random::new(7).frame();
+    let mut moved = mesh.clone();
+    for point in &mut moved.positions {
+        let turned = in_frame(frame, Vec3::from(*point)) * 1000.0;
+        *point = (turned + Vec3::new(3e3, -5e3, 2e3)).into();
+    }
+    let [after] = &followed(&moved, 300)[..] else { panic!("it is one part") };
+    assert_eq!(after.notes.singularities, before.notes.singularities);
+    assert_eq!(after.notes.quads.round(), before.notes.quads.round());
+    let unit = UNIT as f64;
+    let pairs = after.map.corners.as_flattened().iter().zip(before.map.corners.as_flattened());
+    for (a, b) in pairs.flat_map(|(a, b)| [0, 1].map(|axis| (a[axis], b[axis]))) {
+        assert!(((a - b) as f64 / unit).abs() < 1e-3, "{a} {b}");
+    }
+}
+
+#[test]
+fn the_order_of_vertices_and_faces_changes_no_singularity() {
+    let mesh = bumpy();
+    let before = &followed(&mesh, 300)[0];
+    let n = mesh.positions.len() as u32;
+    // Coprime to both numbers.
+    let renamed = |v: u32| (v * 787) % n;
+    let mut shuffled = Mesh { positions: mesh.positions.clone(), ..Mesh::default() };
+    for v in 0..n {
+        shuffled.positions[renamed(v) as usize] = mesh.positions[v as usize];
+    }
+    let faces = mesh.faces.len();
+    for k in 0..faces {
+        let face = mesh.faces.row((k * 787) % faces);
+        shuffled.faces.push(&[face[1], face[2], face[0]].map(renamed));
+    }
+    let after = &followed(&shuffled, 300)[0];
+    let places = |mapped: &Mapped| {
+        let at = |&(v, index): &(usize, i32)| {
+            (mapped.prepared.surface.positions[v], index)
+        };
+        mapped.notes.singularities.iter().map(at).collect::<Vec<_>>()
+    };
+    let (before, after) = (places(before), places(after));
+    assert_eq!(before.len(), after.len());
+    for (at, index) in before {
+        let near = |&(other, same): &(Vec3<f64>, i32)| same == index && (other - at).length() < 0.3;
+        assert!(after.iter().any(near), "{index} at {at:?}: {after:?}");
+    }
+}
+
+#[test]
+fn another_size_or_evenness_goes_on_from_what_is_kept() {
+    let options = MapOptions::of_size(PanelSize::Count(300));
+    let part = &InputSurface::components(&bumpy()).unwrap()[0];
+    let prepared = part.prepare((part.area() / 300.0).sqrt(), &options).unwrap();
+    let mut kept = GridMapper::new(prepared.clone());
+    kept.map(20.0, 30.0, 300.0, &mut |_, _| true).unwrap();
+    for (follow, direction, wanted) in [(20.0, 30.0, 250.0), (20.0, 5.0, 250.0), (5.0, 5.0, 330.0)] {
+        let again = kept.map(follow, direction, wanted, &mut |_, _| true).unwrap();
+        let mut new = GridMapper::new(prepared.clone());
+        assert_eq!(again, new.map(follow, direction, wanted, &mut |_, _| true).unwrap());
+    }
+    assert!(kept.map(80.0, 5.0, 330.0, &mut |_, _| false).is_err(), "it can be cancelled");
+}

@@ -1,0 +1,149 @@
+//! Several parts, parts that touch, surfaces with one side, closed creases, and refusals.
+
+use super::surfaces::{parametric, torus, tube, vault};
+use super::{check, panels, with};
+use shape_up::math::{cosine, sine};
+use shape_up::mesh::{Mesh, Point, Topology};
+use shape_up::quads::{MapOptions, PanelSize, RemeshError, RemeshStage, remesh};
+
+/// Both meshes in one.
+fn both(first: &Mesh, second: &Mesh, moved: Point) -> Mesh {
+    let mut mesh = first.clone();
+    let count = first.positions.len() as u32;
+    mesh.positions.extend(second.positions.iter().map(|p| [0, 1, 2].map(|k| p[k] + moved[k])));
+    for face in second.faces.iter() {
+        let face: Vec<u32> = face.iter().map(|v| v + count).collect();
+        mesh.faces.push(&face);
+    }
+    mesh
+}
+
+#[test]
+fn each_part_has_its_share_of_the_panels() {
+    let mesh = both(&torus(), &tube(), [10.0, 0.0, 0.0]);
+    let found = panels(&mesh, 400).unwrap();
+    check(&mesh, &found);
+    assert_eq!(found.measures.irregular.inside, 0);
+    assert!((340..=460).contains(&found.measures.quads), "{}", found.measures.quads);
+}
+
+/// A bowl whose lowest point is at the origin and is its first vertex.
+fn bowl(upwards: f64) -> Mesh {
+    let mut mesh = Mesh::default();
+    mesh.positions.push([0.0; 3]);
+    let (around, rings) = (24, 8);
+    for ring in 1..=rings {
+        for k in 0..around {
+            let (turn, radius) = (f64::from(k) / f64::from(around), f64::from(ring) / 4.0);
+            let height = upwards * 0.2 * radius * radius;
+            mesh.positions.push([radius * cosine(turn), 1.3 * radius * sine(turn), height]);
+        }
+    }
+    let name = |ring: u32, k: u32| 1 + (ring - 1) * around + k % around;
+    for k in 0..around {
+        mesh.faces.push(&[0, name(1, k), name(1, k + 1)]);
+        for ring in 1..rings {
+            let [a, b] = [name(ring, k), name(ring, k + 1)];
+            let [c, d] = [name(ring + 1, k + 1), name(ring + 1, k)];
+            mesh.faces.push(&[a, d, c]);
+            mesh.faces.push(&[a, c, b]);
+        }
+    }
+    mesh
+}
+
+#[test]
+fn bowls_that_touch_in_a_vertex_are_two_surfaces() {
+    let mut mesh = both(&bowl(1.0), &bowl(-1.0), [0.0; 3]);
+    let second = bowl(1.0).positions.len() as u32;
+    // The lowest vertex of the second is that of the first.
+    let name: Vec<u32> =
+        (0..mesh.positions.len() as u32).map(|v| if v == second { 0 } else { v }).collect();
+    mesh.faces.rename(&name);
+    let found = panels(&mesh, 300).unwrap();
+    assert_eq!((found.measures.euler, found.measures.loops), (2, 2));
+    assert!(found.mesh.faces.iter().all(|face| face.len() == 4));
+}
+
+#[test]
+fn a_surface_with_one_side_is_refused_with_a_place() {
+    let (around, across) = (40_u32, 4_u32);
+    let mut strip = parametric([around, across], [false, false], |u, v| {
+        let (turn, width) = (u, v - 0.5);
+        let radius = 3.0 + width * cosine(0.5 * turn);
+        [radius * cosine(turn), radius * sine(turn), width * sine(0.5 * turn)]
+    });
+    // The last column is the first one, upside down.
+    let last = |v: u32| v % (around + 1) == around;
+    let name: Vec<u32> = (0..strip.positions.len() as u32)
+        .map(|v| if last(v) { (across - v / (around + 1)) * (around + 1) } else { v })
+        .collect();
+    strip.faces.rename(&name);
+    let refused = panels(&strip, 200).unwrap_err();
+    assert!(matches!(refused, RemeshError::OneSided { .. }) && refused.place().is_some());
+    assert!(refused.to_string().contains("one side"));
+}
+
+#[test]
+fn a_closed_crease_is_a_line_of_the_panels() {
+    // A hat: a flat brim, and a steep dome on it.
+    let hat = parametric([48, 16], [true, false], |u, v| {
+        let (radius, height) =
+            if v <= 0.5 { (5.0 - 4.0 * v, 0.0) } else { (4.5 - 3.0 * v, 4.0 * v - 2.0) };
+        [radius * cosine(u), radius * sine(u), height]
+    });
+    let found = panels(&hat, 300).unwrap();
+    check(&hat, &found);
+    let on_crease = |v: u32| {
+        let [x, y, z] = found.mesh.positions[v as usize];
+        z.abs() < 1e-9 && ((x * x + y * y).sqrt() - 3.0).abs() < 0.05
+    };
+    let topology = Topology::new(&found.mesh);
+    let edges = topology.edges().iter().filter(|[a, b]| on_crease(*a) && on_crease(*b)).count();
+    let vertices = (0..found.mesh.positions.len() as u32).filter(|&v| on_crease(v)).count();
+    assert!(vertices >= 12 && edges == vertices, "{vertices} {edges}: one closed line");
+    let options = MapOptions { crease: None, ..MapOptions::of_size(PanelSize::Count(300)) };
+    check(&hat, &with(&hat, options).unwrap());
+}
+
+#[test]
+fn what_cannot_be_remeshed_is_refused_with_the_reason() {
+    let refused = |mesh: &Mesh, size: PanelSize| {
+        with(mesh, MapOptions::of_size(size)).map(|_| ()).unwrap_err()
+    };
+    assert_eq!(refused(&Mesh::default(), PanelSize::Count(100)), RemeshError::Empty);
+    let mut one =
+        Mesh { positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], ..Mesh::default() };
+    one.faces.push(&[0, 1, 2]);
+    let few = refused(&one, PanelSize::Count(100));
+    assert!(matches!(few, RemeshError::TooFewTriangles { .. }), "{few}");
+    let large = refused(&tube(), PanelSize::Length(5.0));
+    assert!(matches!(large, RemeshError::SizeTooLarge { .. }), "{large}");
+    let small = refused(&tube(), PanelSize::Length(1e-6));
+    assert!(matches!(small, RemeshError::SizeTooSmall { .. }), "{small}");
+    // A third sheet along a line of the vault.
+    let mut branching = vault();
+    branching.positions.push([4.0, 3.0, 9.0]);
+    let fin = branching.positions.len() as u32 - 1;
+    branching.faces.push(&[100, 101, fin]);
+    let found = refused(&branching, PanelSize::Count(100));
+    assert!(matches!(found, RemeshError::BranchingEdge { count: 1, .. }), "{found}");
+}
+
+#[test]
+fn an_observer_sees_all_stages_in_order_and_can_stop_at_each() {
+    let options = MapOptions::of_size(PanelSize::Count(150));
+    let mut stages: Vec<RemeshStage> = Vec::new();
+    remesh(&vault(), &options, "m", &mut |stage, share| {
+        assert!((0.0..=1.0).contains(&share));
+        stages.push(stage);
+        true
+    })
+    .unwrap();
+    stages.dedup();
+    assert!(stages.is_sorted() && stages.len() >= 5, "{stages:?}");
+    for stop in stages {
+        let stopped = remesh(&vault(), &options, "m", &mut |stage, _| stage != stop);
+        assert_eq!(stopped.map(|_| ()).unwrap_err(), RemeshError::Cancelled, "{stop:?}");
+    }
+}
