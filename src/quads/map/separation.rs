@@ -204,7 +204,7 @@ impl Finder<'_> {
         }
         for line in self.lines(&near) {
             let (distance, end) = distance_to_segment(at, line.ends);
-            let apart = sum(&own[line.axis], &line.row, -1.0);
+            let apart = sum(own[line.axis], &line.row, -1.0);
             if self.faces(&line, end) {
                 self.add_ahead(apart, line.inward, distance, &[line.side], found);
             }
