@@ -1,4 +1,4 @@
-//! What the rooms halves exchange: a triangulated surface, and a map of it to the plane in which the
+//! What map and extraction exchange: a triangulated surface, and a map of it to the plane in which the
 //! integer grid is the quad mesh (integer-grid map: Bommes, Campen, Ebke, Alliez and Kobbelt 2013).
 //!
 //! Coordinates are in fixed point, so that every transition between triangles is exact and every

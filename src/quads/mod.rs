@@ -12,6 +12,7 @@
 //! | `map` | the seamless map and its rounding |
 //! | `extract` | the exact extraction of the grid |
 //! | `repair` | faces that are not quads, replaced |
+//! | `glide` | vertices glide until panels are nearer to circles |
 //! | `result` | checks and measures of the result |
 //! | `part` | one connected part |
 //! | `remesh` | all parts |
@@ -21,6 +22,7 @@ mod error;
 mod extract;
 mod fault;
 mod field;
+mod glide;
 mod grid_map;
 mod map;
 mod options;

@@ -2,6 +2,7 @@
 
 use super::extract::{Extraction, Node, Place, extract};
 use super::fault::Fault;
+use super::glide::glide;
 use super::grid_map::Triangulation;
 use super::map::{GridMapper, MapNotes};
 use super::repair::{Repaired, repair, trim};
@@ -113,12 +114,13 @@ impl Asked<'_> {
 }
 
 impl Part {
-    /// The mean distance of the panels from circles, in panels.
+    /// The mean distance of the panels from circles, for panels of one size: it grows with their
+    /// squared size.
     fn off_circles(&self) -> f64 {
         let positions: Vec<Point> = self.positions.iter().map(|&p| p.into()).collect();
         let face = |face: &Vec<usize>| face.iter().map(|&v| v as u32).collect::<Vec<u32>>();
         let faces: Ragged = self.faces.iter().map(face).collect();
-        Measures::new(&positions, &faces, 1.0).circularity.mean_distance / self.size
+        Measures::new(&positions, &faces, 1.0).circularity.mean_distance * self.faces.len() as f64
     }
 }
 
@@ -139,6 +141,7 @@ fn finish(
         Boundary::Cut => trim(&nodes, cells.faces, prepared.size),
     };
     let Repaired { mut faces, replaced } = repair(&mut nodes, cells, is_trimmed);
+    glide(&prepared.surface, &mut nodes, &faces);
     let middle = |face: &[usize]| {
         let sum = face.iter().fold(Vec3::zero(), |sum, &node| sum + nodes[node].position);
         sum * (1.0 / face.len().max(1) as f64)

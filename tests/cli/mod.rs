@@ -9,6 +9,7 @@ mod faults;
 mod folder;
 mod lessons;
 mod new_mesh;
+mod remesh;
 mod written;
 
 use folder::{Folder, PLANES, ROOF, scene};

@@ -7,7 +7,8 @@ use crate::support::shared;
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::Mesh;
 use shape_up::quads::{
-    Boundary, GridMap, GridMapper, InputSurface, MapNotes, MapOptions, PanelSize, Prepared, Side, UNIT,
+    Boundary, GridMap, GridMapper, InputSurface, MapNotes, MapOptions, PanelSize, Prepared, Side,
+    UNIT,
 };
 
 /// A map with its surface.
@@ -205,9 +206,7 @@ fn the_order_of_vertices_and_faces_changes_no_singularity() {
     }
     let after = &followed(&shuffled, 300)[0];
     let places = |mapped: &Mapped| {
-        let at = |&(v, index): &(usize, i32)| {
-            (mapped.prepared.surface.positions[v], index)
-        };
+        let at = |&(v, index): &(usize, i32)| (mapped.prepared.surface.positions[v], index);
         mapped.notes.singularities.iter().map(at).collect::<Vec<_>>()
     };
     let (before, after) = (places(before), places(after));
@@ -225,7 +224,8 @@ fn another_size_or_evenness_goes_on_from_what_is_kept() {
     let prepared = part.prepare((part.area() / 300.0).sqrt(), &options).unwrap();
     let mut kept = GridMapper::new(prepared.clone());
     kept.map(20.0, 30.0, 300.0, &mut |_, _| true).unwrap();
-    for (follow, direction, wanted) in [(20.0, 30.0, 250.0), (20.0, 5.0, 250.0), (5.0, 5.0, 330.0)] {
+    for (follow, direction, wanted) in [(20.0, 30.0, 250.0), (20.0, 5.0, 250.0), (5.0, 5.0, 330.0)]
+    {
         let again = kept.map(follow, direction, wanted, &mut |_, _| true).unwrap();
         let mut new = GridMapper::new(prepared.clone());
         assert_eq!(again, new.map(follow, direction, wanted, &mut |_, _| true).unwrap());

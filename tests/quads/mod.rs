@@ -9,6 +9,8 @@ mod parts;
 mod prepare;
 mod surfaces;
 
+pub(crate) use surfaces::tube;
+
 use shape_up::mesh::Mesh;
 use shape_up::quads::{MapOptions, PanelSize, RemeshError, Remeshed, remesh};
 use std::collections::BTreeMap;

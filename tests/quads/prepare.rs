@@ -24,7 +24,8 @@ fn sheet(n: u32, at: impl Fn(f64, f64) -> [f64; 3]) -> Mesh {
 fn triangles_are_short_and_features_are_apart() {
     let roof = sheet(6, |u, v| [6.0 * u, 6.0 * v, 3.0 - (6.0 * u - 3.0).abs()]);
     for (mesh, size) in [(plate(), 0.3), (tube(), 0.4), (torus(), 0.5), (roof.clone(), 0.7)] {
-        let whole: f64 = InputSurface::components(&mesh).unwrap().iter().map(InputSurface::area).sum();
+        let whole: f64 =
+            InputSurface::components(&mesh).unwrap().iter().map(InputSurface::area).sum();
         let Prepared { surface, .. } = prepared(&mesh, size);
         assert!((surface.area() - whole).abs() < 1e-12 * whole, "nothing is lost");
         let mut on_feature = vec![false; surface.positions.len()];
@@ -138,7 +139,9 @@ fn what_cannot_be_remeshed_is_refused_with_the_place() {
     assert!(matches!(error(&strip), RemeshError::OneSided { .. }));
     let part = &InputSurface::components(&tube()).unwrap()[0];
     let size = |size: f64| part.prepare(size, &options()).map(|_| ());
-    assert!(matches!(size(1e-3), Err(RemeshError::SizeTooSmall { least }) if size(least) == Ok(())));
+    assert!(
+        matches!(size(1e-3), Err(RemeshError::SizeTooSmall { least }) if size(least) == Ok(()))
+    );
     assert!(matches!(size(f64::NAN), Err(RemeshError::SizeTooSmall { .. })));
     let Err(RemeshError::SizeTooLarge { greatest, .. }) = size(50.0) else { panic!("too large") };
     assert_eq!(size(greatest), Ok(()));

@@ -7,7 +7,7 @@
 //! a panel, cancels. Then it is normalised and smoothed in turns (Merriman-Bence-Osher steps; Viertel
 //! and Osting 2019), which cancels pairs of singularities that are near to each other.
 
-use super::complex::{Complex, conjugate, size, squared, unit};
+use super::complex::{Complex, size, squared, unit};
 use super::frames::Frames;
 use crate::quads::surface::Prepared;
 use crate::quads::system::SymmetricSystem;
@@ -211,16 +211,62 @@ fn normalise(crosses: &mut [Complex], before: &[Complex]) {
     }
 }
 
-/// The sum of `weight |u_g - r u_f|^2` over the inner sides: how much the field swirls.
 #[cfg(test)]
-pub(super) fn swirl(surface: &Triangulation, frames: &Frames, crosses: &[Complex]) -> f64 {
-    let connection = Connection::new(surface, frames);
-    let of_side = |&(side, back, weight, _): &(Side, Side, f64, [usize; 4])| {
-        let carried =
-            super::complex::times(frames.transport(side, back, 4), crosses[side.triangle]);
-        let there = crosses[back.triangle];
-        weight * size([there[0] - carried[0], there[1] - carried[1]]).powi(2)
-    };
-    let _ = conjugate;
-    connection.places.iter().map(of_side).sum()
+mod tests {
+    use super::*;
+    use crate::math::{Vec3, cosine, sine};
+    use crate::mesh::Mesh;
+    use crate::quads::{Boundary, InputSurface, MapOptions, PanelSize};
+
+    /// A square sheet of triangles in space, prepared for panels of a fifth of its side.
+    fn sheet(boundary: Boundary, at: impl Fn(f64, f64) -> [f64; 3]) -> Prepared {
+        let n = 20;
+        let mut mesh = Mesh::default();
+        for (j, i) in (0..=n).flat_map(|j| (0..=n).map(move |i| (j, i))) {
+            mesh.positions.push(at(f64::from(i) / f64::from(n), f64::from(j) / f64::from(n)));
+        }
+        for (j, i) in (0..n).flat_map(|j| (0..n).map(move |i| (j, i))) {
+            let [a, b] = [j * (n + 1) + i, (j + 1) * (n + 1) + i];
+            mesh.faces.push(&[a, a + 1, b + 1]);
+            mesh.faces.push(&[a, b + 1, b]);
+        }
+        let parts = InputSurface::components(&mesh).unwrap();
+        let options = MapOptions { boundary, ..MapOptions::of_size(PanelSize::Length(0.2)) };
+        parts[0].prepare(0.2, &options).unwrap()
+    }
+
+    /// The largest difference of a cross from those along `direction`.
+    fn largest_difference(prepared: &Prepared, follow: f64, direction: Vec3<f64>) -> f64 {
+        let frames = Frames::new(&prepared.surface);
+        let steering = Steering { follow, smoothing: 0.5, step: 1.0 };
+        let found = cross_field(prepared, &frames, steering, &mut |_| true).unwrap();
+        let difference = |(t, &cross): (usize, &Complex)| {
+            let along = squared(squared(unit(frames.of(t, direction)).unwrap()));
+            size([cross[0] - along[0], cross[1] - along[1]])
+        };
+        found.crosses.iter().enumerate().map(difference).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn crosses_follow_the_rulings_of_a_cylinder_across_a_cut_boundary() {
+        // A sheet at 20 degrees to the rulings, which are along z.
+        let [c, s] = [cosine(20.0 / 360.0), sine(20.0 / 360.0)];
+        let cylinder = |u: f64, v: f64| {
+            let (x, z) = (c * u - s * v, s * u + c * v);
+            [cosine(x / 6.0), sine(x / 6.0), z]
+        };
+        let axis = Vec3::new(0.0, 0.0, 1.0);
+        assert!(largest_difference(&sheet(Boundary::Cut, cylinder), 20.0, axis) < 0.02);
+        // Followed, the boundary gives the direction.
+        assert!(largest_difference(&sheet(Boundary::Followed, cylinder), 20.0, axis) > 1.0);
+    }
+
+    #[test]
+    fn crosses_of_a_flat_square_are_parallel_to_its_sides() {
+        let flat = |u: f64, v: f64| [0.6 * u - 0.8 * v, 0.8 * u + 0.6 * v, 0.0];
+        let side = Vec3::new(0.6, 0.8, 0.0);
+        for follow in [0.0, 20.0] {
+            assert!(largest_difference(&sheet(Boundary::Followed, flat), follow, side) < 1e-9);
+        }
+    }
 }

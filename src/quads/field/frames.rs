@@ -1,6 +1,6 @@
 //! A frame in each triangle, its first axis along the first side, and what is measured in it.
 
-use super::complex::{Complex, argument, times, unit};
+use super::complex::{Complex, argument, conjugate, times, unit};
 use crate::math::Vec3;
 use crate::quads::surface::Prepared;
 use crate::quads::{Side, Triangulation};
@@ -95,7 +95,7 @@ impl Frames {
     pub(crate) fn transport(&self, side: Side, back: Side, power: u32) -> Complex {
         let from = self.sides[side.triangle][side.side];
         let to = self.sides[back.triangle][back.side];
-        let turn = times(to, [from[0], -from[1]]);
+        let turn = times(to, conjugate(from));
         (1..power).fold(turn, |product, _| times(product, turn))
     }
 }

@@ -11,8 +11,10 @@ use std::rc::Rc;
 
 /// Pairs farther apart than this many panels are not looked at.
 const REACH: f64 = 1.5;
-/// Of a point and a line, and of two lines.
-const REACH_OF_LINES: f64 = 1.0;
+/// Lines nearer than this many panels are in front of what faces them, whatever the seamless map says.
+const NEAR: f64 = 1.0;
+/// Others if it puts them at this part of their distance at least.
+const IN_FRONT: f64 = 0.25;
 
 /// A sum of free unknowns of the seams, all integers, that must have a value.
 #[derive(Clone, Debug, PartialEq)]
@@ -202,8 +204,8 @@ impl Finder<'_> {
         }
         for line in self.lines(&near) {
             let (distance, end) = distance_to_segment(at, line.ends);
-            let apart = sum(&own[line.axis], &line.row, -1.0);
-            if self.faces(&line, end) && distance < REACH_OF_LINES * self.size {
+            let apart = sum(own[line.axis], &line.row, -1.0);
+            if self.faces(&line, end) {
                 self.add_ahead(apart, line.inward, distance, &[line.side], found);
             }
         }
@@ -219,7 +221,7 @@ impl Finder<'_> {
                 }
                 let middle = (b.ends[0] + b.ends[1]) * 0.5;
                 let (distance, end) = distance_to_segment(middle, a.ends);
-                if self.faces(a, end) && distance < REACH_OF_LINES * self.size {
+                if self.faces(a, end) {
                     let apart = sum(&b.row, &a.row, -1.0);
                     self.add_ahead(apart, a.inward, distance, &[a.side, b.side], found);
                 }
@@ -264,7 +266,9 @@ impl Finder<'_> {
         found: &mut Vec<Separation>,
     ) {
         let behind = value(&apart, self.rounded) * inward < 0.5;
-        if behind && !apart.is_empty() && self.is_integer(&apart) {
+        let ahead = value(&apart, self.free) * inward * self.size >= IN_FRONT * distance;
+        let is_near = distance <= if ahead { REACH } else { NEAR } * self.size;
+        if behind && is_near && !apart.is_empty() && self.is_integer(&apart) {
             let is_crease = |side: &&Side| self.surface.across(**side).is_some();
             let creases = sides.iter().filter(is_crease).copied().collect();
             found.push(Separation { row: apart, value: inward, creases, distance });

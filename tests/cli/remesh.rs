@@ -1,0 +1,90 @@
+//! `shape-up remesh`: quads along the lines of curvature, its report, and its refusals.
+
+use super::keys;
+use crate::cli::folder::Folder;
+use shape_up::mesh::write_obj;
+
+/// A tube of triangles, of radius 1 and length 4, as OBJ.
+fn tube() -> String {
+    let tube = crate::quads::tube();
+    write_obj(&tube, &tube.positions)
+}
+
+#[test]
+fn a_tube_of_triangles_becomes_quads_along_its_lines_of_curvature() {
+    let folder = Folder::new("remesh");
+    folder.write("tube.obj", tube());
+    let asked = ["remesh", "tube.obj", "--quads", "200", "--out", "out.obj", "--report", "r.json"];
+    let out = folder.run(&asked).done();
+    for words in ["tube.obj: ", " panels, 0 irregular vertices", "off the lines of curvature"] {
+        assert!(out.contains(words), "expected `{words}` in {out}");
+    }
+    let report = folder.json("r.json");
+    let expected = [
+        "angle",
+        "distance",
+        "edge",
+        "euler",
+        "irregular",
+        "level",
+        "loops",
+        "notes",
+        "other_faces",
+        "quads",
+        "seconds",
+    ];
+    assert_eq!(keys(&report), expected);
+    assert_eq!(keys(&report["angle"]), ["mean", "p90"]);
+    assert_eq!(keys(&report["irregular"]), ["boundary", "inside"]);
+    assert_eq!(keys(&report["edge"]), ["cv", "mean"]);
+    assert_eq!(keys(&report["distance"]), ["from_input", "to_input"]);
+    assert!(report["seconds"]["total"].as_f64().unwrap() > 0.0);
+    let mesh = shape_up::mesh::read("out.obj", folder.read("out.obj").as_bytes()).unwrap().mesh;
+    assert_eq!(report["quads"], mesh.faces.len());
+    assert_eq!((&report["loops"], &report["euler"]), (&2.into(), &0.into()));
+    // Circular without a move that anybody would see.
+    folder.run(&["solve", "out.obj", "--panels", "circle", "--report", "c.json"]).done();
+    let moved = folder.json("c.json")["moved"]["max"].as_f64().unwrap();
+    assert!(moved < 0.02 * report["edge"]["mean"].as_f64().unwrap(), "{moved}");
+}
+
+#[test]
+fn size_and_boundary_are_as_asked() {
+    let folder = Folder::new("remesh-size");
+    folder.write("tube.obj", tube());
+    let report = |options: &[&str]| {
+        folder.run(&[&["remesh", "tube.obj", "--report", "r.json"], options].concat()).done();
+        folder.json("r.json")
+    };
+    let length = report(&["--size", "0.4"])["edge"]["mean"].as_f64().unwrap();
+    assert!((length - 0.4).abs() < 0.06, "{length}");
+    let cut = report(&["--size=0.4", "--boundary", "cut", "--follow", "0.3", "--even", "1"]);
+    assert_eq!((&cut["euler"], &cut["loops"]), (&0.into(), &2.into()));
+    report(&["--quads", "150", "--crease", "180", "--boundary=follow"]);
+}
+
+#[test]
+fn what_remesh_cannot_do_is_one_line_and_no_file() {
+    let folder = Folder::new("remesh-refused");
+    folder.write("tube.obj", tube()).write("line.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
+    let refused = |options: &[&str], words: &[&str]| {
+        let asked = [&["remesh"], options, &["--out", "out.obj", "--report", "r.json"]].concat();
+        folder.run(&asked).refused(words);
+    };
+    refused(&["line.obj"], &["line.obj: ", "no faces"]);
+    refused(&["tube.obj", "--size", "9"], &["tube.obj: ", "too large", "or less", "it is at ("]);
+    refused(&["tube.obj", "--size", "1e-5"], &["tube.obj: ", "expected", "or more"]);
+    assert_eq!(folder.files(), ["line.obj", "tube.obj"]);
+    for (options, words) in [
+        (vec![], "mesh"),
+        (vec!["tube.obj", "--quads", "0"], "from 1"),
+        (vec!["tube.obj", "--quads", "9", "--size", "1"], "--quads or --size"),
+        (vec!["tube.obj", "--follow", "2"], "0 to 1"),
+        (vec!["tube.obj", "--boundary", "keep"], "follow or cut"),
+        (vec!["tube.obj", "--out", "out.mesh"], ".obj"),
+        (vec!["tube.obj", "--trace"], "`--trace`"),
+        (vec!["s.json"], "mesh file"),
+    ] {
+        folder.run(&[vec!["remesh"], options].concat()).misused(words);
+    }
+}
