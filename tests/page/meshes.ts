@@ -128,3 +128,18 @@ export const file = (name: string, text: string) => ({
   mimeType: 'application/octet-stream',
   buffer: Buffer.from(text),
 });
+
+/** The OBJ text of a vault of triangles, n by n pairs of them, without corners to follow. */
+export function vault(n: number) {
+  const lines = ['# units: m'];
+  const at = (i: number) => (12 * i) / n - 6;
+  for (let j = 0; j <= n; j++)
+    for (let i = 0; i <= n; i++)
+      lines.push(`v ${at(i)} ${at(j)} ${4 - 0.08 * at(i) ** 2 - 0.02 * at(j) ** 2}`);
+  for (let j = 0; j < n; j++)
+    for (let i = 0; i < n; i++) {
+      const [a, b] = [j * (n + 1) + i + 1, j * (n + 1) + i + 2];
+      lines.push(`f ${a} ${b} ${b + n + 1}`, `f ${a} ${b + n + 1} ${a + n + 1}`);
+    }
+  return `${lines.join('\n')}\n`;
+}

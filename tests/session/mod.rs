@@ -15,6 +15,7 @@ mod measures;
 mod offers;
 mod operators;
 mod own_mesh;
+mod panel_layout;
 mod presentation;
 mod presets;
 mod refine;

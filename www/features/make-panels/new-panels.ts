@@ -55,7 +55,7 @@ function newPanelsCard(
       update();
     },
     [
-      ['follow', 'Follows the edges of the panels'],
+      ['follow', 'Followed by the panels'],
       ['cut', 'Cuts the panels'],
     ],
   );

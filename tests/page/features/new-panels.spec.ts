@@ -1,0 +1,71 @@
+// From a roof of triangles to circular panels along its lines of curvature.
+
+import type { Page } from '@playwright/test';
+import { openText, showPanel } from '../actions.ts';
+import { vault, wavyGrid } from '../meshes.ts';
+import { expect, openPage, state, test, waitForState } from '../support.ts';
+
+test.use({ sameDocument: true });
+
+const N = 14;
+const VERTICES = (N + 1) ** 2;
+const SENTENCE =
+  /^\d+ panels, \d+ irregular points?, edges [\d.]+° off the lines of curvature\. The mesh will then (not )?move /;
+
+const offer = (page: Page) => page.getByRole('group', { name: 'Panels', exact: true });
+const card = (page: Page) => page.getByRole('region', { name: 'New panels' });
+const use = (page: Page) => card(page).getByRole('button', { name: 'Use these panels' });
+
+test('a roof of triangles gets panels along its lines of curvature, which become circular', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'vault.obj', vault(N), VERTICES);
+  await offer(page).getByRole('button', { name: 'New panels along the curvature' }).click();
+  await expect(card(page).getByText(SENTENCE)).toBeVisible();
+  await expect(use(page)).toBeEnabled();
+
+  // Fewer, larger panels: the side follows their number.
+  const side = async () => Number(await card(page).getByLabel('Side').inputValue());
+  const before = await side();
+  await card(page).getByLabel('Panels', { exact: true }).fill('64');
+  await card(page).getByLabel('Panels', { exact: true }).press('Enter');
+  await expect.poll(side).toBeGreaterThan(before);
+  await expect(use(page)).toBeEnabled();
+  // Nothing has changed until they are used.
+  expect((await state(page)).vertices).toBe(VERTICES);
+
+  await card(page).getByLabel('Then').selectOption('Make panels circular');
+  await use(page).click();
+  await expect(card(page)).toBeHidden();
+  const solved = await waitForState(page, (now) => !now.running && now.exact?.met);
+  expect(solved.faces).toBeGreaterThan(50);
+  expect(solved.faces).toBeLessThan(80);
+  expect(solved.constraints).toEqual({ circle: solved.faces });
+  await expect(offer(page)).toContainText(/All \d+ panels are circular within/);
+
+  // One step each: the circles, then the panels.
+  await page.keyboard.press('Control+z');
+  await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
+  await page.keyboard.press('Control+z');
+  await waitForState(page, (now, vertices) => now.vertices === vertices, VERTICES);
+  await page.keyboard.press('Control+Shift+z');
+  await waitForState(page, (now, vertices) => now.vertices !== vertices, VERTICES);
+});
+
+test('a refused size changes nothing, and Escape leaves the mesh as it was', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(6), 49);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'New panels', exact: true }).click();
+  await expect(use(page)).toBeEnabled();
+  await card(page).getByLabel('Side').fill('1000');
+  await card(page).getByLabel('Side').press('Enter');
+  await expect(card(page).getByText(/^Not possible: .*too large for the surface/)).toBeVisible();
+  await expect(use(page)).toBeDisabled();
+  await page.keyboard.press('Escape');
+  await expect(card(page)).toBeHidden();
+  expect((await state(page)).vertices).toBe(49);
+  await showPanel(page, 'Energies and display');
+  await expect(page.getByRole('checkbox', { name: 'Edges', exact: true })).toBeChecked();
+});

@@ -1,0 +1,139 @@
+//! New panels along the lines of curvature in place of the mesh: what is said, what is carried over,
+//! undo, and refusals.
+
+use crate::session::refine::{everything, open};
+use shape_up::math::Vec3;
+use shape_up::mesh::Mesh;
+use shape_up::quads::Boundary;
+use shape_up::scene::Scene;
+use shape_up::session::{Edit, LayoutSettings, PanelLayout, PanelStart, Session};
+
+const USUAL: LayoutSettings =
+    LayoutSettings { count: None, size: None, follow: 2.0 / 3.0, even: 0.25, boundary: None };
+
+/// A vault over a square of side 12, of `n` by `n` pairs of triangles; turned by `turn` against its
+/// lines of curvature.
+fn vault(n: u32, turned: bool) -> Mesh {
+    let side = f64::from(n);
+    let mut mesh = Mesh::default();
+    for j in 0..=n {
+        for i in 0..=n {
+            let [x, y] = [i, j].map(|k| 12.0 * f64::from(k) / side - 6.0);
+            let z = if turned { 0.05 * x * y } else { -0.08 * x * x - 0.02 * y * y };
+            mesh.positions.push([x, y, z]);
+        }
+    }
+    for j in 0..n {
+        for i in 0..n {
+            let a = j * (n + 1) + i;
+            mesh.faces.push(&[a, a + 1, a + n + 2]);
+            mesh.faces.push(&[a, a + n + 2, a + n + 1]);
+        }
+    }
+    mesh
+}
+
+fn opened(mesh: Mesh) -> Session {
+    Session::open(Scene::opened("own.obj"), mesh).expect("the scene is valid")
+}
+
+fn laid_out(session: &Session, settings: &LayoutSettings) -> PanelLayout {
+    session.lay_out_panels(settings, &mut |_, _| true).expect("the surface can be covered")
+}
+
+/// Sets, constraints, and handles at a corner and inside.
+const SCENE: &str = r#"
+    "sets": { "left": { "faces": [0, 1, 20, 21, 40, 41, 60, 61] }, "none": { "vertices": [12, 13] } },
+    "constraints": [ { "kind": "circle", "on": "faces" }, { "kind": "plane", "on": { "each": "face", "in": "left" } } ],
+    "handles": [ { "vertices": [0, 60], "fixed": true } ]"#;
+
+#[test]
+fn panels_take_the_place_of_triangles_in_one_step_of_undo() {
+    let mut session = open(SCENE, vault(10, false));
+    let before = everything(&session);
+    let layout = laid_out(&session, &LayoutSettings { count: Some(64), ..USUAL });
+    assert_eq!(everything(&session), before, "laying out changes nothing");
+    let said = &layout.words[0];
+    assert!(said.contains(" panels, ") && said.contains("The mesh will then "), "{said}");
+
+    let generation = session.generation();
+    assert!(session.take_panels(generation, &layout.mesh).expect("it can be solved"));
+    assert_eq!(session.mesh().faces.len(), layout.mesh.faces.len());
+    // The faces over those of the set; the corner handle; what is gone is said.
+    let left = &session.document().sets["left"].faces;
+    assert!(!left.is_empty() && left.len() < layout.mesh.faces.len() / 4, "{left:?}");
+    let handles = session.solver().handles();
+    assert_eq!(handles.len(), 1);
+    let corner = vault(10, false).positions[0];
+    assert_eq!(session.positions()[handles[0].vertex as usize], corner);
+    let lost = session.lost();
+    assert!(lost.iter().any(|words| words.contains("1 handle")), "{lost:?}");
+    assert!(lost.iter().any(|words| words.contains("none")), "{lost:?}");
+    assert!(session.undo().expect("it was solvable").expect("a step").starts_with("Lay out "));
+    assert_eq!(everything(&session), before);
+}
+
+#[test]
+fn panels_for_another_shape_are_refused() {
+    let mut session = opened(vault(8, false));
+    let layout = laid_out(&session, &USUAL);
+    let generation = session.generation();
+    let text =
+        r#"{ "addConstraint": { "kind": "plane", "on": "faces", "weight": 1, "params": {} } }"#;
+    session.edit(Edit::from_json(text).expect("an edit")).expect("it can be solved");
+    assert!(!session.take_panels(generation, &layout.mesh).expect("it is refused quietly"));
+    assert_eq!(session.mesh().faces.len(), 128);
+}
+
+#[test]
+fn circular_panels_after_them_stay_near_the_surface() {
+    let mut session = opened(vault(12, false));
+    let layout = laid_out(&session, &LayoutSettings { count: Some(100), ..USUAL });
+    let generation = session.generation();
+    assert!(session.take_panels(generation, &layout.mesh).expect("it can be solved"));
+    session.make_panels("circle", 1e-3, PanelStart::Now).expect("quads");
+    session.solve(false).expect("it can be solved");
+    let verdict = session.verdict(1e-3).expect("panels");
+    assert_eq!((verdict.within, verdict.folded), (verdict.of, 0));
+    assert!(verdict.moved.mean < 0.1 * layout.size, "{verdict:?}");
+}
+
+#[test]
+fn a_boundary_across_the_lines_of_curvature_cuts_panels_if_they_then_move_less() {
+    let session = opened(vault(12, true));
+    let wanted = |boundary| {
+        let settings = LayoutSettings { count: Some(100), boundary, ..USUAL };
+        laid_out(&session, &settings)
+    };
+    assert_eq!(wanted(None).boundary, Some(Boundary::Cut));
+    assert_eq!(wanted(Some(Boundary::Followed)).boundary, Some(Boundary::Followed));
+    let along = opened(vault(12, false));
+    let settings = LayoutSettings { count: Some(100), ..USUAL };
+    assert_eq!(laid_out(&along, &settings).boundary, Some(Boundary::Followed));
+}
+
+#[test]
+fn lines_lie_on_the_surface_and_those_at_irregular_points_come_first() {
+    let session = opened(vault(12, true));
+    let settings = LayoutSettings { count: Some(60), boundary: Some(Boundary::Followed), ..USUAL };
+    let layout = laid_out(&session, &settings);
+    assert!(layout.irregular_lines < layout.lines.len() / 2);
+    let height = |[x, y, z]: [f64; 3]| (z - 0.05 * x * y).abs();
+    assert!(layout.lines.iter().flatten().all(|&point| height(point) < 0.02));
+    for (line, ends) in layout.lines.iter().map(|line| (line, [line[0], line[line.len() - 1]])) {
+        let chord = (Vec3::from(ends[0]) - Vec3::from(ends[1])).length();
+        let way: f64 =
+            line.windows(2).map(|p| (Vec3::from(p[0]) - Vec3::from(p[1])).length()).sum();
+        assert!(way < 1.2 * chord, "{line:?}");
+    }
+}
+
+#[test]
+fn what_cannot_be_covered_is_refused_with_the_reason() {
+    let session = opened(vault(8, false));
+    let settings = LayoutSettings { size: Some(100.0), ..USUAL };
+    let refused = session.lay_out_panels(&settings, &mut |_, _| true).expect_err("too large");
+    assert!(refused.to_string().contains("too large for the surface"), "{refused}");
+    let cancelled = session.lay_out_panels(&USUAL, &mut |_, _| false).expect_err("cancelled");
+    assert!(cancelled.to_string().contains("cancelled"), "{cancelled}");
+}
