@@ -61,9 +61,11 @@ impl Asked<'_> {
                 }
             };
             if notes.flipped.is_empty() && notes.integers <= MOST_INTEGERS {
-                for factor in NUMBERS {
+                for (k, factor) in NUMBERS.into_iter().enumerate() {
                     let wanted = self.wanted * factor;
-                    let (found, _) = self.attempt(mapper, divisor, wanted, observer)?;
+                    let share = (1 + k) as f64 / (1 + NUMBERS.len()) as f64;
+                    let mut observed = |_, _| observer(RemeshStage::Extract, share);
+                    let (found, _) = self.attempt(mapper, divisor, wanted, &mut observed)?;
                     let Ok(found) = found else { continue };
                     let count = found.faces.len() as f64 / self.wanted;
                     let is_near = count.max(1.0 / count) < OFF;
@@ -96,7 +98,8 @@ impl Asked<'_> {
         let prepared = mapper.prepared();
         let expected = Shape::of(&prepared.surface.triangles);
         let mut fault = None;
-        for careful in [false, true] {
+        let ways: &[bool] = if notes.flipped.is_empty() { &[false] } else { &[false, true] };
+        for &careful in ways {
             let extraction = extract(&prepared.surface, &map, careful);
             let (part, at_boundary) = finish(self.mesh, prepared, extraction, &notes, boundary);
             let fits = |face: &[usize]| {
