@@ -30,8 +30,10 @@ const ATTEMPTS: [f64; 3] = [1.0, 16.0, f64::INFINITY];
 /// Other numbers of panels that are tried, as factors: integers fall differently, and of the results
 /// that whose panels are nearest to circles is taken.
 const NUMBERS: [f64; 2] = [0.96, 1.04];
-/// The most integers of a map for which other numbers are tried.
+/// The most integers of a map for which other numbers are tried, and the most panels: of many panels
+/// the integers matter less.
 const MOST_INTEGERS: usize = 100;
+const MOST_PANELS: f64 = 3000.0;
 /// The number of panels may differ by this factor from the wanted one for the sake of circles.
 const OFF: f64 = 1.08;
 
@@ -60,7 +62,8 @@ impl Asked<'_> {
                     continue;
                 }
             };
-            if notes.flipped.is_empty() && notes.integers <= MOST_INTEGERS {
+            let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS;
+            if notes.flipped.is_empty() && is_small {
                 for (k, factor) in NUMBERS.into_iter().enumerate() {
                     let wanted = self.wanted * factor;
                     let share = (1 + k) as f64 / (1 + NUMBERS.len()) as f64;
