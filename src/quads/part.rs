@@ -1,7 +1,7 @@
 //! One connected part of the surface: mapped, extracted, repaired and checked, in several attempts.
 
 use super::extract::{Extraction, Node, Place, extract};
-use super::fault::Fault;
+use super::fault::ResultFault;
 use super::glide::glide;
 use super::grid_map::Triangulation;
 use super::map::{GridMapper, MapNotes};
@@ -52,7 +52,7 @@ impl Asked<'_> {
         mapper: &mut GridMapper,
         observer: &mut RemeshObserver<'_>,
     ) -> Result<Part, RemeshError> {
-        let mut fault: Option<Fault> = None;
+        let mut fault: Option<ResultFault> = None;
         for divisor in ATTEMPTS {
             let (found, notes) = self.attempt(mapper, divisor, self.wanted, observer)?;
             let mut best = match found {
@@ -92,7 +92,7 @@ impl Asked<'_> {
         divisor: f64,
         wanted: f64,
         observer: &mut RemeshObserver<'_>,
-    ) -> Result<(Result<Part, Fault>, MapNotes), RemeshError> {
+    ) -> Result<(Result<Part, ResultFault>, MapNotes), RemeshError> {
         let MapOptions { follow, direction, boundary, .. } = *self.options;
         let (map, notes) = mapper.map(follow / divisor, direction, wanted, observer)?;
         if !observer(RemeshStage::Extract, 0.0) {

@@ -11,6 +11,7 @@
 //! | `trace` | the walk along a grid line to the next node |
 //! | `links` | pairs of ports that are two ends of one edge |
 //! | `cells` | the faces between the edges, and the boundary loops |
+//! | `tests` | maps that are known |
 
 mod cells;
 mod fan;
