@@ -1,4 +1,4 @@
-//! Exact extraction of the quads of an integer-grid map (QEx: Ebke, Bommes, Campen and Kobbelt 2013,
+//! Exact extraction of the quads of an integer-grid map (Ebke, Bommes, Campen and Kobbelt 2013,
 //! section 4): every question is answered by the sign of an integer, so that rounding can neither
 //! lose a vertex nor invent one.
 //!
