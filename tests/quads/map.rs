@@ -4,7 +4,7 @@
 use super::surfaces::{ellipsoid, hypar, parametric, plate, torus, tube, vault};
 use crate::support::random::{Random, in_frame};
 use crate::support::shared;
-use shape_up::math::{Vec3, cosine, sine};
+use shape_up::math::{Vec3, angle, cosine, sine};
 use shape_up::mesh::Mesh;
 use shape_up::quads::{
     Boundary, GridMap, GridMapper, InputSurface, MapNotes, MapOptions, PanelSize, Prepared, Side,
@@ -78,7 +78,9 @@ fn turning(mapped: &Mapped) -> i64 {
         for k in 0..3 {
             let [p, q, r] = [0, 1, 2].map(|j| mapped.map.corners[triangle][(k + j) % 3]);
             let [a, b] = [q, r].map(|end| [0, 1].map(|axis| (end[axis] - p[axis]) as f64));
-            let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
+            let (dot, cross) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
+            // No triangle is flipped.
+            let turn = angle(dot, cross);
             angle[corners[k]] += turn / std::f64::consts::FRAC_PI_2;
         }
     }
