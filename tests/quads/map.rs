@@ -73,7 +73,7 @@ fn meshes() -> Vec<(&'static str, Mesh, usize)> {
 /// The sum of the indices of inner vertices and of the quads missing or left over at the boundary.
 fn turning(mapped: &Mapped) -> i64 {
     let surface = &mapped.prepared.surface;
-    let mut angle = vec![0.0; surface.positions.len()];
+    let mut turns = vec![0.0; surface.positions.len()];
     for (triangle, corners) in surface.triangles.iter().enumerate() {
         for k in 0..3 {
             let [p, q, r] = [0, 1, 2].map(|j| mapped.map.corners[triangle][(k + j) % 3]);
@@ -81,16 +81,16 @@ fn turning(mapped: &Mapped) -> i64 {
             let (dot, cross) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
             // No triangle is flipped.
             let turn = angle(dot, cross);
-            angle[corners[k]] += turn / std::f64::consts::FRAC_PI_2;
+            turns[corners[k]] += turn / std::f64::consts::FRAC_PI_2;
         }
     }
     let on_boundary = surface.boundary_vertices();
     let missing = |v: usize| {
-        let quarters = angle[v].round();
-        assert!((angle[v] - quarters).abs() < 1e-6, "{} quarters at vertex {v}", angle[v]);
+        let quarters = turns[v].round();
+        assert!((turns[v] - quarters).abs() < 1e-6, "{} quarters at vertex {v}", turns[v]);
         if on_boundary[v] { 2 - quarters as i64 } else { 4 - quarters as i64 }
     };
-    (0..angle.len()).map(missing).sum()
+    (0..turns.len()).map(missing).sum()
 }
 
 fn euler(prepared: &Prepared) -> i64 {
