@@ -25,8 +25,9 @@ pub(super) struct Part {
     pub(super) lost: Vec<Vec3<f64>>,
 }
 
-/// Divisors of the weight of alignment, tried in turn if a result is not a surface like its input.
-const ATTEMPTS: [f64; 3] = [1.0, 16.0, f64::INFINITY];
+/// Divisors of the weight of alignment, with their least levels, tried in turn if a result is not a
+/// surface like its input.
+const ATTEMPTS: [(f64, u32); 3] = [(1.0, 0), (16.0, 2), (f64::INFINITY, 3)];
 /// Other numbers of panels that are tried, as factors: integers fall differently, and of the results
 /// that whose panels are nearest to circles is taken.
 const NUMBERS: [f64; 2] = [0.96, 1.04];
@@ -53,7 +54,7 @@ impl Asked<'_> {
         observer: &mut RemeshObserver<'_>,
     ) -> Result<Part, RemeshError> {
         let mut fault: Option<ResultFault> = None;
-        for divisor in ATTEMPTS {
+        for (divisor, level) in ATTEMPTS {
             let (found, notes) = self.attempt(mapper, divisor, self.wanted, observer)?;
             let mut best = match found {
                 Ok(found) => found,
@@ -80,7 +81,7 @@ impl Asked<'_> {
                     }
                 }
             }
-            return Ok(best);
+            return Ok(Part { level: best.level.max(level), ..best });
         }
         Err(RemeshError::NotFollowed { fault: fault.expect("an attempt failed") })
     }
@@ -146,7 +147,9 @@ fn finish(
         Boundary::Followed => cells.faces,
         Boundary::Cut => trim(&nodes, cells.faces, prepared.size),
     };
+    let extracted = nodes.len();
     let Repaired { mut faces, replaced } = repair(&mut nodes, cells, is_trimmed);
+    nodes[extracted..].iter_mut().for_each(|node| onto_boundary(&prepared.surface, node));
     glide(&prepared.surface, &mut nodes, &faces);
     let middle = |face: &[usize]| {
         let sum = face.iter().fold(Vec3::zero(), |sum, &node| sum + nodes[node].position);
@@ -183,6 +186,22 @@ fn finish(
         lost,
     };
     (part, used.iter().map(|&node| nodes[node].boundary).collect())
+}
+
+/// Moves a node to the nearest point of the boundary.
+fn onto_boundary(surface: &Triangulation, node: &mut Node) {
+    let mut best = f64::INFINITY;
+    let given = node.position;
+    for side in surface.sides().filter(|&side| surface.across(side).is_none()) {
+        let (start, along) = (surface.at(side.triangle, side.side), surface.along(side));
+        let share = ((given - start).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        let point = start + along * share;
+        let distance = (point - given).length();
+        if distance < best {
+            best = distance;
+            (node.position, node.place) = (point, Place::Side(side));
+        }
+    }
 }
 
 /// The position of a node; exactly that of the vertex of the input on which it lies.
