@@ -1,6 +1,6 @@
 //! Why a surface cannot be remeshed, with the place.
 
-use super::fault::Fault;
+use super::fault::ResultFault;
 use crate::math::Vec3;
 use crate::words;
 use std::fmt;
@@ -47,7 +47,7 @@ pub enum RemeshError {
     /// No attempt gave a surface like the input.
     NotFollowed {
         /// What was wrong with the first attempt.
-        fault: Fault,
+        fault: ResultFault,
     },
     /// The observer asked to stop.
     Cancelled,

@@ -4,7 +4,7 @@ use std::fmt;
 
 /// What is wrong with a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
+pub enum ResultFault {
     /// A face has a corner twice, or another number of corners than it may have.
     Face {
         /// Number of such faces.
@@ -36,16 +36,16 @@ pub enum Fault {
     },
 }
 
-impl fmt::Display for Fault {
+impl fmt::Display for ResultFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Fault::Face { count } => write!(f, "{count} faces are not quads"),
-            Fault::Edge { count } => write!(f, "{count} edges have three or more faces"),
-            Fault::Vertex { count } => write!(f, "{count} vertices join parts that touch"),
-            Fault::Loops { expected, found } => {
+            ResultFault::Face { count } => write!(f, "{count} faces are not quads"),
+            ResultFault::Edge { count } => write!(f, "{count} edges have three or more faces"),
+            ResultFault::Vertex { count } => write!(f, "{count} vertices join parts that touch"),
+            ResultFault::Loops { expected, found } => {
                 write!(f, "there are {found} boundary loops instead of {expected}")
             }
-            Fault::Euler { expected, found } => {
+            ResultFault::Euler { expected, found } => {
                 write!(f, "the Euler characteristic is {found} instead of {expected}")
             }
         }

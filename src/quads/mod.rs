@@ -35,7 +35,7 @@ mod surface;
 mod system;
 
 pub use error::RemeshError;
-pub use fault::Fault;
+pub use fault::ResultFault;
 pub use grid_map::{FRACTION_BITS, GridMap, Side, Transition, Triangulation, UNIT};
 pub use map::{GridMapper, MapNotes, grid_map};
 pub use options::{Boundary, MapOptions, PanelSize, RemeshObserver, RemeshStage};

@@ -1,7 +1,7 @@
 //! One connected part of the surface: mapped, extracted, repaired and checked, in several attempts.
 
 use super::extract::{Extraction, Node, Place, extract};
-use super::fault::Fault;
+use super::fault::ResultFault;
 use super::glide::glide;
 use super::grid_map::Triangulation;
 use super::map::{GridMapper, MapNotes};
@@ -25,13 +25,16 @@ pub(super) struct Part {
     pub(super) lost: Vec<Vec3<f64>>,
 }
 
-/// Divisors of the weight of alignment, tried in turn if a result is not a surface like its input.
-const ATTEMPTS: [f64; 3] = [1.0, 16.0, f64::INFINITY];
+/// Divisors of the weight of alignment, with their least levels, tried in turn if a result is not a
+/// surface like its input.
+const ATTEMPTS: [(f64, u32); 3] = [(1.0, 0), (16.0, 2), (f64::INFINITY, 3)];
 /// Other numbers of panels that are tried, as factors: integers fall differently, and of the results
 /// that whose panels are nearest to circles is taken.
 const NUMBERS: [f64; 2] = [0.96, 1.04];
-/// The most integers of a map for which other numbers are tried.
+/// The most integers of a map for which other numbers are tried, and the most panels: of many panels
+/// the integers matter less.
 const MOST_INTEGERS: usize = 100;
+const MOST_PANELS: f64 = 3000.0;
 /// The number of panels may differ by this factor from the wanted one for the sake of circles.
 const OFF: f64 = 1.08;
 
@@ -50,8 +53,8 @@ impl Asked<'_> {
         mapper: &mut GridMapper,
         observer: &mut RemeshObserver<'_>,
     ) -> Result<Part, RemeshError> {
-        let mut fault: Option<Fault> = None;
-        for divisor in ATTEMPTS {
+        let mut fault: Option<ResultFault> = None;
+        for (divisor, level) in ATTEMPTS {
             let (found, notes) = self.attempt(mapper, divisor, self.wanted, observer)?;
             let mut best = match found {
                 Ok(found) => found,
@@ -60,10 +63,13 @@ impl Asked<'_> {
                     continue;
                 }
             };
-            if notes.flipped.is_empty() && notes.integers <= MOST_INTEGERS {
-                for factor in NUMBERS {
+            let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS;
+            if notes.flipped.is_empty() && is_small {
+                for (k, factor) in NUMBERS.into_iter().enumerate() {
                     let wanted = self.wanted * factor;
-                    let (found, _) = self.attempt(mapper, divisor, wanted, observer)?;
+                    let share = (1 + k) as f64 / (1 + NUMBERS.len()) as f64;
+                    let mut observed = |_, _| observer(RemeshStage::Extract, share);
+                    let (found, _) = self.attempt(mapper, divisor, wanted, &mut observed)?;
                     let Ok(found) = found else { continue };
                     let count = found.faces.len() as f64 / self.wanted;
                     let is_near = count.max(1.0 / count) < OFF;
@@ -75,7 +81,7 @@ impl Asked<'_> {
                     }
                 }
             }
-            return Ok(best);
+            return Ok(Part { level: best.level.max(level), ..best });
         }
         Err(RemeshError::NotFollowed { fault: fault.expect("an attempt failed") })
     }
@@ -87,7 +93,7 @@ impl Asked<'_> {
         divisor: f64,
         wanted: f64,
         observer: &mut RemeshObserver<'_>,
-    ) -> Result<(Result<Part, Fault>, MapNotes), RemeshError> {
+    ) -> Result<(Result<Part, ResultFault>, MapNotes), RemeshError> {
         let MapOptions { follow, direction, boundary, .. } = *self.options;
         let (map, notes) = mapper.map(follow / divisor, direction, wanted, observer)?;
         if !observer(RemeshStage::Extract, 0.0) {
@@ -96,7 +102,8 @@ impl Asked<'_> {
         let prepared = mapper.prepared();
         let expected = Shape::of(&prepared.surface.triangles);
         let mut fault = None;
-        for careful in [false, true] {
+        let ways: &[bool] = if notes.flipped.is_empty() { &[false] } else { &[false, true] };
+        for &careful in ways {
             let extraction = extract(&prepared.surface, &map, careful);
             let (part, at_boundary) = finish(self.mesh, prepared, extraction, &notes, boundary);
             let fits = |face: &[usize]| {
@@ -140,7 +147,9 @@ fn finish(
         Boundary::Followed => cells.faces,
         Boundary::Cut => trim(&nodes, cells.faces, prepared.size),
     };
+    let extracted = nodes.len();
     let Repaired { mut faces, replaced } = repair(&mut nodes, cells, is_trimmed);
+    nodes[extracted..].iter_mut().for_each(|node| onto_boundary(&prepared.surface, node));
     glide(&prepared.surface, &mut nodes, &faces);
     let middle = |face: &[usize]| {
         let sum = face.iter().fold(Vec3::zero(), |sum, &node| sum + nodes[node].position);
@@ -177,6 +186,22 @@ fn finish(
         lost,
     };
     (part, used.iter().map(|&node| nodes[node].boundary).collect())
+}
+
+/// Moves a node to the nearest point of the boundary.
+fn onto_boundary(surface: &Triangulation, node: &mut Node) {
+    let mut best = f64::INFINITY;
+    let given = node.position;
+    for side in surface.sides().filter(|&side| surface.across(side).is_none()) {
+        let (start, along) = (surface.at(side.triangle, side.side), surface.along(side));
+        let share = ((given - start).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        let point = start + along * share;
+        let distance = (point - given).length();
+        if distance < best {
+            best = distance;
+            (node.position, node.place) = (point, Place::Side(side));
+        }
+    }
 }
 
 /// The position of a node; exactly that of the vertex of the input on which it lies.

@@ -183,14 +183,17 @@ fn not_followed(
     Some(RemeshNote { words, places })
 }
 
-/// The size of panels along which the surface near some places turns by no more than [`TURN`].
+/// The size of panels along which the surface turns by [`TURN`], at that of some places where it turns
+/// most: by the mean curvature of the vertices of a part within a panel.
 fn follows(part: &Part, places: &[Vec3<f64>]) -> f64 {
-    let is_near =
-        |point: Vec3<f64>| places.iter().any(|&place| (place - point).length() < NEAR * part.size);
-    let curvature = part.positions.iter().zip(&part.samples.tensors).map(|(&point, tensor)| {
-        let [xx, yy, zz, xy, xz, yz] = *tensor;
-        let square = xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz);
-        if is_near(point) { square.sqrt() } else { 0.0 }
-    });
-    TURN / curvature.fold(0.0, f64::max).max(1e-300)
+    let of_place = |&place: &Vec3<f64>| {
+        let is_near = |point: Vec3<f64>| (place - point).length() < part.size;
+        let near = part.positions.iter().zip(&part.samples.tensors).filter(|(p, _)| is_near(**p));
+        let curvature = near.map(|(_, &[xx, yy, zz, xy, xz, yz])| {
+            (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
+        });
+        let (sum, count) = curvature.fold((0.0, 0.0), |(sum, count), one| (sum + one, count + 1.0));
+        if sum > 0.0 { TURN * count / sum } else { f64::INFINITY }
+    };
+    places.iter().map(of_place).fold(f64::INFINITY, f64::min)
 }

@@ -4,7 +4,7 @@ use super::surfaces::{ellipsoid, hypar, plate, torus, tube, vault};
 use super::{check, panels, with};
 use shape_up::math::Vec3;
 use shape_up::mesh::{BoundingSphere, Measures, Mesh};
-use shape_up::quads::{MapOptions, PanelSize, Remeshed};
+use shape_up::quads::{MapOptions, PanelSize, Remeshed, Remesher};
 
 #[test]
 fn a_torus_a_tube_and_a_plate_have_no_irregular_vertex() {
@@ -109,4 +109,22 @@ fn more_weight_on_even_panels_makes_them_more_even() {
     };
     let [even, small_move] = [cv(1.0), cv(100.0)];
     assert!(even < small_move, "{even} {small_move}");
+}
+
+#[test]
+fn what_was_asked_before_changes_nothing() {
+    let mesh = vault();
+    let of = |count: usize| MapOptions::of_size(PanelSize::Count(count));
+    let asked = [
+        of(200),
+        MapOptions { direction: 5.0, ..of(200) },
+        MapOptions { follow: 5.0, ..of(200) },
+        of(120),
+        of(200),
+    ];
+    let mut remesher = Remesher::new(&mesh).unwrap();
+    for options in asked {
+        let found = remesher.remesh(&options, "m", &mut |_, _| true).unwrap();
+        assert_eq!(found.mesh, with(&mesh, options).unwrap().mesh, "{options:?}");
+    }
 }

@@ -30,13 +30,13 @@ struct Disk {
 }
 
 fn disks() -> impl Strategy<Value = Disk> {
-    let cells = prop::array::uniform2(6_u32..14);
+    let cells = prop::array::uniform2(6_u32..11);
     let waves = prop::array::uniform3(-1.0..1.0);
     let holes = prop::collection::vec([0.2..0.8, 0.2..0.8, 0.05..0.2], 0..4);
     let spike = prop_oneof![Just(90.0), 10.0..80.0];
     let zigzag = prop_oneof![Just(0.0), 0.0..0.6];
     let rest = (prop_oneof![Just(0.0), 0.0..0.3], prop_oneof![Just(1.0), 0.001..1.0]);
-    (cells, waves, holes, spike, zigzag, rest, 20_usize..150, any::<u64>()).prop_map(
+    (cells, waves, holes, spike, zigzag, rest, 24_usize..80, any::<u64>()).prop_map(
         |(cells, waves, holes, spike, zigzag, (noise, sliver), panels, seed)| Disk {
             cells,
             waves,

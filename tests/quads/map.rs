@@ -4,7 +4,7 @@
 use super::surfaces::{ellipsoid, hypar, parametric, plate, torus, tube, vault};
 use crate::support::random::{Random, in_frame};
 use crate::support::shared;
-use shape_up::math::{Vec3, cosine, sine};
+use shape_up::math::{Vec3, angle, cosine, sine};
 use shape_up::mesh::Mesh;
 use shape_up::quads::{
     Boundary, GridMap, GridMapper, InputSurface, MapNotes, MapOptions, PanelSize, Prepared, Side,
@@ -73,22 +73,24 @@ fn meshes() -> Vec<(&'static str, Mesh, usize)> {
 /// The sum of the indices of inner vertices and of the quads missing or left over at the boundary.
 fn turning(mapped: &Mapped) -> i64 {
     let surface = &mapped.prepared.surface;
-    let mut angle = vec![0.0; surface.positions.len()];
+    let mut turns = vec![0.0; surface.positions.len()];
     for (triangle, corners) in surface.triangles.iter().enumerate() {
         for k in 0..3 {
             let [p, q, r] = [0, 1, 2].map(|j| mapped.map.corners[triangle][(k + j) % 3]);
             let [a, b] = [q, r].map(|end| [0, 1].map(|axis| (end[axis] - p[axis]) as f64));
-            let turn = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
-            angle[corners[k]] += turn / std::f64::consts::FRAC_PI_2;
+            let (dot, cross) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
+            // No triangle is flipped.
+            let turn = angle(dot, cross);
+            turns[corners[k]] += turn / std::f64::consts::FRAC_PI_2;
         }
     }
     let on_boundary = surface.boundary_vertices();
     let missing = |v: usize| {
-        let quarters = angle[v].round();
-        assert!((angle[v] - quarters).abs() < 1e-6, "{} quarters at vertex {v}", angle[v]);
+        let quarters = turns[v].round();
+        assert!((turns[v] - quarters).abs() < 1e-6, "{} quarters at vertex {v}", turns[v]);
         if on_boundary[v] { 2 - quarters as i64 } else { 4 - quarters as i64 }
     };
-    (0..angle.len()).map(missing).sum()
+    (0..turns.len()).map(missing).sum()
 }
 
 fn euler(prepared: &Prepared) -> i64 {

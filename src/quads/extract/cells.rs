@@ -32,7 +32,7 @@ struct CombinatorialMap<'a> {
 
 impl<'a> CombinatorialMap<'a> {
     fn new(ports: &'a Ports, links: &Links) -> Self {
-        CombinatorialMap { ports, other: links.other.clone() }
+        CombinatorialMap { ports, other: links.clone() }
     }
 
     /// The port at which the next edge of the face on the left begins, and whether the outside lies

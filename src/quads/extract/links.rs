@@ -7,13 +7,8 @@ use super::ports::{Line, Port, Ports};
 use super::trace::{Arrival, Shift, Start, back, trace};
 use crate::quads::grid_map::{GridMap, Side, Triangulation};
 
-/// The other end of each port.
-pub(super) struct Links {
-    /// `#P`: an involution without fixed points on the ports that have one.
-    pub(super) other: Vec<Option<usize>>,
-    /// Number of ports without another end.
-    pub(super) lost: usize,
-}
+/// The other end of each port, `#P`: an involution without fixed points on the ports that have one.
+pub(super) type Links = Vec<Option<usize>>;
 
 /// Follows the line of each port to the port at its end, and pairs them.
 pub(super) fn link(
@@ -41,8 +36,7 @@ pub(super) fn link(
             }
         }
     }
-    let lost = other.iter().filter(|other| other.is_none()).count();
-    Links { other, lost }
+    other
 }
 
 /// The nodes of each triangle, with those on its sides and corners.

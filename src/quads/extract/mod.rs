@@ -1,4 +1,4 @@
-//! Exact extraction of the quads of an integer-grid map (QEx: Ebke, Bommes, Campen and Kobbelt 2013,
+//! Exact extraction of the quads of an integer-grid map (Ebke, Bommes, Campen and Kobbelt 2013,
 //! section 4): every question is answered by the sign of an integer, so that rounding can neither
 //! lose a vertex nor invent one.
 //!
@@ -11,6 +11,7 @@
 //! | `trace` | the walk along a grid line to the next node |
 //! | `links` | pairs of ports that are two ends of one edge |
 //! | `cells` | the faces between the edges, and the boundary loops |
+//! | `tests` | maps that are known |
 
 mod cells;
 mod fan;
@@ -36,13 +37,10 @@ pub(super) struct Extraction {
     pub(super) nodes: Vec<Node>,
     /// The faces and boundary loops.
     pub(super) cells: Cells,
-    /// Number of grid lines that were lost: their walk did not end at a node, or at one that leads
-    /// back elsewhere. Zero where the map has no flipped triangle.
-    pub(super) lost: usize,
 }
 
-/// Extracts the grid. Where triangles are flipped, lines can be lost; the faces around them are
-/// then larger, but every edge still has a face, or the outside, on either side.
+/// Extracts the grid. Where triangles are flipped, lines can be lost: their walk does not end at a
+/// node, or at one that leads back elsewhere. The faces around them are then larger, but every edge still has a face, or the outside, on either side.
 ///
 /// With `careful`, lines through flipped triangles count as lost, so that nothing wrong is linked.
 pub(super) fn extract(surface: &Triangulation, map: &GridMap, careful: bool) -> Extraction {
@@ -51,5 +49,5 @@ pub(super) fn extract(surface: &Triangulation, map: &GridMap, careful: bool) -> 
     let ports = Ports::of(surface, map, &fans, &nodes);
     let links = link(surface, map, &fans, &nodes, &ports, careful);
     let cells = Cells::of(&ports, &links);
-    Extraction { nodes, cells, lost: links.lost }
+    Extraction { nodes, cells }
 }

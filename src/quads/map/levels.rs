@@ -11,7 +11,7 @@ use crate::quads::{GridMap, MapOptions, RemeshError, RemeshObserver, RemeshStage
 /// Number of levels.
 const LEVELS: usize = 4;
 /// Factors of the scale, tried in turn: the integers fall differently.
-const SCALES: [f64; 5] = [1.0, 0.94, 1.06, 0.88, 1.12];
+const SCALES: [f64; 3] = [1.0, 0.94, 1.06];
 /// A number of quads farther from the wanted one by this ratio is corrected.
 const OFF: f64 = 1.07;
 /// Most corrections.

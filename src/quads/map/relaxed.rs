@@ -14,6 +14,9 @@ use crate::quads::{RemeshError, RemeshObserver, RemeshStage, Side};
 /// Most roundings at one scale, each with more separations.
 const ROUNDINGS: usize = 8;
 
+/// Roundings in a row that bring no new pair, after which those left contradict each other.
+const STUCK: usize = 2;
+
 /// A field, its singularities and the unknowns of maps along it.
 pub(super) struct Field {
     pub steering: Steering,
@@ -112,16 +115,17 @@ impl Relaxed {
         let scale = factor * (wanted / self.predicted).sqrt();
         let free: Vec<f64> = self.seamless.values.iter().map(|value| scale * value).collect();
         let mut given: Vec<Separation> = Vec::new();
+        let mut stuck = 0;
         for rounding in 1.. {
             let integers = self.integers.round(scale, &given);
             let mut rounded = self.integers.solve(seams, &mut self.energy, scale, &integers);
-            let mut more = separations(prepared, seams, &rounded.flipped(), &free, &rounded.values);
-            more.retain(|one| !given.contains(one));
+            let more = separations(prepared, seams, &rounded.flipped(), &free, &rounded.values);
             let creases: Vec<Side> = more.iter().flat_map(|one| one.creases.clone()).collect();
             if may_abandon && !creases.is_empty() {
                 return Attempt::Creases(creases);
             }
-            if more.is_empty() || rounding == ROUNDINGS {
+            stuck = if more.iter().all(|one| given.contains(one)) { stuck + 1 } else { 0 };
+            if more.is_empty() || stuck == STUCK || rounding == ROUNDINGS {
                 if !rounded.flipped().is_empty() {
                     let size = prepared.size / scale;
                     let untangling = Untangling::new(&prepared.surface, frames, seams, size);
@@ -132,7 +136,9 @@ impl Relaxed {
                 let separations = given.len();
                 return Attempt::Map(Found { factor, rounded, flipped, separations, quads });
             }
-            given.extend(more);
+            // What is violated although it was given contradicts what was given before it.
+            given.retain(|one| !more.contains(one));
+            given.splice(0..0, more);
         }
         unreachable!("the last rounding returns")
     }

@@ -205,7 +205,7 @@ impl Finder<'_> {
         for line in self.lines(&near) {
             let (distance, end) = distance_to_segment(at, line.ends);
             let apart = sum(own[line.axis], &line.row, -1.0);
-            if self.faces(&line, end) {
+            if self.faces(&line, end, at) {
                 self.add_ahead(apart, line.inward, distance, &[line.side], found);
             }
         }
@@ -221,7 +221,7 @@ impl Finder<'_> {
                 }
                 let middle = (b.ends[0] + b.ends[1]) * 0.5;
                 let (distance, end) = distance_to_segment(middle, a.ends);
-                if self.faces(a, end) {
+                if self.faces(a, end, middle) {
                     let apart = sum(&b.row, &a.row, -1.0);
                     self.add_ahead(apart, a.inward, distance, &[a.side, b.side], found);
                 }
@@ -249,11 +249,17 @@ impl Finder<'_> {
         lines
     }
 
-    /// Whether a line lies in front of a point whose foot is at one of its ends, or between them: it
-    /// goes on beyond an end unless it has a corner there.
-    fn faces(&self, line: &FeatureLine, end: Option<usize>) -> bool {
+    /// Whether a point lies in front of a line, its foot being at one of the ends of the line, or
+    /// between them. The line goes on beyond an end unless it has a corner there. What lies behind it
+    /// is seen around a hole.
+    fn faces(&self, line: &FeatureLine, end: Option<usize>, at: Vec3<f64>) -> bool {
         let Side { triangle, side } = line.side;
-        end.is_none_or(|end| !self.is_integer_point(triangle, side + end))
+        let [a, b] = line.ends;
+        let along = b - a;
+        let inside = self.surface.at(triangle, side + 2) - a;
+        let inside = inside * along.length_squared() - along * along.dot(inside);
+        (at - a).dot(inside) > 0.0
+            && end.is_none_or(|end| !self.is_integer_point(triangle, side + end))
     }
 
     /// Adds that `apart` must be on the side `inward` of zero, if it is not.

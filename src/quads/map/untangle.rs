@@ -73,7 +73,8 @@ impl<'a> Untangling<'a> {
             let sides = [1, 2].map(|k| surface.at(t, k) - surface.at(t, 0));
             let [[a, c], [b, d]] = sides.map(|side| frames.of(t, side).map(|x| x / size));
             let doubled = a * d - b * c;
-            let longest = (a * a + c * c).max(b * b + d * d).max((a - b).powi(2) + (c - d).powi(2));
+            let (p, q) = (a - b, c - d);
+            let longest = (a * a + c * c).max(b * b + d * d).max(p * p + q * q);
             let [a, b, c, d, doubled] = if doubled > THIN * longest {
                 [a, b, c, d, doubled]
             } else {

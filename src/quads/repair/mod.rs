@@ -68,3 +68,59 @@ fn replace(panels: &mut Panels, nodes: &[Node], index: usize, replaced: &mut Vec
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vec3;
+    use crate::quads::extract::Place;
+    use crate::quads::result::{Shape, verify};
+
+    /// Nodes on a grid of points, `columns` in a row.
+    fn grid(columns: usize, rows: usize) -> Vec<Node> {
+        let node = |k: usize| Node {
+            place: Place::Inside(0),
+            position: Vec3::new((k % columns) as f64, (k / columns) as f64, 0.0),
+            point: [0, 0],
+            boundary: false,
+            corner: false,
+        };
+        (0..columns * rows).map(node).collect()
+    }
+
+    /// Repairs faces of a disk, and checks that they are quads of the same disk.
+    fn check(mut nodes: Vec<Node>, faces: &[&[usize]]) -> (Vec<Node>, Repaired) {
+        let disk = Shape { euler: 1, loops: 1 };
+        let faces: Vec<Vec<usize>> = faces.iter().map(|face| face.to_vec()).collect();
+        assert_eq!(verify(&faces, disk, |_| true).1, []);
+        let repaired = repair(&mut nodes, faces, |_| false);
+        assert_eq!(verify(&repaired.faces, disk, |face| face.len() == 4).1, []);
+        (nodes, repaired)
+    }
+
+    #[test]
+    fn a_face_of_eight_sides_becomes_three_quads() {
+        // Three squares of a row without the edges between them, and the row above.
+        let faces: [&[usize]; 4] =
+            [&[0, 1, 2, 3, 7, 6, 5, 4], &[4, 5, 9, 8], &[5, 6, 10, 9], &[6, 7, 11, 10]];
+        let (_, repaired) = check(grid(4, 3), &faces);
+        assert_eq!(repaired.faces.len(), 6);
+        assert_eq!(repaired.replaced, [faces[0].to_vec()]);
+    }
+
+    #[test]
+    fn a_triangle_and_a_pentagon_are_joined_over_the_quads_between() {
+        let faces: [&[usize]; 3] = [&[0, 1, 5], &[1, 2, 6, 5], &[2, 3, 8, 7, 6]];
+        let mut nodes = grid(4, 3);
+        nodes[8].position = Vec3::new(3.5, 1.5, 0.0);
+        let (nodes, repaired) = check(nodes, &faces);
+        assert_eq!((nodes.len(), repaired.faces.len()), (12, 3));
+    }
+
+    #[test]
+    fn a_single_triangle_gets_a_node_on_the_boundary() {
+        let faces: [&[usize]; 3] = [&[0, 1, 5], &[1, 2, 6, 5], &[2, 3, 7, 6]];
+        let (nodes, repaired) = check(grid(4, 2), &faces);
+        assert_eq!((nodes.len(), repaired.faces.len()), (9, 3));
+    }
+}

@@ -1,7 +1,7 @@
 //! Whether the faces are a surface like the input: the result is checked itself, not the map from
 //! which it comes.
 
-use crate::quads::fault::Fault;
+use crate::quads::fault::ResultFault;
 
 /// The shape of a surface as far as deformations keep it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ pub(in crate::quads) fn verify<F: AsRef<[usize]>>(
     faces: &[F],
     expected: Shape,
     fits: impl Fn(&[usize]) -> bool,
-) -> (Shape, Vec<Fault>) {
+) -> (Shape, Vec<ResultFault>) {
     let repeats = |face: &[usize]| {
         let mut corners = face.to_vec();
         corners.sort_unstable();
@@ -34,19 +34,19 @@ pub(in crate::quads) fn verify<F: AsRef<[usize]>>(
     let wrong = |face: &&F| !fits(face.as_ref()) || repeats(face.as_ref());
     let found = examine(faces);
     let mut faults = Vec::new();
-    let mut count = |count: usize, fault: fn(usize) -> Fault| {
+    let mut count = |count: usize, fault: fn(usize) -> ResultFault| {
         if count > 0 {
             faults.push(fault(count));
         }
     };
-    count(faces.iter().filter(wrong).count(), |count| Fault::Face { count });
-    count(found.edges, |count| Fault::Edge { count });
-    count(found.vertices, |count| Fault::Vertex { count });
+    count(faces.iter().filter(wrong).count(), |count| ResultFault::Face { count });
+    count(found.edges, |count| ResultFault::Edge { count });
+    count(found.vertices, |count| ResultFault::Vertex { count });
     if found.shape.loops != expected.loops {
-        faults.push(Fault::Loops { expected: expected.loops, found: found.shape.loops });
+        faults.push(ResultFault::Loops { expected: expected.loops, found: found.shape.loops });
     }
     if found.shape.euler != expected.euler {
-        faults.push(Fault::Euler { expected: expected.euler, found: found.shape.euler });
+        faults.push(ResultFault::Euler { expected: expected.euler, found: found.shape.euler });
     }
     (found.shape, faults)
 }
@@ -157,15 +157,15 @@ mod tests {
         assert_eq!(faults.len(), 2);
         let turned = [[0, 1, 2, 3], cube[1], cube[2], cube[3], cube[4], cube[5]];
         let (_, faults) = verify(&turned, closed, is_quad);
-        assert!(faults.contains(&Fault::Edge { count: 4 }), "{faults:?}");
+        assert!(faults.contains(&ResultFault::Edge { count: 4 }), "{faults:?}");
     }
 
     #[test]
     fn quads_that_touch_in_a_vertex_and_triangles_are_named() {
         let bow = [vec![0, 1, 2, 3], vec![0, 4, 5, 6]];
         let (_, faults) = verify(&bow, Shape { euler: 1, loops: 1 }, is_quad);
-        assert!(faults.contains(&Fault::Vertex { count: 1 }), "{faults:?}");
+        assert!(faults.contains(&ResultFault::Vertex { count: 1 }), "{faults:?}");
         let (_, faults) = verify(&[[0, 1, 2]], Shape { euler: 1, loops: 1 }, is_quad);
-        assert_eq!(faults, [Fault::Face { count: 1 }]);
+        assert_eq!(faults, [ResultFault::Face { count: 1 }]);
     }
 }
