@@ -3,8 +3,9 @@
 use super::grid::grid;
 use shape_up::constraint::{Element, Info, KINDS};
 use shape_up::mesh::{Mesh, Point};
+use shape_up::quads::Boundary;
 use shape_up::scene::Scene;
-use shape_up::session::Session;
+use shape_up::session::{LayoutSettings, Session};
 
 /// A grid of quads over a bumpy height field, made with exactly rounded operations only.
 fn bumpy(n: u32) -> Mesh {
@@ -178,6 +179,20 @@ fn exact_digests(kind: &str) -> [u64; 2] {
     [exact, digest(&session.positions())]
 }
 
+/// Digest of the panels along the lines of curvature of a bumpy surface: with the boundary followed, and
+/// cut.
+const LAYOUT_DIGESTS: [(Boundary, u64); 2] = [(Boundary::Followed, 0), (Boundary::Cut, 0)];
+
+fn layout_digest(boundary: Boundary) -> u64 {
+    let scene = Scene::opened("grid.obj");
+    let session = Session::open(scene, bumpy(12)).expect("the scene fits the grid");
+    let (follow, even) = (2.0 / 3.0, 0.25);
+    let settings =
+        LayoutSettings { count: Some(60), size: None, follow, even, boundary: Some(boundary) };
+    let layout = session.lay_out_panels(&settings, &mut |_, _| true);
+    digest(&layout.expect("the surface can be covered").mesh.positions)
+}
+
 /// FNV-1a over the bits of all coordinates.
 fn digest(positions: &[Point]) -> u64 {
     let bytes = positions.as_flattened().iter().flat_map(|value| value.to_bits().to_le_bytes());
@@ -224,6 +239,12 @@ pub(crate) fn check() {
         let found = exact_digests(kind);
         if found != expected {
             wrong.push(format!("    (\"{kind}\", {found:#018x?}),"));
+        }
+    }
+    for (boundary, expected) in LAYOUT_DIGESTS {
+        let found = layout_digest(boundary);
+        if found != expected {
+            wrong.push(format!("    (Boundary::{boundary:?}, {found:#018x}),"));
         }
     }
     assert!(wrong.is_empty(), "digests differ:\n{}", wrong.join("\n"));
