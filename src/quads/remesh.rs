@@ -58,7 +58,10 @@ impl Remesher {
     pub fn new(mesh: &Mesh) -> Result<Remesher, RemeshError> {
         let surfaces = InputSurface::components(mesh)?;
         let area = surfaces.iter().map(InputSurface::area).sum();
-        Ok(Remesher { mesh: mesh.clone(), surfaces, area, kept: None })
+        // Curves and tetrahedra are not covered.
+        let (positions, faces) = (mesh.positions.clone(), mesh.faces.clone());
+        let mesh = Mesh { positions, faces, ..Mesh::default() };
+        Ok(Remesher { mesh, surfaces, area, kept: None })
     }
 
     /// Covers the surface; see [`remesh`]. The result does not depend on what was asked before.

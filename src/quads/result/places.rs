@@ -2,11 +2,15 @@
 
 use crate::math::Vec3;
 
+/// The most points that are looked at: of more, every so many.
+const MOST: usize = 2000;
+
 /// Gathers points that are nearer to each other than `near`, directly or over others, and returns the
 /// mean of each group, the largest group first.
 pub(in crate::quads) fn places(points: &[Vec3<f64>], near: f64) -> Vec<Vec3<f64>> {
+    let every = points.len().div_ceil(MOST).max(1);
+    let points: Vec<Vec3<f64>> = points.iter().copied().step_by(every).collect();
     let mut group: Vec<usize> = (0..points.len()).collect();
-    // Few points: only what was repaired.
     for i in 0..points.len() {
         for j in 0..i {
             if group[i] != group[j] && (points[i] - points[j]).length() < near {
@@ -16,7 +20,7 @@ pub(in crate::quads) fn places(points: &[Vec3<f64>], near: f64) -> Vec<Vec3<f64>
         }
     }
     let mut sums: Vec<(usize, Vec3<f64>)> = vec![(0, Vec3::zero()); points.len()];
-    for (&group, &point) in group.iter().zip(points) {
+    for (&group, &point) in group.iter().zip(&points) {
         sums[group].0 += 1;
         sums[group].1 += point;
     }
