@@ -3,8 +3,8 @@
 use super::Session;
 use super::edit::{ConstraintTarget, Preview, previews};
 use super::report::{
-    self, ConstraintMap, ExactWords, Measuring, Projections, Report, RowPalette, RunVerdict, Shape,
-    Verdict, VerdictWords, WorstElement,
+    self, ConstraintMap, ExactWords, FaceMeasure, MeasureUnit, Measuring, Projections, Report,
+    RowPalette, RunVerdict, Shape, Verdict, VerdictWords, WorstElement, WorstRow,
 };
 use super::run::shortest_edge;
 use super::selection::{SelectRequest, Selection, select};
@@ -57,6 +57,16 @@ impl Session {
     /// as a triangle, which has no diagonals. None if there is no such measure.
     pub fn face_values(&mut self, id: &str) -> Option<Vec<f64>> {
         self.face_values_of(id, Shape::Now)
+    }
+
+    /// Returns the values of the measure `id` as [`Session::face_values`] does, and the largest absolute
+    /// one; rounding errors are 0 there.
+    pub fn face_values_and_greatest(&mut self, id: &str) -> Option<(Vec<f64>, f64)> {
+        let unit = FaceMeasure::of(id)?.unit;
+        let values = self.face_values(id)?;
+        // In single precision, as the values that are drawn.
+        let greatest = values.iter().fold(0.0, |most: f32, value| most.max(value.abs() as f32));
+        Some((values, unit.or_zero(f64::from(greatest), self.rest.diameter())))
     }
 
     /// As [`Session::face_values`], for the current or the original shape.
@@ -200,6 +210,41 @@ impl Session {
         report::worst_constraints(&mut self.measuring(), index, count)
     }
 
+    /// Returns what [`Session::worst_faces`] does as a list. Lengths are written in the unit in which
+    /// their `tolerance` is written.
+    pub fn worst_faces_in_words(
+        &mut self,
+        id: &str,
+        count: usize,
+        tolerance: Option<f64>,
+    ) -> Option<Vec<WorstRow>> {
+        let unit = FaceMeasure::of(id)?.unit;
+        let worst = self.worst_faces(id, count)?;
+        Some(self.worst_in_words(worst, unit, tolerance))
+    }
+
+    /// Returns what [`Session::worst_constraints`] does as a list, in the unit in which `tolerance` is
+    /// written.
+    pub fn worst_constraints_in_words(
+        &mut self,
+        index: usize,
+        count: usize,
+        tolerance: Option<f64>,
+    ) -> Vec<WorstRow> {
+        let worst = self.worst_constraints(index, count);
+        self.worst_in_words(worst, MeasureUnit::Length, tolerance)
+    }
+
+    fn worst_in_words(
+        &self,
+        worst: Vec<WorstElement>,
+        unit: MeasureUnit,
+        tolerance: Option<f64>,
+    ) -> Vec<WorstRow> {
+        let units = &self.document().units;
+        worst.into_iter().map(|one| one.in_words(unit, &self.rest, units, tolerance)).collect()
+    }
+
     /// Returns the projections at the current positions.
     pub fn projections(&mut self) -> Projections {
         report::projections(&mut self.scene, &self.rest)
@@ -221,10 +266,23 @@ impl Session {
         report::members(self.rows().get(index), &self.rest)
     }
 
-    /// Returns the id of the measure that row `index` makes zero on single faces, which is that of
-    /// its kind; none if its constraints are not on single faces.
-    pub fn required_measure(&self, index: usize) -> Option<&'static str> {
-        report::required_measure(self.document(), index)
+    /// Returns the id of the measure that fits the scene: that of the first enabled row that has one,
+    /// else the distance to the constraints; none without constraints or faces.
+    pub fn scene_measure(&self) -> Option<&'static str> {
+        report::scene_measure(self.document(), self.mesh())
+    }
+
+    /// Returns the largest value of the scene's measure, up to `seconds` old; rounding errors are 0,
+    /// and so is the value without a measure.
+    pub fn worst_by_scene_measure(&self, seconds: f64) -> f64 {
+        let measures = || self.recent_measures(seconds);
+        let worst = match self.scene_measure() {
+            None => 0.0,
+            Some("planarity") => measures().planarity.max_distance,
+            Some("circularity") => measures().circularity.max_distance,
+            Some(_) => self.worst_distance(),
+        };
+        MeasureUnit::Length.or_zero(worst, self.rest.diameter())
     }
 
     /// Counts the vertices with a closeness factor other than 1.

@@ -54,7 +54,7 @@ export type {
   TrialWords,
   VariantRow,
   WordedChoice as BuildChoice,
-  WorstElement,
+  WorstRow,
 } from '../pkg/engine/shape_up.js';
 
 export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';

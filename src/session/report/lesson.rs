@@ -101,10 +101,6 @@ fn check_constraint(name: &str, scene: &Scene) -> Result<(), String> {
     Err(format!("this goal is on the constraint {name:?}, expected {expected}"))
 }
 
-fn declared(id: &str) -> Option<&'static FaceMeasure> {
-    FACE_MEASURES.iter().find(|measure| measure.id == id)
-}
-
 /// Returns the goals of a lesson in words, in their order.
 pub fn goals_in_words(lesson: &Lesson) -> Vec<GoalWords<'_>> {
     lesson.goals.iter().map(goal_in_words).collect()
@@ -113,7 +109,8 @@ pub fn goals_in_words(lesson: &Lesson) -> Vec<GoalWords<'_>> {
 fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
     match &goal.of {
         GoalOf::Measure(id) | GoalOf::Beyond { measure: id, .. } => {
-            let measure = declared(id).expect("goals are checked when a scene is taken over");
+            let measure =
+                FaceMeasure::of(id).expect("goals are checked when a scene is taken over");
             GoalWords {
                 label: measure.label,
                 words: measure.words,

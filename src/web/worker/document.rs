@@ -22,6 +22,8 @@ pub struct Document<'a> {
     units: &'a str,
     up: Up,
     constraints: Vec<ConstraintRow<'a>>,
+    /// The id of the measure of faces that fits the constraints, if there are any.
+    measure: Option<&'static str>,
     handles: Vec<HandleRow>,
     weights: Weights,
     closeness: ClosenessTo,
@@ -96,8 +98,6 @@ struct ConstraintRow<'a> {
     require: Require,
     /// The panels with a weaker requirement.
     eased: Option<EasedPanels>,
-    /// The id of the measure of single faces that the row minimises, if it acts on faces.
-    measure: Option<&'static str>,
     #[tsify(type = "Record<string, ParamValue>")]
     params: Value,
 }
@@ -169,7 +169,6 @@ impl<'a> Document<'a> {
                         panels: eased.faces.len(),
                         within: eased.within,
                     }),
-                    measure: session.required_measure(index),
                     params: spec.kind.params(),
                 }
             })
@@ -191,6 +190,7 @@ impl<'a> Document<'a> {
             units: &scene.units,
             up: scene.up,
             constraints,
+            measure: session.scene_measure(),
             handles,
             weights: Weights { shape, close, smooth },
             closeness: scene.closeness.to,

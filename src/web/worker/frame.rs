@@ -31,6 +31,8 @@ pub struct FrameNumbers {
     moved: Moved,
     /// The least ratio of an edge length to its length at rest.
     shortest_edge: f64,
+    /// The largest value of the scene's measure; rounding errors are 0.
+    worst_panel: f64,
     /// The worst distance of each row of the document; zero for disabled rows.
     worst: Vec<f64>,
     /// The share of each row in the total energy, from 0 to 1.
@@ -57,7 +59,9 @@ impl FrameNumbers {
     /// Creates the frame of `session`, after a step of `step_ms`; see [`Session::recent_measures`].
     fn new(session: &mut Session, step_ms: f64, iterating: bool) -> Self {
         let goals = GoalNumbers::of(session);
-        let measures = session.recent_measures(if iterating { RENEWED } else { 0.0 });
+        let age = if iterating { RENEWED } else { 0.0 };
+        let measures = session.recent_measures(age);
+        let worst_panel = session.worst_by_scene_measure(age);
         let mut found = session.solver().found();
         let rows = session.rows().iter().map(|row| row.enabled.then(|| found.next()).flatten());
         let rows: Vec<LocalStep> = rows.map(Option::unwrap_or_default).collect();
@@ -76,6 +80,7 @@ impl FrameNumbers {
             circularity: measures.circularity,
             moved: session.moved(),
             shortest_edge: session.shortest_edge(),
+            worst_panel,
             worst: rows.iter().map(|row| row.worst_squared.sqrt()).collect(),
             shares: rows.iter().map(share).collect(),
             goals,

@@ -6,7 +6,7 @@ use crate::mesh::Scheme;
 use crate::session::{
     ConstraintTarget, ExactWords, OfferedOperation, Preview, Refinement, Remeshing,
     RemeshingPreview, Report, RunVerdict, SelectRequest, Session, Shape, VariantRow, Verdict,
-    VerdictReport, VerdictWords, WorstElement,
+    VerdictReport, VerdictWords, WorstRow,
 };
 use crate::web::thrown;
 use crate::web::values::{AsIs, Js, indices, plain, plains, read, refused, thrown_at};
@@ -114,25 +114,27 @@ impl Solver {
         plain(&Angles { original, now })
     }
 
-    /// Returns the `count` worst faces by a measure.
+    /// Returns the `count` worst faces by a measure; `tolerance` is that of the measure, if it has one.
     #[wasm_bindgen(js_name = worstFaces)]
     pub fn worst_faces(
         &mut self,
         measure: &str,
         count: usize,
-    ) -> Result<Vec<Js<WorstElement>>, JsValue> {
-        let worst = self.open_mut()?.worst_faces(measure, count);
+        tolerance: Option<f64>,
+    ) -> Result<Vec<Js<WorstRow>>, JsValue> {
+        let worst = self.open_mut()?.worst_faces_in_words(measure, count, tolerance);
         plains(&worst.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?)
     }
 
-    /// Returns the `count` worst constraints of a row.
+    /// Returns the `count` worst constraints of a row; `tolerance` is that of lengths, if it is known.
     #[wasm_bindgen(js_name = worstConstraints)]
     pub fn worst_constraints(
         &mut self,
         row: usize,
         count: usize,
-    ) -> Result<Vec<Js<WorstElement>>, JsValue> {
-        plains(&self.open_mut()?.worst_constraints(row, count))
+        tolerance: Option<f64>,
+    ) -> Result<Vec<Js<WorstRow>>, JsValue> {
+        plains(&self.open_mut()?.worst_constraints_in_words(row, count, tolerance))
     }
 
     /// Returns the vertices, edges and faces with a flaw, as a selection.

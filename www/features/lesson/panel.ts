@@ -56,7 +56,8 @@ export function lessonPanel(app: AppContext) {
   }
 
   const showNumbers = throttled(RENEW_MS, () => {
-    const { document, numbers, size } = store.get();
+    const { document, numbers, model } = store.get();
+    const size = model?.size ?? 0;
     const goals = document?.lesson?.goals;
     if (!goals || numbers?.goals.length !== goals.length) return;
     numbers.goals.forEach(({ value, met }, index) => {
