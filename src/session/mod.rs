@@ -55,8 +55,9 @@ pub use crate::solve::Moved;
 pub use composition::Session;
 pub use dragging::DragPhase;
 pub use edit::{
-    ConstraintTarget, Edit, NewConstraint, OfferedOperation, PanelStart, Preview, Refinement,
-    Remeshing, RemeshingPreview, SETTINGS, Setting, SomeWeights, settings_of,
+    ConstraintOffer, ConstraintOffers, ConstraintTarget, Edit, NewConstraint, OfferedKind,
+    OfferedOperation, OfferedPlace, OfferedStart, PanelStart, Preview, Refinement, Remeshing,
+    RemeshingPreview, SETTINGS, Setting, SomeWeights, settings_of,
 };
 pub use error::Error;
 pub use handed_in::{Checked, check_results};

@@ -1,7 +1,7 @@
 //! Queries of hosts: selections, previews, measures, reports, flat maps.
 
 use super::Session;
-use super::edit::{ConstraintTarget, Preview, previews};
+use super::edit::{ConstraintOffers, constraint_offers};
 use super::report::{
     self, ConstraintMap, ExactWords, FaceMeasure, MeasureUnit, Measuring, Projections, Report,
     RowPalette, RunVerdict, Shape, Verdict, VerdictWords, WorstElement, WorstRow,
@@ -30,17 +30,17 @@ impl Session {
         select(&mut self.measuring(), request)
     }
 
-    /// Returns the size of a row of each kind on each target: `#kinds by #targets`, kinds in the
-    /// order of [`crate::constraint::KINDS`]. An entry is none if no element fits, or if the kind
-    /// is not meant for the type of element.
+    /// Returns what is offered for a new constraint while `vertices` and `faces` are selected; the
+    /// vertices include the corners of the faces.
     ///
     /// # Errors
-    /// If a target refers to something that does not exist.
-    pub fn previews(
+    /// If a vertex or a face does not exist.
+    pub fn constraint_offers(
         &self,
-        places: &[ConstraintTarget],
-    ) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
-        previews(places, &self.document().sets, &self.rest)
+        vertices: Vec<u32>,
+        faces: Vec<u32>,
+    ) -> Result<ConstraintOffers, SceneError> {
+        constraint_offers(vertices, faces, &self.document().sets, &self.rest)
     }
 
     /// Planarity and circularity of the faces of the current shape.

@@ -17,4 +17,4 @@ pub use length::{
     ROUNDING, area, length, length_like, limit, limit_like, millimetres, millimetres_limit, moved,
     rough_length,
 };
-pub use number::{brief, degrees, number, part, rough_degrees, rounded};
+pub use number::{brief, decimal, degrees, number, part, rough_degrees, rounded};

@@ -166,8 +166,8 @@ viewport.on('none', offline);
 
 /** Writes the messages of the solver to the store. */
 function bindSolver(client: SolverClient) {
-  client.on('ready', ({ kinds, elements, measures, operations, settings }) =>
-    store.set({ kinds, elements, measures, operations, settings }),
+  client.on('ready', ({ kinds, measures, operations, settings }) =>
+    store.set({ kinds, measures, operations, settings }),
   );
   client.on('model', ({ loaded }) =>
     store.set({

@@ -19,7 +19,6 @@
 
 import type {
   Connectivity,
-  ElementInfo,
   FaceMeasure,
   KindInfo,
   Loaded,
@@ -59,7 +58,6 @@ export type FromWorker =
   | {
       type: 'ready';
       kinds: KindInfo[];
-      elements: ElementInfo[];
       measures: FaceMeasure[];
       operations: Operation[];
       settings: SettingInfo[];

@@ -6,7 +6,6 @@
 import type {
   BuildReport,
   ConstraintRow,
-  ElementInfo,
   FaceMeasure,
   FewerFlips,
   KindInfo,
@@ -27,7 +26,6 @@ import type { Spread } from './colours/spread.ts';
 
 export interface State {
   kinds: KindInfo[];
-  elements: ElementInfo[];
   measures: FaceMeasure[];
   /** selection operations */
   operations: Operation[];
@@ -189,7 +187,6 @@ export interface Store {
 
 const INITIAL: State = {
   kinds: [],
-  elements: [],
   measures: [],
   operations: [],
   settings: [],
