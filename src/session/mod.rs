@@ -64,9 +64,10 @@ pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,
-    FaceMeasure, GoalWords, MeasureUnit, Projections, Report, RowPalette, RunVerdict, Seconds,
-    Shape, TrialWords, Unpaired, Verdict, VerdictWords, WeakerRequirement, WorstElement, WorstRow,
-    ZERO_SIZE_FACES, flaw_of, goals_in_words, tolerance_of,
+    FaceMeasure, GoalProgress, GoalWords, LessonProgress, MeasureUnit, Projections, Report,
+    RowPalette, RunVerdict, Seconds, Shape, TrialWords, Unpaired, Verdict, VerdictWords,
+    WeakerRequirement, WorstElement, WorstRow, ZERO_SIZE_FACES, flaw_of, goals_in_words,
+    tolerance_of,
 };
 pub use run::{
     Bend, BendChange, Collapse, CollapseReason, Eased, ExactReport, FittedCount, Flaw, HalfStep,

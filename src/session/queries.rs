@@ -3,8 +3,9 @@
 use super::Session;
 use super::edit::{ConstraintOffers, constraint_offers};
 use super::report::{
-    self, ConstraintMap, ExactWords, FaceMeasure, MeasureUnit, Measuring, Projections, Report,
-    RowPalette, RunVerdict, Shape, Verdict, VerdictWords, WorstElement, WorstRow,
+    self, ConstraintMap, ExactWords, FaceMeasure, LessonProgress, MeasureUnit, Measuring,
+    Projections, Report, RowPalette, RunVerdict, Shape, Verdict, VerdictWords, WorstElement,
+    WorstRow,
 };
 use super::run::shortest_edge;
 use super::selection::{SelectRequest, Selection, select};
@@ -194,6 +195,11 @@ impl Session {
     /// without a lesson. A goal on the built parts has no value before [`Session::set_build_numbers`].
     pub fn goals(&mut self) -> Vec<GoalResult> {
         report::goals(&mut self.measuring())
+    }
+
+    /// Returns the goals of the lesson on the current shape in words; none without a lesson.
+    pub fn lesson_progress(&mut self) -> Option<LessonProgress> {
+        report::progress(&mut self.measuring())
     }
 
     /// Returns the `count` faces with the largest absolute values of the measure `id`, largest

@@ -137,8 +137,9 @@ struct LessonWords<'a> {
 }
 
 impl<'a> LessonWords<'a> {
-    fn new(lesson: &'a Lesson) -> Self {
-        LessonWords { text: &lesson.text, goals: goals_in_words(lesson), lock: &lesson.lock }
+    fn new(lesson: &'a Lesson, units: &str) -> Self {
+        let goals = goals_in_words(lesson, units);
+        LessonWords { text: &lesson.text, goals, lock: &lesson.lock }
     }
 }
 
@@ -219,7 +220,7 @@ impl<'a> Document<'a> {
             undo,
             redo,
             pinned: session.solver().pinned(),
-            lesson: scene.lesson.as_ref().map(LessonWords::new),
+            lesson: scene.lesson.as_ref().map(|lesson| LessonWords::new(lesson, &scene.units)),
             steps: &scene.steps,
             variants: scene.variants.kept.iter().map(|variant| &*variant.name).collect(),
             design: scene.variants.design,

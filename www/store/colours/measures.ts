@@ -19,17 +19,6 @@ export const declared = ({ measures }: State, measure: Measure | null): FaceMeas
   measures.find(({ id }) => id === measure);
 
 /**
- * Returns the bound below which values are rounding errors.
- * @param size of the mesh
- */
-export function roundingOf({ unit }: FaceMeasure, size: number) {
-  const power = POWERS[unit];
-  if (power) return ROUNDING * size ** power;
-  // Per cent and degrees have two digits before the point; e_p and e_c are squares.
-  return unit === 'number' ? ROUNDING ** 2 : 100 * ROUNDING;
-}
-
-/**
  * Returns the tolerance of a measure, in its unit: the model's if it applies, else the one set for
  * this measure; null if there is none.
  */
