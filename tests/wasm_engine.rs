@@ -208,16 +208,25 @@ fn a_handle_is_made_where_its_vertex_is_before_it_is_moved() {
 #[wasm_bindgen_test]
 fn a_selection_becomes_a_set_of_the_scene() {
     let mut solver = loaded();
-    let on = r#"{ "each": "face", "in": { "faces": [1] } }"#;
-    let kinds = solver.kinds().expect("there are kinds");
-    let previews = solver.previews(vec![object(on)]).expect("the face is there");
-    assert_eq!(number(&previews, "length"), kinds.len() as f64);
-    let plane = (0..KINDS.len()).find(|&i| KINDS[i].id == "plane").expect("there is a plane");
-    assert_eq!(number(&previews, &format!("{plane}.0.constraints")), 1.0);
-    assert_eq!(number(&previews, &format!("{plane}.0.vertices")), 4.0);
-    let segment = (0..KINDS.len()).find(|&i| KINDS[i].arity == Arity::Exactly(2));
-    let segment = segment.expect("some kind takes two vertices");
-    assert!(get(&previews, &format!("{segment}.0")).is_null(), "a quad is no edge");
+    let offers = solver.constraint_offers(vec![1, 2, 4, 5], vec![1]).expect("the face is there");
+    let found = |list: &str, key: &str, id: &str| {
+        let of = |k: u32| get(&offers, &format!("{list}.{k}"));
+        let is_this = |one: &JsValue| get(one, key).as_string().as_deref() == Some(id);
+        let length = number(&offers, &format!("{list}.length")) as u32;
+        (0..length).map(of).find(is_this).unwrap_or_else(|| panic!("{id} is not among {list}"))
+    };
+    let plane = found("kinds", "kind", "plane");
+    assert_eq!(get(&plane, "offers.1.place").as_string().as_deref(), Some("each-face-selected"));
+    assert_eq!(number(&plane, "offers.1.constraints"), 1.0);
+    let words = get(&plane, "offers.1.words").as_string();
+    assert_eq!(words.as_deref(), Some("1 constraint of 4 vertices."));
+    let segment = KINDS.iter().find(|info| info.arity == Arity::Exactly(2));
+    let segment = found("kinds", "kind", segment.expect("some kind takes two vertices").id);
+    let place = get(&segment, "offers.0.place").as_string();
+    assert_eq!(place.as_deref(), Some("each-edge"), "a quad is no edge");
+    // The place is passed back as it is.
+    let on = JSON::stringify(&get(&found("places", "id", "each-face-selected"), "on"));
+    let on = String::from(on.expect("it is plain data"));
     let add = format!(
         r#"{{ "addConstraint": {{ "kind": "plane", "params": {{}}, "on": {on}, "weight": 1 }} }}"#
     );

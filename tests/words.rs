@@ -1,6 +1,7 @@
 //! Words for readers: the cases that the page's test reads too, and what only Rust words.
 
-use serde_json::Value;
+use serde_json::{Value, to_value};
+use shape_up::session::FACE_MEASURES;
 use shape_up::words;
 
 #[derive(serde::Deserialize)]
@@ -21,6 +22,16 @@ fn numbers_are_worded_as_on_the_page() {
             ("length", 2) => words::length(number, text(1)),
             ("length", _) => words::length_like(number, text(1), given[2].as_f64().unwrap()),
             ("limit", _) => words::limit(number, text(1)),
+            ("value", _) => {
+                let is_this = |unit| to_value(unit).is_ok_and(|name| name == given[1]);
+                let mut units = FACE_MEASURES.iter().map(|measure| measure.unit);
+                let unit = units.find(|&unit| is_this(unit)).unwrap();
+                unit.in_words(
+                    number,
+                    text(2),
+                    given.get(3).map_or(number, |like| like.as_f64().unwrap()),
+                )
+            }
             ("part", _) => words::part(number),
             ("count", _) => words::count(number as usize, text(1), text(2)),
             _ => panic!("no such words: {of}"),

@@ -128,6 +128,11 @@ impl Element {
         }
     }
 
+    /// The least radius, which is also the default: a ring has its neighbours.
+    pub(crate) fn least_radius(self) -> u32 {
+        u32::from(self == Element::Ring)
+    }
+
     /// The name on the page, in the singular.
     pub fn label(self) -> &'static str {
         self.words()[0]

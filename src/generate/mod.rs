@@ -24,6 +24,9 @@ mod sides;
 mod span;
 
 pub use kind::{NEW_KINDS, NewKind, NewMeshError};
-pub use plan::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, PlanSurface, Support};
+pub use plan::{
+    DrawnSide, Plan, PlanDrawing, PlanError, PlanLayout, PlanLoops, PlanPoint, PlanSide,
+    PlanSurface, Support, bulge_of, bulge_through, end_of_side, grid_step, loop_through,
+};
 pub use quads::TooManyFaces;
 pub use span::{CurveLabel, SpanCurve, SpanError, fill, loft};

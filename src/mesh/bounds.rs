@@ -1,4 +1,4 @@
-//! Smallest enclosing ball of a point set, and the limit on coordinates.
+//! Smallest enclosing ball of a point set, the diagonal of its box, and the limit on coordinates.
 //!
 //! The errors `e_p` and `e_c` refer to a ball of diameter 1 (paper Fig. 5).
 
@@ -13,6 +13,18 @@ pub const LARGEST_COORDINATE: f64 = 1e50;
 /// NaN.
 pub fn first_out_of_range(positions: &[Point]) -> Option<usize> {
     positions.iter().position(|point| !point.iter().all(|x| x.abs() <= LARGEST_COORDINATE))
+}
+
+/// Returns the diagonal of the bounding box of points; 0 without points.
+pub fn diagonal(points: &[Point]) -> f64 {
+    let squared = |axis: usize| {
+        let ends = points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
+            [low.min(point[axis]), high.max(point[axis])]
+        });
+        let side = (ends[1] - ends[0]).max(0.0);
+        side * side
+    };
+    (squared(0) + squared(1) + squared(2)).sqrt()
 }
 
 /// A ball.

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `polygon_mesh` | positions, faces, curves, tetrahedra, groups |
 //! | `ragged` | lists of lists of vertex indices |
-//! | `bounds` | bounding sphere, and the limit on coordinates |
+//! | `bounds` | bounding sphere and box, and the limit on coordinates |
 //! | `problem` | kinds and counts of the problems that do not stop reading a file |
 //! | `diagnostics` | the problems of a mesh as a whole: unused vertices, duplicate faces, non-manifold edges |
 //! | `io` | reading and writing mesh files |
@@ -28,7 +28,7 @@ mod problem;
 mod ragged;
 mod topology;
 
-pub use bounds::{BoundingSphere, LARGEST_COORDINATE, first_out_of_range};
+pub use bounds::{BoundingSphere, LARGEST_COORDINATE, diagonal, first_out_of_range};
 pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };

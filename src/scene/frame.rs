@@ -2,7 +2,7 @@
 //! else guessed from the shape (the axis in `up_guess`). Coordinates are never changed.
 
 use super::{NamedEnum, Up};
-use crate::mesh::{Mesh, Point, decode, lines};
+use crate::mesh::{Mesh, Point, decode, diagonal, lines};
 
 /// Least diagonal of the bounding box of a mesh taken as a building in metres.
 const METRES_FROM: f64 = 3.0;
@@ -55,9 +55,7 @@ impl UnitsAndUp {
 
     /// Guesses the unit of a mesh from its size; empty if it is not clear.
     pub fn guess_units(mesh: &Mesh) -> &'static str {
-        let points = mesh.used_positions();
-        let sides = [0, 1, 2].map(|axis| Extent::of(points.iter().copied(), axis).length());
-        let size = (sides[0] * sides[0] + sides[1] * sides[1] + sides[2] * sides[2]).sqrt();
+        let size = diagonal(&mesh.used_positions());
         if size >= MILLIMETRES_FROM {
             "mm"
         } else if size >= METRES_FROM {

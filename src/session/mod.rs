@@ -57,8 +57,9 @@ pub use crate::solve::Moved;
 pub use composition::Session;
 pub use dragging::DragPhase;
 pub use edit::{
-    ConstraintTarget, Edit, NewConstraint, OfferedOperation, PanelStart, Preview, Refinement,
-    Remeshing, RemeshingPreview, SETTINGS, Setting, SomeWeights, settings_of,
+    ConstraintOffer, ConstraintOffers, ConstraintTarget, Edit, NewConstraint, OfferedKind,
+    OfferedOperation, OfferedPlace, OfferedStart, PanelStart, Preview, Refinement, Remeshing,
+    RemeshingPreview, SETTINGS, Setting, SomeWeights, settings_of,
 };
 pub use error::Error;
 pub use handed_in::{Checked, check_results};
@@ -66,9 +67,10 @@ pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use panel_layout::{LayoutSettings, LayoutWords, PanelLayout};
 pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,
-    FaceMeasure, GoalWords, MeasureUnit, Projections, Report, RowPalette, RunVerdict, Seconds,
-    Shape, TrialWords, Unpaired, Verdict, VerdictWords, WeakerRequirement, WorstElement,
-    ZERO_SIZE_FACES, flaw_of, goals_in_words, tolerance_of,
+    FaceMeasure, GoalProgress, GoalWords, LessonProgress, MeasureUnit, Projections, Report,
+    RowPalette, RunVerdict, Seconds, Shape, TrialWords, Unpaired, Verdict, VerdictWords,
+    WeakerRequirement, WorstElement, WorstRow, ZERO_SIZE_FACES, flaw_of, goals_in_words,
+    tolerance_of,
 };
 pub use run::{
     Bend, BendChange, Collapse, CollapseReason, Eased, ExactReport, FittedCount, Flaw, HalfStep,

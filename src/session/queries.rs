@@ -1,10 +1,11 @@
 //! Queries of hosts: selections, previews, measures, reports, flat maps.
 
 use super::Session;
-use super::edit::{ConstraintTarget, Preview, previews};
+use super::edit::{ConstraintOffers, constraint_offers};
 use super::report::{
-    self, ConstraintMap, ExactWords, Measuring, Projections, Report, RowPalette, RunVerdict, Shape,
-    Verdict, VerdictWords, WorstElement,
+    self, ConstraintMap, ExactWords, FaceMeasure, LessonProgress, MeasureUnit, Measuring,
+    Projections, Report, RowPalette, RunVerdict, Shape, Verdict, VerdictWords, WorstElement,
+    WorstRow,
 };
 use super::run::shortest_edge;
 use super::selection::{SelectRequest, Selection, select};
@@ -30,17 +31,17 @@ impl Session {
         select(&mut self.measuring(), request)
     }
 
-    /// Returns the size of a row of each kind on each target: `#kinds by #targets`, kinds in the
-    /// order of [`crate::constraint::KINDS`]. An entry is none if no element fits, or if the kind
-    /// is not meant for the type of element.
+    /// Returns what is offered for a new constraint while `vertices` and `faces` are selected; the
+    /// vertices include the corners of the faces.
     ///
     /// # Errors
-    /// If a target refers to something that does not exist.
-    pub fn previews(
+    /// If a vertex or a face does not exist.
+    pub fn constraint_offers(
         &self,
-        places: &[ConstraintTarget],
-    ) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
-        previews(places, &self.document().sets, &self.rest)
+        vertices: Vec<u32>,
+        faces: Vec<u32>,
+    ) -> Result<ConstraintOffers, SceneError> {
+        constraint_offers(vertices, faces, &self.document().sets, &self.rest)
     }
 
     /// Planarity and circularity of the faces of the current shape.
@@ -57,6 +58,16 @@ impl Session {
     /// as a triangle, which has no diagonals. None if there is no such measure.
     pub fn face_values(&mut self, id: &str) -> Option<Vec<f64>> {
         self.face_values_of(id, Shape::Now)
+    }
+
+    /// Returns the values of the measure `id` as [`Session::face_values`] does, and the largest absolute
+    /// one; rounding errors are 0 there.
+    pub fn face_values_and_greatest(&mut self, id: &str) -> Option<(Vec<f64>, f64)> {
+        let unit = FaceMeasure::of(id)?.unit;
+        let values = self.face_values(id)?;
+        // In single precision, as the values that are drawn.
+        let greatest = values.iter().fold(0.0, |most: f32, value| most.max(value.abs() as f32));
+        Some((values, unit.or_zero(f64::from(greatest), self.rest.diameter())))
     }
 
     /// As [`Session::face_values`], for the current or the original shape.
@@ -186,6 +197,11 @@ impl Session {
         report::goals(&mut self.measuring())
     }
 
+    /// Returns the goals of the lesson on the current shape in words; none without a lesson.
+    pub fn lesson_progress(&mut self) -> Option<LessonProgress> {
+        report::progress(&mut self.measuring())
+    }
+
     /// Returns the `count` faces with the largest absolute values of the measure `id`, largest
     /// first, ties in mesh order, without faces that have no value. None if there is no such
     /// measure.
@@ -198,6 +214,41 @@ impl Session {
     /// if the row is disabled or does not exist.
     pub fn worst_constraints(&mut self, index: usize, count: usize) -> Vec<WorstElement> {
         report::worst_constraints(&mut self.measuring(), index, count)
+    }
+
+    /// Returns what [`Session::worst_faces`] does as a list. Lengths are written in the unit in which
+    /// their `tolerance` is written.
+    pub fn worst_faces_in_words(
+        &mut self,
+        id: &str,
+        count: usize,
+        tolerance: Option<f64>,
+    ) -> Option<Vec<WorstRow>> {
+        let unit = FaceMeasure::of(id)?.unit;
+        let worst = self.worst_faces(id, count)?;
+        Some(self.worst_in_words(worst, unit, tolerance))
+    }
+
+    /// Returns what [`Session::worst_constraints`] does as a list, in the unit in which `tolerance` is
+    /// written.
+    pub fn worst_constraints_in_words(
+        &mut self,
+        index: usize,
+        count: usize,
+        tolerance: Option<f64>,
+    ) -> Vec<WorstRow> {
+        let worst = self.worst_constraints(index, count);
+        self.worst_in_words(worst, MeasureUnit::Length, tolerance)
+    }
+
+    fn worst_in_words(
+        &self,
+        worst: Vec<WorstElement>,
+        unit: MeasureUnit,
+        tolerance: Option<f64>,
+    ) -> Vec<WorstRow> {
+        let units = &self.document().units;
+        worst.into_iter().map(|one| one.in_words(unit, &self.rest, units, tolerance)).collect()
     }
 
     /// Returns the projections at the current positions.
@@ -221,10 +272,23 @@ impl Session {
         report::members(self.rows().get(index), &self.rest)
     }
 
-    /// Returns the id of the measure that row `index` makes zero on single faces, which is that of
-    /// its kind; none if its constraints are not on single faces.
-    pub fn required_measure(&self, index: usize) -> Option<&'static str> {
-        report::required_measure(self.document(), index)
+    /// Returns the id of the measure that fits the scene: that of the first enabled row that has one,
+    /// else the distance to the constraints; none without constraints or faces.
+    pub fn scene_measure(&self) -> Option<&'static str> {
+        report::scene_measure(self.document(), self.mesh())
+    }
+
+    /// Returns the largest value of the scene's measure, up to `seconds` old; rounding errors are 0,
+    /// and so is the value without a measure.
+    pub fn worst_by_scene_measure(&self, seconds: f64) -> f64 {
+        let measures = || self.recent_measures(seconds);
+        let worst = match self.scene_measure() {
+            None => 0.0,
+            Some("planarity") => measures().planarity.max_distance,
+            Some("circularity") => measures().circularity.max_distance,
+            Some(_) => self.worst_distance(),
+        };
+        MeasureUnit::Length.or_zero(worst, self.rest.diameter())
     }
 
     /// Counts the vertices with a closeness factor other than 1.

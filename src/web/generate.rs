@@ -1,24 +1,13 @@
 //! New meshes for the page, and the files of the examples: the page makes them when they are opened,
 //! so that a visit neither fetches nor keeps them, and its build writes them all.
 
-use super::values::{Js, plain, plains, read};
+use super::values::{Js, plain, plains};
 use super::{log_panics, mesh_of, rows_of, thrown};
-use crate::generate::{
-    CurveLabel, NEW_KINDS, NewKind, Plan, PlanError, SpanCurve, SpanError, example, fill, loft,
-};
+use crate::generate::{CurveLabel, NEW_KINDS, NewKind, SpanCurve, SpanError, example, fill, loft};
 use crate::mesh::{Mesh, write_obj};
 use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
-
-/// The surface over a drawn plan.
-#[derive(Serialize, Tsify)]
-pub struct NewPlan {
-    /// The text of an OBJ file.
-    text: String,
-    /// The vertices that the surface stands on, if those are only its corners; else empty.
-    supports: Vec<u32>,
-}
 
 /// Returns the kinds of new meshes.
 #[wasm_bindgen(js_name = newKinds)]
@@ -35,29 +24,6 @@ pub fn new_kinds() -> Result<Vec<Js<NewKind>>, JsValue> {
 pub fn new_mesh(kind: &str, sizes: &[f64], units: &str) -> Result<String, JsValue> {
     let kind = NewKind::of(kind).ok_or_else(|| thrown(format!("unknown kind {kind:?}")))?;
     Ok(obj(&kind.mesh(sizes).map_err(thrown)?, units, "z"))
-}
-
-/// Returns the surface over a drawn plan.
-///
-/// # Errors
-/// The fault of the plan, in one sentence. If two sides cross, the error has `sides`: for each, its
-/// loop and the point where it begins; the outline is loop 0.
-#[wasm_bindgen(js_name = newPlan)]
-pub fn new_plan(plan: Js<Plan>, units: &str) -> Result<Js<NewPlan>, JsValue> {
-    let surface = read::<Plan>(plan)?.surface().map_err(|why| refused(&why))?;
-    plain(&NewPlan { text: obj(&surface.mesh, units, "z"), supports: surface.feet })
-}
-
-fn refused(why: &PlanError) -> JsValue {
-    let error = thrown(why);
-    if let PlanError::Crossing(sides) = why {
-        let numbers = sides.map(|side| [side.hole.map_or(0, |hole| hole + 1), side.point]);
-        let numbers: js_sys::Array =
-            numbers.as_flattened().iter().map(|&number| JsValue::from(number as u32)).collect();
-        // Setting a property of a new object cannot fail.
-        let _ = js_sys::Reflect::set(&error, &"sides".into(), &numbers);
-    }
-    error
 }
 
 /// The curves of a mesh, to be spanned by surfaces.
@@ -112,7 +78,8 @@ impl NewSpans {
     }
 }
 
-fn obj(mesh: &Mesh, units: &str, up: &str) -> String {
+/// Returns the text of an OBJ file, with comments that state unit and up axis.
+pub(super) fn obj(mesh: &Mesh, units: &str, up: &str) -> String {
     let units = if units.is_empty() { String::new() } else { format!("# units: {units}\n") };
     format!("{units}# up: {up}\n{}", write_obj(mesh, &mesh.positions))
 }

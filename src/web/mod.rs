@@ -7,6 +7,7 @@
 //! | `jobs` | the interface of what takes long, for the second worker |
 //! | `page` | the interface of the view |
 //! | `generate` | the interface of new meshes, and the files of the examples |
+//! | `plan` | meshes from a plan, and the plan as it is drawn |
 //! | `values` | values of Rust as those of JavaScript, with their TypeScript types, and back |
 //! | `warm_up` | iterations that make V8 optimise the solver |
 
@@ -16,6 +17,8 @@ pub mod generate;
 pub mod jobs;
 #[cfg(feature = "view")]
 pub mod page;
+#[cfg(feature = "engine")]
+pub mod plan;
 #[cfg(feature = "engine")]
 mod values;
 #[cfg(feature = "engine")]

@@ -8,8 +8,9 @@ const LEAST_MM: f64 = 0.001;
 const LEAST_M: f64 = 0.1;
 /// Millimetres of a building from this on become metres.
 const MOST_MM: f64 = 1e4;
-/// A mesh that moved by less than this fraction of its size did not move: these are rounding errors.
-const ROUNDING: f64 = 1e-12;
+/// Lengths below this fraction of the size of a mesh are rounding errors: sixteen digits of a coordinate
+/// leave errors of about 1e-16 of the size, and sums over the vertices somewhat more.
+pub const ROUNDING: f64 = 1e-12;
 
 /// Formats a measured length with its unit: `42.1 mm`, `2.00 m`, `0 mm`.
 ///

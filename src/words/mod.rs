@@ -14,7 +14,7 @@ mod number;
 
 pub use count::{and_more, count, group_digits, sentence};
 pub use length::{
-    area, length, length_like, limit, limit_like, millimetres, millimetres_limit, moved,
+    ROUNDING, area, length, length_like, limit, limit_like, millimetres, millimetres_limit, moved,
     rough_length,
 };
-pub use number::{brief, degrees, number, part, rough_degrees, rounded};
+pub use number::{brief, decimal, degrees, number, part, rough_degrees, rounded};

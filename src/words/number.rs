@@ -61,8 +61,8 @@ fn significant(size: f64) -> String {
     decimal(size, (DIGITS as i32 - 1 - exponent).max(0) as usize)
 }
 
-/// Formats a size with this many decimals.
-pub(super) fn decimal(size: f64, decimals: usize) -> String {
+/// Formats a number from 0 on with this many decimals.
+pub fn decimal(size: f64, decimals: usize) -> String {
     format!("{:.decimals$}", half_up(size))
 }
 

@@ -2,11 +2,15 @@
 
 use crate::support::grid::bumpy;
 use serde_json::{Value, json};
-use shape_up::constraint::{Arity, Centring, Element, KINDS, Selector, Set};
+use shape_up::constraint::{Element, KINDS, Selector};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{ConstraintSpec, MeshSource, Scene};
 use shape_up::session::Error;
-use shape_up::session::{ConstraintTarget, Edit, NewConstraint, Preview, Session};
+use shape_up::session::{
+    ConstraintOffers, ConstraintTarget, Edit, NewConstraint, OfferedKind, OfferedPlace,
+    OfferedStart, Preview, Session,
+};
+use shape_up::words;
 
 fn session(mesh: Mesh) -> Session {
     Session::open(Scene::new(MeshSource::File("grid.obj".to_owned())), mesh)
@@ -24,34 +28,31 @@ fn entry(kind: &str, place: &ConstraintTarget) -> Edit {
     Edit::AddConstraint(NewConstraint { spec, set: place.set.clone() })
 }
 
+/// What is offered while these vertices are selected.
+fn offers(session: &Session, vertices: &[u32]) -> ConstraintOffers {
+    session.constraint_offers(vertices.to_vec(), Vec::new()).expect("everything is there")
+}
+
+fn place<'a>(offers: &'a ConstraintOffers, id: &str) -> &'a OfferedPlace {
+    offers.places.iter().find(|place| place.id == id).expect("it is a place")
+}
+
 #[test]
-fn a_preview_says_what_adding_makes() {
-    let places = [
-        vec![each(Element::Face), each(Element::Edge), each(Element::Curve)],
-        vec![each(Element::Boundary), each(Element::Corner), each(Element::Star)],
-        vec![ConstraintTarget { on: Selector::Vertices(vec![0, 1, 5, 6]), set: None }],
-        vec![ConstraintTarget {
-            on: Selector::Each {
-                element: Element::Face,
-                within: Some(ConstraintTarget::UNNAMED.to_owned()),
-                radius: 0,
-            },
-            set: Some(Set { vertices: Vec::new(), faces: vec![3, 7] }),
-        }],
-    ]
-    .concat();
+fn an_offer_says_what_adding_makes() {
     let mut session = session(bumpy(4));
     let before = session.scene();
-    let previews = session.previews(&places).expect("everything is there");
+    let found = session.constraint_offers(vec![3, 4, 8, 9, 10, 11, 15, 16], vec![3, 7]);
+    let found = found.expect("everything is there");
     assert_eq!(session.scene(), before, "looking changes nothing");
-    assert_eq!(previews.len(), KINDS.len());
     let mut offered = 0;
-    for (info, previews) in KINDS.iter().zip(&previews) {
-        for (place, preview) in places.iter().zip(previews) {
-            let added = session.edit(entry(info.id, place));
-            let Some(preview) = preview else {
-                let elsewhere = !info.elements.is_empty();
-                assert!(added.is_err() || elsewhere, "{} is not offered {place:?}", info.id);
+    for info in KINDS {
+        let of_kind = found.kinds.iter().find(|one| one.kind == info.id);
+        for place in &found.places {
+            let offers = of_kind.iter().flat_map(|one| &one.offers);
+            let offer = offers.into_iter().find(|offer| offer.place == place.id);
+            let added = session.edit(entry(info.id, &place.on));
+            let Some(offer) = offer else {
+                // It does not fit, or it is not meant for this place.
                 if added.is_ok() {
                     session.undo().expect("undo works");
                 }
@@ -59,9 +60,10 @@ fn a_preview_says_what_adding_makes() {
             };
             added.unwrap_or_else(|error| panic!("{} on {place:?}: {error}", info.id));
             let row = &session.rows()[0];
-            assert_eq!(row.constraints.members.len(), preview.constraints, "{}", info.id);
-            assert_eq!(row.constraints.members.indices().len(), preview.vertices, "{}", info.id);
-            assert_eq!(row.skipped, preview.skipped, "{}", info.id);
+            let Preview { constraints, skipped, vertices, .. } = offer.preview;
+            assert_eq!(row.constraints.members.len(), constraints, "{}", info.id);
+            assert_eq!(row.constraints.members.indices().len(), vertices, "{}", info.id);
+            assert_eq!(row.skipped, skipped, "{}", info.id);
             session.undo().expect("undo works");
             offered += 1;
         }
@@ -70,40 +72,109 @@ fn a_preview_says_what_adding_makes() {
 }
 
 #[test]
-fn what_a_kind_is_not_meant_for_is_not_offered() {
-    let session = session(bumpy(3));
-    let places: Vec<_> = Element::ALL.into_iter().map(each).collect();
-    let previews = session.previews(&places).expect("everything is there");
-    for (info, previews) in KINDS.iter().zip(previews) {
-        for (element, preview) in Element::ALL.iter().zip(previews) {
-            if !info.elements.is_empty() && !info.elements.contains(element) {
-                assert_eq!(preview, None, "{} on each {}", info.id, element.id());
+fn a_kind_that_can_be_added_to_every_element_of_a_type_is_offered_there() {
+    let mut session = session(bumpy(3));
+    let found = offers(&session, &[]);
+    for info in KINDS {
+        let of_kind = found.kinds.iter().find(|one| one.kind == info.id);
+        for element in Element::ALL {
+            let id = format!("each-{}", element.id());
+            let is_offered =
+                of_kind.is_some_and(|one| one.offers.iter().any(|offer| offer.place == id));
+            let is_meant = info.elements.is_empty() || info.elements.contains(&element);
+            let added = session.edit(entry(info.id, &place(&found, &id).on)).is_ok();
+            if added {
+                session.undo().expect("undo works");
             }
-            let fits = |n| info.centring == Centring::Together && info.arity == Arity::Exactly(n);
-            if *element == Element::Face && info.elements.is_empty() && fits(4) {
-                assert_eq!(preview.map(|one| one.constraints), Some(9), "{}", info.id);
-            }
+            assert_eq!(is_offered, added && is_meant, "{} on {id}", info.id);
         }
     }
 }
 
-/// The kinds marked as usual for a target.
-fn usual(session: &Session, place: ConstraintTarget) -> Vec<&'static str> {
-    let previews = session.previews(&[place]).expect("everything is there");
-    let is_usual = |row: &[Option<Preview>]| row[0].is_some_and(|one| one.usual);
-    KINDS.iter().zip(previews).filter(|(_, row)| is_usual(row)).map(|(info, _)| info.id).collect()
+#[test]
+fn a_place_is_written_in_a_form_that_reads_back() {
+    let session = session(bumpy(4));
+    for (vertices, faces) in
+        [(vec![], vec![]), (vec![0, 1, 5], vec![]), (vec![0, 1, 5, 6], vec![0])]
+    {
+        let found = session.constraint_offers(vertices, faces).expect("everything is there");
+        for place in found.places {
+            let text = serde_json::to_string(&place.on).expect("it is plain data");
+            assert_eq!(
+                serde_json::from_str::<ConstraintTarget>(&text).unwrap(),
+                place.on,
+                "{text}"
+            );
+        }
+    }
+}
+
+#[test]
+fn within_a_selection_a_kind_is_offered_on_the_elements_that_it_is_meant_for() {
+    let session = session(bumpy(4));
+    let labels = |found: &ConstraintOffers, kind: &str| -> Vec<String> {
+        let of_kind = found.kinds.iter().find(|one| one.kind == kind).expect("it is offered");
+        of_kind.offers.iter().map(|offer| place(found, &offer.place).label.clone()).collect()
+    };
+    let of_vertices = offers(&session, &[0, 1, 2, 5, 6, 7, 10, 11, 12]);
+    let of_faces = session
+        .constraint_offers(vec![0, 1, 2, 5, 6, 7, 10, 11, 12], vec![0, 1, 4, 5])
+        .expect("everything is there");
+    // A plane acts on any element: within the selection it is offered on what is selected.
+    assert!(!labels(&of_vertices, "plane").iter().any(|label| label.contains("within")));
+    assert_eq!(labels(&of_vertices, "plane")[0], "whole selection together");
+    assert_eq!(labels(&of_faces, "plane")[1], "each selected face");
+    // A conical vertex needs an inner vertex and its neighbours.
+    assert_eq!(labels(&of_vertices, "conical")[0], "each inner vertex, within the selection");
+    // Without a selection there is none of this.
+    let of_nothing = offers(&session, &[]);
+    assert!(of_nothing.places.iter().all(|place| !place.label.contains("select")));
+    assert_eq!(of_nothing.places.len(), Element::ALL.len());
+}
+
+#[test]
+fn kinds_that_fit_nowhere_are_named_with_what_they_are_for() {
+    let found = offers(&session(bumpy(3)), &[]);
+    assert_eq!(found.kinds.len() + found.misfits.len(), KINDS.len());
+    let number = words::count(found.misfits.len(), "shape does", "shapes do");
+    assert_eq!(found.misfit, format!("{number} not fit here"));
+    // A grid of quads has no tetrahedra and no edges between triangles.
+    let of = |label: &str| found.misfits.iter().find(|one| one.starts_with(label));
+    assert_eq!(of("Volume").unwrap(), "Volume: it is for each tetrahedron");
+    assert_eq!(of("Bending").unwrap(), "Bending: it is for each edge between two triangles");
+}
+
+#[test]
+fn an_offer_is_said_in_words() {
+    let mut mesh = bumpy(4);
+    mesh.faces.push(&[0, 1, 6]);
+    let found = offers(&session(mesh), &[0, 1, 2]);
+    let words = |kind: &str, id: &str| {
+        let of_kind = found.kinds.iter().find(|one| one.kind == kind).expect("it is offered");
+        let offer = of_kind.offers.iter().find(|offer| offer.place == id).expect("it fits");
+        offer.words.clone()
+    };
+    assert_eq!(words("line", "selection"), "1 constraint of 3 vertices.");
+    assert_eq!(words("plane", "each-face"), "17 constraints of 3.9 vertices on average.");
+    let skipped = "16 constraints of 4 vertices. 1 skipped: their number of vertices does not fit.";
+    assert_eq!(words("square", "each-face"), skipped);
 }
 
 #[test]
 fn the_usual_kind_follows_from_what_the_place_is_to_the_mesh() {
     // 5 by 5 vertices, row by row.
     let session = session(bumpy(4));
-    let selected = |vertices: &[u32]| {
-        usual(&session, ConstraintTarget { on: Selector::Vertices(vertices.to_vec()), set: None })
+    let usual = |vertices: &[u32], id: &str| -> Vec<&str> {
+        let kinds = offers(&session, vertices).kinds.into_iter();
+        let is_usual = |one: &OfferedKind| {
+            one.offers.iter().any(|offer| offer.place == id && offer.preview.usual)
+        };
+        kinds.filter(is_usual).map(|one| one.kind).collect()
     };
-    assert_eq!(usual(&session, each(Element::Face)), ["plane", "circle"]);
-    assert_eq!(usual(&session, each(Element::Boundary)), ["circle"]);
-    assert_eq!(usual(&session, each(Element::Edge)), ["line-segment"]);
+    let selected = |vertices: &[u32]| usual(vertices, "selection");
+    assert_eq!(usual(&[], "each-face"), ["plane", "circle"]);
+    assert_eq!(usual(&[], "each-boundary"), ["circle"]);
+    assert_eq!(usual(&[], "each-edge"), ["line-segment"]);
     // A cap of two by two faces, one face, the boundary, an inner loop, a chain, an edge.
     assert_eq!(selected(&[0, 1, 2, 5, 6, 7, 10, 11, 12]), ["sphere"]);
     assert_eq!(selected(&[0, 1, 5, 6]), ["plane", "circle"]);
@@ -120,10 +191,29 @@ fn the_usual_kind_follows_from_what_the_place_is_to_the_mesh() {
 }
 
 #[test]
+fn the_usual_kind_of_the_first_place_that_has_one_is_chosen_at_first() {
+    let session = session(bumpy(4));
+    let start = |vertices: &[u32]| {
+        let OfferedStart { kind, place } = offers(&session, vertices).start.expect("kinds fit");
+        (kind, place)
+    };
+    assert_eq!(start(&[]), ("plane", "each-face".to_owned()));
+    assert_eq!(start(&[0, 1, 2, 5, 6, 7, 10, 11, 12]), ("sphere", "selection".to_owned()));
+    // The whole mesh has no usual kind together: each of its faces has.
+    let all: Vec<u32> = (0..25).collect();
+    assert_eq!(start(&all).0, "plane");
+    // One vertex has none: the first kind that fits, at its first place.
+    let points = Mesh { positions: bumpy(2).positions, ..Mesh::default() };
+    let found = offers(&self::session(points), &[3]);
+    let first = &found.kinds[0];
+    assert!(found.kinds.iter().all(|one| one.offers.iter().all(|offer| !offer.preview.usual)));
+    let expected = OfferedStart { kind: first.kind, place: first.offers[0].place.clone() };
+    assert_eq!(found.start, Some(expected));
+}
+
+#[test]
 fn an_unknown_place_is_an_error() {
-    let session = session(bumpy(2));
-    let error =
-        session.previews(&[ConstraintTarget { on: Selector::Vertices(vec![99]), set: None }]);
+    let error = session(bumpy(2)).constraint_offers(vec![99], Vec::new());
     assert!(error.expect_err("there is no vertex 99").message.contains("99"));
 }
 

@@ -5,6 +5,7 @@ use crate::support::grid::grid;
 use shape_up::mesh::{Group, GroupKeyword};
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, FACE_MEASURES, Session};
+use shape_up::words;
 
 /// Six by six bumpy quads; the first row is a group.
 fn session(constraints: &str) -> Session {
@@ -125,4 +126,55 @@ fn asking_for_the_list_changes_nothing() {
     }
     assert_eq!(asked.positions(), left.positions());
     asked.edit(Edit::Reset).expect("it can be reset");
+}
+
+#[test]
+fn the_list_names_the_constraint_and_the_groups_and_rounding_errors_are_zero() {
+    let mut session = session(r#"{ "kind": "plane", "on": "faces", "name": "Flat" }"#);
+    let rows = session.worst_faces_in_words("planarity", 36, None).expect("it is declared");
+    for row in &rows {
+        assert_eq!(row.words, words::length(row.element.value, ""));
+        let in_group = row.element.faces[0] < 6;
+        assert_eq!(row.about, if in_group { "Flat · eaves" } else { "Flat" });
+    }
+    assert!(session.worst_faces_in_words("beauty", 5, None).is_none());
+    let of_row = session.worst_constraints_in_words(0, 1, None);
+    assert_eq!(of_row[0].words, words::length(of_row[0].element.value, ""));
+
+    // A flat grid, whose heights are not exact.
+    let mesh = grid(2, 2, |i, j| {
+        let [x, y] = [0.1 * f64::from(i), 0.7 * f64::from(j)];
+        [x, y, x / 3.0 + y / 7.0]
+    });
+    let text = r#"{ "format": "shape-up-scene", "version": 1, "units": "m", "mesh": { "file": "a.obj" } }"#;
+    let mut flat =
+        Session::open(Scene::from_json(text).expect("it is valid"), mesh).expect("it fits");
+    let rows = flat.worst_faces_in_words("planarity", 4, Some(0.001)).expect("it is declared");
+    assert_eq!(rows.len(), 4);
+    assert!(rows.iter().all(|row| row.words == "0 mm" && row.about == "–"));
+    let (values, greatest) = flat.face_values_and_greatest("planarity").expect("it is declared");
+    assert_eq!((values.len(), greatest), (4, 0.0));
+}
+
+#[test]
+fn the_measure_of_a_scene_is_that_of_its_first_row_with_one() {
+    let measure = |constraints: &str| session(constraints).scene_measure();
+    let [plane, circle, sphere] = ["plane", "circle", "sphere"]
+        .map(|kind| format!(r#"{{ "kind": "{kind}", "on": "faces" }}"#));
+    let off = r#"{ "kind": "plane", "on": "faces", "enabled": false }"#;
+    assert_eq!(measure(""), None);
+    assert_eq!(measure(&plane), Some("planarity"));
+    assert_eq!(measure(&format!("{sphere}, {circle}, {plane}")), Some("circularity"));
+    assert_eq!(measure(&format!("{off}, {circle}")), Some("circularity"));
+    // Any other scene is measured by the distances to its constraints.
+    assert_eq!(measure(&sphere), Some("residual"));
+    assert_eq!(measure(off), Some("residual"));
+    assert_eq!(measure(r#"{ "kind": "plane", "on": "rings" }"#), Some("residual"));
+    for constraints in [&plane, &circle, &sphere] {
+        let mut session = session(constraints);
+        let measure = session.scene_measure().expect("there is a constraint");
+        let (_, greatest) = session.face_values_and_greatest(measure).expect("it is declared");
+        let worst = session.worst_by_scene_measure(0.0);
+        assert!((worst - greatest).abs() <= 1e-6 * worst, "{measure}: {worst}, {greatest}");
+    }
 }

@@ -45,7 +45,6 @@ import { tooltips } from '../ui/controls/tooltips.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { once } from '../ui/once.ts';
-import { sizeOf } from '../ui/rounding.ts';
 import { showMoved } from '../viewport/input/drag-label.ts';
 import { bindViewKeys } from '../viewport/input/gestures.ts';
 import { bindHandleKeys } from '../viewport/input/handle-keys.ts';
@@ -88,7 +87,7 @@ const pointer = new PointerInput(store, solver, viewport, region, actions, {
 });
 bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
-const { fit } = colourFaces(store, solver);
+const { fit } = colourFaces(store, solver, () => viewport.view);
 colourRows(store, solver, actions);
 
 const hold = new HoldOriginal(store, actions);
@@ -167,10 +166,10 @@ viewport.on('none', offline);
 
 /** Writes the messages of the solver to the store. */
 function bindSolver(client: SolverClient) {
-  client.on('ready', ({ kinds, elements, measures, operations, settings }) =>
-    store.set({ kinds, elements, measures, operations, settings }),
+  client.on('ready', ({ kinds, measures, operations, settings }) =>
+    store.set({ kinds, measures, operations, settings }),
   );
-  client.on('model', ({ loaded, positions }) =>
+  client.on('model', ({ loaded }) =>
     store.set({
       // A restarted worker keeps the view settings.
       ...(!client.restoring && {
@@ -178,9 +177,9 @@ function bindSolver(client: SolverClient) {
         ...{ tolerance: loaded.tolerance || null, tolerances: {} },
       }),
       model: loaded,
-      size: sizeOf(positions),
       document: null,
       numbers: null,
+      greatest: null,
       halfway: false,
       flatMap: null,
       heldOriginal: null,
@@ -194,9 +193,10 @@ function bindSolver(client: SolverClient) {
   );
   client.on('loading', ({ bytes, all }) => showLoading(store, bytes, all));
   client.on('document', ({ document }) => store.set({ document }));
-  client.on('frame', ({ numbers, answers }) =>
+  client.on('frame', ({ numbers, measure, greatest, answers }) =>
     store.set({
       ...{ numbers, halfway: numbers.halfway },
+      greatest: measure === null ? null : { measure, value: greatest },
       ...(answers && { dragMs: performance.now() - answers[0] }),
     }),
   );

@@ -6,14 +6,7 @@
 
 import { closeButton } from '../ui/controls/fields.ts';
 import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from '../ui/dom.ts';
-import {
-  declared,
-  measureOfScene,
-  roundingOf,
-  toleranceOf,
-  valueInWords,
-  worstOf,
-} from '../store/colours/measures.ts';
+import { declared, toleranceOf, valueInWords, worstOf } from '../store/colours/measures.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
 import type { Store } from '../store/state.ts';
 
@@ -43,12 +36,12 @@ export function firstHints(card: HTMLElement, store: Store) {
 
   const update = throttled(RENEW_MS, () => {
     const state = store.get();
-    const { document, numbers, size, firstExample } = state;
-    const about = declared(state, measureOfScene(state));
+    const { document, numbers, firstExample } = state;
+    const about = declared(state, document?.measure ?? null);
     if (done || !document || !numbers || !about || !firstExample) return;
     const worst = worstOf(state, about.id);
     const value = () => valueInWords(about, worst, document.units, toleranceOf(state, about));
-    const how = worst < roundingOf(about, size) ? 'exactly' : `within ${value()}`;
+    const how = worst === 0 ? 'exactly' : `within ${value()}`;
     const met = `${about.met[0].toUpperCase()}${about.met.slice(1)}, ${how}.`;
     setText(text, numbers.iteration === 0 && at < 2 ? START : hints(met)[at]);
     delete window.document.documentElement.dataset.known;

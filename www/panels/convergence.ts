@@ -64,7 +64,7 @@ export class Convergence {
 
   /** Returns columns: iteration, shape, close, smooth, handles, total; rounding errors as zero. */
   #columnsOf(trace: Float64Array) {
-    const { size } = this.#store.get();
+    const size = this.#store.get().model?.size ?? 0;
     const rows = trace.length / TRACE_WIDTH;
     return Array.from({ length: TRACE_WIDTH }, (_, column) =>
       Array.from({ length: rows }, (_, row) => {

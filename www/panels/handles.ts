@@ -202,7 +202,7 @@ function handleDetails(store: Store, actions: Actions) {
     if (group.hidden) return typed.clear();
     const one = chosen.length === 1;
     setText(title, one ? `Handle at vertex ${chosen[0].vertex}` : count(chosen.length, 'handle'));
-    const decimals = decimalsFor(store.get().size);
+    const decimals = decimalsFor(store.get().model?.size ?? 0);
     targets.forEach((field, i) => {
       const values = chosen.map(({ target }) => coordinate(target[i], decimals));
       showCommon(field, values);

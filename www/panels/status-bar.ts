@@ -4,9 +4,7 @@ import { RENEW_MS, element, setAttribute, setText, throttled } from '../ui/dom.t
 import { duration, groupDigits, number } from '../ui/format.ts';
 import {
   declared,
-  measureOfScene,
   movedInWords,
-  roundingOf,
   toleranceOf,
   valueInWords,
   worstOf,
@@ -53,17 +51,16 @@ export function statusBar(
 
   const showNumbers = throttled(RENEW_MS, () => {
     const state = store.get();
-    const { numbers, document, model, size } = state;
-    const measure = state.measure ?? measureOfScene(state);
+    const { numbers, document, model } = state;
+    const measure = state.measure ?? document?.measure ?? null;
     if (!numbers) return;
     const units = document?.units ?? '';
     set('iteration', groupDigits(numbers.iteration));
-    set('energy', number(energyOrZero(numbers.energy.total, size)));
+    set('energy', number(energyOrZero(numbers.energy.total, model?.size ?? 0)));
     const about = declared(state, measure);
     if (about && model?.faces) {
       const worst = worstOf(state, about.id);
-      const shown = worst < roundingOf(about, size) ? 0 : worst;
-      set('worst', valueInWords(about, shown, units, toleranceOf(state, about)));
+      set('worst', valueInWords(about, worst, units, toleranceOf(state, about)));
       // The residual also applies to constraints that are not on panels.
       const what = about.signed ? 'greatest' : 'worst panel';
       setText(cells.get('worst').label, about.id === 'residual' ? 'worst distance' : what);
@@ -78,7 +75,7 @@ export function statusBar(
 
   store.subscribe(['status'], ({ status }) => setText(places.status, status));
   store.subscribe(
-    ['numbers', 'measure', 'spread', 'model', 'document', 'tolerance', 'tolerances', 'display'],
+    ['numbers', 'measure', 'model', 'document', 'tolerance', 'tolerances', 'display'],
     showNumbers,
   );
   store.subscribe(['document', 'model'], ({ document, model }) => {

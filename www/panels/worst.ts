@@ -7,19 +7,11 @@ import '../ui/styles/lists.css';
 import { itemByKey } from '../ui/controls/navigation.ts';
 import { choice, setOptions } from '../ui/controls/fields.ts';
 import { element, setText, throttled } from '../ui/dom.ts';
-import { length } from '../ui/format.ts';
-import {
-  declared,
-  measureOfScene,
-  movedInWords,
-  roundingOf,
-  toleranceOf,
-  valueInWords,
-} from '../store/colours/measures.ts';
+import { declared, movedInWords, toleranceOf } from '../store/colours/measures.ts';
 import { newestOnly } from '../store/newest-only.ts';
-import { lengthOrZero } from '../ui/rounding.ts';
 import { showElements } from '../viewport/camera.ts';
-import type { FaceMeasure, WorstElement } from '../solver/types.ts';
+import type { FaceMeasure, WorstRow } from '../solver/types.ts';
+import type { State } from '../store/state.ts';
 import type { AppContext } from '../app/context.ts';
 
 const ROWS = 20;
@@ -30,7 +22,7 @@ const COLOURS = 'colours';
 export function worstElements(panel: HTMLElement, app: AppContext) {
   const { store, actions } = app;
   /** The elements in the rows of the table. */
-  let shown: WorstElement[] = [];
+  let shown: WorstRow[] = [];
   let inSight = false;
   const newest = newestOnly();
 
@@ -73,9 +65,13 @@ export function worstElements(panel: HTMLElement, app: AppContext) {
     if (worst) showElements(app, worst);
   }
 
+  /** The measure that colours the faces, or would by default. */
+  const colouring = (state: Readonly<State>) =>
+    declared(state, state.measure ?? state.document?.measure ?? null);
+
   function offer() {
     const state = store.get();
-    const about = declared(state, state.measure ?? measureOfScene(state));
+    const about = colouring(state);
     const choices = [
       ...(about && state.model?.faces ? [[COLOURS, about.label]] : []),
       ...(state.document?.constraints ?? []).map((row) => [
@@ -91,24 +87,20 @@ export function worstElements(panel: HTMLElement, app: AppContext) {
   const ask = throttled(ASK_EVERY_MS, async () => {
     const state = store.get();
     if (!inSight || !state.model) return;
-    const about =
-      by.value === COLOURS ? declared(state, state.measure ?? measureOfScene(state)) : undefined;
+    const about = by.value === COLOURS ? colouring(state) : undefined;
+    const tolerance = (about ? toleranceOf(state, about) : state.tolerance) ?? undefined;
     const worst = () => {
       if (by.value === '') return [];
-      if (about) return actions.ask.worstFaces(about.id, ROWS);
-      return actions.ask.worstConstraints(Number(by.value), ROWS);
+      if (about) return actions.ask.worstFaces(about.id, ROWS, tolerance);
+      return actions.ask.worstConstraints(Number(by.value), ROWS, tolerance);
     };
     const found = await newest(actions.reportErrors(worst()));
     if (found) fill(found, about);
   });
 
   /** @param about not for constraints */
-  function fill(found: WorstElement[], about: FaceMeasure | undefined) {
-    const state = store.get();
-    const { document, size } = state;
-    const units = document?.units ?? '';
-    const tolerance = about ? toleranceOf(state, about) : state.tolerance;
-    const moved = movedInWords(state);
+  function fill(found: WorstRow[], about: FaceMeasure | undefined) {
+    const moved = movedInWords(store.get());
     shown = found;
     const what = about?.words ?? 'largest distance of a vertex from the shape of its constraint';
     const nothing = 'No constraints, or no values.';
@@ -119,17 +111,9 @@ export function worstElements(panel: HTMLElement, app: AppContext) {
       const worst = found[index];
       line.hidden = !worst;
       if (!worst) return;
-      const text = about
-        ? valueInWords(
-            about,
-            Math.abs(worst.value) < roundingOf(about, size) ? 0 : worst.value,
-            units,
-            tolerance,
-          )
-        : length(lengthOrZero(worst.value, size), units, tolerance ?? worst.value);
       setText(button, worst.element);
-      setText(value, text);
-      setText(constraint, [worst.constraint, ...worst.groups].filter(Boolean).join(' · ') || '–');
+      setText(value, worst.words);
+      setText(constraint, worst.about);
       button.title = 'Select and zoom to it';
     });
   }

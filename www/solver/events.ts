@@ -19,7 +19,6 @@
 
 import type {
   Connectivity,
-  ElementInfo,
   FaceMeasure,
   KindInfo,
   Loaded,
@@ -41,10 +40,11 @@ import type {
  *   idle: for autosave, to restore a worker that died, and for the second worker; `generation` is
  *   that of its problem and shape. `progress`: at intervals, the progress
  *   of a run or a drag since then.
- * - `frame`: a state of the iteration. `values` are those of `measure`, `#F`; `corners`, for
- *   measures of vertices, those of the vertices, `#V`, whose maximum a face has; `shapes` the
- *   fitted shapes, eight numbers each; `projections` the projected points of the constraints;
- *   `answers` the time of the latest drag move that it shows, and the milliseconds since it came.
+ * - `frame`: a state of the iteration. `values` are those of `measure`, `#F`, and `greatest` is the
+ *   largest absolute one; `corners`, for measures of vertices, those of the vertices, `#V`, whose
+ *   maximum a face has; `shapes` the fitted shapes, eight numbers each; `projections` the projected
+ *   points of the constraints; `answers` the time of the latest drag move that it shows, and the
+ *   milliseconds since it came.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
  * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged.
@@ -58,7 +58,6 @@ export type FromWorker =
   | {
       type: 'ready';
       kinds: KindInfo[];
-      elements: ElementInfo[];
       measures: FaceMeasure[];
       operations: Operation[];
       settings: SettingInfo[];
@@ -74,6 +73,7 @@ export type FromWorker =
       numbers: Numbers;
       positions: Float64Array;
       measure: Measure | null;
+      greatest: number;
       values: Float32Array | null;
       corners: Float32Array | null;
       shapes: Float64Array | null;

@@ -14,13 +14,12 @@ export type {
   ConformalNorm as MapNorm,
   ConformalWeights as MapWeights,
   ConstraintRow,
-  ConstraintTarget as Selector,
+  ConstraintOffers,
   Document as SceneDocument,
   DrawnProjections as Projections,
   DrawnRowColours as RowColours,
   Edit,
   Elements,
-  ElementWords as ElementInfo,
   Energy,
   ExactReport,
   ExactShape,
@@ -41,7 +40,6 @@ export type {
   Param as ParamInfo,
   ParamValue,
   PresetOffer as Preset,
-  Preview,
   BetterPress,
   Remedy,
   Require,
@@ -54,7 +52,7 @@ export type {
   TrialWords,
   VariantRow,
   WordedChoice as BuildChoice,
-  WorstElement,
+  WorstRow,
 } from '../pkg/engine/shape_up.js';
 
 export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';

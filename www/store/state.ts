@@ -6,7 +6,6 @@
 import type {
   BuildReport,
   ConstraintRow,
-  ElementInfo,
   FaceMeasure,
   FewerFlips,
   KindInfo,
@@ -23,19 +22,16 @@ import type {
   PanelVerdict,
 } from '../solver/types.ts';
 import type { Example } from '../solver/examples.ts';
-import type { Spread } from '../ui/plot/histogram.ts';
+import type { Spread } from './colours/spread.ts';
 
 export interface State {
   kinds: KindInfo[];
-  elements: ElementInfo[];
   measures: FaceMeasure[];
   /** selection operations */
   operations: Operation[];
   /** settings of a scene */
   settings: SettingInfo[];
   model: Loaded | null;
-  /** diagonal of the bounding box of the mesh as it was opened, in its unit */
-  size: number;
   /** name of the file, also of resumed work */
   fileName: string;
   /** whether the model is the page's first one */
@@ -85,7 +81,9 @@ export interface State {
   range: [number, number];
   /** the parts of the range that the user chose */
   ownRange: OwnRange;
-  /** distribution of face values */
+  /** largest value of the measure in the latest frame, if one colours the faces */
+  greatest: { measure: Measure; value: number } | null;
+  /** distribution of face values; null if nothing can draw */
   spread: Spread | null;
   /** tolerance of lengths, in the unit of the mesh */
   tolerance: number | null;
@@ -189,12 +187,10 @@ export interface Store {
 
 const INITIAL: State = {
   kinds: [],
-  elements: [],
   measures: [],
   operations: [],
   settings: [],
   model: null,
-  size: 0,
   fileName: '',
   firstExample: false,
   example: null,
@@ -222,6 +218,7 @@ const INITIAL: State = {
   measureChosen: false,
   range: [0, 0],
   ownRange: { low: null, high: null, top: null },
+  greatest: null,
   spread: null,
   tolerance: null,
   tolerances: {},
@@ -258,7 +255,15 @@ const INITIAL: State = {
 };
 
 /** Keys that change with every frame; no command depends on them. */
-const LIVE: (keyof State)[] = ['numbers', 'moved', 'pointedAt', 'dragMs', 'spread', 'camera'];
+const LIVE: (keyof State)[] = [
+  'numbers',
+  'moved',
+  'pointedAt',
+  'dragMs',
+  'greatest',
+  'spread',
+  'camera',
+];
 
 /** Whether the view can draw. */
 export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>

@@ -9,22 +9,6 @@
 export const ROUNDING = 1e-12;
 
 /**
- * Returns the diagonal of the bounding box.
- * @param positions `#V by 3`
- */
-export function sizeOf(positions: Float64Array) {
-  const sides = [0, 1, 2].map((axis) => {
-    let [low, high] = [Infinity, -Infinity];
-    for (let at = axis; at < positions.length; at += 3) {
-      low = Math.min(low, positions[at]);
-      high = Math.max(high, positions[at]);
-    }
-    return Math.max(high - low, 0);
-  });
-  return Math.hypot(...sides);
-}
-
-/**
  * @param value a length, in units of the mesh
  * @param size of the mesh
  */

@@ -60,8 +60,9 @@ export class Frames {
     const solver = this.#solver;
     const { measure, shapes, projections, corners } = this.shown;
     solver.writePositions(positions);
+    const found = measure ? solver.faceValues(measure) : null;
     const parts = {
-      values: measure ? solver.faceValues(measure) : null,
+      values: found?.values ?? null,
       corners: (measure && corners && solver.cornerValues(measure)) || null,
       shapes: shapes ? solver.fitted() : null,
     };
@@ -71,6 +72,7 @@ export class Frames {
     this.#post(
       {
         ...{ type: 'frame', numbers: solver.frame(iterating), positions, measure },
+        greatest: found?.greatest ?? 0,
         ...{ ...parts, projections: projected, answers: answers() },
       },
       arrays.flatMap((array) => array?.buffer ?? []),

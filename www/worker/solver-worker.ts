@@ -72,7 +72,6 @@ function listen(solver: Solver, module: WebAssembly.Module) {
   post({
     type: 'ready',
     kinds: solver.kinds(),
-    elements: solver.elements(),
     measures: solver.measures(),
     operations: solver.operations(),
     settings: solver.settings(),

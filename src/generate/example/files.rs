@@ -54,6 +54,7 @@ impl<'a> Entry<'a> {
                 kinds.push(kind);
             }
         }
+        let lesson = scene.lesson.as_ref();
         let number = example.id.strip_prefix("fig-").and_then(|rest| rest.split('-').next());
         Entry {
             id: example.id,
@@ -70,7 +71,7 @@ impl<'a> Entry<'a> {
             kinds,
             weights: [scene.weights.shape, scene.weights.close, scene.weights.smooth],
             suggestions: suggestions(example.id),
-            goals: scene.lesson.as_ref().map(goals_in_words).unwrap_or_default(),
+            goals: lesson.map(|lesson| goals_in_words(lesson, &scene.units)).unwrap_or_default(),
         }
     }
 }

@@ -3,10 +3,15 @@
 
 mod cut;
 mod declaration;
+mod drawing;
 mod follow;
 mod outline;
 
 pub use declaration::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, Support};
+pub use drawing::{
+    DrawnSide, PlanDrawing, PlanLoops, bulge_of, bulge_through, end_of_side, grid_step,
+    loop_through,
+};
 
 use crate::math::{Vec3, marked, twice_vector_area};
 use crate::mesh::{Mesh, Topology};

@@ -8,11 +8,6 @@ use crate::scene::error::forms_of_selectors;
 use serde::de::{Deserialize, Deserializer, Error, Unexpected};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// Returns the default, and least, radius of an element.
-fn default_radius(element: Element) -> u32 {
-    if element == Element::Ring { 1 } else { 0 }
-}
-
 impl Selector {
     /// Reads the `on` of a constraint.
     ///
@@ -65,7 +60,7 @@ impl Selector {
                 let element = Element::ALL.into_iter().find(is_all).ok_or_else(|| {
                     D::Error::invalid_value(Unexpected::Str(&word), &forms.as_str())
                 })?;
-                Ok(Selector::Each { element, within: None, radius: default_radius(element) })
+                Ok(Selector::Each { element, within: None, radius: element.least_radius() })
             }
         }
     }
@@ -99,7 +94,7 @@ fn selector_of<In>(
         return Ok(Selector::Vertices(vertices));
     }
     let element = each.ok_or_else(|| JsonError::missing_key("each"))?;
-    let least = default_radius(element);
+    let least = element.least_radius();
     let radius = radius.unwrap_or(least);
     if radius < least {
         let message = format!("found {radius}, expected a whole number from {least}");
@@ -112,18 +107,32 @@ fn selector_of<In>(
 impl Serialize for Selector {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         match self {
+            Selector::Each { within, .. } => self.write(to, within.as_ref()),
+            Selector::Set(_) | Selector::Vertices(_) => self.write::<S, String>(to, None),
+        }
+    }
+}
+
+impl Selector {
+    /// Writes a selector, with `within` in place of the name of a set.
+    pub(crate) fn write<S: Serializer, In: Serialize>(
+        &self,
+        to: S,
+        within: Option<&In>,
+    ) -> Result<S::Ok, S::Error> {
+        match self {
             Selector::Set(name) => to.collect_map([("set", name)]),
             Selector::Vertices(vertices) => to.collect_map([("vertices", Indices(&**vertices))]),
-            Selector::Each { element, within, radius } => {
-                let is_default = *radius == default_radius(*element);
+            Selector::Each { element, radius, .. } => {
+                let is_default = *radius == element.least_radius();
                 let plain = within.is_none() && is_default;
                 if let Some(word) = element.word_for_all().filter(|_| plain) {
                     return to.serialize_str(word);
                 }
                 let mut map = to.serialize_map(None)?;
                 map.serialize_entry("each", element.id())?;
-                if let Some(name) = within {
-                    map.serialize_entry("in", name)?;
+                if let Some(within) = within {
+                    map.serialize_entry("in", within)?;
                 }
                 if !is_default {
                     map.serialize_entry("radius", radius)?;

@@ -6,6 +6,7 @@ use crate::json::{Either, word_or};
 use crate::math::marked;
 use crate::mesh::{Mesh, Ragged, Topology};
 use serde::de::{Deserialize, Deserializer};
+use serde::ser::{Serialize, Serializer};
 
 /// The target of a constraint: a selector, which may refer to a set without a name. As JSON it is a
 /// selector as in a scene file, in which `in` may also be a set, `{"faces": ...}` or
@@ -15,7 +16,7 @@ use serde::de::{Deserialize, Deserializer};
     target_arch = "wasm32",
     derive(tsify::Tsify),
     tsify(
-        type = "{ each: string; in?: string | { faces: number[] } | { vertices: number[] } } | { vertices: number[] }"
+        type = "string | { each: string; in?: string | { faces: number[] | string } | { vertices: number[] | string } } | { vertices: number[] | string }"
     )
 )]
 pub struct ConstraintTarget {
@@ -70,6 +71,16 @@ impl<'de> Deserialize<'de> for ConstraintTarget {
             }
         })?;
         Ok(ConstraintTarget { on, set })
+    }
+}
+
+/// Writes a form that reads back to the target.
+impl Serialize for ConstraintTarget {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match &self.set {
+            Some(set) => self.on.write(to, Some(set)),
+            None => self.on.serialize(to),
+        }
     }
 }
 

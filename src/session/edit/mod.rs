@@ -6,6 +6,7 @@
 //! | `apply` | the effect of each edit on a draft |
 //! | `constraint_target` | the target of a constraint, and its shape on the mesh, which determines the usual kind |
 //! | `preview` | the number of constraints that a new row would have |
+//! | `offers` | what is offered for a new row: places, kinds, and those to start with |
 //! | `closeness_weights` | factors of closeness for single vertices |
 //! | `locks` | the edits that a lesson forbids |
 //! | `shapes` | going to another shape: the rest shape, a variant, a step of the presentation |
@@ -19,6 +20,7 @@ mod closeness_weights;
 mod constraint_target;
 mod edit_list;
 mod locks;
+mod offers;
 mod preview;
 mod remeshing;
 mod settings;
@@ -29,8 +31,9 @@ pub(crate) use carry::{Carried, carry};
 pub use constraint_target::ConstraintTarget;
 pub use edit_list::{Edit, NewConstraint, PanelStart, SomeWeights};
 pub(crate) use locks::{check_lock, check_locks};
+pub(crate) use offers::constraint_offers;
+pub use offers::{ConstraintOffer, ConstraintOffers, OfferedKind, OfferedPlace, OfferedStart};
 pub use preview::Preview;
-pub(crate) use preview::previews;
 pub(crate) use remeshing::offered;
 pub use remeshing::{OfferedOperation, Refinement, Remeshing, RemeshingPreview};
 pub(crate) use settings::is_of_solver;

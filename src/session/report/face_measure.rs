@@ -226,10 +226,17 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     },
 ];
 
+impl FaceMeasure {
+    /// Returns the measure `id`; none if there is no such measure.
+    pub fn of(id: &str) -> Option<&'static FaceMeasure> {
+        FACE_MEASURES.iter().find(|measure| measure.id == id)
+    }
+}
+
 /// Returns the values of the measure `id`, `#F`, in its unit; NaN for faces without one, such as a
 /// triangle, which has no diagonals. None if there is no such measure.
 pub(crate) fn face_values(model: &mut Measuring<'_>, id: &str, shape: Shape) -> Option<Vec<f64>> {
-    let measure = FACE_MEASURES.iter().find(|measure| measure.id == id)?;
+    let measure = FaceMeasure::of(id)?;
     Some((measure.values)(model, shape))
 }
 

@@ -1,17 +1,30 @@
-//! Queries about rows of constraints and vertices: members and measure of a row, vertices with a
+//! Queries about rows of constraints and vertices: members and measure of a row, measure of all, vertices with a
 //! closeness factor of their own, vertices that no energy acts on.
 
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Selector};
+use crate::mesh::Mesh;
 use crate::scene::{BoundaryRequire, ClosenessTo, Scene};
 use crate::session::state::{ResolvedRow, RestMesh, SolvedScene};
 
 /// Returns the id of the measure that row `index` makes zero on single faces, which is that of its
 /// kind; none if its constraints are not on single faces.
-pub(crate) fn required_measure(document: &Scene, index: usize) -> Option<&'static str> {
+pub(super) fn required_measure(document: &Scene, index: usize) -> Option<&'static str> {
     let row = document.constraints.get(index)?;
     let of_faces = matches!(row.on, Selector::Each { element: Element::Face, radius: 0, .. });
     row.kind.info().measure.filter(|_| of_faces)
+}
+
+/// Returns the id of the measure that fits a scene: that of the first enabled row that has one, else
+/// the distance to the constraints; none without constraints or faces.
+pub(crate) fn scene_measure(document: &Scene, mesh: &Mesh) -> Option<&'static str> {
+    if document.constraints.is_empty() || mesh.faces.is_empty() {
+        return None;
+    }
+    let rows = document.constraints.iter().enumerate();
+    let mut measured =
+        rows.filter(|(_, row)| row.enabled).filter_map(|(row, _)| required_measure(document, row));
+    Some(measured.next().unwrap_or("residual"))
 }
 
 /// Counts the vertices with a closeness factor other than 1.

@@ -6,9 +6,10 @@ use crate::fabricate::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 use crate::mesh::Mesh;
 use crate::scene::{ConstraintSpec, Goal, GoalOf, GoalResult, Lesson, Scene, SceneError};
 use crate::solve::exact_tolerance;
+use crate::words::{count, group_digits};
 use serde::Serialize;
 
-/// A goal in words.
+/// What a goal bounds, and by how much.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(rename_all = "camelCase")]
@@ -27,6 +28,8 @@ pub struct GoalWords<'a> {
     pub build: Option<&'static str>,
     /// Only if faces above a value are counted: this value; `at_most` is then a count.
     pub beyond: Option<f64>,
+    /// The goal in words.
+    pub sentence: String,
 }
 
 /// Checks that all goals of `scene` can be measured on `mesh`.
@@ -101,19 +104,118 @@ fn check_constraint(name: &str, scene: &Scene) -> Result<(), String> {
     Err(format!("this goal is on the constraint {name:?}, expected {expected}"))
 }
 
-fn declared(id: &str) -> Option<&'static FaceMeasure> {
-    FACE_MEASURES.iter().find(|measure| measure.id == id)
+impl GoalWords<'_> {
+    /// Whether the goal bounds a number of parts.
+    fn is_count(&self) -> bool {
+        self.build.is_some() && self.unit == MeasureUnit::Number
+    }
+
+    /// Returns the goal in words, on a mesh whose unit has the symbol `units`.
+    fn in_words(&self, units: &str) -> String {
+        let GoalWords { label, at_most, measure, build, .. } = *self;
+        let written = |value: f64| self.unit.in_words(value, units, value);
+        if let Some(beyond) = self.beyond.map(written) {
+            return match at_most {
+                0.0 => format!("{label}: no panel beyond {beyond}"),
+                _ => format!("{label} beyond {beyond}: at most {}", panels(at_most)),
+            };
+        }
+        if measure.is_none() && build.is_none() && at_most == 0.0 {
+            return format!("{label} exact");
+        }
+        if self.is_count() {
+            return format!("{label}: at most {at_most}");
+        }
+        format!("Worst {} at most {}", label.to_lowercase(), written(at_most))
+    }
+
+    /// Returns the value of the goal on the current shape in words, in the unit of its limit, so that
+    /// the two can be compared; `size` is that of the mesh.
+    fn now_in_words(&self, value: Option<f64>, units: &str, size: f64) -> String {
+        let Some(value) = value else {
+            return match self.build {
+                Some(_) => "measured when the shape is at rest".to_owned(),
+                None => "no such constraint or value".to_owned(),
+            };
+        };
+        if self.beyond.is_some() {
+            return panels(value);
+        }
+        if self.is_count() {
+            return value.to_string();
+        }
+        let shown = self.unit.or_zero(value, size);
+        self.unit.in_words(shown, units, if self.at_most > 0.0 { self.at_most } else { shown })
+    }
 }
 
-/// Returns the goals of a lesson in words, in their order.
-pub fn goals_in_words(lesson: &Lesson) -> Vec<GoalWords<'_>> {
-    lesson.goals.iter().map(goal_in_words).collect()
+/// Formats a number of panels; a limit may be any number from 0.
+fn panels(number: f64) -> String {
+    match number.fract() {
+        0.0 => count(number as usize, "panel", "panels"),
+        _ => format!("{number} panels"),
+    }
 }
 
-fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
+/// Returns the goals of a lesson in words, in their order, on a mesh whose unit has the symbol
+/// `units`.
+pub fn goals_in_words<'a>(lesson: &'a Lesson, units: &str) -> Vec<GoalWords<'a>> {
+    let worded = |goal| {
+        let words = described(goal);
+        GoalWords { sentence: words.in_words(units), ..words }
+    };
+    lesson.goals.iter().map(worded).collect()
+}
+
+/// The goals of a lesson on the current shape, in words.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct LessonProgress {
+    /// Each goal, in their order.
+    pub goals: Vec<GoalProgress>,
+    /// Whether all goals are met.
+    pub passed: bool,
+    /// How many goals are met: `1 of 2 goals met`.
+    pub words: String,
+}
+
+/// A goal on the current shape.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct GoalProgress {
+    /// Whether it is met.
+    pub met: bool,
+    /// Whether it is met, and its value.
+    pub words: String,
+}
+
+/// Returns the progress in a lesson, given the values of its goals; none without a lesson.
+pub(crate) fn progress(model: &mut Measuring<'_>) -> Option<LessonProgress> {
+    model.scene.document().lesson.as_ref()?;
+    let results = goals(model);
+    let (units, size) = (&model.scene.document().units, model.rest.diameter());
+    let progress = |GoalResult { goal, value, met }: &GoalResult| {
+        let now = described(goal).now_in_words(*value, units, size);
+        let words = format!("{}: {now}", if *met { "met" } else { "not met" });
+        GoalProgress { met: *met, words }
+    };
+    let goals: Vec<GoalProgress> = results.iter().map(progress).collect();
+    let met = goals.iter().filter(|goal| goal.met).count();
+    let passed = met == goals.len();
+    let words = match passed {
+        true => format!("Passed: {} met", count(met, "goal", "goals")),
+        false => format!("{} of {} met", group_digits(met), count(goals.len(), "goal", "goals")),
+    };
+    Some(LessonProgress { goals, passed, words })
+}
+
+/// Returns what a goal bounds, without the sentence.
+fn described(goal: &Goal) -> GoalWords<'_> {
+    let sentence = String::new();
     match &goal.of {
         GoalOf::Measure(id) | GoalOf::Beyond { measure: id, .. } => {
-            let measure = declared(id).expect("goals are checked when a scene is taken over");
+            let measure =
+                FaceMeasure::of(id).expect("goals are checked when a scene is taken over");
             GoalWords {
                 label: measure.label,
                 words: measure.words,
@@ -125,6 +227,7 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
                     GoalOf::Beyond { tolerance, .. } => Some(tolerance),
                     _ => None,
                 },
+                sentence,
             }
         }
         GoalOf::Constraint(name) => GoalWords {
@@ -135,6 +238,7 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
             measure: None,
             build: None,
             beyond: None,
+            sentence,
         },
         GoalOf::Build(id) => {
             let declared = BUILD_NUMBERS.iter().find(|number| number.id == id);
@@ -154,6 +258,7 @@ fn goal_in_words(goal: &Goal) -> GoalWords<'_> {
                 measure,
                 build: Some(id),
                 beyond,
+                sentence,
             }
         }
     }

@@ -9,6 +9,7 @@
 //! | `run_verdict` | how a run ended, and whether its constraints are met, in words |
 //! | `exact_words` | how well hard constraints are met, and what exactness costs, in words |
 //! | `face_measure` | the measures of faces, by which hosts colour and list them |
+//! | `measure_words` | the values of measures in words |
 //! | `measuring` | the shapes to be measured |
 //! | `measure_cache` | measures of the current shape, each computed once |
 //! | `angles` | the angles at the corners of the faces |
@@ -27,6 +28,7 @@ mod face_measure;
 mod inspect;
 mod lesson;
 mod measure_cache;
+mod measure_words;
 mod measuring;
 mod mesh_diagnostics;
 mod moved;
@@ -45,9 +47,9 @@ pub use exact_words::{ExactWords, TrialWords, WeakerRequirement};
 pub(crate) use exact_words::{Exactness, TrialNumbers};
 pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
 pub(crate) use face_measure::{corner_values, face_values};
-pub(crate) use inspect::{free, members, required_measure, reweighted_vertices};
-pub use lesson::{GoalWords, goals_in_words};
-pub(crate) use lesson::{check_lesson, check_presentation, goals};
+pub(crate) use inspect::{free, members, reweighted_vertices, scene_measure};
+pub use lesson::{GoalProgress, GoalWords, LessonProgress, goals_in_words};
+pub(crate) use lesson::{check_lesson, check_presentation, goals, progress};
 pub(crate) use measure_cache::MeasureCache;
 pub(crate) use measuring::Measuring;
 pub use measuring::Shape;
@@ -62,5 +64,5 @@ pub(crate) use tables::{convergence_csv, errors_csv};
 pub use verdict::{EasedPanels, Verdict, tolerance_of};
 pub(crate) use verdict::{panel_progress, tolerance};
 pub use verdict_words::VerdictWords;
-pub use worst::WorstElement;
+pub use worst::{WorstElement, WorstRow};
 pub(crate) use worst::{worst_constraints, worst_faces};

@@ -1,10 +1,11 @@
 //! The worst elements: a list in words and numbers of what the colours show.
 
 use super::constraint_map::ConstraintCoverage;
-use super::face_measure::face_values;
+use super::face_measure::{MeasureUnit, face_values};
 use super::measuring::{Measuring, Shape};
 use crate::constraint::{Element, Selector};
 use crate::math::{argsort, key_of_number};
+use crate::session::state::RestMesh;
 use serde::Serialize;
 
 /// An element that is far from its constraint or has a large value of a measure.
@@ -25,6 +26,38 @@ pub struct WorstElement {
     pub faces: Vec<u32>,
     /// Its vertices.
     pub vertices: Vec<u32>,
+}
+
+/// A row of the list of the worst elements.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub struct WorstRow {
+    /// The element.
+    #[serde(flatten)]
+    pub element: WorstElement,
+    /// Its value.
+    pub words: String,
+    /// The label of its row of constraints, and its groups.
+    pub about: String,
+}
+
+impl WorstElement {
+    /// Returns the row of a list, with the value in this unit; rounding errors are 0. Lengths are
+    /// written in the unit in which their `tolerance` is written.
+    pub(crate) fn in_words(
+        self,
+        unit: MeasureUnit,
+        rest: &RestMesh,
+        units: &str,
+        tolerance: Option<f64>,
+    ) -> WorstRow {
+        let value = unit.or_zero(self.value, rest.diameter());
+        let words = unit.in_words(value, units, tolerance.unwrap_or(self.value));
+        let names = std::iter::once(&self.constraint).chain(&self.groups);
+        let names: Vec<&str> = names.map(|name| &**name).filter(|name| !name.is_empty()).collect();
+        let about = if names.is_empty() { "–".to_owned() } else { names.join(" · ") };
+        WorstRow { element: self, words, about }
+    }
 }
 
 /// Returns the `count` faces with the largest absolute values of the measure `id`, largest first,

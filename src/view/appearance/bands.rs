@@ -3,11 +3,10 @@
 //! Most measures have one value per face: a face is in one band, and the lines run along the edges
 //! between faces of different bands. If every vertex has a value, the colours are interpolated
 //! between the corners, and the lines are isolines through the faces (`shaders/faces.wgsl`).
-//!
-//! Round numbers for scales and grids: one, two or five times a power of ten.
 
 use super::colour_map::{ColourMap, texel};
 use super::colour_scale::ColourScale;
+use super::round_number::round_down;
 use crate::view::model::{Lists, sides_by_edge};
 
 /// Minimum number of bands in a range; the maximum is 5/2 of it.
@@ -98,24 +97,6 @@ pub fn seams(faces: &Lists) -> Vec<Seam> {
         .collect()
 }
 
-/// Returns the largest round number up to `most`; zero unless `most` is positive and finite.
-pub fn round_down(most: f64) -> f64 {
-    if !(most > 0.0 && most.is_finite()) {
-        return 0.0;
-    }
-    let exponent = most.log10().floor();
-    // A parsed literal is the nearest number: 0.005, not 5 times an inexact 0.001.
-    let times_power = |digit: u32, exponent: f64| {
-        let text = format!("{digit}e{exponent}");
-        text.parse::<f64>().expect("a digit with a whole exponent is a number")
-    };
-    [(5, exponent), (2, exponent), (1, exponent), (5, exponent - 1.0)]
-        .into_iter()
-        .map(|(digit, exponent)| times_power(digit, exponent))
-        .find(|&round| round <= most)
-        .unwrap_or(0.0)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -177,26 +158,5 @@ mod tests {
     fn seams_part_two_faces() {
         let faces = Lists::new("faces", vec![0, 4, 7], vec![0, 1, 4, 3, 1, 2, 4], 5).unwrap();
         assert_eq!(seams(&faces), [Seam { ends: [1, 4], faces: [0, 1] }]);
-    }
-
-    #[test]
-    fn round_numbers_are_one_two_and_five_of_any_size() {
-        for (most, round) in [
-            (1.0, 1.0),
-            (1.99, 1.0),
-            (2.0, 2.0),
-            (4.7, 2.0),
-            (5.0, 5.0),
-            (9.999, 5.0),
-            (0.0069, 0.005),
-            (0.001, 0.001),
-            (12_345.0, 10_000.0),
-            (3e-9, 2e-9),
-        ] {
-            assert_eq!(round_down(most), round, "{most}");
-        }
-        for nothing in [0.0, -3.0, f64::NAN, f64::INFINITY] {
-            assert_eq!(round_down(nothing), 0.0);
-        }
     }
 }

@@ -5,9 +5,11 @@ pub mod colour_map;
 pub mod colour_scale;
 pub mod face_values;
 pub mod palette;
+pub mod round_number;
 pub mod row_colours;
+pub mod value_axis;
+pub mod value_spread;
 
-pub use bands::round_down;
 pub use bands::{Bands, Seam, seams};
 pub use colour_map::{ColourMap, MapChoice, TEXELS};
 pub use colour_scale::ColourScale;
@@ -15,4 +17,7 @@ pub use face_values::{Appearance, FaceColour};
 pub use palette::{
     Colour, DARK, DOT_KINDS, Dot, DotKind, LIGHT, LINE_KINDS, LineKind, Palette, Stroke,
 };
+pub use round_number::round_down;
 pub use row_colours::RowColours;
+pub use value_axis::ValueAxis;
+pub use value_spread::{Bars, Coloured, RangeChoice, ValueSpread};

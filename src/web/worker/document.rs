@@ -22,6 +22,8 @@ pub struct Document<'a> {
     units: &'a str,
     up: Up,
     constraints: Vec<ConstraintRow<'a>>,
+    /// The id of the measure of faces that fits the constraints, if there are any.
+    measure: Option<&'static str>,
     handles: Vec<HandleRow>,
     weights: Weights,
     closeness: ClosenessTo,
@@ -96,8 +98,6 @@ struct ConstraintRow<'a> {
     require: Require,
     /// The panels with a weaker requirement.
     eased: Option<EasedPanels>,
-    /// The id of the measure of single faces that the row minimises, if it acts on faces.
-    measure: Option<&'static str>,
     #[tsify(type = "Record<string, ParamValue>")]
     params: Value,
 }
@@ -137,8 +137,9 @@ struct LessonWords<'a> {
 }
 
 impl<'a> LessonWords<'a> {
-    fn new(lesson: &'a Lesson) -> Self {
-        LessonWords { text: &lesson.text, goals: goals_in_words(lesson), lock: &lesson.lock }
+    fn new(lesson: &'a Lesson, units: &str) -> Self {
+        let goals = goals_in_words(lesson, units);
+        LessonWords { text: &lesson.text, goals, lock: &lesson.lock }
     }
 }
 
@@ -169,7 +170,6 @@ impl<'a> Document<'a> {
                         panels: eased.faces.len(),
                         within: eased.within,
                     }),
-                    measure: session.required_measure(index),
                     params: spec.kind.params(),
                 }
             })
@@ -191,6 +191,7 @@ impl<'a> Document<'a> {
             units: &scene.units,
             up: scene.up,
             constraints,
+            measure: session.scene_measure(),
             handles,
             weights: Weights { shape, close, smooth },
             closeness: scene.closeness.to,
@@ -219,7 +220,7 @@ impl<'a> Document<'a> {
             undo,
             redo,
             pinned: session.solver().pinned(),
-            lesson: scene.lesson.as_ref().map(LessonWords::new),
+            lesson: scene.lesson.as_ref().map(|lesson| LessonWords::new(lesson, &scene.units)),
             steps: &scene.steps,
             variants: scene.variants.kept.iter().map(|variant| &*variant.name).collect(),
             design: scene.variants.design,

@@ -3,7 +3,7 @@
 use super::solver::Solver;
 use crate::constraint::LocalStep;
 use crate::mesh::{Circularity, Planarity};
-use crate::session::{EndWords, ExactReport, Moved, Session};
+use crate::session::{EndWords, ExactReport, LessonProgress, Moved, Session};
 use crate::solve::Energy;
 use crate::web::values::{Js, plain};
 use serde::Serialize;
@@ -31,11 +31,14 @@ pub struct FrameNumbers {
     moved: Moved,
     /// The least ratio of an edge length to its length at rest.
     shortest_edge: f64,
+    /// The largest value of the scene's measure; rounding errors are 0.
+    worst_panel: f64,
     /// The worst distance of each row of the document; zero for disabled rows.
     worst: Vec<f64>,
     /// The share of each row in the total energy, from 0 to 1.
     shares: Vec<f64>,
-    goals: Vec<GoalNumbers>,
+    /// The goals of the lesson, if there is one.
+    lesson: Option<LessonProgress>,
     /// How well hard constraints are met; none before they are.
     exact: Option<ExactReport>,
     step_ms: f64,
@@ -56,8 +59,10 @@ fn exact(session: &Session) -> Option<ExactReport> {
 impl FrameNumbers {
     /// Creates the frame of `session`, after a step of `step_ms`; see [`Session::recent_measures`].
     fn new(session: &mut Session, step_ms: f64, iterating: bool) -> Self {
-        let goals = GoalNumbers::of(session);
-        let measures = session.recent_measures(if iterating { RENEWED } else { 0.0 });
+        let lesson = session.lesson_progress();
+        let age = if iterating { RENEWED } else { 0.0 };
+        let measures = session.recent_measures(age);
+        let worst_panel = session.worst_by_scene_measure(age);
         let mut found = session.solver().found();
         let rows = session.rows().iter().map(|row| row.enabled.then(|| found.next()).flatten());
         let rows: Vec<LocalStep> = rows.map(Option::unwrap_or_default).collect();
@@ -76,27 +81,13 @@ impl FrameNumbers {
             circularity: measures.circularity,
             moved: session.moved(),
             shortest_edge: session.shortest_edge(),
+            worst_panel,
             worst: rows.iter().map(|row| row.worst_squared.sqrt()).collect(),
             shares: rows.iter().map(share).collect(),
-            goals,
+            lesson,
             exact: exact(session),
             step_ms,
         }
-    }
-}
-
-/// The value of a goal on the current shape.
-#[derive(Serialize, Tsify)]
-#[tsify(missing_as_null)]
-struct GoalNumbers {
-    value: Option<f64>,
-    met: bool,
-}
-
-impl GoalNumbers {
-    fn of(session: &mut Session) -> Vec<GoalNumbers> {
-        let goals = session.goals().into_iter();
-        goals.map(|goal| GoalNumbers { value: goal.value, met: goal.met }).collect()
     }
 }
 

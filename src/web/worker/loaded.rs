@@ -1,9 +1,10 @@
 //! The summary of a file that was opened.
 
-use crate::mesh::{Read, Weld};
+use crate::mesh::{Read, Weld, diagonal};
 use crate::scene::{MeshRemedy, PanelOffer, Up, panel_offers, panel_remedy};
-use crate::session::{Guessed, Session, flaw_of};
+use crate::session::{FACE_MEASURES, Guessed, Session, flaw_of};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use tsify::Tsify;
 
 /// The summary of a file that was opened.
@@ -21,6 +22,11 @@ pub struct Loaded {
     up: Up,
     /// Which of unit and up axis were guessed because the file does not state them.
     guessed: Guessed,
+    /// The diagonal of the bounding box of the shape when it was opened, in its unit.
+    size: f64,
+    /// For each measure of faces, by its id, the bound below which values are rounding errors.
+    #[tsify(type = "Record<string, number>")]
+    roundings: BTreeMap<&'static str, f64>,
     /// Mean edge length at rest; zero without edges.
     #[serde(rename = "meanEdge")]
     mean_edge: f64,
@@ -76,6 +82,7 @@ impl Loaded {
         weld: Option<&Weld>,
     ) -> Self {
         let mesh = session.mesh();
+        let size = diagonal(&session.positions());
         let groups = mesh.groups.iter();
         let problems = read.problems.iter();
         Loaded {
@@ -91,6 +98,11 @@ impl Loaded {
             units: session.document().units.clone(),
             up: session.document().up,
             guessed,
+            size,
+            roundings: FACE_MEASURES
+                .iter()
+                .map(|measure| (measure.id, measure.unit.rounding(size)))
+                .collect(),
             mean_edge: session.mean_edge(),
             tolerance: session.tolerance(),
             panels: panel_offers(mesh),

@@ -7,7 +7,7 @@
 //! | `edit` | changes of the model, and the acceptance of what was found on a copy of it |
 //! | `document`, `frame` | the current document; the numbers of one state of the iteration |
 //! | `shown` | arrays to draw |
-//! | `questions` | reports, verdicts, lists of elements, selections, previews |
+//! | `questions` | reports, verdicts, lists of elements, selections, offers |
 //! | `vocabulary` | what is declared: kinds, measures, operations, settings |
 
 mod document;

@@ -1,12 +1,12 @@
 //! Questions about the open model: its report, verdicts in words, lists of elements, selections, and
-//! previews of edits.
+//! what is offered.
 
 use super::solver::Solver;
 use crate::mesh::Scheme;
 use crate::session::{
-    ConstraintTarget, ExactWords, OfferedOperation, Preview, Refinement, Remeshing,
-    RemeshingPreview, Report, RunVerdict, SelectRequest, Session, Shape, VariantRow, Verdict,
-    VerdictReport, VerdictWords, WorstElement,
+    ConstraintOffers, ExactWords, OfferedOperation, Refinement, Remeshing, RemeshingPreview,
+    Report, RunVerdict, SelectRequest, Session, Shape, VariantRow, Verdict, VerdictReport,
+    VerdictWords, WorstRow,
 };
 use crate::web::thrown;
 use crate::web::values::{AsIs, Js, indices, plain, plains, read, refused, thrown_at};
@@ -60,11 +60,6 @@ pub struct Members {
     vertices: AsIs<Uint32Array>,
 }
 
-/// For each kind and each place, the constraints that a row would have.
-#[derive(Serialize, Tsify)]
-#[tsify(missing_as_null)]
-pub struct Previews(Vec<Vec<Option<Preview>>>);
-
 #[wasm_bindgen]
 impl Solver {
     /// Returns the report, in the words and units of the command line.
@@ -114,25 +109,27 @@ impl Solver {
         plain(&Angles { original, now })
     }
 
-    /// Returns the `count` worst faces by a measure.
+    /// Returns the `count` worst faces by a measure; `tolerance` is that of the measure, if it has one.
     #[wasm_bindgen(js_name = worstFaces)]
     pub fn worst_faces(
         &mut self,
         measure: &str,
         count: usize,
-    ) -> Result<Vec<Js<WorstElement>>, JsValue> {
-        let worst = self.open_mut()?.worst_faces(measure, count);
+        tolerance: Option<f64>,
+    ) -> Result<Vec<Js<WorstRow>>, JsValue> {
+        let worst = self.open_mut()?.worst_faces_in_words(measure, count, tolerance);
         plains(&worst.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?)
     }
 
-    /// Returns the `count` worst constraints of a row.
+    /// Returns the `count` worst constraints of a row; `tolerance` is that of lengths, if it is known.
     #[wasm_bindgen(js_name = worstConstraints)]
     pub fn worst_constraints(
         &mut self,
         row: usize,
         count: usize,
-    ) -> Result<Vec<Js<WorstElement>>, JsValue> {
-        plains(&self.open_mut()?.worst_constraints(row, count))
+        tolerance: Option<f64>,
+    ) -> Result<Vec<Js<WorstRow>>, JsValue> {
+        plains(&self.open_mut()?.worst_constraints_in_words(row, count, tolerance))
     }
 
     /// Returns the vertices, edges and faces with a flaw, as a selection.
@@ -187,10 +184,15 @@ impl Solver {
         plains(&self.open()?.refinements(read(scheme)?, keep).map_err(refused)?)
     }
 
-    /// Returns the number of constraints that a row of each kind would have on each of `places`,
-    /// which are selectors as in an edit: `#kinds by #places`, null if no element fits.
-    pub fn previews(&self, places: Vec<Js<ConstraintTarget>>) -> Result<Js<Previews>, JsValue> {
-        let places: Vec<_> = places.into_iter().map(read).collect::<Result<_, _>>()?;
-        plain(&Previews(self.open()?.previews(&places).map_err(|error| thrown_at(&error))?))
+    /// Returns what is offered for a new constraint while `vertices` and `faces` are selected; the
+    /// vertices include the corners of the faces.
+    #[wasm_bindgen(js_name = constraintOffers)]
+    pub fn constraint_offers(
+        &self,
+        vertices: Vec<u32>,
+        faces: Vec<u32>,
+    ) -> Result<Js<ConstraintOffers>, JsValue> {
+        let offers = self.open()?.constraint_offers(vertices, faces);
+        plain(&offers.map_err(|error| thrown_at(&error))?)
     }
 }

@@ -11,6 +11,15 @@ use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
+/// The values of a measure of faces.
+#[derive(Serialize, Tsify)]
+pub struct DrawnValues {
+    /// `#F`, in the unit of the measure.
+    values: AsIs<Float32Array>,
+    /// The largest absolute value; rounding errors are 0.
+    greatest: f64,
+}
+
 /// The projected points of all enabled constraints.
 #[derive(Serialize, Tsify)]
 pub struct DrawnProjections {
@@ -89,11 +98,12 @@ impl Solver {
         Ok(Float64Array::from(variant.positions.as_flattened()))
     }
 
-    /// Returns the values of a measure of faces, `#F`, in its unit.
+    /// Returns the values of a measure of faces.
     #[wasm_bindgen(js_name = faceValues)]
-    pub fn face_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
-        let values = self.open_mut()?.face_values(measure);
-        values.map(|values| narrow(&values)).ok_or_else(|| unknown(measure))
+    pub fn face_values(&mut self, measure: &str) -> Result<Js<DrawnValues>, JsValue> {
+        let (values, greatest) =
+            self.open_mut()?.face_values_and_greatest(measure).ok_or_else(|| unknown(measure))?;
+        plain(&DrawnValues { values: AsIs(narrow(&values)), greatest })
     }
 
     /// Returns the values of a measure on the faces of the original, `#F`, in its unit.

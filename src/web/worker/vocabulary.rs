@@ -1,8 +1,7 @@
-//! What is declared, for the controls of the page: kinds of constraints and the elements that they
-//! act on, measures, operations, settings, numbers of the build.
+//! What is declared, for the controls of the page: kinds of constraints, measures, operations, settings, numbers of the build.
 
 use super::solver::Solver;
-use crate::constraint::{Element, Info, KINDS, Kind, Sketch};
+use crate::constraint::{Info, KINDS, Kind, Sketch};
 use crate::fabricate::{BUILD_NUMBERS, BuildNumber};
 use crate::session::{FACE_MEASURES, FaceMeasure, OPERATIONS, Operation, SETTINGS, Setting};
 use crate::web::values::{Js, plains};
@@ -11,35 +10,12 @@ use serde_json::Value;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
-/// A type of element on which constraints can act, one constraint per element.
-#[derive(Serialize, Tsify)]
-#[tsify(missing_as_null)]
-#[serde(rename_all = "camelCase")]
-pub struct ElementWords {
-    #[tsify(type = "Element")]
-    id: &'static str,
-    label: &'static str,
-    face_based: bool,
-}
-
-fn elements() -> Vec<ElementWords> {
-    let all = Element::ALL.iter();
-    all.map(|&element| ElementWords {
-        id: element.id(),
-        label: element.label(),
-        face_based: element == Element::Face,
-    })
-    .collect()
-}
-
 /// A kind of constraint with its sketch.
 #[derive(Serialize, Tsify)]
 #[tsify(missing_as_null)]
 pub struct KindWords {
     #[serde(flatten)]
     info: &'static Info,
-    /// The number of vertices or edges that it takes, in words.
-    takes: String,
     sketch: Sketch,
 }
 
@@ -48,7 +24,7 @@ fn kinds() -> Vec<KindWords> {
     all.map(|info| {
         let kind = Kind::new(info.id, Value::Object(serde_json::Map::new()));
         let sketch = kind.expect("every parameter has a default").sketch();
-        KindWords { info, takes: info.arity_in_words(), sketch }
+        KindWords { info, sketch }
     })
     .collect()
 }
@@ -58,11 +34,6 @@ impl Solver {
     /// Returns all kinds of constraints.
     pub fn kinds(&self) -> Result<Vec<Js<KindWords>>, JsValue> {
         plains(&kinds())
-    }
-
-    /// Returns the elements on which constraints can act, one constraint per element.
-    pub fn elements(&self) -> Result<Vec<Js<ElementWords>>, JsValue> {
-        plains(&elements())
     }
 
     /// Returns the measures of faces.

@@ -4,8 +4,6 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { pictureOf } from '../../../www/features/export/picture.ts';
 import type { State } from '../../../www/store/state.ts';
-import { spreadOf } from '../../../www/ui/plot/histogram.ts';
-import { axisOf } from '../../../www/ui/plot/value-axis.ts';
 import type { Viewport } from '../../../www/viewport/viewport.ts';
 
 /** Saves a picture of the state; returns its words, and its colours by their position. */
@@ -49,12 +47,15 @@ async function legendOf(state: object, limits: number[] = []) {
 test('the legend of a measure of both signs begins below zero, and has the steps of its bands', async () => {
   const measure = 'gauss-curvature';
   const about = { id: measure, label: 'Gauss curvature', unit: 'per-area', signed: true };
-  const values = Float32Array.of(-0.02, -0.01, 0, 0.01, 0.02);
-  const range = [-0.02, 0.02] as const;
+  const spread = {
+    ...{ measure, greatest: 0.02, faces: 5, within: 5, original: null },
+    ...{ axis: { low: -0.02, high: 0.02, log: false }, counts: [1, 1, 1, 1, 1] },
+    places: { low: 0, high: 1, tolerance: null },
+  };
   const state = {
     ...{ measures: [about], measure, document: { units: 'm' }, model: { faces: 5 }, dark: false },
     ...{ display: { full: false, log: false }, tolerance: 0.01, tolerances: {} },
-    ...{ range, spread: spreadOf(measure, values, axisOf(...range, false), null) },
+    spread,
   };
   const words = ['Gauss curvature', '−0.0200 1/m²', '0.0200 1/m²'];
   const colours = [
@@ -71,12 +72,15 @@ test('the legend of a measure of both signs begins below zero, and has the steps
 test('the legend of an error begins at zero, and its colours at the tolerance', async () => {
   const measure = 'planarity';
   const about = { id: measure, label: 'Planarity', unit: 'length', toleranced: true };
-  const values = Float32Array.of(0.005, 0.01, 0.04);
-  const spread = spreadOf(measure, values, axisOf(0, 0.04, false), 0.01);
+  const spread = {
+    ...{ measure, greatest: 0.04, faces: 3, within: 2, original: null },
+    ...{ axis: { low: 0, high: 0.04, log: false }, counts: [1, 1, 0, 1] },
+    places: { low: 0.25, high: 1, tolerance: 0.25 },
+  };
   const { words, colours } = await legendOf({
     ...{ measures: [about], measure, document: { units: 'm' }, model: { faces: 3 }, dark: false },
     ...{ display: { full: false, log: false }, tolerance: 0.01, tolerances: {} },
-    ...{ range: [0.01, 0.04], spread },
+    spread,
   });
   assert.equal(words[1], '0');
   assert.equal(colours[0][0], 0.25);

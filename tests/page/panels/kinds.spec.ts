@@ -208,7 +208,7 @@ test('a kind for certain elements is offered for these only', async ({ page }) =
   }
 });
 
-test('the dialog requests all previews in one message, for any number of kinds and places', async ({
+test('the dialog requests all offers in one message, for any number of kinds and places', async ({
   page,
 }) => {
   await page.addInitScript(() => {
@@ -225,7 +225,7 @@ test('the dialog requests all previews in one message, for any number of kinds a
   await dialog.getByRole('radio', { name: 'Circle', exact: true }).check();
   const asked = await page.evaluate(() => {
     const { asked } = window as unknown as Listening;
-    return asked.filter((name) => name === 'previews');
+    return asked.filter((name) => name === 'constraintOffers');
   });
   expect(asked).toHaveLength(1);
 });

@@ -15,7 +15,7 @@ test('a measure that does not exist, as in a mistyped address, colours nothing: 
   const asked: (Measure | null)[] = [];
   const show = ({ measure }: { measure: Measure | null }) => asked.push(measure);
   const solver = Object.assign(new Emitter(), { tell: { show }, geometry: null });
-  colourFaces(store, solver as unknown as SolverClient);
+  colourFaces(store, solver as unknown as SolverClient, () => null);
   // The scene may name its measure before the solver has declared it.
   store.set({ measure: 'planarity' });
   await aTask();
@@ -29,14 +29,13 @@ test('a measure that does not exist, as in a mistyped address, colours nothing: 
 test('the colours follow what the scene asks for, until the user chooses a measure', async () => {
   const store = createStore();
   const solver = Object.assign(new Emitter(), { tell: { show() {} }, geometry: null });
-  colourFaces(store, solver as unknown as SolverClient);
-  const open = async (...measures: Measure[]) => {
-    const constraints = measures.map((measure) => ({ enabled: true, measure }));
-    store.set({ document: { constraints } as unknown as SceneDocument });
+  colourFaces(store, solver as unknown as SolverClient, () => null);
+  const open = async (measure: Measure | null) => {
+    store.set({ document: { measure } as unknown as SceneDocument });
     await aTask();
     return store.get().measure;
   };
-  assert.equal(await open(), null);
+  assert.equal(await open(null), null);
   assert.equal(await open('planarity'), 'planarity');
   // It used to stay on the first measure.
   assert.equal(await open('circularity'), 'circularity');

@@ -5,11 +5,18 @@ import { test } from 'node:test';
 import cases from '../../data/words.json' with { type: 'json' };
 import { count, duration, length, limit, number, part, ratio } from '../../../www/ui/format.ts';
 import { coordinate, decimalsFor, readLength } from '../../../www/ui/format.ts';
+import { valueInWords } from '../../../www/store/colours/measures.ts';
 import { chordOf, digitOf, keyName } from '../../../www/ui/keys.ts';
+import type { FaceMeasure } from '../../../www/solver/types.ts';
+
+const MEASURE = { id: '', label: '', words: '', met: '' };
+const PLAIN = { toleranced: false, curvature: false, signed: false };
 
 test('numbers are worded as by the engine, whose test reads the same cases', () => {
   const words: Record<string, (...given: never[]) => string> = {
     ...{ number, length, limit, part, count },
+    value: (value: number, unit: FaceMeasure['unit'], units: string, like?: number) =>
+      valueInWords({ ...MEASURE, ...PLAIN, unit }, value, units, like),
   };
   for (const { of, given, words: expected } of cases)
     assert.equal(words[of](...(given as never[])), expected, `${of} of ${JSON.stringify(given)}`);

@@ -52,7 +52,7 @@ test('a run spends most of its time on iterations, however long a frame takes', 
     faceValues() {
       time.pass(COLOURS);
       coloured += 1;
-      return new Float32Array(1);
+      return { values: new Float32Array(1), greatest: 0 };
     },
   });
   let ended = () => {};

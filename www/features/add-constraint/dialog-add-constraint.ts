@@ -1,8 +1,7 @@
 /**
  * The New constraint dialog: kind, selector, parameters and weight. It is docked over the Model
- * panel instead of the view, so that the selection can change while it is open. It offers only what
- * fits the mesh, preselects the usual kind for the selection, and previews the constraints of each
- * choice.
+ * panel instead of the view, so that the selection can change while it is open. The solver says what
+ * fits the mesh, which kind and place to start with, and how many constraints each choice makes.
  */
 
 import './add-constraint.css';
@@ -12,21 +11,13 @@ import { newestOnly } from '../../store/newest-only.ts';
 import { count, groupDigits } from '../../ui/format.ts';
 import { KindChoices } from '../../ui/kinds/kind-choices.ts';
 import { Parameters } from '../../ui/kinds/parameters.ts';
-import type { ElementInfo, KindInfo, Preview, Selector } from '../../solver/types.ts';
+import type { ConstraintOffers, KindInfo } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
-/**
- * A selector that is offered. `element` is the element that it enumerates; with `within`, only
- * elements in the selection, and only for kinds meant for that element.
- */
-type Place = {
-  id: string;
-  label: string;
-  on: Selector;
-  element?: ElementInfo['id'];
-  within?: boolean;
-};
-type Offer = { place: Place; preview: Preview };
+type Offer = ConstraintOffers['kinds'][number]['offers'][number];
+
+/** Before the solver has answered. */
+const NOTHING: ConstraintOffers = { places: [], kinds: [], start: null, misfit: '', misfits: [] };
 
 let dialog: AddConstraintDialog | undefined;
 
@@ -69,11 +60,10 @@ class AddConstraintDialog {
   #placeId = '';
   /** Whether the user made a choice, which a new selection must not change. */
   #isChosen = false;
-  /** Offers by kind, without kinds that fit nowhere. */
-  #offers: Map<string, Offer[]> = new Map();
+  #offers = NOTHING;
   /** Whether the solver has yet to answer the last submission. */
   #isAdding = false;
-  /** Previews for the latest selection. */
+  /** Offers for the latest selection. */
   #newest = newestOnly();
   /** Resolves when the offers for the latest selection are shown. */
   #asking: Promise<void> = Promise.resolve();
@@ -125,34 +115,6 @@ class AddConstraintDialog {
     void this.#actions.reportErrors(this.#renew().then(() => this.#kinds.focus(this.#kindId)));
   }
 
-  /** All selectors, whether a kind fits them or not. */
-  #allPlaces(): Place[] {
-    const { elements, selection } = this.#store.get();
-    const vertices = this.#actions.selectedVertices();
-    const faces = [...selection.faces];
-    const places: Place[] = [];
-    if (vertices.length > 0) {
-      places.push({ id: 'selection', label: 'whole selection together', on: { vertices } });
-      const within = faces.length > 0 ? { faces } : { vertices };
-      for (const { id, label, faceBased } of elements) {
-        const on = { each: id, in: within };
-        if (faceBased && faces.length > 0)
-          places.push({ id: `each-${id}-selected`, label: `each selected ${label}`, on });
-        else
-          places.push({
-            id: `each-${id}-selected`,
-            label: `each ${label}, within the selection`,
-            on,
-            element: id,
-            within: true,
-          });
-      }
-    }
-    for (const { id, label } of elements)
-      places.push({ id: `each-${id}`, label: `each ${label}`, on: { each: id }, element: id });
-    return places;
-  }
-
   #renew() {
     return (this.#asking = this.#ask());
   }
@@ -167,42 +129,29 @@ class AddConstraintDialog {
     }
   }
 
-  /** Requests previews from the solver and offers what fits. */
+  /** Requests from the solver what fits, and offers it. */
   async #ask() {
-    const places = this.#allPlaces();
-    const { ask, reportErrors } = this.#actions;
-    const previews = await this.#newest(reportErrors(ask.previews(places.map(({ on }) => on))));
-    if (!previews) return;
-    this.#offers = new Map();
-    this.#store.get().kinds.forEach((kind, k) => {
-      const offers = places.flatMap((place, p) => {
-        const preview = previews[k][p];
-        if (!preview || (place.within && !(place.element && kind.elements.includes(place.element))))
-          return [];
-        return [{ place, preview }];
-      });
-      if (offers.length > 0) this.#offers.set(kind.id, offers);
-    });
-    if (!this.#isChosen) this.#suggest(places);
+    const { ask, reportErrors, selectedVertices } = this.#actions;
+    const vertices = Uint32Array.from(selectedVertices());
+    const faces = Uint32Array.from(this.#store.get().selection.faces);
+    const offers = await this.#newest(reportErrors(ask.constraintOffers(vertices, faces)));
+    if (!offers) return;
+    this.#offers = offers;
+    if (!this.#isChosen) {
+      this.#kindId = offers.start?.kind ?? '';
+      this.#placeId = offers.start?.place ?? '';
+    }
     this.#show();
   }
 
-  /** Preselects the usual kind of the first place that has one. */
-  #suggest(places: Place[]) {
-    for (const place of places) {
-      for (const [kind, offers] of this.#offers) {
-        if (!offers.some((one) => one.place === place && one.preview.usual)) continue;
-        [this.#kindId, this.#placeId] = [kind, place.id];
-        return;
-      }
-    }
-    this.#kindId = '';
-    this.#placeId = places[0]?.id ?? '';
+  /** What is offered for a kind. */
+  #offersOf(id: string): Offer[] {
+    return this.#offers.kinds.find(({ kind }) => kind === id)?.offers ?? [];
   }
 
   /** Shows the offers and the choices. */
   #show() {
-    const offered = this.#store.get().kinds.filter((kind) => this.#offers.has(kind.id));
+    const offered = this.#store.get().kinds.filter(({ id }) => this.#offersOf(id).length > 0);
     const kind = offered.find((one) => one.id === this.#kindId) ?? offered[0];
     this.#kindId = kind?.id ?? '';
     this.#kinds.show(offered, this.#kindId);
@@ -210,10 +159,9 @@ class AddConstraintDialog {
     setText(this.#about, kind?.summary ?? '');
     this.#showParameters(kind);
 
-    const offers = this.#offers.get(this.#kindId) ?? [];
-    if (!offers.some(({ place }) => place.id === this.#placeId)) {
-      this.#placeId = offers[0]?.place.id ?? '';
-    }
+    const offers = this.#offersOf(this.#kindId);
+    if (!offers.some(({ place }) => place === this.#placeId))
+      this.#placeId = offers[0]?.place ?? '';
     const focused = document.activeElement?.id;
     this.#places.replaceChildren(...offers.map((one) => this.#placeChoice(one)));
     if (focused) document.getElementById(focused)?.focus();
@@ -224,17 +172,11 @@ class AddConstraintDialog {
   }
 
   #showMisfits() {
-    const { kinds, elements } = this.#store.get();
-    const left = kinds.filter((kind) => !this.#offers.has(kind.id));
-    const wants = (kind: KindInfo) => {
-      const places = elements.filter(({ id }) => kind.elements.includes(id));
-      const where = places.map(({ label }) => label).join(' or ');
-      return where ? `it is for each ${where}` : `it takes ${kind.takes}`;
-    };
-    this.#misfits.hidden = left.length === 0;
+    const { misfit, misfits } = this.#offers;
+    this.#misfits.hidden = misfits.length === 0;
     this.#misfits.replaceChildren(
-      element('summary', `${count(left.length, 'shape does', 'shapes do')} not fit here`),
-      element('ul', ...left.map((kind) => element('li', `${kind.label}: ${wants(kind)}`))),
+      element('summary', misfit),
+      element('ul', ...misfits.map((words) => element('li', words))),
     );
   }
 
@@ -247,47 +189,42 @@ class AddConstraintDialog {
     this.#parametersPlace.hidden = !kind?.params.length;
   }
 
-  #placeChoice({ place, preview }: Offer) {
-    const amount = `new-place-${place.id}-amount`;
+  #placeOf(offer: Offer) {
+    return this.#offers.places.find(({ id }) => id === offer.place);
+  }
+
+  #placeChoice(offer: Offer) {
+    const id = `new-place-${offer.place}`;
+    const amount = `${id}-amount`;
+    const label = this.#placeOf(offer)?.label ?? '';
     const radio = element('input', {
-      type: 'radio',
-      name: 'new-place',
-      id: `new-place-${place.id}`,
-      'aria-label': place.label,
+      ...{ type: 'radio', name: 'new-place', id },
+      'aria-label': label,
       'aria-describedby': amount,
       onchange: () => {
-        this.#placeId = place.id;
+        this.#placeId = offer.place;
         this.#isChosen = true;
         this.#showPreview();
       },
     });
-    radio.checked = place.id === this.#placeId;
+    radio.checked = offer.place === this.#placeId;
     return element(
       'label.choice',
       radio,
-      element('span', place.label),
-      element('span.amount.figure', { id: amount }, groupDigits(preview.constraints)),
+      element('span', label),
+      element('span.amount.figure', { id: amount }, groupDigits(offer.constraints)),
     );
   }
 
   /** The chosen offer. */
   #chosen() {
-    return this.#offers.get(this.#kindId)?.find(({ place }) => place.id === this.#placeId);
+    return this.#offersOf(this.#kindId).find(({ place }) => place === this.#placeId);
   }
 
   #showPreview() {
     const offer = this.#chosen();
     this.#allow(offer !== undefined);
-    if (!offer) return setText(this.#preview, 'No shape fits here.');
-    const { constraints, skipped, vertices } = offer.preview;
-    const each = vertices / constraints;
-    const size = Number.isInteger(each)
-      ? count(each, 'vertex', 'vertices')
-      : `${each.toFixed(1)} vertices on average`;
-    const made = `${count(constraints, 'constraint')} of ${size}.`;
-    const left =
-      skipped > 0 ? ` ${groupDigits(skipped)} skipped: their number of vertices does not fit.` : '';
-    setText(this.#preview, made + left);
+    setText(this.#preview, offer?.words ?? 'No shape fits here.');
   }
 
   /** @param isPossible whether the choice can be added */
@@ -313,17 +250,18 @@ class AddConstraintDialog {
     const isOther = this.#isChosen && (kind !== chosen[0] || this.#placeId !== chosen[1]);
     const offer = this.#chosen();
     const params = this.#parameters.values();
-    if (isOther || !offer || !params || !this.#dialog.open || !this.#weight.reportValidity())
+    const place = offer && this.#placeOf(offer);
+    if (isOther || !place || !params || !this.#dialog.open || !this.#weight.reportValidity())
       return;
     const weight = this.#weight.value === '' ? 1 : this.#weight.valueAsNumber;
     const added = await this.#actions.edit(
-      { addConstraint: { kind, params, on: offer.place.on, weight } },
+      { addConstraint: { kind, params, on: place.on, weight } },
       (error) => this.#parameters.refuse(error),
     );
     if (added === undefined) return;
     this.#dialog.close();
     if (runs) this.#actions.run();
     const { label } = this.#store.get().kinds.find(({ id }) => id === kind) ?? {};
-    this.#actions.setStatus(`Added ${count(offer.preview.constraints, 'constraint')}: ${label}`);
+    this.#actions.setStatus(`Added ${count(offer.constraints, 'constraint')}: ${label}`);
   }
 }

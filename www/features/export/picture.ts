@@ -4,7 +4,6 @@ import { rampStops } from '../../viewport/ramp.ts';
 import { colourOf } from '../../ui/dom.ts';
 import { groupDigits } from '../../ui/format.ts';
 import { declared, toleranceOf, valueInWords } from '../../store/colours/measures.ts';
-import { positionOf } from '../../ui/plot/value-axis.ts';
 import type { Label, Viewport } from '../../viewport/viewport.ts';
 import type { State } from '../../store/state.ts';
 
@@ -89,11 +88,11 @@ function drawLegend(
   size: { height: number; scale: number },
   onLight: boolean,
 ) {
-  const { spread, range, document: scene, dark, display } = state;
+  const { spread, document: scene, dark, display } = state;
   const about = declared(state, state.measure);
   if (!about || !spread || spread.measure !== about.id) return;
   const tolerance = toleranceOf(state, about);
-  const { axis } = spread;
+  const { axis, places } = spread;
   const units = scene?.units ?? '';
   const words = (value: number) => valueInWords(about, value, units, tolerance);
   const bottom = size.height / size.scale - (tolerance === null ? 16 : 28);
@@ -115,12 +114,12 @@ function drawLegend(
     context.fillRect(left + i * bar, foot - height, bar - 1, height);
   });
   const ramp = context.createLinearGradient(left, 0, left + width, 0);
-  const [from, to] = range.map((value) => positionOf(axis, value));
-  for (const [at, colour] of stops) ramp.addColorStop(from + (to - from) * at, colour);
+  const { low, high } = places;
+  for (const [at, colour] of stops) ramp.addColorStop(low + (high - low) * at, colour);
   context.fillStyle = ramp;
   context.fillRect(left, foot, width, 10);
-  if (tolerance === null) return;
-  const limit = left + positionOf(axis, tolerance) * width;
+  if (tolerance === null || places.tolerance === null) return;
+  const limit = left + places.tolerance * width;
   if (!display.full) {
     context.fillStyle = onLight ? '#f1efea' : colourOf(document.body, '--material');
     context.fillRect(left, foot, limit - left, 10);

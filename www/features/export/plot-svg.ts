@@ -1,6 +1,6 @@
 /** The convergence plot as a figure: energies over iterations. */
 
-import { tickExponents } from '../../ui/plot/value-axis.ts';
+import { tickExponents } from '../../ui/plot/ticks.ts';
 
 /** In the order of the table's columns. */
 const SERIES = ['shape', 'close', 'smooth', 'handles', 'total'];

@@ -4,7 +4,7 @@ import './lesson.css';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { button, checkbox, choice, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
-import { declared, measureOfScene, toleranceOf, unitOf } from '../../store/colours/measures.ts';
+import { declared, toleranceOf, unitOf } from '../../store/colours/measures.ts';
 import { length, lengthUnit } from '../../ui/format.ts';
 import { messageOf } from '../../solver/errors.ts';
 import { LOCKS } from './panel.ts';
@@ -122,7 +122,7 @@ export async function write(app: AppContext) {
     goals.at(-1)?.of.focus();
   };
   const add = button('Add goal', addEmpty, { disabled: about.length === 0 });
-  const asked = declared(state, state.measure ?? measureOfScene(state));
+  const asked = declared(state, state.measure ?? scene.measure);
   const first = `measure ${asked?.id ?? ''}`;
   for (const { measure, build, label, atMost, beyond } of scene.lesson?.goals ?? []) {
     if (measure && beyond !== null) {

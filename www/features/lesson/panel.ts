@@ -7,8 +7,6 @@ import './lesson.css';
 import { movedInWords } from '../../store/colours/measures.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.ts';
-import { count } from '../../ui/format.ts';
-import { goalInWords, nowInWords } from './goal.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { LessonWords } from '../../solver/types.ts';
 
@@ -56,26 +54,16 @@ export function lessonPanel(app: AppContext) {
   }
 
   const showNumbers = throttled(RENEW_MS, () => {
-    const { document, numbers, size } = store.get();
-    const goals = document?.lesson?.goals;
-    if (!goals || numbers?.goals.length !== goals.length) return;
-    numbers.goals.forEach(({ value, met }, index) => {
-      const { mark, value: place, row } = rows[index];
-      const words =
-        value === null
-          ? goals[index].build
-            ? 'measured when the shape is at rest'
-            : 'no such constraint or value'
-          : nowInWords(goals[index], value, { units: document.units, size });
+    const { numbers } = store.get();
+    const lesson = numbers?.lesson;
+    if (!lesson || lesson.goals.length !== rows.length) return;
+    lesson.goals.forEach(({ met, words }, index) => {
+      const { mark, value, row } = rows[index];
       row.className = met ? 'goal-met' : 'goal-missed';
       setText(mark, met ? MARKS.met : MARKS.missed);
-      setText(place, `${met ? 'met' : 'not met'}: ${words}`);
+      setText(value, words);
     });
-    const met = numbers.goals.filter((goal) => goal.met).length;
-    const passed = met === goals.length;
-    const words = passed
-      ? `Passed: ${count(met, 'goal')} met`
-      : `${met} of ${count(goals.length, 'goal')} met`;
+    const { passed, words } = lesson;
     sum.classList.toggle('passed', passed);
     card.classList.toggle('passed', passed);
     setText(sum, passed ? `${MARKS.met} ${words}` : words);
@@ -93,7 +81,7 @@ export function lessonPanel(app: AppContext) {
     const lock = lesson?.lock ?? [];
     if (document && (lock.length > 0 || showLocks)) (showLocks ??= lockedPlaces())(lock);
     setText(locked, lock.length > 0 ? `Locked: ${locksInWords(lock)}` : '');
-    const now = JSON.stringify([lesson, document?.units]);
+    const now = JSON.stringify(lesson);
     if (!lesson || now === shown) return;
     shown = now;
     setText(text, lesson.text);
@@ -104,7 +92,7 @@ export function lessonPanel(app: AppContext) {
         'li',
         { title: `The ${goal.words}` },
         mark,
-        element('span', goalInWords(goal, document?.units ?? '')),
+        element('span', goal.sentence),
         value,
       );
       return { mark, value, row };
@@ -124,7 +112,7 @@ function handIn({ store, files, actions }: AppContext) {
     maxlength: '120',
     required: true,
   });
-  const goals = store.get().numbers?.goals ?? [];
+  const goals = store.get().numbers?.lesson?.goals ?? [];
   const met = goals.filter((goal) => goal.met).length;
   const form = element(
     'form.dialog-body',

@@ -3,16 +3,10 @@
 import { element } from '../../ui/dom.ts';
 import { ARROWS } from '../../ui/keys.ts';
 import { svgElement } from '../../ui/svg.ts';
-import {
-  bulgeThrough,
-  extentOf,
-  pathOf,
-  roundStep,
-  sideOf,
-  sidePathOf,
-  type Place,
-} from './plan-geometry.ts';
-import type { PlanPoint } from '../../pkg/engine/shape_up.js';
+import { bulgeThrough, drawnPlan, planGridStep } from '../../pkg/engine/shape_up.js';
+import type { DrawnSide, PlanDrawing, PlanPoint } from '../../pkg/engine/shape_up.js';
+
+export type Place = [number, number];
 
 /** Loop (0: outline) and point in it. */
 export type Spot = { loop: number; point: number };
@@ -41,6 +35,7 @@ export function planDrawing(on: {
   const picture = svgElement('svg', { role: 'group', 'aria-label': 'Plan' });
   const place = element('div.plan-drawing', picture);
   let loops: PlanPoint[][] = [];
+  let sides: PlanDrawing = drawnPlan(loops);
   let selected: Spot = { loop: 0, point: 0 };
   let unit = '';
   /** Sides that cross, given by their start points. */
@@ -85,7 +80,7 @@ export function planDrawing(on: {
   }
 
   function fit() {
-    const { low, high } = extentOf(loops);
+    const { low, high } = sides;
     const size = [high[0] - low[0], high[1] - low[1]];
     const room = 1 - 2 * MARGIN;
     const scale = Math.min(
@@ -93,7 +88,7 @@ export function planDrawing(on: {
       (room * picture.clientHeight) / (size[1] || 1),
     );
     view = { middle: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2], scale };
-    step = roundStep(picture.clientWidth / scale, STEPS);
+    step = planGridStep(picture.clientWidth / scale, STEPS);
   }
 
   function grid() {
@@ -110,6 +105,22 @@ export function planDrawing(on: {
       lines.push(`M0 ${toPixels([0, y])[1]}H${width}`);
     return svgElement('path', { class: 'grid', d: lines.join('') });
   }
+
+  const pointPath = (at: Place) => toPixels(at).join(' ');
+
+  /** A side as path data, from the current point of the path. */
+  function lineTo(points: PlanPoint[], { radius, clockwise }: DrawnSide, k: number) {
+    const end = pointPath(points[(k + 1) % points.length].at);
+    if (radius === null) return `L${end}`;
+    const pixels = view.scale * radius;
+    return `A${pixels} ${pixels} 0 0 ${clockwise ? 1 : 0} ${end}`;
+  }
+
+  const sidePath = (points: PlanPoint[], drawn: DrawnSide[], k: number) =>
+    `M${pointPath(points[k].at)}${lineTo(points, drawn[k], k)}`;
+
+  const loopPath = (points: PlanPoint[], drawn: DrawnSide[]) =>
+    `M${pointPath(points[0].at)}${drawn.map((side, k) => lineTo(points, side, k)).join('')}Z`;
 
   const keyOf = ({ loop, point }: Spot, arc: boolean) =>
     `${arc ? 'arc' : 'point'} ${loop} ${point}`;
@@ -135,8 +146,7 @@ export function planDrawing(on: {
     return handle;
   }
 
-  function arcHandle(points: PlanPoint[], spot: Spot) {
-    const { middle } = sideOf(points, spot.point);
+  function arcHandle({ middle }: DrawnSide, spot: Spot) {
     const handle = svgElement('g', {
       class: 'arc',
       'data-key': keyOf(spot, true),
@@ -163,9 +173,9 @@ export function planDrawing(on: {
 
   function draw() {
     const focused = document.activeElement?.closest('[data-key]')?.getAttribute('data-key');
-    const shape = loops.map((points) => pathOf(points, toPixels, view.scale)).join('');
+    const shape = loops.map((points, loop) => loopPath(points, sides.loops[loop])).join('');
     const handles = loops.flatMap((points, loop) => [
-      ...points.map((_, point) => arcHandle(points, { loop, point })),
+      ...sides.loops[loop].map((side, point) => arcHandle(side, { loop, point })),
       ...points.map((one, point) => pointHandle(one, { loop, point })),
     ]);
     picture.classList.toggle('drawing', Boolean(drawing));
@@ -177,7 +187,7 @@ export function planDrawing(on: {
         .map(({ loop, point }) =>
           svgElement('path', {
             class: 'crossing',
-            d: sidePathOf(loops[loop], point, toPixels, view.scale),
+            d: sidePath(loops[loop], sides.loops[loop], point),
           }),
         ),
       ...(drawing ? [] : handles),
@@ -225,8 +235,9 @@ export function planDrawing(on: {
     drag.moved = true;
     const { spot, arc } = drag;
     if (!arc) return on.change(spot, { at: snapped(under(event), event.altKey, spot) });
-    const bulge = bulgeThrough(loops[spot.loop], spot.point, under(event));
-    const { chord } = sideOf(loops[spot.loop], spot.point);
+    const through = Float64Array.from(under(event));
+    const bulge = bulgeThrough(loops, spot.loop, spot.point, through);
+    const { chord } = sides.loops[spot.loop][spot.point];
     const isFlat = Math.abs(bulge) * chord * view.scale < 2 * NEAR && !event.altKey;
     on.change(spot, { bulge: isFlat ? 0 : bulge });
   });
@@ -291,11 +302,12 @@ export function planDrawing(on: {
   return {
     element: place,
     /**
+     * @param drawn the same loops as they are drawn
      * @param spot the point that is selected
      * @param symbol of the unit
      */
-    show(shown: PlanPoint[][], spot: Spot, symbol: string) {
-      [loops, selected, unit] = [shown, spot, symbol];
+    show(shown: PlanPoint[][], drawn: PlanDrawing, spot: Spot, symbol: string) {
+      [loops, sides, selected, unit] = [shown, drawn, spot, symbol];
       show();
     },
     focus: () => focusOn(selected),

@@ -4,9 +4,16 @@ import './plan.css';
 import { button, checkbox, choice } from '../../ui/controls/fields.ts';
 import { sizeField } from '../../ui/controls/size-field.ts';
 import { element, setText } from '../../ui/dom.ts';
-import { planDrawing, type Spot } from './plan-drawing.ts';
+import { planDrawing, type Place, type Spot } from './plan-drawing.ts';
 import { getItem, setItem } from '../../ui/safe-storage.ts';
-import { clamped, loopThrough, sideOf, type Place } from './plan-geometry.ts';
+import {
+  bulgeOf,
+  drawnPlan,
+  endOfSide,
+  firstPlan,
+  loopThrough,
+  scaledPlan,
+} from '../../pkg/engine/shape_up.js';
 import type { Size } from '../../pkg/engine/shape_up.js';
 
 type Plan = Required<import('../../pkg/engine/shape_up.js').Plan>;
@@ -19,32 +26,6 @@ const MOST_STEPS = 100;
 const DIGITS = 6;
 /** Limits of a length in the plan. */
 const LENGTH = { of: 'length', least: 1e-6, most: 1e6 } as const;
-
-/**
- * A roof of 20 by 12 m with one arched side.
- * @param metre in the unit
- */
-const firstPlan = (metre: number): Plan => {
-  const corners = [
-    [0, 0, 0.2],
-    [20, 0, 0],
-    [20, 12, 0],
-    [0, 12, 0],
-  ];
-  return {
-    outline: corners.map(([x, y, bulge]) => ({
-      at: [x * metre, y * metre],
-      bulge,
-      corner: true,
-    })),
-    holes: [],
-    layout: 'follow',
-    size: 1.25 * metre,
-    turn: 0,
-    height: 5 * metre,
-    stands: 'corners',
-  };
-};
 
 /** Storage key of the plan that was last kept, in metres. */
 const LAST = 'shape-up.plan';
@@ -62,14 +43,7 @@ function lastPlan(metre: number): Plan | null {
   }
 }
 
-function scaled(plan: Plan, factor: number): Plan {
-  const copy = structuredClone(plan);
-  for (const { at } of [copy.outline, ...copy.holes].flat())
-    at.splice(0, 2, at[0] * factor, at[1] * factor);
-  copy.size *= factor;
-  copy.height *= factor;
-  return copy;
-}
+const scaled = (plan: Plan, factor: number) => scaledPlan(plan, factor) as Plan;
 
 const rounded = (value: number) => Number(value.toPrecision(DIGITS));
 
@@ -101,7 +75,7 @@ export function planForm({
   onchange: () => void;
   make: (plan: Plan, units: string) => { text: string; supports: number[] };
 }) {
-  let plan = lastPlan(metre) ?? firstPlan(metre);
+  let plan = lastPlan(metre) ?? (firstPlan(metre) as Plan);
   let selected: Spot = { loop: 0, point: 0 };
   /** Earlier plans. */
   const steps: Plan[] = [];
@@ -118,7 +92,7 @@ export function planForm({
     remove: removePoint,
     drawn(places) {
       remember();
-      const points = loopThrough(places, drawn === 'outline');
+      const points = loopThrough(Float64Array.from(places.flat()), drawn === 'outline');
       if (drawn === 'hole') {
         plan.holes.push(points);
         plan.layout = 'cut';
@@ -135,6 +109,7 @@ export function planForm({
 
   const loops = () => [plan.outline, ...plan.holes];
   const points = () => loops()[selected.loop];
+  const selectedSide = () => drawnPlan(loops()).loops[selected.loop][selected.point];
 
   function remember() {
     steps.push(structuredClone(plan));
@@ -180,7 +155,7 @@ export function planForm({
 
   function insertPoint() {
     step(() => {
-      const { middle } = sideOf(points(), selected.point);
+      const { middle } = selectedSide();
       const at = middle.map(rounded) as Place;
       points()[selected.point].bulge = 0;
       points().splice(selected.point + 1, 0, { at, bulge: 0, corner: false });
@@ -194,11 +169,10 @@ export function planForm({
    * @param length new length
    */
   function setLength(length: number) {
-    const { from, along, chord } = sideOf(points(), selected.point);
-    const share = length / chord;
-    if (!(share > 0)) return show();
+    const end = endOfSide(loops(), selected.loop, selected.point, length);
+    if (!end) return show();
     const next = points()[(selected.point + 1) % points().length];
-    step(() => (next.at = [from[0] + share * along[0], from[1] + share * along[1]]));
+    step(() => (next.at = [end[0], end[1]]));
   }
 
   function begin(what: 'outline' | 'hole') {
@@ -215,10 +189,7 @@ export function planForm({
   const y = lengthField('y', (value) => step(() => (selectedPoint().at[1] = value)));
   const length = lengthField('Side', setLength);
   const rise = lengthField('Rise', (value) =>
-    step(() => {
-      const { chord } = sideOf(points(), selected.point);
-      selectedPoint().bulge = clamped((2 * value) / chord);
-    }),
+    step(() => (selectedPoint().bulge = bulgeOf(value, selectedSide().chord))),
   );
   const lengths = [x, y, length, rise];
   const corner = checkbox('Corner of the roof', (checked) =>
@@ -281,7 +252,8 @@ export function planForm({
   function show() {
     if (!points()?.[selected.point]) selected = { loop: 0, point: 0 };
     const { loop } = selected;
-    const { chord, rise: height } = sideOf(points(), selected.point);
+    const shown = drawnPlan(loops());
+    const { chord, rise: height } = shown.loops[loop][selected.point];
     const { at, corner: isCorner } = selectedPoint();
     setText(which, `Point ${selected.point + 1} of ${loop ? `hole ${loop}` : 'the outline'}`);
     [at[0], at[1], chord, height].forEach((value, k) => lengths[k].show(value));
@@ -294,7 +266,7 @@ export function planForm({
     layout.value = plan.layout;
     stands.value = plan.stands;
     if (!drawing.isDrawing()) setText(hint, HINT);
-    drawing.show(loops(), selected, unit);
+    drawing.show(loops(), shown, selected, unit);
     const isFocused = sizes.contains(document.activeElement);
     if (!isFocused) showSizes();
   }
@@ -305,7 +277,7 @@ export function planForm({
       'div.dialog-buttons',
       button('Draw the outline', () => begin('outline')),
       button('Draw a hole', () => begin('hole')),
-      button('Start over', () => step(() => (plan = firstPlan(metre)))),
+      button('Start over', () => step(() => (plan = firstPlan(metre) as Plan))),
       back,
     ),
     drawing.element,

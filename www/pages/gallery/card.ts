@@ -3,7 +3,6 @@
 import { element } from '../../ui/dom.ts';
 import { linkToExample, withSymbols } from '../../documents/examples.ts';
 import { number as energyInWords } from '../../ui/format.ts';
-import { goalInWords } from '../../features/lesson/goal.ts';
 import { svgElement } from '../../ui/svg.ts';
 import type { Example } from '../../solver/examples.ts';
 
@@ -20,7 +19,7 @@ export interface Result {
 const PICTURES = new URL(/* @vite-ignore */ 'pictures/', document.baseURI);
 
 export function card(example: Example, result: Result | undefined) {
-  const { id, title, summary, statement, kinds, weights, goals = [], units } = example;
+  const { id, title, summary, statement, kinds, weights, goals = [] } = example;
   // Without constraints, the example is one to flatten.
   const isMap = kinds.length === 0;
   const picture = (when: 'start' | 'end', words: string) =>
@@ -49,7 +48,7 @@ export function card(example: Example, result: Result | undefined) {
     result?.angles && angleHistogram(result.angles),
     element(
       'dl',
-      ...goals.flatMap((goal) => fact('Goal', goalInWords(goal, units))),
+      ...goals.flatMap(({ sentence }) => fact('Goal', sentence)),
       ...(isMap ? [] : fact('Constraints', kinds.map(({ label }) => label).join(', '))),
       ...(isMap
         ? []

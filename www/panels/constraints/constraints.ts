@@ -150,7 +150,8 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
   }
 
   const showNumbers = throttled(RENEW_MS, () => {
-    const { numbers, document, size, tolerance } = store.get();
+    const { numbers, document, model, tolerance } = store.get();
+    const size = model?.size ?? 0;
     const movedText = movedInWords(store.get());
     setText(moved, movedText && `Moved ${movedText}`);
     moved.hidden = !movedText;

@@ -60,9 +60,10 @@ export function energiesPanel(place: HTMLElement, { store, actions }: AppContext
   store.subscribe(
     ['numbers'],
     throttled(RENEW_MS, () => {
-      const { numbers, size } = store.get();
+      const { numbers, model } = store.get();
       if (!numbers) return;
-      const words = (id: keyof Energy) => number(energyOrZero(numbers.energy[id], size));
+      const words = (id: keyof Energy) =>
+        number(energyOrZero(numbers.energy[id], model?.size ?? 0));
       rows.forEach((row) => row.setEnergy(words(row.id)));
       setText(handles, words('handles'));
       setText(total, words('total'));

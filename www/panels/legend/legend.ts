@@ -12,14 +12,12 @@ import { groupDigits, number, round } from '../../ui/format.ts';
 import {
   declared,
   movedInWords,
-  roundingOf,
   toleranceOf,
   unitOf,
   valueInWords,
 } from '../../store/colours/measures.ts';
 import { bars, drawBars, drawOutline, outline } from '../../ui/plot/histogram-svg.ts';
 import { isDrawn, type State } from '../../store/state.ts';
-import { positionOf } from '../../ui/plot/value-axis.ts';
 import { rangeEnd } from './range-end.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -36,11 +34,8 @@ const MAPS: [string, string, string][] = [
 /** On a phone in landscape orientation the legend is a strip below the model. */
 const strip = matchMedia('(min-width: 700px) and (max-height: 480px)');
 
-export function legend(
-  place: HTMLElement,
-  { store, viewport, actions }: AppContext,
-  fit: () => void,
-) {
+export function legend(place: HTMLElement, app: AppContext, fit: () => void) {
+  const { store, viewport, actions } = app;
   const title = element('span');
   const now = bars();
   const before = outline();
@@ -52,7 +47,7 @@ export function legend(
   );
   const tick = element('div.tick');
   const ramp = element('div.ramp', tick);
-  const ends = [rangeEnd('low', ramp, actions), rangeEnd('high', ramp, actions)];
+  const ends = [rangeEnd('low', ramp, app), rangeEnd('high', ramp, app)];
   const unit = element('span.unit');
   const toleranceUnit = element('span');
   const within = element('span.within', { title: 'Faces within the tolerance' });
@@ -124,7 +119,7 @@ export function legend(
     // A flat map has its own colours and legend.
     const isShown = about && !flatMap && model?.faces;
     place.hidden = !isShown || !isDrawn(state);
-    if (!about || place.hidden) return;
+    if (!about || !model || place.hidden) return;
     setText(title, about.label);
     setAttribute(title, 'title', about.words);
     log.box.checked = display.log;
@@ -159,17 +154,17 @@ export function legend(
       if (input.value !== text) input.value = text;
     }
 
-    const { axis } = spread;
-    const [from, to] = range.map((value) => 100 * positionOf(axis, value));
-    const neutral = allowed === null || display.full ? 0 : 100 * positionOf(axis, allowed);
-    ramp.style.background = rampOf(viewport, [from, to], neutral);
-    const rounding = roundingOf(about, state.size);
+    const { axis, places } = spread;
+    const limit = 100 * (places.tolerance ?? 0);
+    const neutral = display.full ? 0 : limit;
+    ramp.style.background = rampOf(viewport, [100 * places.low, 100 * places.high], neutral);
+    const rounding = model.roundings[about.id];
     const words = (value: number) =>
       valueInWords(about, Math.abs(value) < rounding ? 0 : value, units, allowed);
-    ends.forEach((end, i) => end.show(axis, range, words(range[i]), i === 0 && about.signed));
+    ends.forEach((end, i) => end.show(spread, words(range[i]), i === 0 && about.signed));
     drawBars(now, spread.counts);
     tick.hidden = allowed === null || allowed > axis.high;
-    if (allowed !== null) tick.style.left = `${100 * positionOf(axis, allowed)}%`;
+    tick.style.left = `${limit}%`;
 
     const worst = words(spread.greatest);
     const was = spread.original && words(spread.original.greatest);

@@ -2,8 +2,8 @@
 
 import { element } from '../../ui/dom.ts';
 import { followTrack, placeOnTrack } from '../../ui/controls/track.ts';
-import { positionOf, valueAt, type Axis } from '../../ui/plot/value-axis.ts';
-import type { Actions } from '../../store/actions.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { Spread } from '../../store/colours/spread.ts';
 
 /** The step of an arrow key, relative to the axis. */
 const STEP = 0.02;
@@ -14,8 +14,8 @@ const APART = 0.01;
 export function rangeEnd(
   end: 'low' | 'high',
   ramp: HTMLElement,
-  actions: Actions,
-): { show: (axis: Axis, range: [number, number], words: string, follows: boolean) => void } {
+  { viewport, actions }: AppContext,
+): { show: (spread: Spread, words: string, follows: boolean) => void } {
   const isLow = end === 'low';
   const handle = element('div.range-end', {
     role: 'slider',
@@ -25,31 +25,30 @@ export function rangeEnd(
   });
   ramp.append(handle);
 
-  /** The axis and range of the ramp. */
-  let shown: { axis: Axis; range: [number, number] } | null = null;
+  let shown: Spread | null = null;
 
   followTrack(handle, {
     track: () => ramp,
-    at: () => shown && positionOf(shown.axis, shown.range[isLow ? 0 : 1]),
+    at: () => shown && shown.places[end],
     moveTo(place) {
-      if (!shown) return;
-      const { axis, range } = shown;
-      const other = positionOf(axis, range[isLow ? 1 : 0]);
-      const value = isLow
-        ? Math.max(0, Math.min(place, other - APART))
-        : Math.min(1, Math.max(place, other + APART));
+      if (!shown || !viewport.view) return;
+      const { places, axis } = shown;
+      const part = isLow
+        ? Math.max(0, Math.min(place, places.high - APART))
+        : Math.min(1, Math.max(place, places.low + APART));
+      const value = viewport.view.valueOnAxis(axis.low, axis.high, axis.log, part);
       // Keeps the axis fixed while an end moves.
-      actions.setRange({ [end]: valueAt(axis, value), top: axis.high });
+      actions.setRange({ [end]: value, top: axis.high });
     },
     reset: () => actions.setRange({ [end]: null }),
     step: STEP,
   });
 
   return {
-    show(axis, range, words, follows) {
+    show(spread, words, follows) {
       handle.hidden = follows;
-      shown = { axis, range };
-      placeOnTrack(handle, positionOf(axis, range[isLow ? 0 : 1]), words);
+      shown = spread;
+      placeOnTrack(handle, spread.places[end], words);
     },
   };
 }

@@ -1,28 +1,17 @@
 /**
  * The measure that colours the faces, the range of the colours, and the distribution of the values.
  * The measure is that of the scene's constraints, until the user chooses another.
- *
- * The range does not depend on the history: it begins at the tolerance (or at 0 if all values are
- * coloured) and ends at a round number that neither the worst face of the original nor the current
- * worst face exceeds. It is therefore constant during a run that improves the shape, and colours
- * are comparable between pictures. The user can set either end instead.
+ * The view chooses the range and counts the values (`src/view/appearance/value_spread.rs`).
  */
 
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
 import type { Measure } from '../../solver/types.ts';
 import { newestOnly } from '../newest-only.ts';
-import { declared, measureOfScene, roundingOf, toleranceOf } from './measures.ts';
-import { greatestOf, spreadOf } from '../../ui/plot/histogram.ts';
-import { axisOf, roundUp } from '../../ui/plot/value-axis.ts';
+import { declared } from './measures.ts';
+import { spreadOf } from './spread.ts';
 import type { OwnRange, State, Store } from '../state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
-
-/** Smallest range in multiples of the rounding error; nothing finer can be seen or built. */
-const LEAST_RANGE = 1000;
-/** Beginning of a logarithmic range over all values, relative to its end. */
-const LOG_RANGE = 1e-4;
-/** On a logarithmic axis, values within the tolerance get the width of this factor. */
-const LOG_WITHIN = 0.1;
+import type { View } from '../../pkg/view-webgl2/shape_up.js';
 
 /** Both ends and the end of the axis are automatic. */
 const AUTOMATIC: OwnRange = { low: null, high: null, top: null };
@@ -34,14 +23,21 @@ const NONE: Pick<State, 'spread' | 'range' | 'ownRange'> = {
   ownRange: AUTOMATIC,
 };
 
-/** @returns sets the end of the range to the worst face of the current shape */
-export function colourFaces(store: Store, solver: SolverClient): { fit: () => void } {
+/**
+ * @param view null while nothing can draw
+ * @returns sets the end of the range to the worst face of the current shape
+ */
+export function colourFaces(
+  store: Store,
+  solver: SolverClient,
+  view: () => View | null,
+): { fit: () => void } {
   /** The measure that the document suggests; undefined before a document. */
   let suggested: Measure | null | undefined;
 
   store.subscribe(['document'], (state) => {
     const before = suggested;
-    suggested = state.document ? measureOfScene(state) : undefined;
+    suggested = state.document ? state.document.measure : undefined;
     if (suggested !== undefined && suggested !== before && !state.measureChosen)
       store.set({ measure: suggested });
   });
@@ -58,7 +54,7 @@ export function colourFaces(store: Store, solver: SolverClient): { fit: () => vo
     solver.tell.show({ measure, shapes, projections, corners: bands });
   });
   store.subscribe(['measure'], () => store.set(NONE));
-  store.subscribe(['tolerance', 'tolerances', 'ownRange', 'display'], update);
+  store.subscribe(['tolerance', 'tolerances', 'ownRange', 'display', 'renderer'], update);
 
   /** Values of the original; null if unknown. */
   let original: Float32Array | null = null;
@@ -96,34 +92,18 @@ export function colourFaces(store: Store, solver: SolverClient): { fit: () => vo
   /** Evaluates the values of the latest frame. */
   function update() {
     const state = store.get();
-    const { measure, size, spread, numbers, ownRange, range } = state;
+    const { measure, numbers } = state;
     const about = declared(state, measure);
     const { geometry } = solver;
-    if (!about || !geometry?.values || geometry.measure !== measure) return;
+    const drawing = view();
+    if (!about || !drawing || !geometry?.values || geometry.measure !== measure) return;
     const { values } = geometry;
     if (numbers?.iteration) void askForOriginal();
     if (numbers?.iteration && !original && !hasFailed) return;
     const before = original?.length === values.length ? original : null;
-
-    const tolerance = toleranceOf(state, about);
-    const { signed } = about;
-    const { full } = state.display;
-    const log = state.display.log && !signed;
-    const greatest = greatestOf(values);
-    const worst = Math.max(greatest, before ? greatestOf(before) : 0, 2 * (tolerance ?? 0));
-    const top = roundUp(Math.max(worst, LEAST_RANGE * roundingOf(about, size)));
-    const high = ownRange.high ?? top;
-    const isPart = tolerance !== null && !full;
-    const first = isPart && tolerance > 0 ? tolerance : log ? LOG_RANGE * high : 0;
-    // For signed values, 0 is the middle of the range.
-    const low = signed ? -high : Math.min(ownRange.low ?? first, high);
-    const end = Math.max(ownRange.top ?? top, high, greatest);
-    const least = signed ? -end : 0;
-    const begin = log ? Math.min(low, tolerance ? LOG_WITHIN * tolerance : low) : least;
-    const axis = axisOf(begin, end, log);
-    const now = spreadOf(about.id, values, axis, tolerance, before);
-    if (low !== range[0] || high !== range[1]) store.set({ range: [low, high] });
-    if (JSON.stringify(now) !== JSON.stringify(spread)) store.set({ spread: now });
+    const { range, spread } = spreadOf(drawing, state, about, values, before);
+    if (range.some((end, i) => end !== state.range[i])) store.set({ range });
+    if (JSON.stringify(spread) !== JSON.stringify(state.spread)) store.set({ spread });
   }
 
   return {

@@ -1,4 +1,4 @@
-/** The measure that fits a scene, the format of its values, and their rounding error. */
+/** Measures, their tolerances, and their values in words. */
 
 import { METRES, length, lengthUnit, number } from '../../ui/format.ts';
 import { ROUNDING } from '../../ui/rounding.ts';
@@ -17,17 +17,6 @@ const POWERS: Partial<Record<FaceMeasure['unit'], number>> = {
 /** Returns the declaration of a measure. */
 export const declared = ({ measures }: State, measure: Measure | null): FaceMeasure | undefined =>
   measures.find(({ id }) => id === measure);
-
-/**
- * Returns the bound below which values are rounding errors.
- * @param size of the mesh
- */
-export function roundingOf({ unit }: FaceMeasure, size: number) {
-  const power = POWERS[unit];
-  if (power) return ROUNDING * size ** power;
-  // Per cent and degrees have two digits before the point; e_p and e_c are squares.
-  return unit === 'number' ? ROUNDING ** 2 : 100 * ROUNDING;
-}
 
 /**
  * Returns the tolerance of a measure, in its unit: the model's if it applies, else the one set for
@@ -72,33 +61,18 @@ export function valueInWords(
 }
 
 /**
- * Returns the largest value of a measure over all faces, in its unit: from the latest frame if it
- * colours the faces, else from the numbers that accompany every frame.
+ * Returns the largest value of a measure over all faces, in its unit: of the one that colours the
+ * faces, or else of the scene's.
  */
-export function worstOf({ numbers, spread }: State, measure: Measure) {
-  if (spread?.measure === measure) return spread.greatest;
-  const always = (numbers as Record<string, unknown> | null)?.[measure] as
-    { max_distance: number } | undefined;
-  return always ? always.max_distance : Math.max(0, ...(numbers?.worst ?? []));
-}
+export const worstOf = ({ numbers, greatest }: State, measure: Measure) =>
+  greatest?.measure === measure ? greatest.value : (numbers?.worstPanel ?? 0);
 
 /**
  * Formats the vertices' distances from rest, "0.21 m, mean 0.05 m"; empty until something moves.
  */
-export function movedInWords({ numbers, document, size }: State) {
-  if (!numbers?.moved || numbers.moved.max < ROUNDING * size) return '';
+export function movedInWords({ numbers, document, model }: State) {
+  if (!model || !numbers?.moved || numbers.moved.max < ROUNDING * model.size) return '';
   const { max, mean } = numbers.moved;
   const units = document?.units ?? '';
   return `${length(max, units)}, mean ${length(mean, units, max)}`;
-}
-
-/**
- * Returns the measure of the first enabled row that has one; `residual`, the distance to the
- * constraints, if none has one; null without constraints or faces.
- */
-export function measureOfScene({ document, model }: State): Measure | null {
-  const rows = document?.constraints ?? [];
-  if (rows.length === 0 || model?.faces === 0) return null;
-  const measured = rows.find(({ enabled, measure }) => enabled && measure !== null);
-  return measured?.measure ?? 'residual';
 }

@@ -3,7 +3,7 @@
 import uPlot from 'uplot';
 import { colourOf, element, setText } from '../dom.ts';
 import { groupDigits, number } from '../format.ts';
-import { tickExponents } from './value-axis.ts';
+import { tickExponents } from './ticks.ts';
 
 /** In the order of the columns. */
 const SERIES = [

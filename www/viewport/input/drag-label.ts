@@ -29,11 +29,11 @@ export function showMoved(viewport: Viewport, store: Store) {
 }
 
 /** Formats the components of a displacement that are not negligible. */
-function displacementInWords(by: number[], { document, size }: Readonly<State>) {
+function displacementInWords(by: number[], { document, model }: Readonly<State>) {
   const far = Math.hypot(...by);
   const { unit, factor } = lengthUnit(far, document?.units ?? '');
   const parts = by.flatMap((part, axis) => {
-    if (Math.abs(part) <= Math.max(ROUNDING * size, 1e-3 * far)) return [];
+    if (Math.abs(part) <= Math.max(ROUNDING * (model?.size ?? 0), 1e-3 * far)) return [];
     const sign = part > 0 ? '+' : '';
     return [`${'xyz'[axis]} ${sign}${number(part * factor)}`];
   });
