@@ -41,9 +41,11 @@ export class MakePanels {
   /** Lays out panels along the lines of curvature; not offered where they would help little. */
   #newPanels = button(
     'New panels along the curvature',
-    () => openNewPanels(this.#app, (kind) => this.#make(kind)),
+    () => this.#app.actions.reportErrors(this.#layOut()),
     { class: 'bordered remedy' },
   );
+  /** The model for which they help. */
+  #helped: unknown = null;
   /** The model of the forecast. */
   #forecastOf: unknown = null;
   /** A change of the mesh that would reduce the move. */
@@ -182,7 +184,8 @@ export class MakePanels {
     if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
     else {
       const others = [...buttons, this.#remedyButton, this.#somethingElse()];
-      this.#offerNewPanels(Boolean(model?.panelRemedy));
+      if (model?.panelRemedy) this.#helped = model;
+      this.#newPanels.hidden = !this.#newPanelsHelp();
       const press = element('div', this.#newPanels, ...others);
       renew(here, ...reasons, this.#forecast, press, this.#closeButton());
       void this.#showForecast();
@@ -211,9 +214,9 @@ export class MakePanels {
     setText(this.#forecast, forecast?.words ?? '');
     this.#forecast.hidden = !forecast;
     this.#remedy = forecast?.remedy ?? null;
-    const isOffered = this.#offerNewPanels(Boolean(forecast?.newPanels || model?.panelRemedy));
+    if (forecast?.newPanels) this.#helped = model;
+    this.#newPanels.hidden = !this.#newPanelsHelp();
     this.#remedyButton.hidden = !this.#canChangeMesh();
-    this.#remedyButton.classList.toggle('remedy', !isOffered);
     setText(this.#remedyButton, this.#remedy?.label ?? '');
     for (const one of this.#card.querySelectorAll<HTMLElement>('[data-kind]')) {
       one.classList.toggle('recommended', one.dataset.kind === forecast?.recommended);
@@ -221,14 +224,23 @@ export class MakePanels {
     this.#cover();
   }
 
-  #offerNewPanels(helps: boolean) {
-    const isOffered = helps && !isMeshLocked(this.#app.store.get());
-    this.#newPanels.hidden = !isOffered;
-    return isOffered;
+  #newPanelsHelp() {
+    const state = this.#app.store.get();
+    return this.#helped !== null && this.#helped === state.model && !isMeshLocked(state);
   }
 
+  /** Whether a simple change of this mesh reduces the move, and new panels are not the better choice. */
   #canChangeMesh() {
-    return this.#remedy !== null && !isMeshLocked(this.#app.store.get());
+    const state = this.#app.store.get();
+    const isOfModel = this.#remedy !== null && this.#forecastOf === state.model;
+    return isOfModel && !this.#newPanelsHelp() && !isMeshLocked(state);
+  }
+
+  /** Opens the card of new panels, on the original shape. */
+  async #layOut() {
+    const { store, actions } = this.#app;
+    if (store.get().document?.constraints.length) await actions.reset();
+    openNewPanels(this.#app, (kind) => this.#make(kind));
   }
 
   /** Opens the operation that reduces the move, on the original shape. */
@@ -254,7 +266,7 @@ export class MakePanels {
     const hold = button('Hold to see the original', () => {});
     this.#app.hold.bind(hold);
     this.#changes.hidden = true;
-    this.#changes.append(this.#remedyButton);
+    this.#changes.append(this.#newPanels, this.#remedyButton);
     this.#card.append(this.#text, hold, this.#closeButton(), this.#changes);
     void this.#showVerdict(false);
   }
@@ -325,6 +337,7 @@ export class MakePanels {
     this.#again.hidden = again === null;
     setText(this.#again, again ?? '');
     this.#remedyButton.hidden = isGood || !this.#canChangeMesh();
+    this.#newPanels.hidden = isGood || !this.#newPanelsHelp();
     if (isGood) this.#better.clear();
     else void this.#better.find(verdict);
     this.#showIfAny();
