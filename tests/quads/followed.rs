@@ -76,8 +76,8 @@ fn a_result_remeshed_at_the_same_size_stays_as_regular() {
 
 /// The mirror image, with faces turned so that normals stay on their side.
 fn mirrored(mesh: &Mesh) -> Mesh {
-    let mut image = Mesh::default();
-    image.positions = mesh.positions.iter().map(|&[x, y, z]| [-x, y, z]).collect();
+    let positions = mesh.positions.iter().map(|&[x, y, z]| [-x, y, z]).collect();
+    let mut image = Mesh { positions, ..Mesh::default() };
     for face in mesh.faces.iter() {
         let turned: Vec<u32> = face.iter().rev().copied().collect();
         image.faces.push(&turned);

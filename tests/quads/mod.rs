@@ -86,7 +86,7 @@ fn check_manifold(mesh: &Mesh) {
             corners[at as usize] += 1;
         }
     }
-    for (&[at, next], _) in &after {
+    for &[at, next] in after.keys() {
         // Around the vertex clockwise from this side, over all corners, to the boundary or back.
         let (mut side, mut walked) = (next, 0);
         let mut first = side;
