@@ -127,8 +127,8 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
   async function makeOne() {
     const fields = [...place.querySelectorAll('input')];
     const wrong = fields.find((field) => !field.validity.valid);
-    keep.disabled = true;
     if (wrong) {
+      keep.disabled = true;
       const label = wrong.closest('label')?.firstChild?.textContent;
       return setText(said, `${label}: ${wrong.validationMessage}`);
     }
@@ -138,23 +138,23 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
       const bytes = new TextEncoder().encode(text);
       const origin = { work, title: label, before };
       const loaded = await files.open([{ name: `${label}.obj`, bytes }], origin);
-      if (!loaded) return;
+      if (!loaded) return void (keep.disabled = true);
       const vertices = count(loaded.vertices, 'vertex', 'vertices');
       setText(said, `${count(loaded.faces, 'face')}, ${vertices}.`);
       held = supports;
       keep.disabled = false;
     } catch (error) {
+      keep.disabled = true;
       setText(said, messageOf(error));
     }
   }
 
   async function keepIt() {
-    // A number typed last is reported when its field loses the focus to this button.
-    if (timer) {
-      await make();
-      while (making) await making;
-      if (keep.disabled || !dialog.open) return;
-    }
+    // A number typed last is reported when its field loses the focus to this button. It stays enabled
+    // while the mesh is made: a slow press would otherwise be lost.
+    if (timer) await make();
+    while (making) await making;
+    if (keep.disabled || !dialog.open) return;
     kept = true;
     keep.disabled = true;
     form.kept?.();
