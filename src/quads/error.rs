@@ -84,13 +84,16 @@ impl fmt::Display for RemeshError {
             }
             RemeshError::SizeTooSmall { least } => {
                 let least = words::brief(words::rounded(*least, 2));
-                write!(f, "panels of this size are more than 100 000, expected {least} or more")
+                write!(
+                    f,
+                    "panels of this size are more than 100 000, expected sides of {least} or more"
+                )
             }
             RemeshError::SizeTooLarge { greatest, .. } => {
                 let greatest = words::brief(words::rounded(*greatest, 2));
                 write!(
                     f,
-                    "panels of this size are too large for the surface, expected {greatest} or less"
+                    "panels of this size are too large for the surface, expected sides of {greatest} or less"
                 )
             }
             RemeshError::Numerical => {

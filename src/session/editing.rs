@@ -3,7 +3,7 @@
 use super::Session;
 use super::edit::{
     Carried, Edit, IterationState, OfferedOperation, Refinement, Remeshing, RemeshingPreview,
-    apply, carry, check_locks, offered,
+    apply, carry, check_lock, check_locks, offered,
 };
 use super::report::{MeasureCache, check_lesson, check_presentation};
 use super::run::Start;
@@ -13,7 +13,7 @@ use crate::mesh::{
     Edited, Mesh, MeshOperation, OperationError, Point, Scheme, SubdivideError, SubdividedCounts,
     Subdivision, Task,
 };
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Lock, Scene, SceneError};
 use crate::session::Error;
 use crate::words;
 use std::rc::Rc;
@@ -211,10 +211,16 @@ impl Session {
     /// Replaces the mesh by one made from it at its current positions, and returns the inverse change.
     ///
     /// # Errors
-    /// If the system would be singular; nothing has changed then.
+    /// If the system would be singular, or something that the lesson locks would be left out; nothing
+    /// has changed then.
     pub(super) fn replace_mesh(&mut self, edited: &Edited) -> Result<Change, Error> {
         let (rest, carried) =
             self.carried_to(edited, self.scene.positions(), self.rest.positions());
+        // What a lesson locks may not be left out.
+        if !rest.lost().is_empty() {
+            check_lock(Lock::Handles, self.document())?;
+            check_lock(Lock::Constraints, self.document())?;
+        }
         self.go_to_mesh(rest, carried)
     }
 

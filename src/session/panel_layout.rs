@@ -70,16 +70,22 @@ impl Session {
         settings: &LayoutSettings,
         observer: &mut RemeshObserver<'_>,
     ) -> Result<PanelLayout, Error> {
+        if !self.mesh().tets.is_empty() {
+            let message = "the mesh has tetrahedra, expected a surface".to_owned();
+            return Err(SceneError { path: String::new(), message }.into());
+        }
+        let refused =
+            |error: RemeshError| SceneError { path: String::new(), message: error.to_string() };
         let shape = self.current_mesh();
         let followed = settings.boundary.unwrap_or(Boundary::Followed);
-        let mut layout = self.layout(&shape, settings, followed, observer)?;
+        let mut layout = self.layout(&shape, settings, followed, observer).map_err(refused)?;
         let has_boundary = !self.topology().boundary_loops().is_empty();
         if settings.boundary.is_none() && has_boundary && layout.moves_a_lot() {
             // Panels that are cut may move less. What cannot be cut stays followed.
-            if let Ok(cut) = self.layout(&shape, settings, Boundary::Cut, observer)
-                && cut.move_length() <= CUT_MOVES * layout.move_length()
-            {
-                layout = cut;
+            match self.layout(&shape, settings, Boundary::Cut, observer) {
+                Err(RemeshError::Cancelled) => return Err(refused(RemeshError::Cancelled).into()),
+                Ok(cut) if cut.move_length() <= CUT_MOVES * layout.move_length() => layout = cut,
+                _ => {}
             }
         }
         Ok(layout.shown(&shape, &self.document().units))
@@ -114,7 +120,7 @@ impl Session {
         settings: &LayoutSettings,
         boundary: Boundary,
         observer: &mut RemeshObserver<'_>,
-    ) -> Result<Layout, SceneError> {
+    ) -> Result<Layout, RemeshError> {
         let size = match (settings.size, settings.count) {
             (Some(length), _) => PanelSize::Length(length),
             (None, Some(count)) => PanelSize::Count(count),
@@ -126,10 +132,7 @@ impl Session {
             boundary,
             ..MapOptions::of_size(size)
         };
-        let refused =
-            |error: RemeshError| SceneError { path: String::new(), message: error.to_string() };
-        let remeshed =
-            remesh(shape, &options, &self.document().units, observer).map_err(refused)?;
+        let remeshed = remesh(shape, &options, &self.document().units, observer)?;
         let topology = Topology::new(&remeshed.mesh);
         let forecast = Forecast::of(&remeshed.mesh, &topology);
         Ok(Layout { remeshed, topology, forecast, boundary })
@@ -186,7 +189,10 @@ impl Layout {
         let irregular = measures.irregular.inside + measures.irregular.boundary;
         let mut parts = vec![
             words::count(measures.quads + measures.other_faces, "panel", "panels"),
-            words::count(irregular, "irregular point", "irregular points"),
+            match irregular {
+                0 => "no irregular points".to_owned(),
+                some => words::count(some, "irregular point", "irregular points"),
+            },
         ];
         parts.extend(measures.angle.map(|angle| {
             format!("edges {} off the lines of curvature", words::rough_degrees(angle.mean))

@@ -85,6 +85,8 @@ export interface State {
   greatest: { measure: Measure; value: number } | null;
   /** distribution of face values; null if nothing can draw */
   spread: Spread | null;
+  /** the card in the corner of the view, which draws lines on the surface */
+  corner: 'curvature' | 'new-panels' | null;
   /** tolerance of lengths, in the unit of the mesh */
   tolerance: number | null;
   /** of the other measures, in their units */
@@ -220,6 +222,7 @@ const INITIAL: State = {
   ownRange: { low: null, high: null, top: null },
   greatest: null,
   spread: null,
+  corner: null,
   tolerance: null,
   tolerances: {},
   display: {

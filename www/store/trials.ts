@@ -4,6 +4,7 @@
  * solver refuses it for another one.
  */
 
+import { Cancelled } from '../solver/errors.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { BetterPress, ExactFound, Remedy, Snapshot } from '../solver/types.ts';
@@ -70,7 +71,12 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
       // That of a model just opened has not come yet.
       if (!solver.copy()) await new Promise((come) => solver.once('scene', come));
       const model = solver.copy();
-      return model && ask.forecast(model);
+      // It may be cancelled with another job.
+      const again = (error: unknown) => {
+        if (error instanceof Cancelled && model) return ask.forecast(model);
+        throw error;
+      };
+      return model && ask.forecast(model).catch(again);
     },
 
     /**

@@ -18,6 +18,13 @@ export function createViewActions(store: Store) {
     setRange: (change: Partial<State['ownRange']>) =>
       store.set({ ownRange: { ...store.get().ownRange, top: null, ...change } }),
 
+    /** Opens a card in the corner of the view; the one that is there closes. */
+    openCorner: (corner: State['corner']) => store.set({ corner }),
+    /** Says that a card has left the corner. */
+    leaveCorner(corner: State['corner']) {
+      if (store.get().corner === corner) store.set({ corner: null });
+    },
+
     /** Sets the verdict on the panels. */
     judge: (verdict: State['verdict']) => store.set({ verdict }),
 

@@ -11,39 +11,64 @@ const NEGLIGIBLE: f64 = 1e-9;
 
 impl Edited {
     /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
-    /// from the old face at its centre; sets and groups follow that. Old curves are left out.
+    /// from the old face at its centre; sets and groups follow that. Curves stay, and so do vertices of
+    /// no face.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::new(&mesh.positions, mesh);
         let face_at = |point: Point| surface.closest_face(point).unwrap_or(0);
-        let terms: Vec<Vec<(u32, f64)>> =
-            cover.positions.iter().map(|&point| weights(mesh, face_at(point), point)).collect();
-        // The old vertex at the same place, if there is one.
-        let old = |v: usize| match terms[v][..] {
-            [(old, _)] if mesh.positions[old as usize] == cover.positions[v] => Some(old),
-            _ => None,
-        };
-        let mut order: Vec<usize> = (0..terms.len()).collect();
-        order.sort_by_key(|&v| old(v).map_or(u32::MAX, |old| old));
-        let mut place = vec![0; terms.len()];
+        let mut vertices: Vec<(Point, Vec<(u32, f64)>)> = cover
+            .positions
+            .iter()
+            .map(|&point| (point, weights(mesh, face_at(point), point)))
+            .collect();
+        // Vertices of curves and of no face stay, unless there is a new one at their place.
+        let mut stays = vec![true; mesh.positions.len()];
+        mesh.faces.indices().iter().for_each(|&v| stays[v as usize] = false);
+        mesh.curves.indices().iter().for_each(|&v| stays[v as usize] = true);
+        for (point, terms) in &vertices {
+            if let Some(old) = at_old(mesh, *point, terms) {
+                stays[old as usize] = false;
+            }
+        }
+        let kept = (0..).zip(&mesh.positions).zip(stays).filter(|(_, stays)| *stays);
+        vertices.extend(kept.map(|((old, &point), _)| (point, vec![(old, 1.0)])));
+        let olds: Vec<Option<u32>> =
+            vertices.iter().map(|(point, terms)| at_old(mesh, *point, terms)).collect();
+        let mut order: Vec<usize> = (0..vertices.len()).collect();
+        order.sort_by_key(|&v| olds[v].map_or(u32::MAX, |old| old));
+        let mut place = vec![0; vertices.len()];
         (0..).zip(&order).for_each(|(new, &v)| place[v] = new);
 
         let mut made = Mesh { faces: cover.faces.clone(), ..Mesh::default() };
         made.faces.rename(&place);
-        let mut vertices = vec![None; mesh.positions.len()];
+        let mut now = vec![None; mesh.positions.len()];
         let (mut positions, mut between) = (Combinations::default(), Ragged::new());
         for (new, &v) in (0..).zip(&order) {
-            if let Some(old) = old(v) {
-                vertices[old as usize].get_or_insert(new);
+            let (point, terms) = &vertices[v];
+            if let Some(old) = olds[v] {
+                now[old as usize].get_or_insert(new);
             }
-            made.positions.push(cover.positions[v]);
-            positions.push(&terms[v]);
-            let mut corners: Vec<u32> = terms[v].iter().map(|(corner, _)| *corner).collect();
+            made.positions.push(*point);
+            positions.push(terms);
+            let mut corners: Vec<u32> = terms.iter().map(|(corner, _)| *corner).collect();
             corners.sort_unstable();
             between.push(&corners);
         }
+        let places: Vec<u32> = now.iter().map(|new| new.unwrap_or(u32::MAX)).collect();
+        made.curves = mesh.curves.clone();
+        made.curves.rename(&places);
         let faces: Ragged = cover.faces.iter().map(|face| [face_at(centre(cover, face))]).collect();
-        made.groups = regrouped(mesh, &faces, &vec![None; mesh.curves.len()]);
-        Edited { mesh: made, origins: Origins { vertices, positions, between, faces } }
+        let curves: Vec<Option<u32>> = (0..mesh.curves.len() as u32).map(Some).collect();
+        made.groups = regrouped(mesh, &faces, &curves);
+        Edited { mesh: made, origins: Origins { vertices: now, positions, between, faces } }
+    }
+}
+
+/// The old vertex at which a new vertex lies, if there is one.
+fn at_old(mesh: &Mesh, point: Point, terms: &[(u32, f64)]) -> Option<u32> {
+    match *terms {
+        [(old, _)] if mesh.positions[old as usize] == point => Some(old),
+        _ => None,
     }
 }
 
@@ -132,6 +157,17 @@ mod tests {
         let lifted: Vec<Point> = mesh.positions.iter().map(|&[x, y, _]| [x, y, x]).collect();
         let moved = edited.in_other_state(&mesh.positions, &lifted);
         assert_eq!(moved[4], [0.5, 0.0, 0.5]);
+    }
+
+    #[test]
+    fn curves_and_vertices_of_no_face_stay() {
+        let (mut mesh, quads) = square();
+        mesh.positions.extend([[3.0, 0.0, 0.0], [0.5, 0.5, 0.0]]);
+        mesh.curves = [[0, 5, 2]].iter().collect();
+        let edited = Edited::covering(&mesh, &quads);
+        assert_eq!(edited.mesh.positions[..6], mesh.positions[..]);
+        assert_eq!(edited.mesh.curves.row(0), [0, 5, 2]);
+        assert_eq!(edited.mesh.positions.len(), 8);
     }
 
     #[test]

@@ -10,7 +10,7 @@ test.use({ sameDocument: true });
 const N = 14;
 const VERTICES = (N + 1) ** 2;
 const SENTENCE =
-  /^\d+ panels, \d+ irregular points?, edges [\d.]+° off the lines of curvature\. The mesh will then (not )?move /;
+  /^\d+ panels, (\d+|no) irregular points?, edges [\d.]+° off the lines of curvature\. The mesh will then (not )?move /;
 
 const offer = (page: Page) => page.getByRole('group', { name: 'Panels', exact: true });
 const card = (page: Page) => page.getByRole('region', { name: 'New panels' });
@@ -68,4 +68,25 @@ test('a refused size changes nothing, and Escape leaves the mesh as it was', asy
   expect((await state(page)).vertices).toBe(49);
   await showPanel(page, 'Energies and display');
   await expect(page.getByRole('checkbox', { name: 'Edges', exact: true })).toBeChecked();
+});
+
+test('a number typed while panels are laid out stays, and another card takes the place', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'vault.obj', vault(N), VERTICES);
+  await offer(page).getByRole('button', { name: 'New panels along the curvature' }).click();
+  const panels = card(page).getByLabel('Panels', { exact: true });
+  await expect(panels).toBeFocused();
+  // The first layout used to write its number between the digits.
+  await panels.pressSequentially('64', { delay: 300 });
+  await panels.press('Enter');
+  await expect(card(page).getByText(/^(5|6|7)\d panels, /)).toBeVisible();
+  // Both cards draw lines on the surface.
+  await page.getByRole('button', { name: 'Views' }).click();
+  await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+  await expect(card(page)).toBeHidden();
+  const curvature = page.getByRole('region', { name: 'Curvature' });
+  await expect(curvature).toBeVisible();
+  await curvature.getByRole('button', { name: 'Close curvature' }).click();
 });

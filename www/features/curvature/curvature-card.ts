@@ -130,6 +130,7 @@ function curvatureCard(app: AppContext) {
   function open() {
     const { measure, measures } = store.get();
     card.hidden = false;
+    actions.openCorner('curvature');
     before = measureNow();
     const own = measures.filter(({ curvature }) => curvature);
     if (!own.some(({ id }) => id === measure)) actions.look({ measure: own[0]?.id ?? null });
@@ -140,6 +141,7 @@ function curvatureCard(app: AppContext) {
 
   function close() {
     card.hidden = true;
+    actions.leaveCorner('curvature');
     const { measure } = store.get();
     const about = declared(store.get(), measure);
     if (about?.curvature) actions.look(before);
@@ -163,6 +165,9 @@ function curvatureCard(app: AppContext) {
       element('option', { value: '' }, 'Another measure'),
     );
     colours.value = own.some(({ id }) => id === state.measure) ? (state.measure ?? '') : '';
+  });
+  store.subscribe(['corner'], ({ corner }) => {
+    if (corner !== 'curvature' && !card.hidden) close();
   });
   const updateSoon = throttled(RENEW_MS, () => {
     if (!card.hidden) update();

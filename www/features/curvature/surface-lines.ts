@@ -29,8 +29,12 @@ export function surfaceLines(
     const how = wanted();
     if (!how || !model || !geometry) {
       asked = '';
-      drawn = null;
-      return draw();
+      // Lines that another card draws stay.
+      if (drawn) {
+        drawn = null;
+        draw();
+      }
+      return;
     }
     if (running && model.vertices > MOST_LIVE_VERTICES) return;
     const { generation, positions, connectivity } = geometry;
@@ -64,7 +68,9 @@ export function surfaceLines(
     show(drawn, refused);
   }
 
-  viewport.on('ready', draw);
+  viewport.on('ready', () => {
+    if (drawn) draw();
+  });
   const updates = latestOnly(once);
   return {
     /** Draws what has changed; during an update, once more after it. */

@@ -4,7 +4,7 @@
  */
 
 import './new-panels.css';
-import { button, choice, closeButton } from '../../ui/controls/fields.ts';
+import { amountField, button, choice, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { once } from '../../ui/once.ts';
 import { Cancelled, messageOf } from '../../solver/errors.ts';
@@ -30,35 +30,28 @@ function newPanelsCard(
   { store, solver, jobs, viewport, actions, alerts }: AppContext,
   make: (kind: KindInfo) => unknown,
 ) {
-  /** The panels that are shown, and the generation of the model that they are for. */
-  let laidOut: { panels: LaidOut; generation: number } | null = null;
+  /** The panels that are shown, the generations of the model and of the shape that they are for. */
+  let laidOut: { panels: LaidOut; generation: number; shape: number | undefined } | null = null;
+  /** The layout under way. */
+  let laying: Promise<unknown> = Promise.resolve();
   /** The model that the card is about. */
   let about: unknown = null;
-  /** Whether the mesh edges were shown before the card was opened. */
-  let hadEdges = true;
+  /** Whether the edges of the mesh were hidden for the drawing. */
+  let hidesEdges = false;
   /** The fields that the user has set. */
   let wished: Pick<LayoutSettings, 'count' | 'size' | 'boundary'> = {};
 
-  const count = number('Panels', { min: '1', step: '1' }, (count) => {
-    wished = { ...wished, count, size: null };
+  const count = amountField('Panels', (count) => wish({ count: count || null, size: null }), {
+    step: '1',
   });
-  const size = number('Side', { min: '0', step: 'any' }, (size) => {
-    wished = { ...wished, size, count: null };
-  });
+  const size = amountField('Side', (size) => wish({ size: size || null, count: null }));
   const unit = element('span.unit');
   const follow = slider('Fewer irregular points', 'Smaller move', FOLLOW);
-  const even = slider('Smaller move', 'Even sizes', EVEN);
-  const boundary = choice(
-    {},
-    (value) => {
-      wished = { ...wished, boundary: value as LayoutSettings['boundary'] };
-      update();
-    },
-    [
-      ['follow', 'Followed by the panels'],
-      ['cut', 'Cuts the panels'],
-    ],
-  );
+  const even = slider('Sizes as the curvature asks', 'Even sizes', EVEN);
+  const boundary = choice({}, (value) => wish({ boundary: value as LayoutSettings['boundary'] }), [
+    ['follow', 'Followed by the panels'],
+    ['cut', 'Cuts the panels'],
+  ]);
   const boundaryLine = element('label', element('span', 'Boundary'), boundary);
   const then = choice({}, () => {});
   const said = element('div.said', { 'aria-live': 'polite' });
@@ -71,7 +64,11 @@ function newPanelsCard(
       element('h2', { id: 'heading-new-panels' }, 'New panels'),
       closeButton('Close new panels', close),
     ),
-    element('div.sizes', count.label, element('label', ...size.label.childNodes, unit)),
+    element(
+      'div.sizes',
+      element('label', element('span', 'Panels'), count.field),
+      element('label', element('span', 'Side'), size.field, unit),
+    ),
     follow.place,
     even.place,
     boundaryLine,
@@ -81,25 +78,14 @@ function newPanelsCard(
   );
   viewport.element.after(card);
 
-  function number(
-    label: string,
-    attributes: { min: string; step: string },
-    wish: (value: number) => void,
-  ) {
-    const field = element('input', {
-      ...{ type: 'number', ...attributes },
-      onchange: () => {
-        if (!field.validity.valid || !(field.valueAsNumber > 0)) return;
-        wish(field.valueAsNumber);
-        update();
-      },
-    });
-    return { field, label: element('label', element('span', label), field) };
+  function wish(wishes: typeof wished) {
+    wished = { ...wished, ...wishes };
+    update();
   }
 
   function slider(low: string, high: string, value: number) {
     const field = element('input', {
-      ...{ type: 'range', min: '0', max: '1', step: '0.05', value: String(value) },
+      ...{ type: 'range', min: '0', max: '1', step: 'any', value: String(value) },
       'aria-label': `${low} to ${high.toLowerCase()}`,
       oninput: update,
     });
@@ -110,14 +96,15 @@ function newPanelsCard(
   const layouts = latestOnly(layOut);
 
   function update() {
-    void layouts.ask();
+    if (layouts.isBusy()) void layouts.ask();
+    else laying = layouts.ask();
   }
 
   async function layOut() {
     const model = solver.copy();
     if (card.hidden || !model) return;
+    const shape = solver.geometry?.generation;
     say(['Laying out panels …']);
-    take.disabled = true;
     const settings = {
       ...wished,
       follow: follow.field.valueAsNumber,
@@ -125,12 +112,15 @@ function newPanelsCard(
     };
     try {
       const panels = await jobs.ask.layOutPanels(model, settings);
-      if (card.hidden || about !== store.get().model) return;
-      laidOut = { panels, generation: model.generation };
+      // Another wish, or another shape, has come meanwhile.
+      if (card.hidden || layouts.hasNext()) return;
+      laidOut = { panels, generation: model.generation, shape };
       show(panels);
     } catch (error) {
+      if (card.hidden) return;
+      if (error instanceof Cancelled) return laidOut ? show(laidOut.panels) : close();
       laidOut = null;
-      if (error instanceof Cancelled) return close();
+      take.disabled = true;
       say([`Not possible: ${messageOf(error)}.`]);
     }
     draw();
@@ -138,8 +128,15 @@ function newPanelsCard(
 
   function show(panels: LaidOut) {
     say(panels.words);
-    count.field.value = String(panels.count);
-    size.field.value = String(panels.size);
+    for (const [of, value] of [
+      [count, panels.count],
+      [size, panels.size],
+    ] as const) {
+      of.show(value);
+      // What is typed next replaces a number that has come into the field.
+      const hasCome = of.field.valueAsNumber === value;
+      if (hasCome && document.activeElement === of.field) of.field.select();
+    }
     boundaryLine.hidden = panels.boundary === null;
     boundary.value = panels.boundary ?? '';
     take.disabled = false;
@@ -154,14 +151,31 @@ function newPanelsCard(
     const panels = card.hidden ? null : laidOut?.panels;
     const { points = new Float64Array(0), ends = new Uint32Array(1), irregular = 0 } = panels ?? {};
     viewport.unmeasured((view) => view.setSurfaceLines(points, ends, irregular));
-    actions.display({ edges: panels ? false : hadEdges });
+    if (panels && !hidesEdges && store.get().display.edges) {
+      hidesEdges = true;
+      actions.display({ edges: false });
+    } else if (card.hidden && hidesEdges) {
+      hidesEdges = false;
+      actions.display({ edges: true });
+    }
+  }
+
+  /** Removes panels that are for another shape. */
+  function withdraw() {
+    laidOut = null;
+    take.disabled = true;
+    say(['The shape has changed …']);
+    draw();
   }
 
   function open() {
     if (!card.hidden) return;
-    const { model, display, kinds, document: scene } = store.get();
+    const { model, kinds, document: scene } = store.get();
     about = model;
-    hadEdges = display.edges;
+    actions.openCorner('new-panels');
+    count.show(null);
+    size.show(null);
+    take.disabled = true;
     wished = {};
     laidOut = null;
     follow.field.value = String(FOLLOW);
@@ -183,18 +197,22 @@ function newPanelsCard(
     card.hidden = true;
     laidOut = null;
     draw();
+    // The second worker is free for the next question.
+    if (layouts.isBusy()) jobs.cancel();
+    actions.leaveCorner('new-panels');
     viewport.element.focus();
   }
 
   /** Puts the panels in place of the mesh, and makes them one shape if that is asked. */
   async function use() {
-    if (!laidOut) return;
+    // A number that was typed last.
+    await laying;
+    if (!laidOut || card.hidden) return;
     const { panels, generation } = laidOut;
     const kind = store.get().kinds.find(({ id }) => id === then.value);
-    close();
     const taken = await actions.reportErrors(actions.takePanels(generation, panels));
-    if (taken === false) return actions.setStatus('The mesh has changed meanwhile: try again');
-    if (!taken) return;
+    // The new model has closed the card.
+    if (!taken) return taken === false && update();
     const lost = store.get().model?.notes ?? [];
     if (lost.length) alerts.notice(lost.join(' '));
     actions.setStatus(panels.words[0]);
@@ -211,6 +229,16 @@ function newPanelsCard(
   });
   store.subscribe(['model'], ({ model }) => {
     if (model !== about) close();
+  });
+  store.subscribe(['corner'], ({ corner }) => {
+    if (corner !== 'new-panels') close();
+  });
+  solver.on('frame', () => {
+    if (laidOut && laidOut.shape !== solver.geometry?.generation) withdraw();
+  });
+  // The solver is idle again, after a change.
+  solver.on('scene', () => {
+    if (!card.hidden && laidOut?.generation !== solver.copy()?.generation) update();
   });
   viewport.on('ready', () => {
     if (!card.hidden) draw();
