@@ -227,7 +227,7 @@ impl Layout {
         };
         let at_irregular = |ends: &&[u32; 2]| ends.iter().any(|&v| is_irregular[v as usize]);
         let (first, others): (Vec<_>, Vec<_>) = topology.edges().iter().partition(at_irregular);
-        let lines = first.iter().chain(&others).map(|ends| line(ends)).collect();
+        let lines = first.iter().chain(&others).map(line).collect();
         (lines, first.len())
     }
 }
