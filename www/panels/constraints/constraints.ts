@@ -132,10 +132,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
       ),
       element(
         'span.on',
-        element(
-          'span',
-          `${row.name && `${kind?.label}, `}${row.on}${count}${skipped}${params}`,
-        ),
+        element('span', `${row.name && `${kind?.label}, `}${row.on}${count}${skipped}${params}`),
         share,
       ),
       element('span.measures', element('label', 'weight', weight.field), worst, within),
