@@ -204,7 +204,7 @@ impl CurvatureField {
         let up = up?;
         let x = up.across();
         let y = up.cross(x);
-        let values = [on(&tensor, x, x), on(&tensor, x, y), on(&tensor, y, y)];
+        let values = [form_on(&tensor, x, x), form_on(&tensor, x, y), form_on(&tensor, y, y)];
         let curvature = Curvature::of(SecondForm { axes: [x, y], values });
         if !curvature.has_directions(umbilic, self.mean_edge) {
             return None;
@@ -315,7 +315,9 @@ fn mean_form(
     mean
 }
 
-fn on([xx, yy, zz, xy, xz, yz]: &Tensor, a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+/// The value of a symmetric form, such as the second fundamental form, on two vectors; its entries are
+/// `xx, yy, zz, xy, xz, yz`.
+pub(crate) fn form_on([xx, yy, zz, xy, xz, yz]: &[f64; 6], a: Vec3<f64>, b: Vec3<f64>) -> f64 {
     xx * a.x * b.x
         + yy * a.y * b.y
         + zz * a.z * b.z

@@ -9,6 +9,7 @@ mod spaced;
 mod trace;
 
 pub use edges::CurvatureLines;
+pub(crate) use field::form_on;
 pub use field::{CurvatureField, Family, SurfacePoint};
 pub use trace::CurvatureLine;
 

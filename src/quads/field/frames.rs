@@ -2,6 +2,7 @@
 
 use super::complex::{Complex, argument, conjugate, times, unit};
 use crate::math::Vec3;
+use crate::mesh::form_on;
 use crate::quads::surface::Prepared;
 use crate::quads::{Side, Triangulation};
 
@@ -75,15 +76,7 @@ impl Frames {
                     .zip(prepared.tensors[v])
                     .for_each(|(sum, part)| *sum += part / 3.0);
             }
-            let on = |a: Vec3<f64>, b: Vec3<f64>| {
-                let [xx, yy, zz, xy, xz, yz] = tensor;
-                xx * a.x * b.x
-                    + yy * a.y * b.y
-                    + zz * a.z * b.z
-                    + xy * (a.x * b.y + a.y * b.x)
-                    + xz * (a.x * b.z + a.z * b.x)
-                    + yz * (a.y * b.z + a.z * b.y)
-            };
+            let on = |a: Vec3<f64>, b: Vec3<f64>| form_on(&tensor, a, b);
             let (x, y) = (self.x[t], self.y[t]);
             [0.5 * (on(x, x) - on(y, y)), on(x, y)]
         };

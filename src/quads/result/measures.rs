@@ -3,7 +3,7 @@
 use super::distance::LargestDistances;
 use super::samples::{Samples, unit};
 use crate::math::{Vec3, angle, argsort, key_of_number};
-use crate::quads::surface::Tensor;
+use crate::mesh::form_on;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -177,21 +177,11 @@ fn angle_to_curvature(
     let e = unit(along - normal * normal.dot(along));
     let f = normal.cross(e);
     let form = |p: Vec3<f64>, q: Vec3<f64>| {
-        0.5 * (value(samples.tensors[a], p, q) + value(samples.tensors[b], p, q))
+        0.5 * (form_on(&samples.tensors[a], p, q) + form_on(&samples.tensors[b], p, q))
     };
     // The difference of the curvatures times cosine and sine of twice the angle.
     let (cosine, sine) = (form(e, e) - form(f, f), 2.0 * form(e, f));
     let difference = (cosine * cosine + sine * sine).sqrt();
     let doubled = angle(cosine.abs(), sine.abs());
     (difference * size > CURVED).then(|| [(0.5 * doubled).to_degrees(), difference])
-}
-
-/// The value of a symmetric tensor on two vectors.
-fn value([xx, yy, zz, xy, xz, yz]: Tensor, p: Vec3<f64>, q: Vec3<f64>) -> f64 {
-    xx * p.x * q.x
-        + yy * p.y * q.y
-        + zz * p.z * q.z
-        + xy * (p.x * q.y + p.y * q.x)
-        + xz * (p.x * q.z + p.z * q.x)
-        + yz * (p.y * q.z + p.z * q.y)
 }
