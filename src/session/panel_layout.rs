@@ -5,8 +5,8 @@ use super::Session;
 use super::edit::check_lock;
 use crate::mesh::{Edited, Mesh, Point, Surface, Topology};
 use crate::quads::{
-    Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, Remeshed, direction_weight,
-    follow_weight, remesh,
+    Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, Remeshed, Remesher,
+    direction_weight, follow_weight,
 };
 use crate::scene::{Forecast, HowFar, Lock, SceneError};
 use crate::session::Error;
@@ -78,11 +78,13 @@ impl Session {
             |error: RemeshError| SceneError { path: String::new(), message: error.to_string() };
         let shape = self.current_mesh();
         let followed = settings.boundary.unwrap_or(Boundary::Followed);
-        let mut layout = self.layout(&shape, settings, followed, observer).map_err(refused)?;
+        let mut remesher = Remesher::new(&shape).map_err(refused)?;
+        let mut layout =
+            self.layout(&mut remesher, settings, followed, observer).map_err(refused)?;
         let has_boundary = !self.topology().boundary_loops().is_empty();
         if settings.boundary.is_none() && has_boundary && layout.moves_a_lot() {
             // Panels that are cut may move less. What cannot be cut stays followed.
-            match self.layout(&shape, settings, Boundary::Cut, observer) {
+            match self.layout(&mut remesher, settings, Boundary::Cut, observer) {
                 Err(RemeshError::Cancelled) => return Err(refused(RemeshError::Cancelled).into()),
                 Ok(cut) if cut.move_length() <= CUT_MOVES * layout.move_length() => layout = cut,
                 _ => {}
@@ -116,7 +118,7 @@ impl Session {
 
     fn layout(
         &self,
-        shape: &Mesh,
+        remesher: &mut Remesher,
         settings: &LayoutSettings,
         boundary: Boundary,
         observer: &mut RemeshObserver<'_>,
@@ -124,7 +126,7 @@ impl Session {
         let size = match (settings.size, settings.count) {
             (Some(length), _) => PanelSize::Length(length),
             (None, Some(count)) => PanelSize::Count(count),
-            (None, None) => PanelSize::Count(usual_count(shape)),
+            (None, None) => PanelSize::Count(usual_count(self.mesh())),
         };
         let options = MapOptions {
             follow: follow_weight(settings.follow),
@@ -132,7 +134,7 @@ impl Session {
             boundary,
             ..MapOptions::of_size(size)
         };
-        let remeshed = remesh(shape, &options, &self.document().units, observer)?;
+        let remeshed = remesher.remesh(&options, &self.document().units, observer)?;
         let topology = Topology::new(&remeshed.mesh);
         let forecast = Forecast::of(&remeshed.mesh, &topology);
         Ok(Layout { remeshed, topology, forecast, boundary })
