@@ -10,6 +10,7 @@
 //! | `dense` | eigenvectors and orthonormal vectors of any size |
 //! | `alignment`, `orthogonal_pair` | the closest rotation and scale, the closest square frame |
 //! | `round`, `round_within`, `circle_fit` | fitted circles and spheres |
+//! | `nearest_centre` | the closest circle or sphere of a given radius, searched from many starts |
 //! | `product` | the closest numbers with a given product |
 //! | `polygon`, `unit_polygon` | sides and corners of polygons, regular polygons |
 //! | `plane` | points and vectors of the plane, area of a polygon |
@@ -25,6 +26,7 @@ mod eigenvector;
 mod elementary;
 mod indices;
 mod lane;
+mod nearest_centre;
 mod orthogonal_pair;
 pub mod plane;
 mod polygon;

@@ -12,6 +12,7 @@
 //! Points inside the circle have a negative `k`, which is replaced by zero so that no step goes
 //! uphill.
 
+use super::nearest_centre::nearest_centre;
 use super::round::{AT_CENTRE, STRAIGHT};
 use crate::math::{Lane, PrincipalAxes, Round, Symmetric3, Vec3};
 
@@ -25,6 +26,13 @@ const LEVEL: f64 = 1e-12;
 
 /// The least determinant of the Hessian at which the closed form is used.
 const LEAST_DETERMINANT: f64 = 1e-9;
+
+/// Within these factors of the fitted radius, Newton's method finds the closest centre from there.
+/// Points all around a circle much smaller than the limit are closest to one of several centres.
+const NEAR: [f64; 2] = [0.5, 1.25];
+
+/// A last step of more than this fraction of the radius has not converged.
+const LAST_STEP: f64 = 1e-7;
 
 /// A circle or sphere around the mean of its points whose radius is within limits.
 #[derive(Clone, Copy, Debug)]
@@ -64,6 +72,8 @@ impl<S: Lane> RoundWithin<S> {
 
         let inverse_n = S::splat(1.0 / points.len() as f64);
         let mut accurate = *good;
+        accurate = radius.if_greater(free * S::splat(NEAR[1]), zero, accurate);
+        accurate = (free * S::splat(NEAR[0])).if_greater(radius, zero, accurate);
         let mut sum = Vec3::zero();
         for p in points {
             let from_centre = *p * round.d - round.a;
@@ -71,6 +81,7 @@ impl<S: Lane> RoundWithin<S> {
             sum += u;
         }
         let mut centre = -sum * (radius * inverse_n);
+        let mut step = Vec3::zero();
         for _ in 0..STEPS {
             let (mut sum, mut hessian) = (Vec3::zero(), [zero; 7]);
             for p in points {
@@ -97,9 +108,12 @@ impl<S: Lane> RoundWithin<S> {
             };
             let adjugate = hessian.adjugate();
             let determinant = hessian.determinant(adjugate);
-            centre -= adjugate.times(gradient) * (one / determinant);
+            step = adjugate.times(gradient) * (one / determinant);
+            centre -= step;
             accurate = determinant.if_greater(S::splat(LEAST_DETERMINANT), accurate, zero);
         }
+        let last = radius * S::splat(LAST_STEP);
+        accurate = step.length_squared().if_greater(last * last, zero, accurate);
         *good = limited.if_greater(zero, accurate, *good);
         within.centre = centre;
         within
@@ -158,10 +172,10 @@ impl RoundWithin<f64> {
     }
 }
 
-/// A circle or sphere fitted in principal axes: slower, but accurate for every input.
+/// A circle or sphere fitted in principal axes: slower, but accurate for every input, and closest
+/// to the points if the limits change the radius.
 ///
-/// Collinear (for a sphere, coplanar) points that may not stay on their line have their centre
-/// along the shortest axis. A limit of more than a million times the size of the points gives a
+/// Collinear (for a sphere, coplanar) points that may not stay on their line bulge to one side. A limit of more than a million times the size of the points gives a
 /// line along the longest axis (for a sphere, a plane along the two longest). Coincident points
 /// stay. If the radius must be zero, all points go to their mean.
 #[derive(Clone, Copy, Debug)]
@@ -194,7 +208,10 @@ impl PrincipalRound {
             let clamped = clamp(in_space);
             if clamped == in_space { radius } else { clamped / axes.scale }
         };
-        let within = RoundWithin::of(&seen, round, normal, clamp, chosen, &mut 1.0);
+        let mut within = RoundWithin::of(&seen, round, normal, clamp, chosen, &mut 1.0);
+        if within.limited > 0.0 && !within.is_straight() && !is_point {
+            within.centre = nearest_centre(&seen, dimensions, within.radius, within.centre);
+        }
         PrincipalRound { axes, within, dimensions, is_point }
     }
 

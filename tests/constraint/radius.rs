@@ -33,26 +33,27 @@ fn near_round(random: &mut Random, id: &str, n: usize, cap: f64, noise: f64) -> 
     centred(&std::iter::repeat_with(&mut point).flatten().take(n).collect::<Points>())
 }
 
-/// Least sum of squared distances to a circle (in the plane of the points) or sphere of this
-/// radius: from many starts, the centre is iterated until the projections have the mean of the
-/// points.
-fn least_distance_squared(points: &Points, radius: f64, random: &mut Random) -> f64 {
+/// Least sum of squared distances to a sphere of this radius, or if `flat` to a circle in the plane
+/// z = 0 of the points: from many random centres, and long from the best of them, the centre is
+/// iterated until the projections have the mean of the points.
+fn least_distance_squared(points: &Points, flat: bool, radius: f64, random: &mut Random) -> f64 {
     let energy =
         |c: Vec3<f64>| -> f64 { points.iter().map(|v| ((*v - c).length() - radius).powi(2)).sum() };
-    let mut least = f64::INFINITY;
-    for _ in 0..12 {
-        // Linear combinations of the points are in their plane.
-        let mut c = points.iter().fold(Vec3::zero(), |sum, v| sum + *v * random.uniform());
-        for _ in 0..3000 {
+    let iterated = |times: usize, start: Vec3<f64>| {
+        (0..times).fold(start, |c, _| {
             let sum = points.iter().fold(Vec3::zero(), |sum, v| {
                 let w = *v - c;
                 sum + w * (1.0 / w.length())
             });
-            c = -sum * (radius / points.len() as f64);
-        }
-        least = least.min(energy(c));
-    }
-    least
+            -sum * (radius / points.len() as f64)
+        })
+    };
+    let centres = (0..40).map(|_| {
+        let v = random.vector() * (1.5 * radius);
+        iterated(200, Vec3::new(v.x, v.y, if flat { 0.0 } else { v.z }))
+    });
+    let best = centres.min_by(|a, b| energy(*a).total_cmp(&energy(*b)));
+    energy(iterated(20_000, best.expect("there are forty")))
 }
 
 #[test]
@@ -61,17 +62,17 @@ fn nearly_closest_also_where_the_radius_is_far_from_that_of_the_vertices() {
         for (cap, radius, bound) in [
             (1.0, 0.5, 1e-4),
             (1.0, 1.0, 1e-4),
-            (1.0, 1.4, 0.05),
+            (1.0, 1.4, 1e-4),
             (0.4, 0.5, 1e-4),
-            (0.4, 2.0, 1e-2),
-            (0.4, 5.0, 0.05),
+            (0.4, 2.0, 1e-4),
+            (0.4, 5.0, 1e-4),
         ] {
             let (mut sum, mut worst) = (0.0, 0.0f64);
             for seed in 0..40 {
                 let mut random = Random::new(seed);
                 let points = near_round(&mut random, id, 10, cap, 0.1);
                 let found = project(&with_radius(id, json!(radius)), &points, &points);
-                let least = least_distance_squared(&points, radius, &mut random);
+                let least = least_distance_squared(&points, id == "circle", radius, &mut random);
                 let more = distance_squared(&points, &found) / least - 1.0;
                 assert!(more >= -1e-6, "{id}, seed {seed}: the search found only {least}");
                 sum += more;
@@ -80,6 +81,55 @@ fn nearly_closest_also_where_the_radius_is_far_from_that_of_the_vertices() {
             let mean = sum / 40.0;
             println!("{id}, part {cap}, radius {radius}: excess mean {mean:.1e} max {worst:.1e}");
             assert!(mean <= bound, "{id}, part {cap}, radius {radius}: {mean:e} more");
+        }
+    }
+}
+
+#[test]
+fn nearly_closest_for_rings_arcs_and_lines_of_any_flatness_size_and_place() {
+    // The search began in the plane of the points, where the energy of a sphere has a saddle: an
+    // arc of its equator moved by a fortieth of the radius.
+    let radius = 5.0;
+    for seed in 0..6 {
+        let mut random = Random::new(seed);
+        for (own, part) in [(5.0, 1.0), (4.5, 1.0), (2.0, 1.0), (7.0, 1.0), (5.0, 0.25), (4.0, 0.1)]
+        {
+            for (bent, noise) in [(0.0, 0.0), (0.0, 1e-12), (0.0, 1e-6), (0.0, 1e-2), (1e-3, 0.0)] {
+                let points: Points = (0..12)
+                    .map(|i| {
+                        let t = f64::from(i) / 12.0 * part * std::f64::consts::TAU;
+                        let height = bent * (3.0 * t).sin() + noise * random.uniform();
+                        Vec3::new(own * t.cos(), own * t.sin(), height)
+                    })
+                    .collect();
+                nearly_closest(&centred(&points), radius, &mut random, (own, part, bent, noise));
+            }
+        }
+        let line: Points = (0..8).map(|i| Vec3::new(f64::from(i).sqrt(), 0.0, 0.0)).collect();
+        nearly_closest(&centred(&line), radius, &mut random, (0.0, 0.0, 0.0, 0.0));
+    }
+}
+
+fn nearly_closest(points: &Points, radius: f64, random: &mut Random, case: (f64, f64, f64, f64)) {
+    let is_flat = points.iter().all(|v| v.z == 0.0);
+    for id in ["sphere", "circle"].into_iter().filter(|id| *id == "sphere" || is_flat) {
+        let least = least_distance_squared(points, id == "circle", radius, random);
+        let frame = random.frame();
+        for (scale, away) in [(1.0, 0.0), (1e-8, 0.0), (1e8, 0.0), (1.0, 1e6)] {
+            let shift = Vec3::new(away, -away, away);
+            let placed: Points =
+                points.iter().map(|v| in_frame(frame, *v) * scale + shift).collect();
+            let placed = centred(&placed);
+            let kind = with_radius(id, json!(radius * scale));
+            let found = project(&kind, &placed, &placed);
+            let error = distance_squared(&placed, &found) / (scale * scale);
+            // Coordinates far away are rounded.
+            let rounding = points.len() as f64 * (1e-11f64 + 1e-14 * away).powi(2);
+            let bound = least * (1.0 + 1e-6) + rounding;
+            assert!(
+                error <= bound,
+                "{id} {case:?}, times {scale}, {away} away: {error:e}, least {least:e}"
+            );
         }
     }
 }
@@ -123,7 +173,7 @@ fn what_is_drawn_has_the_given_radius_and_all_projections() {
                     None => panic!("{id}, seed {seed}: nothing is drawn"),
                 };
                 assert!(
-                    (0.7..=0.8 + 1e-15).contains(&radius),
+                    (0.7 - 1e-15..=0.8 + 1e-15).contains(&radius),
                     "{id}, seed {seed}: radius {radius}"
                 );
                 for p in &found {

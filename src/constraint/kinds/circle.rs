@@ -10,10 +10,9 @@ use serde::{Deserialize, Serialize};
 /// Not exact: with vertices off a circle by 1 %, 10 % or 30 % of its radius, the squared distance is
 /// on average 3e-5, 3e-3 or 2.5 % greater than the least possible (8 vertices all around).
 ///
-/// With a given radius close to that of the vertices these excesses are 8e-6, 7e-4 and 1.3 %: only
-/// the plane is not optimal. With one 1.4 times as great they are up to 12 %, and more beyond: the
-/// closest circle to vertices all around then has them on one side, and there are several such
-/// circles. Limits change nothing if the fitted radius is within them.
+/// With a given radius, or limits that the fitted one is beyond, the circle is the closest in the
+/// plane of the vertices, the best of many starts; only the plane is then not optimal, at excesses
+/// of 8e-6, 7e-4 and 1.3 % in these cases. Limits change nothing if the fitted radius is within them.
 ///
 /// Collinear vertices stay on their line, the limit of large circles; with a given radius they
 /// bulge to one side. The circle is replaced by a line if the radius exceeds a million times their

@@ -10,10 +10,8 @@ use serde::{Deserialize, Serialize};
 /// Not exact: with vertices off a sphere by 1 %, 10 % or 30 % of its radius, the squared distance
 /// is on average 6e-5, 7e-3 or 6 % greater than the least possible (8 vertices all around).
 ///
-/// With a given radius close to that of the vertices these excesses are 3e-14, 2e-8 and 8e-4. With
-/// one 1.4 times as great they are up to 20 %, and more beyond: the closest sphere to vertices all
-/// around then has them on one side, and there are several such spheres. Limits change nothing if
-/// the fitted radius is within them.
+/// With a given radius the projection is the closest for every configuration, the best of many
+/// starts; so with limits if the fitted radius is beyond them. Limits change nothing if it is within.
 ///
 /// Coplanar vertices stay in their plane, the limit of large spheres; with a given radius they
 /// bulge to one side. The sphere is replaced by a plane if the radius exceeds a million times their
