@@ -39,7 +39,7 @@ impl AngleSums {
             let (u, v) = (u * (1.0 / u_length), v * (1.0 / v_length));
             let (cosine, sine) = (u.dot(v), u.cross(v).length());
             let sum = k % 2;
-            residuals[sum] += angle(cosine, sine);
+            residuals[sum] += angle(cosine, sine).unwrap_or(f64::NAN);
             let by_next = (u * cosine - v) * (1.0 / (sine * u_length));
             let by_before = (v * cosine - u) * (1.0 / (sine * v_length));
             let by = &mut derivatives[sum];

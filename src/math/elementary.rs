@@ -1,11 +1,18 @@
 //! Angles, sines and cosines, and the cube root. All platforms give the same bits, which their own
 //! functions do not: these use `+ - * / sqrt`, which round correctly, or `libm`.
 
+use crate::math::Vec3;
+
 /// Returns the angle in radians, from 0 to pi, whose cosine and sine are these times the same
-/// positive number. The sine must not be negative. Relative error below 3e-16. NaN if both are
-/// zero.
-pub fn angle(cosine: f64, sine: f64) -> f64 {
-    if cosine == 0.0 && sine == 0.0 { f64::NAN } else { libm::atan2(sine, cosine) }
+/// positive number. The sine must not be negative. Relative error below 3e-16. None if both are
+/// zero, as between vectors of which one is zero.
+pub fn angle(cosine: f64, sine: f64) -> Option<f64> {
+    (cosine != 0.0 || sine != 0.0).then(|| libm::atan2(sine, cosine))
+}
+
+/// Returns the angle between two directions in radians, from 0 to pi; none if one is zero.
+pub fn angle_between(a: Vec3<f64>, b: Vec3<f64>) -> Option<f64> {
+    angle(a.dot(b), a.cross(b).length())
 }
 
 /// The sine of an angle in turns: a Taylor polynomial over a quarter turn, accurate to 1e-15.
@@ -58,11 +65,14 @@ mod tests {
             let expected = f64::from(k) / 1800.0 * PI;
             for length in [1e-100, 1.0, 3e50] {
                 let found = angle(length * expected.cos(), length * expected.sin());
+                let found = found.expect("they are not both zero");
                 assert!((found - expected).abs() <= 1e-15 * PI, "{expected}: {found}");
             }
         }
-        assert_eq!([angle(2.0, 0.0), angle(-2.0, 0.0)], [0.0, PI]);
-        assert!(angle(0.0, 0.0).is_nan());
+        assert_eq!(
+            [angle(2.0, 0.0), angle(-2.0, 0.0), angle(0.0, 0.0)],
+            [Some(0.0), Some(PI), None]
+        );
     }
 
     #[test]

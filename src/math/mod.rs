@@ -45,7 +45,7 @@ pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use cubic::Cubic;
 pub use dense::{orthonormalise, symmetric_eigen};
 pub use eigenvector::Eigenvector;
-pub use elementary::{angle, cosine, cosine_and_sine_of_degrees, cube_root, sine};
+pub use elementary::{angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, sine};
 pub use indices::{argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use orthogonal_pair::OrthogonalPair;

@@ -9,15 +9,20 @@
 //! gradient  mean (|w| - r) u,    Hessian  mean (u u^T + k (I - u u^T)),   k = 1 - r / |w|
 //! ```
 
-use crate::math::{Round, Vec3};
-use nalgebra::{Matrix3, Vector3};
+use crate::math::{Round, Symmetric3, Vec3};
 
 /// Newton's method converges in some ten steps; in a third as many digits a step where the Hessian
 /// vanishes at the minimum, as for an arc of a great circle.
 const STEPS: usize = 60;
 
+/// After so many steps it shows which starts lead to the least energies,
+const FIRST_STEPS: usize = 2;
+
+/// and so many of them are followed to their end.
+const FOLLOWED: usize = 2;
+
 /// A step is halved at most so often; what then does not descend is rounding error.
-const HALVINGS: usize = 30;
+const HALVINGS: usize = 12;
 
 /// Added to the Hessian without its negative parts, so that it is invertible.
 const LEVEL: f64 = 1e-12;
@@ -42,17 +47,22 @@ pub(super) fn nearest_centre(
 ) -> Vec3<f64> {
     let search = Search { points, dimensions, radius };
     let enough = ROUNDING * radius * radius;
-    let mut best = search.descend(first);
-    for start in search.starts() {
-        if best.0 <= enough {
-            break;
+    let mut best = search.descend(first, STEPS);
+    if best.0 > enough {
+        let mut others = search.starts();
+        for start in &mut others {
+            *start = search.descend(start.1, FIRST_STEPS);
         }
-        let found = search.descend(start);
-        if found.0 < BETTER * best.0 - enough {
-            best = found;
+        others.sort_by(|a, b| a.0.total_cmp(&b.0));
+        others.truncate(FOLLOWED);
+        for (_, start) in others {
+            let found = search.descend(start, STEPS);
+            if found.0 < BETTER * best.0 - enough {
+                best = found;
+            }
         }
     }
-    best.1
+    search.polished(best.1)
 }
 
 struct Search<'a> {
@@ -64,7 +74,7 @@ struct Search<'a> {
 impl Search<'_> {
     /// The centres from which a circle or sphere passes through the mean of the points, in many
     /// directions; and for a sphere those that have the circle of the points in their plane.
-    fn starts(&self) -> Vec<Vec3<f64>> {
+    fn starts(&self) -> Vec<(f64, Vec3<f64>)> {
         let mut starts = Vec::new();
         if self.dimensions == 3 {
             let circle = Round::fit_principal(self.points, 2);
@@ -86,14 +96,17 @@ impl Search<'_> {
                 }
             }
         }
-        starts
+        starts.into_iter().map(|start| (f64::INFINITY, start)).collect()
     }
 
-    /// Returns the least `E` that Newton's method finds from `start`, and where it is.
-    fn descend(&self, start: Vec3<f64>) -> (f64, Vec3<f64>) {
+    /// Returns the least `E` that so many of Newton's steps find from `start`, and where it is.
+    fn descend(&self, start: Vec3<f64>, steps: usize) -> (f64, Vec3<f64>) {
         let mut best = (self.energy(start), start);
-        for _ in 0..STEPS {
+        for _ in 0..steps {
             let step = self.step(best.1);
+            if step.length() <= POLISH * self.radius {
+                break;
+            }
             let lower = (0..HALVINGS)
                 .map(|k| best.1 + step * 0.5f64.powi(k as i32))
                 .map(|centre| (self.energy(centre), centre))
@@ -101,11 +114,11 @@ impl Search<'_> {
             let Some(lower) = lower else { break };
             best = lower;
         }
-        self.polished(best)
+        best
     }
 
     /// Newton's steps for the digits that `E`, which is flat at its minimum, does not show.
-    fn polished(&self, (energy, mut centre): (f64, Vec3<f64>)) -> (f64, Vec3<f64>) {
+    fn polished(&self, mut centre: Vec3<f64>) -> Vec3<f64> {
         let mut longest = POLISH * self.radius;
         for _ in 0..STEPS {
             let step = self.step(centre);
@@ -116,7 +129,7 @@ impl Search<'_> {
             centre += step;
             longest = 0.5 * length;
         }
-        (energy, centre)
+        centre
     }
 
     /// The difference of distance and radius, as in `RoundWithin::limited_step`.
@@ -135,34 +148,43 @@ impl Search<'_> {
     /// Newton's step at this centre; without the negative parts of the Hessian where it is not
     /// positive definite.
     fn step(&self, centre: Vec3<f64>) -> Vec3<f64> {
-        let (mut gradient, mut along, mut across, mut positive) =
-            (Vector3::zeros(), Matrix3::zeros(), Matrix3::zeros(), Matrix3::zeros());
+        let mut gradient = Vec3::zero();
+        // Of `(1 - k) u u^T` and `k`, of which the Hessian is the sum; and of what is negative.
+        let (mut whole, mut negative) = ([0.0; 7], [0.0; 7]);
         for v in self.points {
             let w = centre - *v;
             let distance = w.length();
             let u = if distance > 0.0 { w * (1.0 / distance) } else { Vec3::new(1.0, 0.0, 0.0) };
             let excess = self.excess(*v, centre);
-            let u = Vector3::new(u.x, u.y, u.z);
             gradient += u * excess;
-            let outer = u * u.transpose();
-            let rest = Matrix3::identity() - outer;
             let k = if distance > 0.0 { excess / distance } else { -1.0 };
-            along += outer;
-            across += rest * k;
-            positive += rest * k.max(0.0);
-        }
-        let n = self.points.len() as f64;
-        let solved = |mut hessian: Matrix3<f64>| {
-            hessian /= n;
-            if self.dimensions == 2 {
-                hessian[(2, 2)] = 1.0;
+            let products = [u.x * u.x, u.x * u.y, u.x * u.z, u.y * u.y, u.y * u.z, u.z * u.z];
+            let below = k.min(0.0);
+            for i in 0..6 {
+                whole[i] += (1.0 - k) * products[i];
+                negative[i] -= below * products[i];
             }
-            hessian.cholesky().map(|factor| factor.solve(&(-gradient / n)))
+            whole[6] += k;
+            negative[6] += below;
+        }
+        let level = LEVEL * self.points.len() as f64;
+        let solved = |[xx, xy, xz, yy, yz, zz, k]: [f64; 7]| {
+            let zz = if self.dimensions == 2 { 1.0 } else { zz + k };
+            let hessian = Symmetric3 { xx: xx + k, xy, xz, yy: yy + k, yz, zz };
+            let adjugate = hessian.adjugate();
+            let determinant = hessian.determinant(adjugate);
+            let is_positive = hessian.xx > 0.0 && adjugate.zz > 0.0 && determinant > 0.0;
+            is_positive.then(|| adjugate.times(gradient) * (-1.0 / determinant))
         };
-        let level = Matrix3::identity() * (LEVEL * n);
-        let step = solved(along + across)
-            .filter(|step| step.norm() <= self.radius)
-            .or_else(|| solved(along + positive + level));
-        step.map_or(Vec3::zero(), |s| Vec3::new(s.x, s.y, s.z))
+        solved(whole)
+            .filter(|step| step.length_squared() <= self.radius * self.radius)
+            .or_else(|| {
+                for i in 0..7 {
+                    whole[i] -= negative[i];
+                }
+                whole[6] += level;
+                solved(whole)
+            })
+            .unwrap_or_else(Vec3::zero)
     }
 }

@@ -80,7 +80,7 @@ fn turning(mapped: &Mapped) -> i64 {
             let [a, b] = [q, r].map(|end| [0, 1].map(|axis| (end[axis] - p[axis]) as f64));
             let (dot, cross) = (a[0] * b[0] + a[1] * b[1], a[0] * b[1] - a[1] * b[0]);
             // No triangle is flipped.
-            let turn = angle(dot, cross);
+            let turn = angle(dot, cross).expect("the map has no sides without length");
             turns[corners[k]] += turn / std::f64::consts::FRAC_PI_2;
         }
     }

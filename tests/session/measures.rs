@@ -1,9 +1,10 @@
 //! Values of the face measures.
 
 use crate::support::grid::grid;
+use serde_json::Value;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{MeshSource, Scene};
-use shape_up::session::{FACE_MEASURES, Session};
+use shape_up::session::{FACE_MEASURES, PanelStart, Session};
 
 /// A unit square with two opposite corners lifted by 0.02; its rest shape is flat.
 fn lifted() -> Session {
@@ -98,5 +99,54 @@ fn curvatures_of_faces_have_both_signs_and_the_units_that_they_say() {
     }
     for measure in FACE_MEASURES {
         assert!(!(measure.signed && measure.toleranced), "a tolerance is a distance from 0");
+    }
+}
+
+/// The paths of everything in `value` that is null, as a number that is not finite is.
+fn nulls(value: &Value, path: &str, found: &mut Vec<String>) {
+    match value {
+        Value::Null => found.push(path.to_owned()),
+        Value::Object(map) => {
+            map.iter().for_each(|(key, value)| nulls(value, &format!("{path}.{key}"), found));
+        }
+        Value::Array(list) => list.iter().for_each(|value| nulls(value, path, found)),
+        _ => {}
+    }
+    found.sort();
+    found.dedup();
+}
+
+#[test]
+fn a_panel_without_area_makes_no_number_undefined() {
+    // The mean angle between neighbours was no number, and "rougher" or "flatter" never said.
+    let whole = || {
+        grid(8, 8, |i, j| {
+            [f64::from(i), f64::from(j), f64::from(i * i) * 0.05 - f64::from(j) * 0.1]
+        })
+    };
+    let nulls_after_a_press = |mesh: Mesh| {
+        let mut scene = Scene::new(MeshSource::File(String::new()));
+        scene.solver.tolerance = 1e-7;
+        let mut session = Session::open(scene, mesh).expect("it opens");
+        session.make_panels("circle", session.tolerance(), PanelStart::Now).expect("it has quads");
+        (0..20_000).find(|_| session.step().expect("it stays finite").ended);
+        session.end_run();
+        let verdict = session.verdict(session.tolerance()).expect("panels were asked for");
+        let report = serde_json::json!({
+            "verdict": verdict,
+            "report": session.report(),
+        });
+        let mut found = Vec::new();
+        nulls(&report, "", &mut found);
+        found
+    };
+    let expected = nulls_after_a_press(whole());
+    // A side, a corner on a neighbour, a whole panel.
+    for (vertex, onto) in [(vec![20], 21), (vec![20], 29), (vec![20, 21, 29, 28], 20)] {
+        let mut mesh = whole();
+        for v in &vertex {
+            mesh.positions[*v] = mesh.positions[onto];
+        }
+        assert_eq!(nulls_after_a_press(mesh), expected, "{vertex:?} onto {onto}");
     }
 }

@@ -1,7 +1,7 @@
 //! The beams around a node.
 
 use crate::fabricate::surface::{PanelSurface, unit};
-use crate::math::{Vec3, angle, key_of_number, sort_by_number};
+use crate::math::{Vec3, angle_between, key_of_number, sort_by_number};
 
 /// A beam as seen from one of its nodes.
 #[derive(Clone, Copy, Debug)]
@@ -104,7 +104,7 @@ fn node(surface: &PanelSurface, axis: Vec3<f64>, v: u32, edges: &[u32]) -> Optio
     Some(Node { vertex: v, axis, spokes })
 }
 
-/// The angle between two unit vectors, in degrees.
+/// The angle between two unit vectors, in degrees; 0 if one is zero.
 pub(super) fn degrees_between(a: Vec3<f64>, b: Vec3<f64>) -> f64 {
-    angle(a.dot(b), a.cross(b).length()).to_degrees()
+    angle_between(a, b).map_or(0.0, f64::to_degrees)
 }

@@ -16,8 +16,8 @@ pub(super) fn dome(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
         return Err(NewMeshError::Together { expected });
     }
     // Angles from the axis, in turns.
-    let low = angle(radius - rise, eaves) / TAU;
-    let high = angle((radius * radius - hole * hole).max(0.0).sqrt(), hole) / TAU;
+    let low = angle(radius - rise, eaves).unwrap_or(0.0) / TAU;
+    let high = angle((radius * radius - hole * hole).max(0.0).sqrt(), hole).unwrap_or(0.0) / TAU;
     revolved(around, rows, &|up| {
         let turns = low + up * (high - low);
         let at = if up == 1.0 { hole } else { radius * sine(turns) };

@@ -17,7 +17,7 @@ pub(super) fn barrel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
     let [length, span, rise, along, across] = exactly(sizes)?;
     let half = 0.5 * span;
     let radius = (half * half + rise * rise) / (2.0 * rise);
-    let turns = angle(radius - rise, half) / TAU;
+    let turns = angle(radius - rise, half).unwrap_or(0.0) / TAU;
     quads(along, across, &|x, y| {
         let (across, up) = (radius * sine(turns * y), radius * cosine(turns * y));
         [0.5 * length * x, across, up - (radius - rise)]

@@ -54,7 +54,7 @@ pub(super) fn closest([a, b]: [Point2; 2], to: Point2) -> Point2 {
 impl Side {
     /// The angle that the arc spans, in turns; negative if it bulges inwards.
     fn turns(&self) -> f64 {
-        4.0 * self.bulge.signum() * angle(1.0, self.bulge.abs()) / TAU
+        4.0 * self.bulge.signum() * angle(1.0, self.bulge.abs()).unwrap_or(0.0) / TAU
     }
 
     fn is_straight(&self) -> bool {

@@ -9,7 +9,7 @@ pub use loft::loft;
 
 use crate::generate::quads::TooManyFaces;
 use crate::generate::sides::even_steps;
-use crate::math::{Vec3, angle};
+use crate::math::{Vec3, angle_between};
 use crate::mesh::{Mesh, Topology};
 use serde::Serialize;
 use std::fmt;
@@ -148,7 +148,7 @@ impl SpanCurve {
         let turn = |k: usize| {
             let [before, here, after] = [k + n - 1, k, k + 1].map(|k| self.points[k % n]);
             let (a, b) = (here - before, after - here);
-            angle(a.dot(b), a.cross(b).length()).to_degrees()
+            angle_between(a, b).map_or(0.0, f64::to_degrees)
         };
         inner.map(|k| (k, turn(k))).filter(|&(_, degrees)| degrees > CORNER).collect()
     }

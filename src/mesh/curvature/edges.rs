@@ -82,5 +82,5 @@ fn angle_to_principal(along: Vec3<f64>, ends: [Option<Curvature>; 2]) -> Option<
     if !curvature.has_directions(UMBILIC, along.length()) {
         return None;
     }
-    Some(0.5 * angle(0.5 * (ee - ff).abs(), ef.abs()).to_degrees())
+    angle(0.5 * (ee - ff).abs(), ef.abs()).map(|twice| 0.5 * twice.to_degrees())
 }

@@ -1,6 +1,6 @@
 //! Sharp edges (the boundary and creases) and corners, which a subdivision keeps.
 
-use crate::math::{Vec3, angle, polygon_sides, twice_vector_area};
+use crate::math::{Vec3, angle_between, polygon_sides, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
 
 pub(super) struct Sharp {
@@ -67,7 +67,7 @@ fn sharp_neighbours(edges: &[bool], topology: &Topology, v: u32) -> Vec<u32> {
 
 /// Whether the angle between two directions exceeds `most`, in radians; false for a zero vector.
 fn turns(a: Vec3<f64>, b: Vec3<f64>, most: f64) -> bool {
-    angle(a.dot(b), a.cross(b).length()) > most
+    angle_between(a, b).is_some_and(|angle| angle > most)
 }
 
 /// Whether a face traverses an edge from its first to its second end.

@@ -1,7 +1,7 @@
 //! How developable a surface is: its Gauss curvature at vertices, by angle defects, which is zero
 //! inside a developable surface; and strips of quads unrolled into the plane.
 
-use crate::math::{Vec3, angle, polygon_corners};
+use crate::math::{Vec3, angle_between, polygon_corners};
 use crate::mesh::{Mesh, Point, Topology};
 use std::f64::consts::TAU;
 
@@ -77,7 +77,7 @@ pub fn gauss_curvature(positions: &[Point], mesh: &Mesh, topology: &Topology) ->
     let n = positions.len();
     let (mut defects, mut areas) = (vec![TAU; n], vec![0.0; n]);
     let at = |v: u32| Vec3::from(positions[v as usize]);
-    let between = |a: Vec3<f64>, b: Vec3<f64>| angle(a.dot(b), a.cross(b).length());
+    let between = |a, b| angle_between(a, b).unwrap_or(f64::NAN);
     for face in mesh.faces.iter() {
         let share = 1.0 / face.len() as f64;
         let centre = face.iter().fold(Vec3::zero(), |sum, &v| sum + at(v)) * share;

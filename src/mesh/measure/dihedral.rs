@@ -35,8 +35,8 @@ impl Neighbours {
         self.sign * a.dot(b)
     }
 
-    /// Returns their angle in radians; 0 if a face has no area.
-    fn angle(&self, normals: &[Vec3<f64>]) -> f64 {
+    /// Returns their angle in radians; none if a face has no area.
+    fn angle(&self, normals: &[Vec3<f64>]) -> Option<f64> {
         let [a, b] = self.faces.map(|face| normals[face as usize]);
         angle(self.sign * a.dot(b), a.cross(b).length())
     }
@@ -53,12 +53,12 @@ fn unit_normals(faces: &Ragged, at: &[Point]) -> Vec<Vec3<f64>> {
 }
 
 /// Returns the mean angle in degrees between the normals of neighbouring faces at the positions
-/// `at` (`#V by 3`); 0 if no edge has two faces.
+/// `at` (`#V by 3`); 0 if no edge has two faces with an area.
 pub fn mean_dihedral_angle(mesh: &Mesh, topology: &Topology, at: &[Point]) -> f64 {
     let normals = unit_normals(&mesh.faces, at);
     let (mut sum, mut count) = (0.0, 0.0);
-    for pair in Neighbours::all(mesh, topology) {
-        sum += pair.angle(&normals);
+    for angle in Neighbours::all(mesh, topology).filter_map(|pair| pair.angle(&normals)) {
+        sum += angle;
         count += 1.0;
     }
     if count > 0.0 { f64::to_degrees(sum / count) } else { 0.0 }

@@ -3,7 +3,7 @@
 
 use super::complex::{Complex, argument};
 use super::frames::Frames;
-use crate::math::angle;
+use crate::math::angle_between;
 use crate::quads::{Side, Triangulation};
 use std::collections::VecDeque;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -80,7 +80,7 @@ fn indices(surface: &Triangulation, turns: &[[f64; 3]]) -> Vec<i32> {
         let ahead = surface.along(Side { triangle, side });
         let back = surface.at(triangle, side + 2) - surface.at(triangle, side);
         let vertex = surface.corner(triangle, side);
-        defect[vertex] -= angle(ahead.dot(back), ahead.cross(back).length());
+        defect[vertex] -= angle_between(ahead, back).unwrap_or(0.0);
         // Counterclockwise around the vertex the neighbour comes before.
         defect[vertex] -= turns[triangle][side];
     }

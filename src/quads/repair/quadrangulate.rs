@@ -84,7 +84,7 @@ pub(super) fn deviation(corners: [Vec3<f64>; 4], normal: Vec3<f64>) -> f64 {
         let to_last = corners[(k + 3) % 4] - corners[k];
         let turn = to_next.cross(to_last);
         let found = angle(to_next.dot(to_last), turn.length());
-        let deviation = if found.is_nan() { FRAC_PI_2 } else { found - FRAC_PI_2 };
+        let deviation = found.map_or(FRAC_PI_2, |found| found - FRAC_PI_2);
         deviation * deviation + if turn.dot(normal) > 0.0 { 0.0 } else { TURNED }
     };
     (0..4).map(of_corner).sum()

@@ -2,7 +2,7 @@
 
 use super::distance::LargestDistances;
 use super::samples::{Samples, unit};
-use crate::math::{Vec3, angle, argsort, key_of_number};
+use crate::math::{Vec3, angle, angle_between, argsort, key_of_number};
 use crate::mesh::form_on;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
@@ -99,8 +99,7 @@ impl Tally {
                 edges.push([a.min(b), a.max(b)]);
                 let [next, last] =
                     [b, face[(k + count - 1) % count]].map(|v| positions[v] - positions[a]);
-                let corner = angle(next.dot(last), next.cross(last).length());
-                turns[a] += if corner.is_nan() { 1.0 } else { corner / FRAC_PI_2 };
+                turns[a] += angle_between(next, last).map_or(1.0, |corner| corner / FRAC_PI_2);
                 panels[a] += 1.0;
             }
         }
@@ -182,6 +181,6 @@ fn angle_to_curvature(
     // The difference of the curvatures times cosine and sine of twice the angle.
     let (cosine, sine) = (form(e, e) - form(f, f), 2.0 * form(e, f));
     let difference = (cosine * cosine + sine * sine).sqrt();
-    let doubled = angle(cosine.abs(), sine.abs());
+    let doubled = angle(cosine.abs(), sine.abs())?;
     (difference * size > CURVED).then(|| [(0.5 * doubled).to_degrees(), difference])
 }

@@ -4,7 +4,7 @@
 //! does. A chain ends where it branches, and has corners, which its tangents do not round off.
 
 use super::edges::Edges;
-use crate::math::{Vec3, angle};
+use crate::math::{Vec3, angle_between};
 
 /// Half the length of a chord, in panels; at most a quarter of the chain.
 const REACH: f64 = 0.5;
@@ -172,7 +172,7 @@ impl<'a> Chains<'a> {
                 let (along, here) = (chain.length[k], self.positions[chain.vertices[k]]);
                 let before = here - self.at(chain, along - reach);
                 let after = self.at(chain, along + reach) - here;
-                let turn = angle(before.dot(after), before.cross(after).length());
+                let turn = angle_between(before, after)?;
                 (turn > CORNER).then_some((turn, k))
             })
             .collect();

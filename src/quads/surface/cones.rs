@@ -2,7 +2,7 @@
 //! grid could follow both of its sides; the field inside is turned so that the wedge becomes one
 //! corner of a quad.
 
-use crate::math::{Vec3, angle, cosine, sine};
+use crate::math::{Vec3, angle_between, cosine, sine};
 use crate::quads::{Side, Triangulation};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -40,7 +40,7 @@ fn wedge(surface: &Triangulation, first: Side) -> Option<Wedge> {
         let ahead = surface.along(here);
         let last = Side { triangle: here.triangle, side: (here.side + 2) % 3 };
         let back = -surface.along(last);
-        sum += angle(ahead.dot(back), ahead.cross(back).length());
+        sum += angle_between(ahead, back).unwrap_or(0.0);
         triangles.push(here.triangle);
         if surface.is_feature(last) {
             let sides = [surface.along(first), back];
@@ -68,7 +68,7 @@ fn open(
         if distance > size && !wedge.triangles.contains(&t) {
             continue;
         }
-        let [from_a, from_b] = [a, b].map(|side| angle(side.dot(d), side.cross(d).length()));
+        let [from_a, from_b] = [a, b].map(|side| angle_between(side, d).unwrap_or(0.0));
         let part = from_a / (from_a + from_b).max(1e-9);
         let turn = part * (wedge.angle - FRAC_PI_2) / TAU;
         let (_, Some(normal)) = surface.area_vector(t).length_and_direction() else { continue };

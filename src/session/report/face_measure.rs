@@ -7,7 +7,7 @@ use super::measure_cache::MeasureCache;
 use super::measuring::{Measuring, Shape};
 use super::moved::displacements;
 use super::projected::residuals;
-use crate::math::{Vec3, angle, polygon_corners, polygon_sides};
+use crate::math::{Vec3, angle_between, polygon_corners, polygon_sides};
 use crate::mesh::{Curvature, CurvatureLines, Point, diagonal_ratio, face_curvatures};
 use crate::session::state::{RestMesh, SolvedScene};
 use serde::Serialize;
@@ -332,10 +332,10 @@ fn angles(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
         let corner = |corner: [u32; 3]| {
             let [before, here, after] = corner.map(at);
             let (a, b) = (before - here, after - here);
-            let angle = angle(a.dot(b), a.cross(b).length()) * (180.0 / PI);
-            (angle - regular).abs()
+            let angle = angle_between(a, b)?;
+            Some((angle * (180.0 / PI) - regular).abs())
         };
-        polygon_corners(face).map(corner).fold(0.0, f64::max)
+        polygon_corners(face).filter_map(corner).fold(0.0, f64::max)
     };
     model.faces().iter().map(worst).collect()
 }

@@ -2,7 +2,9 @@
 //! local exchanges.
 
 use super::declaration::{OperationError, Task};
-use crate::math::{Vec3, angle, argsort, key_of_number, polygon_corners, twice_vector_area};
+use crate::math::{
+    Vec3, angle_between, argsort, key_of_number, polygon_corners, twice_vector_area,
+};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 use std::collections::BTreeSet;
@@ -105,16 +107,19 @@ fn pairs(task: &Task<'_>, most: f64) -> Vec<Pair> {
         let quad = [a, d, b, c];
         let corners = polygon_corners(&quad).map(|[before, here, after]| {
             let [back, out] = [before, after].map(|v| at(v) - at(here));
-            angle(back.dot(out), back.cross(out).length()).to_degrees()
+            angle_between(back, out).map(f64::to_degrees)
         });
-        let corners: Vec<f64> = corners.collect();
+        let corners: Option<Vec<f64>> = corners.collect();
         let normals = [[a, b, c], [b, a, d]].map(|t| twice_vector_area(t.map(at)));
-        let fold = angle(normals[0].dot(normals[1]), normals[0].cross(normals[1]).length());
+        // A triangle without area, or with a side without length, has no partner.
+        let (Some(corners), Some(fold)) = (corners, angle_between(normals[0], normals[1])) else {
+            continue;
+        };
         // Sum of the angles of both triangles, which exceeds 180 degrees in a non-convex quad.
         let reach = |v: u32| {
             let part = |from: u32, to: u32| {
                 let [p, q] = [at(from) - at(v), at(to) - at(v)];
-                angle(p.dot(q), p.cross(q).length()).to_degrees()
+                angle_between(p, q).map_or(0.0, f64::to_degrees)
             };
             part(c, if v == a { b } else { a }) + part(if v == a { b } else { a }, d)
         };
