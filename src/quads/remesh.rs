@@ -33,12 +33,13 @@ pub struct RemeshNote {
 }
 
 /// A surface to be covered, with what other settings can use again: its curvature, and while size,
-/// creases and boundary stay the same, the prepared surface with its fields and maps.
+/// creases stay the same, for each choice at the boundary the prepared surface with its fields and maps.
 pub struct Remesher {
     mesh: Mesh,
     surfaces: Vec<InputSurface>,
     area: f64,
-    kept: Option<Kept>,
+    /// The last of each choice at the boundary: both are asked for in turn.
+    kept: Vec<Kept>,
 }
 
 /// The maps of all parts for panels of one size.
@@ -61,7 +62,7 @@ impl Remesher {
         // Curves and tetrahedra are not covered.
         let (positions, faces) = (mesh.positions.clone(), mesh.faces.clone());
         let mesh = Mesh { positions, faces, ..Mesh::default() };
-        Ok(Remesher { mesh, surfaces, area, kept: None })
+        Ok(Remesher { mesh, surfaces, area, kept: Vec::new() })
     }
 
     /// Covers the surface; see [`remesh`]. The result does not depend on what was asked before.
@@ -82,7 +83,9 @@ impl Remesher {
         let fits = |kept: &Kept| {
             (kept.size, kept.crease, kept.boundary) == (size, options.crease, options.boundary)
         };
-        let mut kept = self.kept.take().filter(fits).unwrap_or_else(|| Kept {
+        let last = self.kept.iter().position(|kept| kept.boundary == options.boundary);
+        let last = last.map(|place| self.kept.swap_remove(place)).filter(fits);
+        let mut kept = last.unwrap_or_else(|| Kept {
             size,
             crease: options.crease,
             boundary: options.boundary,
@@ -109,7 +112,7 @@ impl Remesher {
             return Err(RemeshError::Cancelled);
         }
         let found = together(mesh, parts, options.boundary == Boundary::Cut, units);
-        self.kept = Some(kept);
+        self.kept.push(kept);
         Ok(found)
     }
 }

@@ -4,7 +4,7 @@
 use crate::session::refine::{everything, open};
 use shape_up::math::Vec3;
 use shape_up::mesh::Mesh;
-use shape_up::quads::Boundary;
+use shape_up::quads::{Boundary, RemeshStage};
 use shape_up::scene::Scene;
 use shape_up::session::{Edit, LayoutSettings, PanelLayout, PanelStart, Session};
 
@@ -110,6 +110,33 @@ fn a_boundary_across_the_lines_of_curvature_cuts_panels_if_they_then_move_less()
     let along = opened(vault(12, false));
     let settings = LayoutSettings { count: Some(100), ..USUAL };
     assert_eq!(laid_out(&along, &settings).boundary, Some(Boundary::Followed));
+}
+
+#[test]
+fn what_a_changed_wish_leaves_as_it_was_is_not_computed_again() {
+    // Both choices at the boundary are laid out: one used to replace the other.
+    let session = opened(vault(10, true));
+    let mut layouts = session.panel_layouts().expect("a surface");
+    let mut stages_of = |settings: &LayoutSettings| {
+        let mut stages: Vec<RemeshStage> = Vec::new();
+        let layout = layouts.lay_out(settings, &mut |stage, _| {
+            stages.push(stage);
+            true
+        });
+        let fresh = laid_out(&session, settings);
+        let layout = layout.expect("the surface can be covered");
+        assert_eq!((layout.mesh, layout.boundary), (fresh.mesh, fresh.boundary));
+        stages
+    };
+    let first = LayoutSettings { count: Some(80), ..USUAL };
+    assert!(stages_of(&first).contains(&RemeshStage::Field));
+    let even = stages_of(&LayoutSettings { even: 0.75, ..first });
+    assert!(even.contains(&RemeshStage::Map) && !even.contains(&RemeshStage::Field), "{even:?}");
+    assert_eq!(stages_of(&LayoutSettings { even: 0.75, ..first }), [], "the same again");
+    let cut = Some(Boundary::Cut);
+    assert_eq!(stages_of(&LayoutSettings { even: 0.75, boundary: cut, ..first }), []);
+    let other = stages_of(&LayoutSettings { count: Some(60), ..first });
+    assert!(other.contains(&RemeshStage::Field));
 }
 
 #[test]

@@ -31,16 +31,20 @@ pub struct LaidOut {
 #[wasm_bindgen]
 impl ModelCopy {
     /// Lays out panels along the lines of curvature; `told` is called with what is being done, in
-    /// words.
+    /// words. Curvature, fields and maps are kept with the copy.
     #[wasm_bindgen(js_name = layOutPanels)]
     pub fn lay_out_panels(
-        &self,
+        &mut self,
         settings: Js<LayoutSettings>,
         told: &Function,
     ) -> Result<Js<LaidOut>, JsValue> {
         let settings = read(settings)?;
         let mut last = "";
-        let layout = self.session.lay_out_panels(&settings, &mut |stage, _| {
+        let layouts = match &mut self.layouts {
+            Some(layouts) => layouts,
+            none => none.insert(self.session.panel_layouts().map_err(thrown)?),
+        };
+        let layout = layouts.lay_out(&settings, &mut |stage, _| {
             if last != stage.words() {
                 last = stage.words();
                 // That nobody listens changes nothing.
