@@ -16,6 +16,8 @@ pub struct PanelLayout {
     pub mesh: Mesh,
     /// What they do at the boundary; none if the surface is closed.
     pub boundary: Option<Boundary>,
+    /// Their number, without the faces that stay as they are.
+    pub count: usize,
     /// The mean length of their sides, in the unit of the mesh.
     pub size: f64,
     /// What is to be said of them, and what they cannot follow.
@@ -60,6 +62,7 @@ impl Layout {
         let (lines, irregular_lines) = self.lines(shape);
         PanelLayout {
             boundary: (!self.topology.boundary_loops().is_empty()).then_some(self.boundary),
+            count: self.remeshed.measures.quads + self.remeshed.measures.other_faces,
             size: self.remeshed.measures.edge.mean,
             mesh: self.remeshed.mesh.clone(),
             words,
@@ -98,6 +101,11 @@ impl Layout {
             topology.neighbours().iter().map(|near| near.len() != 4).collect();
         for &v in topology.boundary_loops().indices() {
             is_irregular[v as usize] = false;
+        }
+        // What stays as it is has no irregular points.
+        let faces = &remeshed.mesh.faces;
+        for face in faces.iter().skip(faces.len() - remeshed.staying) {
+            face.iter().for_each(|&v| is_irregular[v as usize] = false);
         }
         let surface = Surface::new(&shape.positions, shape);
         let at = |v: u32| remeshed.mesh.positions[v as usize];
@@ -138,7 +146,7 @@ impl PanelLayout {
         LayoutWords {
             words: self.words.clone(),
             boundary: self.boundary,
-            count: self.mesh.faces.len(),
+            count: self.count,
             size: words::rounded(self.size, 2),
         }
     }
