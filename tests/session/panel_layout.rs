@@ -53,7 +53,7 @@ fn panels_take_the_place_of_triangles_in_one_step_of_undo() {
     let before = everything(&session);
     let layout = laid_out(&session, &LayoutSettings { count: Some(64), ..USUAL });
     assert_eq!(everything(&session), before, "laying out changes nothing");
-    let said = &layout.words[0];
+    let said = &layout.words;
     assert!(said.contains(" panels, ") && said.contains("The mesh will then "), "{said}");
 
     let generation = session.generation();
@@ -116,7 +116,7 @@ fn a_boundary_across_the_lines_of_curvature_cuts_panels_if_they_then_move_less()
 fn what_a_changed_wish_leaves_as_it_was_is_not_computed_again() {
     // Both choices at the boundary are laid out: one used to replace the other.
     let session = opened(vault(10, true));
-    let mut layouts = session.panel_layouts().expect("a surface");
+    let mut layouts = session.panel_layouts(&[]).expect("a surface");
     let mut stages_of = |settings: &LayoutSettings| {
         let mut stages: Vec<RemeshStage> = Vec::new();
         let layout = layouts.lay_out(settings, &mut |stage, _| {
@@ -144,7 +144,7 @@ fn lines_lie_on_the_surface_and_those_at_irregular_points_come_first() {
     let session = opened(vault(12, true));
     let settings = LayoutSettings { count: Some(60), boundary: Some(Boundary::Followed), ..USUAL };
     let layout = laid_out(&session, &settings);
-    assert!(layout.irregular_lines < layout.lines.len() / 2);
+    assert!(layout.marked_lines < layout.lines.len() / 2);
     let height = |[x, y, z]: [f64; 3]| (z - 0.05 * x * y).abs();
     assert!(layout.lines.iter().flatten().all(|&point| height(point) < 0.02));
     for (line, ends) in layout.lines.iter().map(|line| (line, [line[0], line[line.len() - 1]])) {

@@ -1,5 +1,6 @@
 //! One layout of new panels: its forecast, what is said of it, and the lines that show it.
 
+use super::places::Place;
 use crate::mesh::{Mesh, Point, Surface, Topology};
 use crate::quads::{Boundary, Remeshed};
 use crate::scene::{Forecast, HowFar};
@@ -8,6 +9,8 @@ use serde::Serialize;
 
 /// Points of the surface along the line of an edge.
 const LINE_POINTS: usize = 5;
+/// Radius of the ring around a place, in panels.
+const RING: f64 = 1.2;
 
 /// New panels on the surface.
 #[derive(Clone, Debug)]
@@ -20,12 +23,35 @@ pub struct PanelLayout {
     pub count: usize,
     /// The mean length of their sides, in the unit of the mesh.
     pub size: f64,
-    /// What is to be said of them, and what they cannot follow.
-    pub words: Vec<String>,
-    /// Lines over the surface along their edges, those at irregular vertices first.
+    /// What is to be said of them.
+    pub words: String,
+    /// What they cannot follow, and what stays as it is.
+    pub notes: Vec<LayoutNote>,
+    /// Lines over the surface: rings around the places of the notes, then along the edges of the
+    /// panels, those at irregular vertices first.
     pub lines: Vec<Vec<Point>>,
-    /// The number of lines at irregular vertices.
-    pub irregular_lines: usize,
+    /// The number of rings and of lines at irregular vertices.
+    pub marked_lines: usize,
+}
+
+/// A sentence about new panels.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct LayoutNote {
+    /// The sentence.
+    pub words: String,
+    /// For each place that it names, the vertices of the mesh around it.
+    pub places: Vec<Vec<u32>>,
+}
+
+/// What panels come to with one choice at the boundary.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct BoundaryForecast {
+    /// The choice.
+    pub boundary: Boundary,
+    /// Their number and their move, or why there are none.
+    pub words: String,
 }
 
 /// A layout with its forecast.
@@ -56,28 +82,57 @@ impl Layout {
         kinds.map(|kind| kind.least_move).fold(0.0, f64::max) * self.remeshed.measures.edge.mean
     }
 
-    /// The layout on its `shape` as hosts see it; `units` is the symbol of the unit.
-    pub(super) fn shown(&self, shape: &Mesh, units: &str) -> PanelLayout {
-        let words = self.words(units);
-        let (lines, irregular_lines) = self.lines(shape);
+    /// The layout on its `shape` as hosts see it; `units` is the symbol of the unit, and `kept` the
+    /// number of faces that were to stay.
+    pub(super) fn shown(&self, shape: &Mesh, units: &str, kept: usize) -> PanelLayout {
+        let surface = Surface::new(&shape.positions, shape);
+        let size = self.remeshed.measures.edge.mean;
+        let mut rings = Vec::new();
+        let mut notes = Vec::new();
+        for note in &self.remeshed.notes {
+            let of = |&at| Place::new(at, RING * size, &surface, shape);
+            let places: Vec<Place> = note.places.iter().map(of).collect();
+            rings.extend(places.iter().map(|place| place.ring.clone()));
+            let places = places.into_iter().map(|place| place.around).collect();
+            notes.push(LayoutNote { words: format!("{}.", note.words), places });
+        }
+        if kept > 0 {
+            let faces = words::count(kept, "selected face stays", "selected faces stay");
+            let words = format!("{faces}, and the panels share no corners with what stays.");
+            notes.push(LayoutNote { words, places: Vec::new() });
+        }
+        let (lines, irregular) = self.lines(&surface);
         PanelLayout {
             boundary: (!self.topology.boundary_loops().is_empty()).then_some(self.boundary),
-            count: self.remeshed.measures.quads + self.remeshed.measures.other_faces,
-            size: self.remeshed.measures.edge.mean,
+            count: self.count(),
+            size,
             mesh: self.remeshed.mesh.clone(),
-            words,
-            lines,
-            irregular_lines,
+            words: self.words(units),
+            notes,
+            marked_lines: rings.len() + irregular,
+            lines: [rings, lines].concat(),
         }
     }
 
-    /// "490 panels, 12 irregular points, edges 6° off the lines of curvature." and the forecast, then
-    /// what the panels cannot follow.
-    fn words(&self, units: &str) -> Vec<String> {
+    /// The number of panels.
+    fn count(&self) -> usize {
+        self.remeshed.measures.quads + self.remeshed.measures.other_faces
+    }
+
+    /// What this choice at the boundary comes to: "483 panels, which will move by 20 mm".
+    pub(super) fn forecast(&self, units: &str) -> BoundaryForecast {
+        let count = words::count(self.count(), "panel", "panels");
+        let far = words::rough_length(self.move_length(), units);
+        let words = format!("{count}, which will move by about {far}");
+        BoundaryForecast { boundary: self.boundary, words }
+    }
+
+    /// "490 panels, 12 irregular points, edges 6° off the lines of curvature." and the forecast.
+    fn words(&self, units: &str) -> String {
         let measures = &self.remeshed.measures;
         let irregular = measures.irregular.inside + measures.irregular.boundary;
         let mut parts = vec![
-            words::count(measures.quads + measures.other_faces, "panel", "panels"),
+            words::count(self.count(), "panel", "panels"),
             match irregular {
                 0 => "no irregular points".to_owned(),
                 some => words::count(some, "irregular point", "irregular points"),
@@ -90,12 +145,11 @@ impl Layout {
         if let Some(forecast) = &self.forecast {
             said += &format!(" The mesh will then {}.", forecast.moves(units));
         }
-        let notes = self.remeshed.notes.iter().map(|note| format!("{}.", note.words));
-        std::iter::once(said).chain(notes).collect()
+        said
     }
 
-    /// Lines over `shape` along the edges, those at irregular vertices first, and their number.
-    fn lines(&self, shape: &Mesh) -> (Vec<Vec<Point>>, usize) {
+    /// Lines over the surface along the edges, those at irregular vertices first, and their number.
+    fn lines(&self, surface: &Surface) -> (Vec<Vec<Point>>, usize) {
         let Layout { topology, remeshed, .. } = self;
         let mut is_irregular: Vec<bool> =
             topology.neighbours().iter().map(|near| near.len() != 4).collect();
@@ -107,7 +161,6 @@ impl Layout {
         for face in faces.iter().skip(faces.len() - remeshed.staying) {
             face.iter().for_each(|&v| is_irregular[v as usize] = false);
         }
-        let surface = Surface::new(&shape.positions, shape);
         let at = |v: u32| remeshed.mesh.positions[v as usize];
         let line = |&[a, b]: &[u32; 2]| {
             let mut hint = Surface::NO_HINT;
@@ -130,8 +183,10 @@ impl Layout {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct LayoutWords {
-    /// What is to be said of them, and what they cannot follow.
-    pub words: Vec<String>,
+    /// What is to be said of them.
+    pub words: String,
+    /// What they cannot follow, and what stays as it is.
+    pub notes: Vec<LayoutNote>,
     /// What they do at the boundary; none if the surface is closed.
     pub boundary: Option<Boundary>,
     /// Their number.
@@ -145,6 +200,7 @@ impl PanelLayout {
     pub fn in_words(&self) -> LayoutWords {
         LayoutWords {
             words: self.words.clone(),
+            notes: self.notes.clone(),
             boundary: self.boundary,
             count: self.count,
             size: words::rounded(self.size, 2),

@@ -6,13 +6,16 @@
 //! | `settings` | what is wished of them |
 //! | `layouts` | panels laid out, with all that another wish can use again |
 //! | `layout` | one layout: its forecast, its words, its lines |
+//! | `places` | places that are named, to be shown |
 
 mod layout;
 mod layouts;
+mod places;
 mod settings;
 
-pub use layout::{LayoutWords, PanelLayout};
+pub use layout::{BoundaryForecast, LayoutNote, LayoutWords, PanelLayout};
 pub use layouts::PanelLayouts;
+pub use places::Place;
 pub use settings::LayoutSettings;
 
 use super::Session;
@@ -24,16 +27,22 @@ use crate::session::Error;
 use crate::words;
 
 impl Session {
-    /// Begins to lay out panels along the lines of curvature of the current shape.
+    /// Begins to lay out panels along the lines of curvature of the current shape, beside the faces
+    /// `kept`, which stay as they are.
     ///
     /// # Errors
-    /// If the mesh is no surface.
-    pub fn panel_layouts(&self) -> Result<PanelLayouts, Error> {
+    /// If the mesh has tetrahedra, or no face of this number.
+    pub fn panel_layouts(&self, kept: &[u32]) -> Result<PanelLayouts, Error> {
         if !self.mesh().tets.is_empty() {
             let message = "the mesh has tetrahedra, expected a surface".to_owned();
             return Err(SceneError { path: String::new(), message }.into());
         }
-        Ok(PanelLayouts::new(self.current_mesh(), &self.document().units)?)
+        let faces = self.mesh().faces.len();
+        if let Some(face) = kept.iter().find(|face| **face as usize >= faces) {
+            let message = format!("there is no face {face}, expected less than {faces}");
+            return Err(SceneError { path: String::new(), message }.into());
+        }
+        Ok(PanelLayouts::new(self.current_mesh(), &self.document().units, kept))
     }
 
     /// Lays out panels once; see [`PanelLayouts::lay_out`].
@@ -45,7 +54,7 @@ impl Session {
         settings: &LayoutSettings,
         observer: &mut RemeshObserver<'_>,
     ) -> Result<PanelLayout, Error> {
-        Ok(self.panel_layouts()?.lay_out(settings, observer)?)
+        Ok(self.panel_layouts(&[])?.lay_out(settings, observer)?)
     }
 
     /// Puts panels in place of the mesh, as one step of undo, if the session still has this
