@@ -25,6 +25,7 @@ use crate::quads::RemeshObserver;
 use crate::scene::{Lock, SceneError};
 use crate::session::Error;
 use crate::words;
+use std::rc::Rc;
 
 impl Session {
     /// Begins to lay out panels along the lines of curvature of the current shape, beside the faces
@@ -58,7 +59,8 @@ impl Session {
     }
 
     /// Puts panels in place of the mesh, as one step of undo, if the session still has this
-    /// generation; returns whether it has. The scene is carried over.
+    /// generation; returns whether it has. The scene is carried over, with closeness to the surface
+    /// before the panels.
     ///
     /// # Errors
     /// If the lesson locks the mesh, or the system would be singular; nothing has changed then.
@@ -69,7 +71,9 @@ impl Session {
         check_lock(Lock::Mesh, self.document())?;
         self.end_transaction();
         let edited = Edited::covering(&self.current_mesh(), panels);
-        let change = self.replace_mesh(&edited)?;
+        let Mesh { positions, faces, .. } = self.mesh().clone();
+        let original = Rc::new(Mesh { positions, faces, ..Mesh::default() });
+        let change = self.replace_mesh(&edited, |scene| scene.closeness.stay_on(&original))?;
         let count = words::count(panels.faces.len(), "panel", "panels");
         self.history.push(format!("Lay out {count}"), change);
         Ok(true)
