@@ -65,7 +65,8 @@ pub use error::Error;
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use panel_layout::{
-    BoundaryForecast, LayoutNote, LayoutSettings, LayoutWords, PanelLayout, PanelLayouts, Place,
+    BoundaryForecast, LayoutNote, LayoutSettings, LayoutWords, MarkedPlace, PanelLayout,
+    PanelLayouts,
 };
 pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,

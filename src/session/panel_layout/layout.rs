@@ -1,6 +1,6 @@
 //! One layout of new panels: its forecast, what is said of it, and the lines that show it.
 
-use super::places::Place;
+use super::places::MarkedPlace;
 use crate::mesh::{Mesh, Point, Surface, Topology};
 use crate::quads::{Boundary, Remeshed};
 use crate::scene::{Forecast, HowFar};
@@ -90,8 +90,8 @@ impl Layout {
         let mut rings = Vec::new();
         let mut notes = Vec::new();
         for note in &self.remeshed.notes {
-            let of = |&at| Place::new(at, RING * size, &surface, shape);
-            let places: Vec<Place> = note.places.iter().map(of).collect();
+            let of = |&at| MarkedPlace::new(at, RING * size, &surface, shape);
+            let places: Vec<MarkedPlace> = note.places.iter().map(of).collect();
             rings.extend(places.iter().map(|place| place.ring.clone()));
             let places = places.into_iter().map(|place| place.around).collect();
             notes.push(LayoutNote { words: format!("{}.", note.words), places });

@@ -1,7 +1,7 @@
 //! Panels laid out on one shape, again and again: what a changed wish leaves as it was is kept.
 
 use super::layout::Layout;
-use super::{BoundaryForecast, LayoutSettings, PanelLayout, Place};
+use super::{BoundaryForecast, LayoutSettings, MarkedPlace, PanelLayout};
 use crate::math::Vec3;
 use crate::mesh::{BoundingSphere, Mesh, Surface, Topology};
 use crate::quads::{Boundary, MapOptions, RemeshError, RemeshObserver, Remesher};
@@ -93,11 +93,11 @@ impl PanelLayouts {
     }
 
     /// The place of the last refusal, if it has one.
-    pub fn refused_at(&self) -> Option<Place> {
+    pub fn refused_at(&self) -> Option<MarkedPlace> {
         let shape = &self.shape;
         let radius = RING * BoundingSphere::of(&shape.positions).diameter();
         let surface = || Surface::new(&shape.positions, shape);
-        self.refused_at.map(|at| Place::new(at, radius, &surface(), shape))
+        self.refused_at.map(|at| MarkedPlace::new(at, radius, &surface(), shape))
     }
 
     /// The layout that moves less of those with the wished choices at the boundary.

@@ -15,7 +15,7 @@ mod settings;
 
 pub use layout::{BoundaryForecast, LayoutNote, LayoutWords, PanelLayout};
 pub use layouts::PanelLayouts;
-pub use places::Place;
+pub use places::MarkedPlace;
 pub use settings::LayoutSettings;
 
 use super::Session;

@@ -10,16 +10,16 @@ const AROUND: f64 = 3.0;
 
 /// A place on the shape.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Place {
+pub struct MarkedPlace {
     /// A closed line over the surface around it.
     pub ring: Vec<Point>,
     /// The vertices of the mesh around it, at least the corners of its face.
     pub around: Vec<u32>,
 }
 
-impl Place {
+impl MarkedPlace {
     /// The place of a point, with a ring of this radius.
-    pub(super) fn new(at: Vec3<f64>, radius: f64, surface: &Surface, shape: &Mesh) -> Place {
+    pub(super) fn new(at: Vec3<f64>, radius: f64, surface: &Surface, shape: &Mesh) -> MarkedPlace {
         let corners = surface.closest_face(at.into()).map(|face| shape.faces.row(face as usize));
         let corners = corners.unwrap_or_default();
         let point = |v: u32| Vec3::from(shape.positions[v as usize]);
@@ -45,6 +45,6 @@ impl Place {
         around.extend(shape.faces.indices().iter().copied().filter(near));
         around.sort_unstable();
         around.dedup();
-        Place { ring: ring.collect(), around }
+        MarkedPlace { ring: ring.collect(), around }
     }
 }
