@@ -66,7 +66,9 @@ test('a refused size changes nothing, and Escape leaves the mesh as it was', asy
   await expect(card(page).getByText(/^Not possible: .*too large for the surface/)).toBeVisible();
   await expect(use(page)).toBeDisabled();
   // The refusal has a place, which it shows.
-  await card(page).getByRole('button', { name: /^Not possible: / }).click();
+  await card(page)
+    .getByRole('button', { name: /^Not possible: / })
+    .click();
   await page.keyboard.press('Escape');
   await expect(card(page)).toBeHidden();
   expect((await state(page)).vertices).toBe(49);

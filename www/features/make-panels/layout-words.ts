@@ -26,16 +26,21 @@ export function paragraphs(
  * The forecasts of the choices at the boundary.
  * @param labels of the choices
  * @param known the forecasts; null until they are known
- * @param current the choice that is shown
+ * @param shown the choice that is shown
  */
 export function boundaryForecasts(
   labels: [BoundaryForecast['boundary'], string][],
   known: BoundaryForecast[] | null,
-  current: BoundaryForecast['boundary'] | null,
+  shown: BoundaryForecast['boundary'] | null,
 ): HTMLElement[] {
   return labels.map(([boundary, label]) => {
     const words = known?.find((one) => one.boundary === boundary)?.words ?? '…';
-    const attributes = boundary === current ? { 'aria-current': 'true' } : {};
-    return element('div', attributes, element('dt', label), element('dd', words));
+    const current = boundary === shown;
+    return element(
+      'div',
+      { 'aria-current': String(current) },
+      element('dt', label),
+      element('dd', words),
+    );
   });
 }
