@@ -5,7 +5,7 @@ use crate::math::Vec3;
 use crate::words;
 use std::fmt;
 
-/// A surface that cannot be remeshed. Nothing is changed then.
+/// Why a surface, or a part of it, cannot be remeshed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RemeshError {
     /// There are no faces of positive area.
@@ -63,6 +63,16 @@ impl RemeshError {
             | RemeshError::SizeTooLarge { at, .. } => Some(at),
             _ => None,
         }
+    }
+}
+
+impl RemeshError {
+    /// Whether the fault is that of one part, so that others can be covered.
+    pub(super) fn is_of_part(&self) -> bool {
+        !matches!(
+            self,
+            RemeshError::Empty | RemeshError::SizeTooSmall { .. } | RemeshError::Cancelled
+        )
     }
 }
 

@@ -16,6 +16,7 @@
 //! | `result` | checks and measures of the result |
 //! | `part` | one connected part |
 //! | `remesh` | all parts |
+//! | `remeshed` | the result: one mesh, its measures and notes |
 //! | `sliders` | the choices of users |
 
 mod error;
@@ -28,6 +29,7 @@ mod map;
 mod options;
 mod part;
 mod remesh;
+mod remeshed;
 mod repair;
 mod result;
 mod sliders;
@@ -39,7 +41,8 @@ pub use fault::ResultFault;
 pub use grid_map::{FRACTION_BITS, GridMap, Side, Transition, Triangulation, UNIT};
 pub use map::{GridMapper, MapNotes, grid_map};
 pub use options::{Boundary, MapOptions, PanelSize, RemeshObserver, RemeshStage};
-pub use remesh::{RemeshNote, Remeshed, Remesher, remesh};
+pub use remesh::{Remesher, remesh};
+pub use remeshed::{RemeshNote, Remeshed};
 pub use result::{AngleToCurvature, EdgeLengths, Irregular, LargestDistances, RemeshMeasures};
 pub use sliders::{direction_weight, follow_weight};
 pub use surface::{InputSurface, PrepareNotes, Prepared};

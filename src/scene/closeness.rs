@@ -51,6 +51,21 @@ pub struct ClosenessWeight {
 }
 
 impl Closeness {
+    /// The other surface that vertices are kept close to, if there is one.
+    pub fn target_mesh(&self) -> Option<&Rc<Mesh>> {
+        self.target.as_ref().filter(|_| self.to == ClosenessTo::Target)?.mesh()
+    }
+
+    /// Replaces closeness to the mesh itself by closeness to the surface `original` from which it was
+    /// made, and to its own boundary.
+    pub fn stay_on(&mut self, original: &Rc<Mesh>) {
+        if matches!(self.to, ClosenessTo::Rest | ClosenessTo::Surface) {
+            self.to = ClosenessTo::Target;
+            self.target = Some(Target::Mesh(Rc::clone(original)));
+            self.boundary.get_or_insert_default();
+        }
+    }
+
     /// Returns `k_v` of each vertex, `#V`.
     ///
     /// # Errors

@@ -205,17 +205,23 @@ impl Session {
     /// If the operation is refused, or the system would be singular; nothing has changed then.
     fn remesh(&mut self, remeshing: &Remeshing) -> Result<(String, Change), Error> {
         let (operation, edited) = self.remeshed(remeshing)?;
-        Ok((operation.label.to_owned(), self.replace_mesh(&edited)?))
+        Ok((operation.label.to_owned(), self.replace_mesh(&edited, |_| ())?))
     }
 
     /// Replaces the mesh by one made from it at its current positions, and returns the inverse change.
+    /// `amend` changes the scene that is carried over.
     ///
     /// # Errors
     /// If the system would be singular, or something that the lesson locks would be left out; nothing
     /// has changed then.
-    pub(super) fn replace_mesh(&mut self, edited: &Edited) -> Result<Change, Error> {
-        let (rest, carried) =
+    pub(super) fn replace_mesh(
+        &mut self,
+        edited: &Edited,
+        amend: impl FnOnce(&mut Scene),
+    ) -> Result<Change, Error> {
+        let (rest, mut carried) =
             self.carried_to(edited, self.scene.positions(), self.rest.positions());
+        amend(&mut carried.document);
         // What a lesson locks may not be left out.
         if !rest.lost().is_empty() {
             check_lock(Lock::Handles, self.document())?;

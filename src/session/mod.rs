@@ -64,7 +64,10 @@ pub use edit::{
 pub use error::Error;
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
-pub use panel_layout::{LayoutSettings, LayoutWords, PanelLayout};
+pub use panel_layout::{
+    BoundaryForecast, LayoutNote, LayoutSettings, LayoutWords, MarkedPlace, PanelLayout,
+    PanelLayouts,
+};
 pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,
     FaceMeasure, GoalProgress, GoalWords, LessonProgress, MeasureUnit, Projections, Report,

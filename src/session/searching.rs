@@ -81,7 +81,11 @@ impl Session {
             met,
             misses: unmet.len(),
             missed: missed.collect(),
-            measure: ShapeMeasure::of(&positions, &self.rest),
+            measure: ShapeMeasure::of(
+                &positions,
+                &self.rest,
+                self.scene.document().closeness.target_mesh(),
+            ),
             energy: meeting.energy(),
             work: u64::from(iterations) * positions.len() as u64,
         };

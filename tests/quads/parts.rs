@@ -4,7 +4,7 @@ use super::surfaces::{parametric, torus, tube, vault};
 use super::{check, panels, with};
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Point, Topology};
-use shape_up::quads::{MapOptions, PanelSize, RemeshError, RemeshStage, remesh};
+use shape_up::quads::{MapOptions, PanelSize, RemeshError, RemeshStage, Remesher, remesh};
 
 /// Both meshes in one.
 fn both(first: &Mesh, second: &Mesh, moved: Point) -> Mesh {
@@ -128,6 +128,56 @@ fn what_cannot_be_remeshed_is_refused_with_the_reason() {
     branching.faces.push(&[100, 101, fin]);
     let found = refused(&branching, PanelSize::Count(100));
     assert!(matches!(found, RemeshError::BranchingEdge { count: 1, .. }), "{found}");
+}
+
+/// The vertices of the last `count` faces.
+fn last_faces(mesh: &Mesh, count: usize) -> Vec<Vec<Point>> {
+    let point = |&v: &u32| mesh.positions[v as usize];
+    let faces = mesh.faces.iter().skip(mesh.faces.len() - count);
+    faces.map(|face| face.iter().map(point).collect()).collect()
+}
+
+#[test]
+fn a_part_that_cannot_be_covered_stays_as_it_is_and_is_named() {
+    // Two lids of four triangles, and a tube that is smaller than a panel.
+    let lid = parametric([2, 1], [false, false], |u, v| [u, v, 0.1 * u]);
+    let thin =
+        parametric([12, 6], [true, false], |u, v| [0.05 * cosine(u), 0.05 * sine(u), 0.1 * v]);
+    let mut mesh = both(&tube(), &lid, [40.0, 0.0, 0.0]);
+    mesh = both(&mesh, &lid, [50.0, 0.0, 0.0]);
+    mesh = both(&mesh, &thin, [60.0, 0.0, 0.0]);
+    let found = panels(&mesh, 200).unwrap();
+    let staying = 2 * lid.faces.len() + thin.faces.len();
+    assert_eq!(found.staying, staying);
+    assert_eq!(last_faces(&found.mesh, staying), last_faces(&mesh, staying));
+    assert_eq!(found.measures.quads, found.mesh.faces.len() - staying);
+    assert_eq!((found.measures.euler, found.measures.loops), (0, 2), "those of the tube");
+    let words: Vec<&str> = found.notes.iter().map(|note| &note.words[..]).collect();
+    assert!(words.contains(&"2 small parts stay as they are"), "{words:?}");
+    let large = words.iter().find(|words| words.starts_with("1 part stays as it is: "));
+    assert!(large.is_some_and(|words| words.contains("too large")), "{words:?}");
+    let far = |point: &shape_up::math::Vec3<f64>| point.x > 30.0;
+    assert!(found.notes.iter().all(|note| note.places.iter().all(far)));
+
+    // What would leave most of it is refused.
+    let most = both(&lid, &thin, [2.0, 0.0, 0.0]);
+    let refused = panels(&most, 200).map(|_| ()).unwrap_err();
+    assert!(matches!(refused, RemeshError::TooFewTriangles { .. }), "{refused}");
+}
+
+#[test]
+fn faces_that_are_to_stay_do() {
+    let mesh = vault();
+    let stay: Vec<u32> = (0..40).collect();
+    let options = MapOptions::of_size(PanelSize::Count(150));
+    let mut remesher = Remesher::beside(&mesh, &stay).unwrap();
+    let found = remesher.remesh(&options, "m", &mut |_, _| true).unwrap();
+    assert_eq!(found.staying, 40);
+    let kept: Vec<Vec<Point>> = last_faces(&mesh, mesh.faces.len()).drain(..40).collect();
+    assert_eq!(last_faces(&found.mesh, 40), kept);
+    assert!(found.notes.is_empty(), "{:?}", found.notes);
+    let all: Vec<u32> = (0..mesh.faces.len() as u32).collect();
+    assert_eq!(Remesher::beside(&mesh, &all).map(|_| ()).unwrap_err(), RemeshError::Empty);
 }
 
 #[test]

@@ -3,7 +3,9 @@
 
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Topology};
-use shape_up::scene::{Scene, UnitsAndUp, Up, panel_offers, panel_remedy};
+use shape_up::scene::{
+    MeshRemedy, Scene, UnitsAndUp, Up, offers_new_panels, panel_offers, panel_remedy,
+};
 use shape_up::session::{Edit, PanelStart, Remeshing, Session};
 use shape_up::solve::Require;
 
@@ -126,7 +128,7 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
         assert!(offer.reason.as_ref().unwrap().contains(words), "{offer:?}");
     }
     // Nothing can be joined to a single triangle.
-    assert_eq!(panel_remedy(&triangles), None);
+    assert_eq!(remedy_of(&triangles), None);
     let mut scene = Scene::opened("own.obj");
     for (kind, mesh, words) in [
         ("circle", &triangles, "All panels are triangles, which are always circular."),
@@ -143,17 +145,46 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
     );
 }
 
+fn remedy_of(mesh: &Mesh) -> Option<MeshRemedy> {
+    panel_remedy(mesh, &Topology::new(mesh))
+}
+
+#[test]
+fn new_panels_are_offered_for_curved_surfaces_of_triangles() {
+    let of = |height: f64, columns: u32| {
+        let mut mesh = Mesh::default();
+        for i in 0..=columns {
+            let x = f64::from(i);
+            mesh.positions.extend([[x, 0.0, height * x * x], [x, 1.0, height * x * x]]);
+        }
+        for i in 0..columns {
+            let a = 2 * i;
+            mesh.faces.push(&[a, a + 2, a + 1]);
+            mesh.faces.push(&[a + 1, a + 2, a + 3]);
+        }
+        let offered = offers_new_panels(&mesh, &Topology::new(&mesh));
+        let words = remedy_of(&mesh).unwrap().words;
+        assert_eq!(offered, words.contains("New panels"), "{words}");
+        offered
+    };
+    assert!(of(0.01, 12));
+    assert!(!of(0.0, 12), "a flat plate");
+    assert!(!of(0.3, 1), "two triangles");
+    let quads = crate::support::grid::bumpy(8);
+    assert!(!offers_new_panels(&quads, &Topology::new(&quads)), "these are panels");
+}
+
 #[test]
 fn triangles_can_be_joined_to_quads_for_which_panels_are_offered() {
     let quads = crate::support::grid::bumpy(4);
-    assert_eq!(panel_remedy(&quads), None);
+    assert_eq!(remedy_of(&quads), None);
     let remesh = |operation: &str, sizes: &[f64]| {
         let (operation, sizes) = (operation.to_owned(), sizes.to_vec());
         Edit::Remesh(Remeshing { operation, sizes, ..Remeshing::default() })
     };
     let mut session = Session::open(Scene::opened("own.obj"), quads).unwrap();
     session.edit(remesh("triangles", &[])).unwrap();
-    let remedy = panel_remedy(session.mesh()).unwrap();
+    let remedy = remedy_of(session.mesh()).unwrap();
     assert!(remedy.words.contains("triangles, which are always flat and circular"), "{remedy:?}");
     session.edit(remesh(remedy.operation, &[160.0])).unwrap();
     assert!(panel_offers(session.mesh()).iter().all(|offer| offer.reason.is_none()));

@@ -3,9 +3,9 @@
 
 use crate::session::refine::{everything, open};
 use shape_up::math::Vec3;
-use shape_up::mesh::Mesh;
-use shape_up::quads::Boundary;
-use shape_up::scene::Scene;
+use shape_up::mesh::{Mesh, Point, Surface};
+use shape_up::quads::{Boundary, RemeshStage};
+use shape_up::scene::{MeshSource, Scene, Target};
 use shape_up::session::{Edit, LayoutSettings, PanelLayout, PanelStart, Session};
 
 const USUAL: LayoutSettings =
@@ -53,7 +53,7 @@ fn panels_take_the_place_of_triangles_in_one_step_of_undo() {
     let before = everything(&session);
     let layout = laid_out(&session, &LayoutSettings { count: Some(64), ..USUAL });
     assert_eq!(everything(&session), before, "laying out changes nothing");
-    let said = &layout.words[0];
+    let said = &layout.words;
     assert!(said.contains(" panels, ") && said.contains("The mesh will then "), "{said}");
 
     let generation = session.generation();
@@ -86,16 +86,53 @@ fn panels_for_another_shape_are_refused() {
 }
 
 #[test]
-fn circular_panels_after_them_stay_near_the_surface() {
+fn circular_panels_after_them_stay_near_the_surface_before_them() {
     let mut session = opened(vault(12, false));
+    let before = session.mesh().clone();
     let layout = laid_out(&session, &LayoutSettings { count: Some(100), ..USUAL });
     let generation = session.generation();
     assert!(session.take_panels(generation, &layout.mesh).expect("it can be solved"));
+    let target = session.document().closeness.target_mesh().expect("closeness to that surface");
+    assert_eq!((&target.positions, &target.faces), (&before.positions, &before.faces));
     session.make_panels("circle", 1e-3, PanelStart::Now).expect("quads");
     session.solve(false).expect("it can be solved");
     let verdict = session.verdict(1e-3).expect("panels");
     assert_eq!((verdict.within, verdict.folded), (verdict.of, 0));
     assert!(verdict.moved.mean < 0.1 * layout.size, "{verdict:?}");
+    // It used to be the distance from the panels as they were laid out.
+    let mut hint = Surface::NO_HINT;
+    let surface = Surface::new(&before.positions, &before);
+    let far = |point: &Point| {
+        (Vec3::from(surface.closest(*point, &mut hint)) - Vec3::from(*point)).length()
+    };
+    let farthest = session.positions().iter().map(far).fold(0.0, f64::max);
+    assert!(farthest > 0.0 && verdict.surface.max >= farthest, "{farthest} {verdict:?}");
+    assert!(verdict.surface.max < 0.1 * layout.size, "{verdict:?}");
+    let words = session.verdict_words(&verdict).full;
+    assert!(words.contains("of the surface that they were laid out on"), "{words}");
+
+    // A scene that is saved and opened again has it too.
+    let scene = Scene::from_json(&session.scene_with_mesh()).expect("a scene");
+    let MeshSource::Inline(mesh) = scene.mesh.clone() else { panic!("the mesh is in the scene") };
+    let mut again = Session::open(scene, *mesh).expect("the scene is valid");
+    let same = again.verdict(1e-3).expect("panels");
+    assert_eq!((same.surface, same.is_on_other), (verdict.surface, true));
+}
+
+#[test]
+fn a_mesh_that_is_not_on_the_target_of_its_closeness_is_judged_by_itself() {
+    let mut session = opened(vault(12, false));
+    let layout = laid_out(&session, &LayoutSettings { count: Some(100), ..USUAL });
+    let generation = session.generation();
+    assert!(session.take_panels(generation, &layout.mesh).expect("it can be solved"));
+    let mut scene = session.scene();
+    let mut other = vault(12, false);
+    other.positions.iter_mut().for_each(|point| point[2] += 1.0);
+    scene.closeness.target = Some(Target::Mesh(other.into()));
+    let mut moved = Session::open(scene, session.mesh().clone()).expect("the scene is valid");
+    moved.make_panels("circle", 1e-3, PanelStart::Now).expect("quads");
+    let verdict = moved.verdict(1e-3).expect("panels");
+    assert_eq!((verdict.is_on_other, verdict.surface.max), (false, 0.0));
 }
 
 #[test]
@@ -113,11 +150,102 @@ fn a_boundary_across_the_lines_of_curvature_cuts_panels_if_they_then_move_less()
 }
 
 #[test]
+fn what_a_changed_wish_leaves_as_it_was_is_not_computed_again() {
+    // Both choices at the boundary are laid out: one used to replace the other.
+    let session = opened(vault(10, true));
+    let mut layouts = session.panel_layouts(&[]).expect("a surface");
+    let mut stages_of = |settings: &LayoutSettings| {
+        let mut stages: Vec<RemeshStage> = Vec::new();
+        let layout = layouts.lay_out(settings, &mut |stage, _| {
+            stages.push(stage);
+            true
+        });
+        let fresh = laid_out(&session, settings);
+        let layout = layout.expect("the surface can be covered");
+        assert_eq!((layout.mesh, layout.boundary), (fresh.mesh, fresh.boundary));
+        stages
+    };
+    let first = LayoutSettings { count: Some(80), ..USUAL };
+    assert!(stages_of(&first).contains(&RemeshStage::Field));
+    let even = stages_of(&LayoutSettings { even: 0.75, ..first });
+    assert!(even.contains(&RemeshStage::Map) && !even.contains(&RemeshStage::Field), "{even:?}");
+    assert_eq!(stages_of(&LayoutSettings { even: 0.75, ..first }), [], "the same again");
+    let cut = Some(Boundary::Cut);
+    assert_eq!(stages_of(&LayoutSettings { even: 0.75, boundary: cut, ..first }), []);
+    let other = stages_of(&LayoutSettings { count: Some(60), ..first });
+    assert!(other.contains(&RemeshStage::Field));
+}
+
+#[test]
+fn both_choices_at_the_boundary_are_forecast() {
+    let session = opened(vault(12, true));
+    let mut layouts = session.panel_layouts(&[]).expect("a surface");
+    let settings = LayoutSettings { count: Some(100), ..USUAL };
+    let found = layouts.at_boundaries(&settings, &mut |_, _| true).expect("not cancelled");
+    let choices: Vec<Boundary> = found.iter().map(|one| one.boundary).collect();
+    assert_eq!(choices, [Boundary::Followed, Boundary::Cut]);
+    let pattern = |words: &str| words.contains(" panels, which will move by about ");
+    assert!(found.iter().all(|one| pattern(&one.words)), "{found:?}");
+    let large = LayoutSettings { size: Some(100.0), ..USUAL };
+    let found = layouts.at_boundaries(&large, &mut |_, _| true).expect("not cancelled");
+    assert!(found.iter().all(|one| one.words == "not possible"), "{found:?}");
+    let others = LayoutSettings { count: Some(70), ..USUAL };
+    assert!(layouts.at_boundaries(&others, &mut |_, _| false).is_err());
+}
+
+#[test]
+fn places_that_are_named_are_marked_and_framed() {
+    // A lid beside the vault.
+    let mut mesh = vault(12, false);
+    let first = mesh.positions.len() as u32;
+    mesh.positions.extend([[20.0, 0.0, 0.0], [21.0, 0.0, 0.0], [20.0, 1.0, 0.0]]);
+    mesh.faces.push(&[first, first + 1, first + 2]);
+    let session = opened(mesh);
+    let layout = laid_out(&session, &LayoutSettings { count: Some(100), ..USUAL });
+    let [note] = &layout.notes[..] else { panic!("{:?}", layout.notes) };
+    assert_eq!(note.words, "1 small part stays as it is.");
+    assert_eq!(note.places, [[first, first + 1, first + 2]]);
+    assert!(layout.marked_lines >= 1 && layout.lines[0].iter().all(|point| point[0] > 10.0));
+    assert_eq!(layout.count + 1, layout.mesh.faces.len());
+
+    let mut layouts = session.panel_layouts(&[]).expect("a surface");
+    let large = LayoutSettings { size: Some(100.0), ..USUAL };
+    layouts.lay_out(&large, &mut |_, _| true).expect_err("too large");
+    let place = layouts.refused_at().expect("at the boundary");
+    assert!(!place.around.is_empty() && place.ring.iter().all(|point| point[0] < 10.0));
+    layouts.lay_out(&USUAL, &mut |_, _| true).expect("it is possible");
+    assert_eq!(layouts.refused_at(), None);
+}
+
+#[test]
+fn selected_faces_stay_as_they_are() {
+    let mut session = opened(vault(10, false));
+    let kept: Vec<u32> = (0..20).collect();
+    let mut layouts = session.panel_layouts(&kept).expect("a surface");
+    let settings = LayoutSettings { count: Some(80), ..USUAL };
+    let layout = layouts.lay_out(&settings, &mut |_, _| true).expect("the others are covered");
+    let note = layout.notes.last().expect("it is said");
+    assert!(note.words.starts_with("20 selected faces stay, "), "{note:?}");
+    let before: Vec<Vec<Point>> = corners(session.mesh()).drain(..20).collect();
+    let generation = session.generation();
+    assert!(session.take_panels(generation, &layout.mesh).expect("it can be solved"));
+    let after = corners(session.mesh());
+    assert!(before.iter().all(|face| after.contains(face)));
+    assert!(session.panel_layouts(&[1000]).is_err());
+}
+
+/// The corners of all faces.
+fn corners(mesh: &Mesh) -> Vec<Vec<Point>> {
+    let of = |face: &[u32]| face.iter().map(|&v| mesh.positions[v as usize]).collect();
+    mesh.faces.iter().map(of).collect()
+}
+
+#[test]
 fn lines_lie_on_the_surface_and_those_at_irregular_points_come_first() {
     let session = opened(vault(12, true));
     let settings = LayoutSettings { count: Some(60), boundary: Some(Boundary::Followed), ..USUAL };
     let layout = laid_out(&session, &settings);
-    assert!(layout.irregular_lines < layout.lines.len() / 2);
+    assert!(layout.marked_lines < layout.lines.len() / 2);
     let height = |[x, y, z]: [f64; 3]| (z - 0.05 * x * y).abs();
     assert!(layout.lines.iter().flatten().all(|&point| height(point) < 0.02));
     for (line, ends) in layout.lines.iter().map(|line| (line, [line[0], line[line.len() - 1]])) {

@@ -3,7 +3,7 @@
 
 use super::edges::Edges;
 use super::polygon;
-use crate::math::{Vec3, argsort};
+use crate::math::{Vec3, argsort, marked};
 use crate::mesh::{Mesh, Ragged, Topology, Weld, curvatures};
 use crate::quads::{RemeshError, Side};
 
@@ -30,6 +30,28 @@ pub struct InputSurface {
     pub(super) tensors: Vec<Tensor>,
 }
 
+/// The connected parts of the input: those that can be covered, and the others.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct InputParts {
+    /// In the order of their first faces.
+    pub(crate) surfaces: Vec<InputSurface>,
+    /// The others, in this order too.
+    pub(crate) left: Vec<LeftPart>,
+}
+
+/// A part of the input that is not covered.
+#[derive(Clone, Debug)]
+pub(crate) struct LeftPart {
+    /// Its faces, ascending.
+    pub(crate) faces: Vec<u32>,
+    /// In the squared unit of the mesh.
+    pub(crate) area: f64,
+    /// Why it is not covered.
+    pub(crate) error: RemeshError,
+    /// A point of it.
+    pub(crate) at: Vec3<f64>,
+}
+
 impl InputSurface {
     /// Returns the connected parts of the faces of a mesh, in the order of their first faces. Faces
     /// that share no vertices are welded first; faces without area are dropped.
@@ -37,6 +59,15 @@ impl InputSurface {
     /// # Errors
     /// See [`RemeshError`]: nothing to remesh, an edge of three faces, a surface with one side.
     pub fn components(mesh: &Mesh) -> Result<Vec<InputSurface>, RemeshError> {
+        let InputParts { surfaces, left } = InputSurface::parts(mesh, &[])?;
+        left.into_iter().next().map_or(Ok(surfaces), |left| Err(left.error))
+    }
+
+    /// Returns the connected parts of the faces of a mesh other than the faces `stay`.
+    ///
+    /// # Errors
+    /// If there is nothing to remesh.
+    pub(crate) fn parts(mesh: &Mesh, stay: &[u32]) -> Result<InputParts, RemeshError> {
         let mut welded = mesh.clone();
         let weld = Weld::apply(&mut welded);
         // The original vertex of each welded one: the first that became it.
@@ -47,33 +78,46 @@ impl InputSurface {
             }
         }
         let positions: Vec<Vec3<f64>> = welded.positions.iter().map(|&p| Vec3::from(p)).collect();
-        let (mut triangles, faces) = triangulate(&positions, &welded);
+        let stays = marked(mesh.faces.len(), stay);
+        let (mut triangles, faces) = triangulate(&positions, &welded, &stays);
         if triangles.is_empty() {
             return Err(RemeshError::Empty);
         }
         let edges = Edges::new(&triangles);
-        check_manifold(&edges, &positions)?;
-        let parts = orient(&mut triangles, &edges, &positions)?;
-        let count = parts.iter().max().map_or(0, |&last| last + 1);
-        let mut members = vec![Vec::new(); count];
+        let (parts, faults) = orient(&mut triangles, &edges, &positions);
+        let mut members = vec![Vec::new(); faults.len()];
         parts.iter().enumerate().for_each(|(t, &part)| members[part].push(t));
-        members
-            .into_iter()
-            .map(|members| {
-                let own = members.iter().map(|&t| triangles[t]).collect();
-                let faces = members.iter().map(|&t| faces[t]).collect();
-                InputSurface::of_part(&positions, own, faces, &original)
-            })
-            .collect()
+        let mut found = InputParts::default();
+        for (members, fault) in members.into_iter().zip(faults) {
+            let own: Vec<[usize; 3]> = members.iter().map(|&t| triangles[t]).collect();
+            let mut faces: Vec<u32> = members.iter().map(|&t| faces[t]).collect();
+            let at = positions[own[0][0]];
+            let few = (own.len() < FEWEST).then_some(RemeshError::TooFewTriangles { at });
+            match fault.or(few) {
+                None => {
+                    let surface = InputSurface::of_part(&positions, own, faces, &original);
+                    found.surfaces.push(surface);
+                }
+                Some(error) => {
+                    faces.dedup();
+                    let area = area(&positions, &own);
+                    found.left.push(LeftPart { faces, area, error, at });
+                }
+            }
+        }
+        Ok(found)
+    }
+
+    /// The whole part, left as it is for this reason.
+    pub(crate) fn left(&self, error: RemeshError) -> LeftPart {
+        let mut faces = self.faces.clone();
+        faces.dedup();
+        LeftPart { faces, area: self.area(), error, at: self.positions[0] }
     }
 
     /// The area, in the squared unit of the mesh.
     pub fn area(&self) -> f64 {
-        let area = |t: &[usize; 3]| {
-            let [a, b, c] = t.map(|v| self.positions[v]);
-            0.5 * (b - a).cross(c - a).length()
-        };
-        self.triangles.iter().map(area).sum()
+        area(&self.positions, &self.triangles)
     }
 
     /// Number of triangles.
@@ -87,10 +131,7 @@ impl InputSurface {
         mut triangles: Vec<[usize; 3]>,
         faces: Vec<u32>,
         original: &[u32],
-    ) -> Result<InputSurface, RemeshError> {
-        if triangles.len() < FEWEST {
-            return Err(RemeshError::TooFewTriangles { at: positions[triangles[0][0]] });
-        }
+    ) -> InputSurface {
         let neighbours = Edges::new(&triangles).neighbours();
         let fans = fans(&triangles, &neighbours);
         let order = argsort((0..3 * triangles.len()).map(|k| {
@@ -112,15 +153,29 @@ impl InputSurface {
         let positions: Vec<Vec3<f64>> = vertices.iter().map(|&v| positions[v]).collect();
         let tensors = tensors(&positions, &triangles);
         let vertices = vertices.iter().map(|&v| original[v]).collect();
-        Ok(InputSurface { positions, triangles, faces, vertices, tensors })
+        InputSurface { positions, triangles, faces, vertices, tensors }
     }
 }
 
-/// Returns the triangles of all faces, and the face of each.
-fn triangulate(positions: &[Vec3<f64>], mesh: &Mesh) -> (Vec<[usize; 3]>, Vec<u32>) {
+/// The area of triangles.
+fn area(positions: &[Vec3<f64>], triangles: &[[usize; 3]]) -> f64 {
+    let area = |t: &[usize; 3]| {
+        let [a, b, c] = t.map(|v| positions[v]);
+        0.5 * (b - a).cross(c - a).length()
+    };
+    triangles.iter().map(area).sum()
+}
+
+/// Returns the triangles of all faces but those that stay, and the face of each.
+fn triangulate(
+    positions: &[Vec3<f64>],
+    mesh: &Mesh,
+    stays: &[bool],
+) -> (Vec<[usize; 3]>, Vec<u32>) {
     let at = |v: u32| positions[v as usize];
     let mut found = Vec::new();
-    for (f, face) in (0..).zip(mesh.faces.iter()) {
+    let others = (0..).zip(mesh.faces.iter()).zip(stays).filter(|(_, stays)| !**stays);
+    for ((f, face), _) in others {
         let mut face = face.to_vec();
         face.dedup();
         if face.len() > 1 && face.first() == face.last() {
@@ -136,55 +191,61 @@ fn triangulate(positions: &[Vec3<f64>], mesh: &Mesh) -> (Vec<[usize; 3]>, Vec<u3
     found.into_iter().map(|(triangle, f)| (triangle.map(|v| v as usize), f)).unzip()
 }
 
-fn check_manifold(edges: &Edges, positions: &[Vec3<f64>]) -> Result<(), RemeshError> {
-    let mut branching =
-        edges.ends.iter().zip(&edges.sides).filter(|(_, sides)| sides.len() > 2).map(|(e, _)| e);
-    let Some(&[a, b]) = branching.next() else { return Ok(()) };
-    let at = (positions[a] + positions[b]) * 0.5;
-    Err(RemeshError::BranchingEdge { at, count: 1 + branching.count() })
-}
-
-/// Orients the triangles of each part as its first one, and returns the part of each.
+/// Orients the triangles of each part as its first one. Returns the part of each triangle, and for
+/// each part why it is no surface, if so.
 fn orient(
     triangles: &mut [[usize; 3]],
     edges: &Edges,
     positions: &[Vec3<f64>],
-) -> Result<Vec<usize>, RemeshError> {
+) -> (Vec<usize>, Vec<Option<RemeshError>>) {
     const NONE: usize = usize::MAX;
     let given = triangles.to_vec();
     let start = |Side { triangle, side }: Side| given[triangle][side];
     let mut part = vec![NONE; given.len()];
     let mut turned = vec![false; given.len()];
-    let mut count = 0;
+    let mut faults: Vec<Option<RemeshError>> = Vec::new();
     for first in 0..given.len() {
         if part[first] != NONE {
             continue;
         }
-        part[first] = count;
+        let own = faults.len();
+        let mut fault = None;
+        part[first] = own;
         let mut queue = vec![first];
         while let Some(t) = queue.pop() {
             for side in (0..3).map(|side| Side { triangle: t, side }) {
-                let both = &edges.sides[edges.of_side[t][side.side]];
-                let Some(&other) = both.iter().find(|&&other| other != side) else { continue };
-                // Neighbours run along the edge in opposite directions.
-                let turn = turned[t] != (start(side) == start(other));
-                if part[other.triangle] == NONE {
-                    part[other.triangle] = count;
-                    turned[other.triangle] = turn;
-                    queue.push(other.triangle);
-                } else if turned[other.triangle] != turn {
-                    return Err(RemeshError::OneSided { at: positions[start(side)] });
+                let all = &edges.sides[edges.of_side[t][side.side]];
+                for &other in all.iter().filter(|&&other| other != side) {
+                    // Neighbours run along the edge in opposite directions.
+                    let turn = turned[t] != (start(side) == start(other));
+                    if part[other.triangle] == NONE {
+                        part[other.triangle] = own;
+                        turned[other.triangle] = turn;
+                        queue.push(other.triangle);
+                    } else if turned[other.triangle] != turn {
+                        let at = positions[start(side)];
+                        fault.get_or_insert(RemeshError::OneSided { at });
+                    }
                 }
             }
         }
-        count += 1;
+        faults.push(fault);
+    }
+    for (&[a, b], sides) in edges.ends.iter().zip(&edges.sides).filter(|(_, all)| all.len() > 2) {
+        let fault = &mut faults[part[sides[0].triangle]];
+        if let Some(RemeshError::BranchingEdge { count, .. }) = fault {
+            *count += 1;
+        } else {
+            let at = (positions[a] + positions[b]) * 0.5;
+            *fault = Some(RemeshError::BranchingEdge { at, count: 1 });
+        }
     }
     for (triangle, turned) in triangles.iter_mut().zip(turned) {
         if turned {
             triangle.swap(1, 2);
         }
     }
-    Ok(part)
+    (part, faults)
 }
 
 /// Numbers the fans of triangles around vertices: the same for corners of one vertex that are

@@ -22,5 +22,5 @@ mod refine;
 
 pub(super) use edges::Edges;
 pub use input::InputSurface;
-pub(super) use input::Tensor;
+pub(super) use input::{InputParts, LeftPart, Tensor};
 pub use prepare::{PrepareNotes, Prepared};

@@ -1,7 +1,7 @@
 //! The shapes offered for all panels of a mesh, and the request for one of them.
 
 use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selector};
-use crate::mesh::{MESH_OPERATIONS, Mesh};
+use crate::mesh::{MESH_OPERATIONS, Mesh, Topology, mean_dihedral_angle};
 use crate::scene::{ConstraintSpec, Scene, SceneError};
 use crate::solve::Require;
 use serde::Serialize;
@@ -154,14 +154,29 @@ impl MeshRemedy {
     }
 }
 
+/// Fewer triangles have no curvature to speak of.
+const FEWEST: usize = 10;
+/// Faces that meet at a smaller mean angle are a flat plate, in degrees.
+const FLAT: f64 = 0.01;
+
+/// Whether new panels along the lines of curvature are offered for a mesh: one of triangles, on which
+/// no panels can be asked for, that is curved.
+pub fn offers_new_panels(mesh: &Mesh, topology: &Topology) -> bool {
+    let is_surface = mesh.tets.is_empty() && mesh.faces.len() >= FEWEST && is_of_triangles(mesh);
+    is_surface && mean_dihedral_angle(mesh, topology, &mesh.positions) > FLAT
+}
+
 /// Returns the change of the mesh after which the offered kinds apply, if there is one: none applies
 /// to triangles, which can be joined to quads.
-pub fn panel_remedy(mesh: &Mesh) -> Option<MeshRemedy> {
+pub fn panel_remedy(mesh: &Mesh, topology: &Topology) -> Option<MeshRemedy> {
     let can_join = mesh.faces.len() > 1 && mesh.tets.is_empty() && is_of_triangles(mesh);
     let adjectives: Vec<&str> = KINDS.iter().filter_map(|info| info.panels).collect();
+    let ways = match offers_new_panels(mesh, topology) {
+        true => "New panels can follow the lines of curvature, or pairs of triangles can",
+        false => "Pairs of triangles can",
+    };
     let words = format!(
-        "All panels are triangles, which are always {}. New panels can follow the lines of curvature, or \
-         pairs of triangles can be joined to quads.",
+        "All panels are triangles, which are always {}. {ways} be joined to quads.",
         adjectives.join(" and ")
     );
     can_join.then(|| MeshRemedy::new("quads", words)).flatten()

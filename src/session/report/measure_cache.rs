@@ -62,7 +62,8 @@ impl MeasureCache {
     pub(crate) fn shape_measure(&self, scene: &SolvedScene, rest: &RestMesh) -> Rc<ShapeMeasure> {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene.positions());
-        let measure = || Rc::new(ShapeMeasure::of(scene.positions(), rest));
+        let target = scene.document().closeness.target_mesh();
+        let measure = || Rc::new(ShapeMeasure::of(scene.positions(), rest, target));
         Rc::clone(measured.shape.get_or_insert_with(measure))
     }
 
@@ -72,7 +73,7 @@ impl MeasureCache {
         measured.begin(scene.positions());
         let Measured { surface_distances, closest, .. } = &mut *measured;
         let search = || {
-            let (surface, centre) = scene.solver().rest_surface(rest.mesh());
+            let (surface, centre) = original(scene, rest);
             distances(&surface, centre, scene.positions(), closest)
         };
         Rc::clone(surface_distances.get_or_insert_with(search))
@@ -105,9 +106,15 @@ impl Measured {
     }
 }
 
+/// Returns the original surface, and the centre that its coordinates are relative to.
+fn original(scene: &SolvedScene, rest: &RestMesh) -> (Rc<Surface>, Point) {
+    let other = rest.original(scene.document().closeness.target_mesh());
+    other.map_or_else(|| scene.solver().rest_surface(rest.mesh()), |other| (other, [0.0; 3]))
+}
+
 /// Distance of each original vertex to its own surface, a rounding error: `#V`, in its unit.
 pub(super) fn rest_surface_distances(scene: &SolvedScene, rest: &RestMesh) -> Rc<[f64]> {
-    let (surface, centre) = scene.solver().rest_surface(rest.mesh());
+    let (surface, centre) = original(scene, rest);
     distances(&surface, centre, rest.positions(), &mut Vec::new())
 }
 

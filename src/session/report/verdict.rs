@@ -47,6 +47,9 @@ pub struct Verdict {
     pub moved: Moved,
     /// Distances between the surface and the original.
     pub surface: SurfaceDistance,
+    /// Whether the original is the surface on which the panels were laid out.
+    #[serde(skip)]
+    pub is_on_other: bool,
     /// The largest distance of a boundary vertex from the original boundary.
     pub boundary: f64,
     /// The angle between neighbouring faces.
@@ -158,6 +161,7 @@ impl Verdict {
             eased,
             moved: measure.moved,
             surface: measure.surface,
+            is_on_other: measure.is_on_other,
             boundary: measure.boundary,
             bend: measure.bend,
             shortest_edge: measure.shortest_edge,

@@ -60,6 +60,13 @@ impl Verdict {
             second,
             after,
             if is_told { String::new() } else { format!("Worst {worst}.") },
+            match self.is_on_other {
+                true => {
+                    let far = length(self.surface.max, units);
+                    format!("They stay within {far} of the surface that they were laid out on.")
+                }
+                false => String::new(),
+            },
             match moved(self.moved.max, self.moved.mean, units, scale.size) {
                 Some(far) => format!("Your mesh moved by {far}."),
                 None => "Your mesh did not move.".to_owned(),
@@ -179,6 +186,7 @@ mod tests {
             eased: None,
             moved: Moved { max: 0.2134, mean: 0.0512 },
             surface: SurfaceDistance { rms: 0.01, max: 0.03 },
+            is_on_other: false,
             boundary: 0.0,
             bend: Bend { rest: 3.6, now: 4.0, change: None },
             shortest_edge: 0.8,

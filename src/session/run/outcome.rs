@@ -155,6 +155,7 @@ impl Outcome {
             folded: folded.to_vec(),
             moved: Moved { max: 0.1, mean: 0.05 },
             surface: SurfaceDistance { rms: 0.01, max: 0.02 },
+            is_on_other: false,
             boundary: 0.0,
             bend: Bend { rest: 4.0, now: 4.0, change: None },
             shortest_edge: 0.9,

@@ -2,10 +2,11 @@
 //! hard constraints are compared by it, the verdict is made from it, and the report has it.
 
 use crate::math::Vec3;
-use crate::mesh::{BoundaryCurve, Point, Surface};
+use crate::mesh::{BoundaryCurve, Mesh, Point, Surface};
 use crate::session::state::RestMesh;
 use crate::solve::Moved;
 use serde::Serialize;
+use std::rc::Rc;
 
 /// A shape against its original. Lengths are in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +18,8 @@ pub(crate) struct ShapeMeasure {
     pub(crate) moved: Moved,
     /// Distances between the surface and its original.
     pub(crate) surface: SurfaceDistance,
+    /// Whether the original is another surface, on which the rest mesh lies.
+    pub(crate) is_on_other: bool,
     /// The largest distance of a boundary vertex from the original boundary.
     pub(crate) boundary: f64,
     /// The angle between neighbouring faces.
@@ -62,12 +65,15 @@ pub enum BendChange {
 }
 
 impl ShapeMeasure {
-    /// Measures the shape of `rest` with its vertices at `now` (`#V by 3`).
-    pub(crate) fn of(now: &[Point], rest: &RestMesh) -> ShapeMeasure {
+    /// Measures the shape of `rest` with its vertices at `now` (`#V by 3`). `target` is the mesh that
+    /// its closeness is to, if another one: the original, if the rest mesh lies on it.
+    pub(crate) fn of(now: &[Point], rest: &RestMesh, target: Option<&Rc<Mesh>>) -> ShapeMeasure {
+        let other = rest.original(target);
         ShapeMeasure {
+            is_on_other: other.is_some(),
             folded: rest.folded_by(now),
             moved: rest.moved_by(now),
-            surface: SurfaceDistance::between(now, rest),
+            surface: SurfaceDistance::between(now, rest, other.as_deref()),
             boundary: boundary_distance(now, rest),
             bend: Bend::of(now, rest),
             shortest_edge: shortest_edge(now, rest),
@@ -79,7 +85,8 @@ impl ShapeMeasure {
 impl SurfaceDistance {
     /// The distances between the surface at `now` (`#V by 3`) and the original, both ways: a part of
     /// the original that is cut off is far from the surface, which may be near the original itself.
-    fn between(now: &[Point], rest: &RestMesh) -> SurfaceDistance {
+    /// Of an original `other` than the rest mesh, which lies on it, the rest positions are points.
+    fn between(now: &[Point], rest: &RestMesh, other: Option<&Surface>) -> SurfaceDistance {
         if now == rest.positions() {
             return SurfaceDistance::default();
         }
@@ -87,7 +94,8 @@ impl SurfaceDistance {
         let has_edges = |v: &usize| !neighbours.row(*v).is_empty();
         let moved = Surface::new(now, rest.mesh());
         let (mut sum, mut count, mut max) = (0.0, 0.0, 0.0);
-        for (points, surface) in [(now, rest.surface()), (rest.positions(), &moved)] {
+        let original = other.unwrap_or_else(|| rest.surface());
+        for (points, surface) in [(now, original), (rest.positions(), &moved)] {
             let mut hint = Surface::NO_HINT;
             for v in (0..points.len()).filter(has_edges) {
                 let to = surface.closest(points[v], &mut hint);

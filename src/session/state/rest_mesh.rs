@@ -6,10 +6,14 @@ use crate::mesh::{
     folded_faces, mean_dihedral_angle, smoothed_area,
 };
 use crate::solve::Moved;
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
 
 /// Below every cosine: no vertex of a boundary is a corner.
 const NO_CORNERS: f64 = -2.0;
+
+/// A mesh whose vertices are nearer to a surface than this fraction of its mean edge lies on it.
+const ON_SURFACE: f64 = 0.02;
 
 /// A rest mesh with its topology.
 pub(crate) struct RestMesh {
@@ -22,6 +26,8 @@ pub(crate) struct RestMesh {
     surface: OnceCell<Surface>,
     boundary: OnceCell<Vec<BoundaryCurve>>,
     smoothed_area: OnceCell<f64>,
+    /// See [`RestMesh::original`].
+    original: RefCell<Option<(Rc<Mesh>, Option<Rc<Surface>>)>>,
     generation: u32,
     lost: Vec<String>,
 }
@@ -38,6 +44,7 @@ impl RestMesh {
             surface: OnceCell::new(),
             boundary: OnceCell::new(),
             smoothed_area: OnceCell::new(),
+            original: RefCell::default(),
             generation: 0,
             lost: Vec::new(),
         }
@@ -110,6 +117,26 @@ impl RestMesh {
     /// Returns the original surface.
     pub(crate) fn surface(&self) -> &Surface {
         self.surface.get_or_init(|| Surface::new(self.positions(), &self.mesh))
+    }
+
+    /// Returns the surface of `target` if the rest mesh is made of panels on it: all vertices of its
+    /// edges lie there. Such a mesh is judged by that surface, not by its own.
+    pub(crate) fn original(&self, target: Option<&Rc<Mesh>>) -> Option<Rc<Surface>> {
+        let target = target?;
+        let mut known = self.original.borrow_mut();
+        if known.as_ref().is_none_or(|(mesh, _)| !Rc::ptr_eq(mesh, target)) {
+            let surface = Surface::new(&target.positions, target);
+            let limit = ON_SURFACE * self.mean_edge();
+            let mut hint = Surface::NO_HINT;
+            let mut is_on = |v: u32| {
+                let point = self.positions()[v as usize];
+                let to = surface.closest(point, &mut hint);
+                (Vec3::from(to) - Vec3::from(point)).length() <= limit
+            };
+            let lies = self.topology.edges().iter().flatten().all(|&v| is_on(v));
+            *known = Some((Rc::clone(target), lies.then(|| Rc::new(surface))));
+        }
+        known.as_ref().and_then(|(_, surface)| surface.clone())
     }
 
     /// Returns the vertices of each boundary loop, except corners, which are on the curve as well,

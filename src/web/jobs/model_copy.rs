@@ -5,7 +5,7 @@
 use crate::scene::{Forecast, MeshRemedy};
 use crate::session::{
     BetterPress, BetterPresses, Error, ExactOffer, ExactShape, ExactTrial, FileReader, OpenedFile,
-    Remedies, Remedy, Session, Variations,
+    PanelLayouts, Remedies, Remedy, Session, Variations,
 };
 use crate::solve::clock;
 use crate::web::values::{Js, flat, plain, plains};
@@ -21,6 +21,8 @@ pub struct ModelCopy {
     pub(super) session: Session,
     trial: Option<Trial>,
     pub(super) variations: Option<Variations>,
+    /// New panels on the copied shape, from the first question for them on.
+    pub(super) layouts: Option<PanelLayouts>,
 }
 
 /// What is being tried.
@@ -67,7 +69,7 @@ impl ModelCopy {
         let file = FileReader::default().read("copy.json", scene.as_bytes()).map_err(thrown)?;
         let OpenedFile { scene, mesh, .. } = file;
         let session = Session::open_copy(scene, mesh, generation).map_err(thrown)?;
-        Ok(ModelCopy { session, trial: None, variations: None })
+        Ok(ModelCopy { session, trial: None, variations: None, layouts: None })
     }
 
     /// Returns in words how far making panels of one shape will move the mesh, and a change of the

@@ -1,7 +1,7 @@
 //! The summary of a file that was opened.
 
 use crate::mesh::{Read, Weld, diagonal};
-use crate::scene::{MeshRemedy, PanelOffer, Up, panel_offers, panel_remedy};
+use crate::scene::{MeshRemedy, PanelOffer, Up, offers_new_panels, panel_offers, panel_remedy};
 use crate::session::{FACE_MEASURES, Guessed, Session, flaw_of};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -37,6 +37,9 @@ pub struct Loaded {
     /// A change of the mesh after which they apply.
     #[serde(rename = "panelRemedy")]
     panel_remedy: Option<MeshRemedy>,
+    /// Whether new panels along the lines of curvature are offered for it at once.
+    #[serde(rename = "newPanels")]
+    new_panels: bool,
     /// None if nothing was welded.
     welded: Option<Welded>,
     problems: Vec<Problem>,
@@ -106,7 +109,8 @@ impl Loaded {
             mean_edge: session.mean_edge(),
             tolerance: session.tolerance(),
             panels: panel_offers(mesh),
-            panel_remedy: panel_remedy(mesh),
+            panel_remedy: panel_remedy(mesh, session.topology()),
+            new_panels: offers_new_panels(mesh, session.topology()),
             welded: weld.map(|weld| Welded {
                 before: weld.to.len(),
                 after: mesh.positions.len(),

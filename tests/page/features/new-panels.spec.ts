@@ -1,9 +1,9 @@
 // From a roof of triangles to circular panels along its lines of curvature.
 
 import type { Page } from '@playwright/test';
-import { openText, showPanel } from '../actions.ts';
+import { hidePanels, openText, showPanel } from '../actions.ts';
 import { vault, wavyGrid } from '../meshes.ts';
-import { expect, openPage, state, test, waitForState } from '../support.ts';
+import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -42,7 +42,9 @@ test('a roof of triangles gets panels along its lines of curvature, which become
   expect(solved.faces).toBeGreaterThan(50);
   expect(solved.faces).toBeLessThan(80);
   expect(solved.constraints).toEqual({ circle: solved.faces });
-  await expect(offer(page)).toContainText(/All \d+ panels are circular within/);
+  await expect(offer(page)).toContainText(
+    /All \d+ panels are circular within .* They stay within .* of the surface that they were laid out on\./,
+  );
 
   // One step each: the circles, then the panels.
   await page.keyboard.press('Control+z');
@@ -63,6 +65,10 @@ test('a refused size changes nothing, and Escape leaves the mesh as it was', asy
   await card(page).getByLabel('Side').press('Enter');
   await expect(card(page).getByText(/^Not possible: .*too large for the surface/)).toBeVisible();
   await expect(use(page)).toBeDisabled();
+  // The refusal has a place, which it shows.
+  await card(page)
+    .getByRole('button', { name: /^Not possible: / })
+    .click();
   await page.keyboard.press('Escape');
   await expect(card(page)).toBeHidden();
   expect((await state(page)).vertices).toBe(49);
@@ -89,4 +95,76 @@ test('a number typed while panels are laid out stays, and another card takes the
   const curvature = page.getByRole('region', { name: 'Curvature' });
   await expect(curvature).toBeVisible();
   await curvature.getByRole('button', { name: 'Close curvature' }).click();
+});
+
+/** The vault with one triangle beside it. */
+const withTriangle = (n: number) =>
+  `${vault(n)}v 30 0 0\nv 31 0 0\nv 30 1 0\nf ${[1, 2, 3].map((k) => (n + 1) ** 2 + k).join(' ')}\n`;
+
+test('both choices at the boundary are forecast, and what moves less can be chosen again', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'vault.obj', vault(N), VERTICES);
+  await offer(page).getByRole('button', { name: 'New panels along the curvature' }).click();
+  const choice = card(page).getByLabel('Boundary');
+  await expect(choice).toHaveValue('');
+  const pattern = /^\d+ panels, which will move by about [\d.]+/;
+  const forecasts = card(page).getByRole('definition');
+  await expect(forecasts.nth(0)).toHaveText(pattern);
+  await expect(forecasts.nth(1)).toHaveText(pattern);
+  const follows = await forecasts.nth(0).textContent();
+  await choice.selectOption('Cuts the panels');
+  await expect(card(page).locator('[aria-current=true]')).toContainText('Cuts the panels');
+  await choice.selectOption('What moves less');
+  await expect(card(page).locator('[aria-current=true]')).toContainText('Followed by the panels');
+  await expect(forecasts.nth(0)).toHaveText(follows ?? '');
+});
+
+test('a small part stays, is said to, and its place comes into view', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'vault.obj', withTriangle(N), VERTICES + 3);
+  await offer(page).getByRole('button', { name: 'New panels along the curvature' }).click();
+  const note = card(page).getByRole('button', { name: '1 small part stays as it is.' });
+  await expect(note).toBeVisible();
+  const far = async () => {
+    const at = await Promise.all([screenOf(page, VERTICES), screenOf(page, VERTICES + 1)]);
+    return Math.hypot(at[0][0] - at[1][0], at[0][1] - at[1][1]);
+  };
+  const before = await far();
+  await note.click();
+  await expect.poll(far).toBeGreaterThan(2 * before);
+  await use(page).click();
+  await expect(card(page)).toBeHidden();
+  await waitForState(page, (now, vertices) => now.vertices !== vertices, VERTICES + 3);
+});
+
+test('selected faces stay as they are, if that is asked', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(8), 81);
+  // The face with the corners 40 and 50.
+  await hidePanels(page);
+  await page.keyboard.press('3');
+  const [from, to] = await Promise.all([screenOf(page, 40), screenOf(page, 50)]);
+  await page.mouse.click((from[0] + to[0]) / 2, (from[1] + to[1]) / 2);
+  await expect(page.getByRole('status')).toHaveText('1 face selected');
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'New panels', exact: true }).click();
+  await expect(use(page)).toBeEnabled();
+  await card(page).getByLabel('The selected face stays as it is').check();
+  await expect(card(page).getByText(/^1 selected face stays, /)).toBeVisible();
+  await use(page).click();
+  await expect(card(page)).toBeHidden();
+  const scene = await waitForState(page, (now) => now.vertices !== 81);
+  expect(scene.faces).toBeGreaterThan(40);
+});
+
+test('new panels are not offered on a flat plate', async ({ page }) => {
+  await openPage(page);
+  const flat = vault(N).replace(/^(v \S+ \S+) \S+$/gm, '$1 0');
+  await openText(page, 'plate.obj', flat, VERTICES);
+  await expect(offer(page).getByText(/^All panels are triangles/)).toBeVisible();
+  await expect(
+    offer(page).getByRole('button', { name: 'New panels along the curvature' }),
+  ).toBeHidden();
 });

@@ -184,7 +184,7 @@ export class MakePanels {
     if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
     else {
       const others = [...buttons, this.#remedyButton, this.#somethingElse()];
-      if (model?.panelRemedy) this.#helped = model;
+      if (model?.newPanels) this.#helped = model;
       this.#newPanels.hidden = !this.#newPanelsHelp();
       const press = element('div', this.#newPanels, ...others);
       renew(here, ...reasons, this.#forecast, press, this.#closeButton());

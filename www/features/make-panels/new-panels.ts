@@ -4,14 +4,23 @@
  */
 
 import './new-panels.css';
-import { amountField, button, choice, closeButton } from '../../ui/controls/fields.ts';
+import { amountField, button, checkbox, choice, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { once } from '../../ui/once.ts';
 import { Cancelled, messageOf } from '../../solver/errors.ts';
+import { groupDigits } from '../../ui/format.ts';
 import { latestOnly } from '../../store/latest-only.ts';
+import { fly } from '../../viewport/camera.ts';
+import { boundaryForecasts, paragraphs } from './layout-words.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { KindInfo } from '../../solver/types.ts';
-import type { LaidOut, LayoutSettings } from '../../pkg/engine/shape_up.js';
+import type {
+  BoundaryForecast,
+  LaidOut,
+  LayoutNote,
+  LayoutSettings,
+  RefusedAt,
+} from '../../pkg/engine/shape_up.js';
 
 const theCard = once(newPanelsCard);
 
@@ -25,6 +34,14 @@ export const openNewPanels = (app: AppContext, make: (kind: KindInfo) => unknown
 /** Initial positions of the sliders, from 0 to 1. */
 const FOLLOW = 2 / 3;
 const EVEN = 0.25;
+/** Time without another wish after which both choices at the boundary are forecast. */
+const IDLE_MS = 400;
+/** The choices at the boundary. */
+const BOUNDARIES: [BoundaryForecast['boundary'], string][] = [
+  ['follow', 'Followed by the panels'],
+  ['cut', 'Cuts the panels'],
+];
+const AUTOMATIC = 'What moves less';
 
 function newPanelsCard(
   { store, solver, jobs, viewport, actions, alerts }: AppContext,
@@ -38,6 +55,15 @@ function newPanelsCard(
   let about: unknown = null;
   /** Whether the edges of the mesh were hidden for the drawing. */
   let hidesEdges = false;
+  /** The place of a refusal. */
+  let refused: RefusedAt | null = null;
+  /** Both choices at the boundary, once they are known, and whether they are being forecast. */
+  let forecast: BoundaryForecast[] | null = null;
+  let isForecasting = false;
+  /** The number of layouts that were begun. */
+  let turn = 0;
+  /** The faces that were selected when the card was opened. */
+  let selected: Uint32Array<ArrayBuffer> = new Uint32Array(0);
   /** The fields that the user has set. */
   let wished: Pick<LayoutSettings, 'count' | 'size' | 'boundary'> = {};
 
@@ -48,11 +74,16 @@ function newPanelsCard(
   const unit = element('span.unit');
   const follow = slider('Fewer irregular points', 'Smaller move', FOLLOW);
   const even = slider('Sizes as the curvature asks', 'Even sizes', EVEN);
-  const boundary = choice({}, (value) => wish({ boundary: value as LayoutSettings['boundary'] }), [
-    ['follow', 'Followed by the panels'],
-    ['cut', 'Cuts the panels'],
-  ]);
-  const boundaryLine = element('label', element('span', 'Boundary'), boundary);
+  const boundary = choice({}, chooseBoundary, [['', AUTOMATIC], ...BOUNDARIES]);
+  const forecasts = element('dl.quiet');
+  const boundaryLine = element(
+    'div.boundary',
+    element('label', element('span', 'Boundary'), boundary),
+    forecasts,
+  );
+  const keeps = checkbox('', update);
+  const keepsWords = element('span');
+  keeps.label.append(keepsWords);
   const then = choice({}, () => {});
   const said = element('div.said', { 'aria-live': 'polite' });
   const take = button('Use these panels', use, { class: 'primary' });
@@ -72,6 +103,7 @@ function newPanelsCard(
     follow.place,
     even.place,
     boundaryLine,
+    keeps.label,
     said,
     element('label', element('span', 'Then'), then),
     take,
@@ -96,6 +128,13 @@ function newPanelsCard(
   const layouts = latestOnly(layOut);
 
   function update() {
+    forecast = null;
+    if (layouts.isBusy()) void layouts.ask();
+    else laying = layouts.ask();
+  }
+
+  function chooseBoundary(value: string) {
+    wished.boundary = BOUNDARIES.find(([boundary]) => boundary === value)?.[0] ?? null;
     if (layouts.isBusy()) void layouts.ask();
     else laying = layouts.ask();
   }
@@ -103,31 +142,57 @@ function newPanelsCard(
   async function layOut() {
     const model = solver.copy();
     if (card.hidden || !model) return;
+    turn += 1;
     const shape = solver.geometry?.generation;
-    say(['Laying out panels …']);
+    say('Laying out panels …');
     const settings = {
       ...wished,
       follow: follow.field.valueAsNumber,
       even: even.field.valueAsNumber,
     };
+    const kept = keeps.box.checked ? selected : new Uint32Array(0);
     try {
-      const panels = await jobs.ask.layOutPanels(model, settings);
+      const panels = await jobs.ask.layOutPanels(model, settings, kept);
       // Another wish, or another shape, has come meanwhile.
       if (card.hidden || layouts.hasNext()) return;
       laidOut = { panels, generation: model.generation, shape };
+      refused = null;
       show(panels);
+      if (panels.boundary) void foretell(() => jobs.ask.panelsAtBoundaries(model, settings, kept));
     } catch (error) {
       if (card.hidden) return;
       if (error instanceof Cancelled) return laidOut ? show(laidOut.panels) : close();
+      refused = await jobs.ask.panelsRefusedAt().catch(() => null);
+      if (layouts.hasNext()) return;
       laidOut = null;
       take.disabled = true;
-      say([`Not possible: ${messageOf(error)}.`]);
+      const words = `Not possible: ${messageOf(error)}.`;
+      if (refused) say('', [{ words, places: [Array.from(refused.vertices)] }]);
+      else say(words);
     }
     draw();
   }
 
+  /** Forecasts both choices at the boundary, unless another wish comes first. */
+  async function foretell(ask: () => Promise<BoundaryForecast[]>) {
+    const mine = turn;
+    await new Promise((later) => setTimeout(later, IDLE_MS));
+    if (card.hidden || mine !== turn) return;
+    isForecasting = true;
+    const found = await ask().catch(() => null);
+    isForecasting = false;
+    if (card.hidden || mine !== turn || !found) return;
+    forecast = found;
+    showForecasts();
+  }
+
+  function showForecasts() {
+    const current = laidOut?.panels.boundary ?? null;
+    forecasts.replaceChildren(...boundaryForecasts(BOUNDARIES, forecast, current));
+  }
+
   function show(panels: LaidOut) {
-    say(panels.words);
+    say(panels.words, panels.notes);
     for (const [of, value] of [
       [count, panels.count],
       [size, panels.size],
@@ -138,19 +203,24 @@ function newPanelsCard(
       if (hasCome && document.activeElement === of.field) of.field.select();
     }
     boundaryLine.hidden = panels.boundary === null;
-    boundary.value = panels.boundary ?? '';
+    boundary.value = wished.boundary ?? '';
+    showForecasts();
     take.disabled = false;
   }
 
-  function say(sentences: string[]) {
-    said.replaceChildren(...sentences.map((words) => element('p', words)));
+  function say(words: string, notes: LayoutNote[] = []) {
+    const around = (vertices: number[]) =>
+      fly(viewport, (view) => view.fitVertices(Uint32Array.from(vertices)));
+    said.replaceChildren(...paragraphs(words, notes, around));
   }
 
   /** Draws the panels over the mesh, whose own edges are hidden meanwhile. */
   function draw() {
     const panels = card.hidden ? null : laidOut?.panels;
-    const { points = new Float64Array(0), ends = new Uint32Array(1), irregular = 0 } = panels ?? {};
-    viewport.unmeasured((view) => view.setSurfaceLines(points, ends, irregular));
+    const ring = card.hidden || panels ? null : refused?.points;
+    const { points = ring ?? new Float64Array(0), marked = ring ? 1 : 0 } = panels ?? {};
+    const ends = panels?.ends ?? Uint32Array.from(ring ? [0, ring.length / 3] : [0]);
+    viewport.unmeasured((view) => view.setSurfaceLines(points, ends, marked));
     if (panels && !hidesEdges && store.get().display.edges) {
       hidesEdges = true;
       actions.display({ edges: false });
@@ -164,7 +234,7 @@ function newPanelsCard(
   function withdraw() {
     laidOut = null;
     take.disabled = true;
-    say(['The shape has changed …']);
+    say('The shape has changed …');
     draw();
   }
 
@@ -177,7 +247,13 @@ function newPanelsCard(
     size.show(null);
     take.disabled = true;
     wished = {};
-    laidOut = null;
+    laidOut = refused = null;
+    selected = Uint32Array.from(store.get().selection.faces);
+    const { length } = selected;
+    keeps.label.hidden = !length || length === model?.faces;
+    keeps.box.checked = false;
+    const faces = `${groupDigits(length)} selected faces stay as they are`;
+    setText(keepsWords, length === 1 ? 'The selected face stays as it is' : `The ${faces}`);
     follow.field.value = String(FOLLOW);
     even.field.value = String(EVEN);
     setText(unit, scene?.units ?? '');
@@ -195,10 +271,10 @@ function newPanelsCard(
   function close() {
     if (card.hidden) return;
     card.hidden = true;
-    laidOut = null;
+    laidOut = refused = null;
     draw();
     // The second worker is free for the next question.
-    if (layouts.isBusy()) jobs.cancel();
+    if (layouts.isBusy() || isForecasting) jobs.cancel();
     actions.leaveCorner('new-panels');
     viewport.element.focus();
   }
@@ -215,7 +291,7 @@ function newPanelsCard(
     if (!taken) return taken === false && update();
     const lost = store.get().model?.notes ?? [];
     if (lost.length) alerts.notice(lost.join(' '));
-    actions.setStatus(panels.words[0]);
+    actions.setStatus(panels.words);
     if (kind) await make(kind);
   }
 
@@ -225,7 +301,7 @@ function newPanelsCard(
     close();
   });
   jobs.on('told', ({ words }) => {
-    if (!card.hidden && layouts.isBusy()) say([words]);
+    if (!card.hidden && layouts.isBusy()) say(words);
   });
   store.subscribe(['model'], ({ model }) => {
     if (model !== about) close();

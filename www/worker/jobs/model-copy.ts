@@ -29,12 +29,22 @@ function current(): ModelCopy {
   return copy;
 }
 
+const tell = (told: string) => postMessage({ told });
+
 export const onCopy = {
   /** How far making panels of one shape will move the mesh, in words; null if none is offered. */
   forecast: (model: Snapshot) => copyOf(model).forecast() ?? null,
-  /** Panels along the lines of curvature; what is being done is told in words. */
-  layOutPanels: (model: Snapshot, settings: LayoutSettings) =>
-    copyOf(model).layOutPanels(settings, (told: string) => postMessage({ told })),
+  /**
+   * Panels along the lines of curvature; what is being done is told in words.
+   * @param kept faces that stay as they are
+   */
+  layOutPanels: (model: Snapshot, settings: LayoutSettings, kept: Uint32Array) =>
+    copyOf(model).layOutPanels(settings, kept, tell),
+  /** What such panels come to with each choice at the boundary; empty if there is none. */
+  panelsAtBoundaries: (model: Snapshot, settings: LayoutSettings, kept: Uint32Array) =>
+    copyOf(model).panelsAtBoundaries(settings, kept, tell),
+  /** The place of the last refusal of panels; null if it has none. */
+  panelsRefusedAt: () => current().panelsRefusedAt() ?? null,
   /** A flat map of the shape. */
   parametrize: (model: Snapshot, weights: MapWeights, norm: MapNorm) =>
     copyOf(model).parametrize(weights, norm),

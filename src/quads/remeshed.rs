@@ -1,0 +1,164 @@
+//! All parts in one mesh: measured, and put into words.
+
+use super::RemeshError;
+use super::part::Part;
+use super::result::{Distances, RemeshMeasures, Tally, places};
+use super::surface::LeftPart;
+use crate::math::{Vec3, marked};
+use crate::mesh::{Mesh, Point};
+use crate::words;
+
+/// A mesh of quads along the lines of curvature of another mesh.
+#[derive(Clone, Debug)]
+pub struct Remeshed {
+    /// Its parts are in the order of those of the input, those that stay as they are at the end.
+    /// Without curves and groups.
+    pub mesh: Mesh,
+    /// Number of faces of the input that stay as they are: the last ones of the mesh.
+    pub staying: usize,
+    /// Measures of all covered parts together.
+    pub measures: RemeshMeasures,
+    /// The greatest level of retry of a part: 0 follows the curvature as asked, 3 not at all.
+    pub level: u32,
+    /// What the reader should know.
+    pub notes: Vec<RemeshNote>,
+}
+
+/// A sentence about a result, with the places that it names.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RemeshNote {
+    /// The sentence.
+    pub words: String,
+    /// In the unit of the mesh; empty if it concerns the whole.
+    pub places: Vec<Vec3<f64>>,
+}
+
+/// Input vertices farther than this many panels from the result are not followed.
+const FAR: f64 = 1.0;
+/// Places nearer to each other than this many panels are one.
+const NEAR: f64 = 2.5;
+/// A panel follows a surface that turns by no more than this along it, in radians.
+const TURN: f64 = 1.0;
+
+/// One mesh of all parts, measured and described.
+pub(super) fn together(input: &Mesh, parts: Vec<Part>, cuts: bool, units: &str) -> Remeshed {
+    let mut mesh = Mesh::default();
+    let mut tally = Tally::default();
+    for part in &parts {
+        let first = mesh.positions.len();
+        mesh.positions.extend(part.positions.iter().map(|&p| Point::from(p)));
+        for face in &part.faces {
+            let face: Vec<u32> = face.iter().map(|&v| (first + v) as u32).collect();
+            mesh.faces.push(&face);
+        }
+        tally.add(&part.positions, &part.faces, &part.samples, part.size, cuts);
+    }
+    let distances = Distances::between(&mesh, input);
+    let mut notes = Vec::new();
+    notes.extend(not_followed(&parts, input, &distances, units));
+    let measures = tally.measures(
+        distances.largest(),
+        parts.iter().map(|part| part.shape.loops).sum(),
+        parts.iter().map(|part| part.shape.euler).sum(),
+    );
+    let level = parts.iter().map(|part| part.level).max().unwrap_or(0);
+    Remeshed { mesh, staying: 0, measures, level, notes }
+}
+
+/// The mesh without some of its faces.
+pub(super) fn without(mesh: &Mesh, faces: &[u32]) -> Mesh {
+    let gone = marked(mesh.faces.len(), faces);
+    let kept = mesh.faces.iter().zip(gone).filter(|(_, gone)| !gone).map(|(face, _)| face);
+    Mesh { positions: mesh.positions.clone(), faces: kept.collect(), ..Mesh::default() }
+}
+
+impl Remeshed {
+    /// Appends faces of the input as they are.
+    pub(super) fn append(&mut self, input: &Mesh, faces: &[u32]) {
+        let mut name = vec![u32::MAX; input.positions.len()];
+        for &face in faces {
+            let corners: Vec<u32> = input
+                .faces
+                .row(face as usize)
+                .iter()
+                .map(|&v| {
+                    let own = &mut name[v as usize];
+                    if *own == u32::MAX {
+                        *own = self.mesh.positions.len() as u32;
+                        self.mesh.positions.push(input.positions[v as usize]);
+                    }
+                    *own
+                })
+                .collect();
+            self.mesh.faces.push(&corners);
+        }
+        self.staying = faces.len();
+    }
+}
+
+/// Says which parts stay as they are, and why.
+pub(super) fn notes_on(left: &[LeftPart]) -> Vec<RemeshNote> {
+    let mut notes: Vec<(String, usize, Vec<Vec3<f64>>)> = Vec::new();
+    for part in left {
+        let why = match part.error {
+            RemeshError::TooFewTriangles { .. } => String::new(),
+            ref error => format!(": {error}"),
+        };
+        let at = part.error.place().unwrap_or(part.at);
+        match notes.iter_mut().find(|(known, ..)| *known == why) {
+            Some((_, count, places)) => {
+                *count += 1;
+                places.push(at);
+            }
+            None => notes.push((why, 1, vec![at])),
+        }
+    }
+    let note = |(why, count, places): (String, usize, Vec<Vec3<f64>>)| {
+        let small = if why.is_empty() { "small " } else { "" };
+        let parts = words::count(count, &format!("{small}part"), &format!("{small}parts"));
+        let stay = if count == 1 { "stays as it is" } else { "stay as they are" };
+        RemeshNote { words: format!("{parts} {stay}{why}"), places }
+    };
+    notes.into_iter().map(note).collect()
+}
+
+/// Names the places that the panels cannot follow, and the size of panels that would.
+fn not_followed(
+    parts: &[Part],
+    input: &Mesh,
+    distances: &Distances,
+    units: &str,
+) -> Option<RemeshNote> {
+    let size = parts.first()?.size;
+    let mut lost: Vec<Vec3<f64>> = parts.iter().flat_map(|part| part.lost.clone()).collect();
+    let used = input.used_positions();
+    let far = used.iter().zip(&distances.from_input).filter(|(_, d)| **d > FAR * size);
+    lost.extend(far.map(|(&point, _)| Vec3::from(point)));
+    let places = places(&lost, NEAR * size);
+    if places.is_empty() {
+        return None;
+    }
+    let follows = parts.iter().map(|part| follows(part, &places)).fold(0.7 * size, f64::min);
+    let count = match places.len() {
+        1 => "1 place is".to_owned(),
+        count => format!("{} places are", words::group_digits(count)),
+    };
+    let follows = words::rough_length(follows, units);
+    let words = format!("{count} smaller than a panel: {follows} or less follows them");
+    Some(RemeshNote { words, places })
+}
+
+/// The size of panels along which the surface turns by [`TURN`], at that of some places where it turns
+/// most: by the mean curvature of the vertices of a part within a panel.
+fn follows(part: &Part, places: &[Vec3<f64>]) -> f64 {
+    let of_place = |&place: &Vec3<f64>| {
+        let is_near = |point: Vec3<f64>| (place - point).length() < part.size;
+        let near = part.positions.iter().zip(&part.samples.tensors).filter(|(p, _)| is_near(**p));
+        let curvature = near.map(|(_, &[xx, yy, zz, xy, xz, yz])| {
+            (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
+        });
+        let (sum, count) = curvature.fold((0.0, 0.0), |(sum, count), one| (sum + one, count + 1.0));
+        if sum > 0.0 { TURN * count / sum } else { f64::INFINITY }
+    };
+    places.iter().map(of_place).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,86 @@
+//! New panels along the lines of curvature of the surface: laid out on a copy, shown, and taken in
+//! place of the mesh.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `settings` | what is wished of them |
+//! | `layouts` | panels laid out, with all that another wish can use again |
+//! | `layout` | one layout: its forecast, its words, its lines |
+//! | `places` | places that are named, to be shown |
+
+mod layout;
+mod layouts;
+mod places;
+mod settings;
+
+pub use layout::{BoundaryForecast, LayoutNote, LayoutWords, PanelLayout};
+pub use layouts::PanelLayouts;
+pub use places::MarkedPlace;
+pub use settings::LayoutSettings;
+
+use super::Session;
+use super::edit::check_lock;
+use crate::mesh::{Edited, Mesh};
+use crate::quads::RemeshObserver;
+use crate::scene::{Lock, SceneError};
+use crate::session::Error;
+use crate::words;
+use std::rc::Rc;
+
+impl Session {
+    /// Begins to lay out panels along the lines of curvature of the current shape, beside the faces
+    /// `kept`, which stay as they are.
+    ///
+    /// # Errors
+    /// If the mesh has tetrahedra, or no face of this number.
+    pub fn panel_layouts(&self, kept: &[u32]) -> Result<PanelLayouts, Error> {
+        if !self.mesh().tets.is_empty() {
+            let message = "the mesh has tetrahedra, expected a surface".to_owned();
+            return Err(SceneError { path: String::new(), message }.into());
+        }
+        let faces = self.mesh().faces.len();
+        if let Some(face) = kept.iter().find(|face| **face as usize >= faces) {
+            let message = format!("there is no face {face}, expected less than {faces}");
+            return Err(SceneError { path: String::new(), message }.into());
+        }
+        Ok(PanelLayouts::new(self.current_mesh(), &self.document().units, kept))
+    }
+
+    /// Lays out panels once; see [`PanelLayouts::lay_out`].
+    ///
+    /// # Errors
+    /// If panels of this size cannot cover the surface, or if `observer` cancels.
+    pub fn lay_out_panels(
+        &self,
+        settings: &LayoutSettings,
+        observer: &mut RemeshObserver<'_>,
+    ) -> Result<PanelLayout, Error> {
+        Ok(self.panel_layouts(&[])?.lay_out(settings, observer)?)
+    }
+
+    /// Puts panels in place of the mesh, as one step of undo, if the session still has this
+    /// generation; returns whether it has. The scene is carried over, with closeness to the surface
+    /// before the panels.
+    ///
+    /// # Errors
+    /// If the lesson locks the mesh, or the system would be singular; nothing has changed then.
+    pub fn take_panels(&mut self, generation: u32, panels: &Mesh) -> Result<bool, Error> {
+        if self.is_dragging() || generation != self.generation() {
+            return Ok(false);
+        }
+        check_lock(Lock::Mesh, self.document())?;
+        self.end_transaction();
+        let edited = Edited::covering(&self.current_mesh(), panels);
+        let Mesh { positions, faces, .. } = self.mesh().clone();
+        let original = Rc::new(Mesh { positions, faces, ..Mesh::default() });
+        let change = self.replace_mesh(&edited, |scene| scene.closeness.stay_on(&original))?;
+        let count = words::count(panels.faces.len(), "panel", "panels");
+        self.history.push(format!("Lay out {count}"), change);
+        Ok(true)
+    }
+
+    /// The mesh at its current positions.
+    fn current_mesh(&self) -> Mesh {
+        Mesh { positions: self.positions(), ..self.mesh().clone() }
+    }
+}

@@ -1,0 +1,50 @@
+//! A place on the shape: marked by a ring, and framed with what is around it.
+
+use crate::math::{Vec3, cosine, sine, twice_vector_area};
+use crate::mesh::{Mesh, Point, Surface};
+
+/// Number of points of a ring.
+const POINTS: usize = 32;
+/// What is within this many radii of a ring is around its place.
+const AROUND: f64 = 3.0;
+
+/// A place on the shape.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MarkedPlace {
+    /// A closed line over the surface around it.
+    pub ring: Vec<Point>,
+    /// The vertices of the mesh around it, at least the corners of its face.
+    pub around: Vec<u32>,
+}
+
+impl MarkedPlace {
+    /// The place of a point, with a ring of this radius.
+    pub(super) fn new(at: Vec3<f64>, radius: f64, surface: &Surface, shape: &Mesh) -> MarkedPlace {
+        let corners = surface.closest_face(at.into()).map(|face| shape.faces.row(face as usize));
+        let corners = corners.unwrap_or_default();
+        let point = |v: u32| Vec3::from(shape.positions[v as usize]);
+        let normal = twice_vector_area(corners.iter().map(|&v| point(v)));
+        // Any two directions across the normal; across the vertical where there is none.
+        let [x, y, z] = Point::from(normal).map(f64::abs);
+        let axis = if x <= y && x <= z {
+            [1.0, 0.0, 0.0]
+        } else {
+            [0.0, f64::from(y <= z), f64::from(y > z)]
+        };
+        let unit = |v: Vec3<f64>| v * (1.0 / v.length().max(f64::MIN_POSITIVE));
+        let first = unit(normal.cross(Vec3::from(axis)));
+        let second = unit(normal.cross(first));
+        let mut hint = Surface::NO_HINT;
+        let ring = (0..=POINTS).map(|k| {
+            let turn = (k % POINTS) as f64 / POINTS as f64;
+            let [c, s] = [cosine(turn), sine(turn)];
+            surface.closest((at + (first * c + second * s) * radius).into(), &mut hint)
+        });
+        let near = |v: &u32| (point(*v) - at).length() <= AROUND * radius;
+        let mut around: Vec<u32> = corners.to_vec();
+        around.extend(shape.faces.indices().iter().copied().filter(near));
+        around.sort_unstable();
+        around.dedup();
+        MarkedPlace { ring: ring.collect(), around }
+    }
+}
