@@ -10,4 +10,6 @@ mod request;
 
 pub use forecast::{Forecast, ForecastOfKind, HowFar};
 pub(crate) use request::all_faces;
-pub use request::{MeshRemedy, PanelOffer, panel_adjective, panel_offers, panel_remedy};
+pub use request::{
+    MeshRemedy, PanelOffer, panel_adjective, panel_offers, panel_remedy, problem_remedy,
+};

@@ -3,7 +3,7 @@
 use crate::math::{Vec3, key_of_pair, sort_by_number};
 use crate::mesh::{
     BoundaryCurve, BoundaryCurves, BoundingSphere, Group, Mesh, Point, Surface, Topology,
-    folded_faces, mean_dihedral_angle, smoothed_area,
+    folded_faces, mean_dihedral_angle, seams, smoothed_area,
 };
 use crate::solve::Moved;
 use std::cell::OnceCell;
@@ -22,6 +22,8 @@ pub(crate) struct RestMesh {
     surface: OnceCell<Surface>,
     boundary: OnceCell<Vec<BoundaryCurve>>,
     smoothed_area: OnceCell<f64>,
+    /// See [`seams`].
+    seams: OnceCell<Vec<[u32; 2]>>,
     generation: u32,
     lost: Vec<String>,
 }
@@ -38,6 +40,7 @@ impl RestMesh {
             surface: OnceCell::new(),
             boundary: OnceCell::new(),
             smoothed_area: OnceCell::new(),
+            seams: OnceCell::new(),
             generation: 0,
             lost: Vec::new(),
         }
@@ -110,6 +113,14 @@ impl RestMesh {
     /// Returns the original surface.
     pub(crate) fn surface(&self) -> &Surface {
         self.surface.get_or_init(|| Surface::new(self.positions(), &self.mesh))
+    }
+
+    /// Returns the largest distance at `now` (`#V by 3`) between boundary vertices that lie on each
+    /// other at rest without being joined.
+    pub(crate) fn seam_at(&self, now: &[Point]) -> f64 {
+        let at = |v: u32| Vec3::from(now[v as usize]);
+        let pairs = self.seams.get_or_init(|| seams(&self.mesh)).iter();
+        pairs.map(|&[a, b]| (at(a) - at(b)).length()).fold(0.0, f64::max)
     }
 
     /// Returns the vertices of each boundary loop, except corners, which are on the curve as well,
