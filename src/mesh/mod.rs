@@ -52,7 +52,10 @@ pub use edit::{
     Weld,
 };
 pub use file_order::FileOrder;
-pub use io::{Decimal, Read, ReadError, read, write_medit, write_obj, write_obj_with_uv};
+pub use io::{
+    Decimal, FILE_FORMATS, FileFormat, Read, ReadError, read, write_medit, write_obj,
+    write_obj_with_uv, write_ply, write_stl,
+};
 pub(crate) use io::{decode, lines};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use measure::{

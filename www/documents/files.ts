@@ -103,7 +103,7 @@ export class Files extends Emitter<{ opened: void }> {
       const unreadable = files.find((file) => !isReadable(file));
       if (unreadable) {
         throw new Error(
-          `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh or .3dm for a mesh, .json for a scene.`,
+          `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh, .ply, .stl or .3dm for a mesh, .json for a scene.`,
         );
       }
       if (!(await opening.isWanted())) return null;
@@ -220,6 +220,12 @@ export class Files extends Emitter<{ opened: void }> {
     await this.#actions.settled();
     if (!(await this.mayExport())) return;
     this.save('.obj', await this.#actions.ask.objUnwelded(), 'model/obj');
+  }
+
+  /** Exports the current shape in the format with this ending. */
+  async exportAs(ending: 'ply' | 'stl') {
+    if (!(await this.mayExport())) return;
+    this.save(`.${ending}`, await this.#actions.ask.meshFile(ending), `model/${ending}`);
   }
 
   /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
