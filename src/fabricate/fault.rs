@@ -23,6 +23,13 @@ impl Fault {
         ))
     }
 
+    /// A corner whose position is not in the file.
+    pub(super) fn unplaced(vertex: u32) -> Fault {
+        Fault(format!(
+            "a coordinate of vertex {vertex} in the file is no number, and where the vertex is now is a guess: nothing is built of it. Mend the file, or delete the faces at the vertex"
+        ))
+    }
+
     /// The surface has only one side, such as a Moebius strip.
     pub(super) fn one_sided([a, b]: [u32; 2]) -> Fault {
         Fault(format!(

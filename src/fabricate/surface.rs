@@ -6,7 +6,7 @@
 
 use super::fault::Fault;
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
-use crate::mesh::{Mesh, Ragged, Topology, components};
+use crate::mesh::{Mesh, Ragged, Topology, components, untouched_words};
 
 /// An edge of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,10 +67,18 @@ impl PanelSurface {
     /// Orients the panels of a mesh.
     ///
     /// # Errors
-    /// If the mesh has no faces: points and curves have no panels.
+    /// If the mesh has no faces, as points and curves have no panels, or a corner of a face has no
+    /// position in the file.
     pub fn new(mesh: &Mesh) -> Result<PanelSurface, Fault> {
         if mesh.faces.is_empty() {
-            return Err(Fault::no_panels(!mesh.curves.is_empty()));
+            return Err(match mesh.untouched.len() {
+                0 => Fault::no_panels(!mesh.curves.is_empty()),
+                faces => Fault(untouched_words(faces)),
+            });
+        }
+        let is_unplaced = |v: &&u32| mesh.unplaced.binary_search(v).is_ok();
+        if let Some(&vertex) = mesh.faces.indices().iter().find(is_unplaced) {
+            return Err(Fault::unplaced(vertex));
         }
         let only_faces = Mesh {
             positions: mesh.positions.clone(),

@@ -14,6 +14,7 @@
 //! | `product` | the closest numbers with a given product |
 //! | `polygon`, `unit_polygon` | sides and corners of polygons, regular polygons |
 //! | `plane` | points and vectors of the plane, area of a polygon |
+//! | `ears` | polygons as triangles |
 //! | `elementary` | angles, sine and cosine, cube root |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `indices` | sorting by integer keys, marked elements |
@@ -22,6 +23,7 @@ mod alignment;
 mod circle_fit;
 mod cubic;
 mod dense;
+mod ears;
 mod eigenvector;
 mod elementary;
 mod indices;
@@ -44,6 +46,7 @@ pub use alignment::Alignment;
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use cubic::Cubic;
 pub use dense::{orthonormalise, symmetric_eigen};
+pub use ears::{ears, triangles_in_space, turn};
 pub use eigenvector::Eigenvector;
 pub use elementary::{angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, sine};
 pub use indices::{argsort, key_of_number, key_of_pair, marked, sort_by_number};

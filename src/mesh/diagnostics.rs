@@ -1,8 +1,10 @@
-//! Problems of a mesh as a whole: unused vertices, duplicate faces, non-manifold edges.
+//! Problems of a mesh as a whole: unused vertices, open seams, duplicate faces, non-manifold edges.
 
+use super::half_edges::{HalfEdge, half_edges};
 use super::problem::{DiagnosticCounts, MeshProblem, ProblemKind};
+use super::seams::seams;
 use super::{Mesh, Point};
-use crate::math::{argsort, key_of_number, key_of_pair, marked, polygon_sides};
+use crate::math::{argsort, key_of_number, marked};
 
 /// Returns the problems of a mesh that was not read from a file, such as one inside a scene.
 pub fn diagnose(mesh: &Mesh) -> Vec<MeshProblem> {
@@ -29,6 +31,11 @@ pub fn elements_with_problem(mesh: &Mesh, kind: ProblemKind) -> ElementsWithProb
         ProblemKind::UnusedVertex => {
             elements_with_problem.vertices =
                 unused(mesh).into_iter().map(|vertex| vertex as u32).collect();
+        }
+        ProblemKind::UnjoinedVertex => {
+            elements_with_problem.vertices = seams(mesh).into_iter().flatten().collect();
+            elements_with_problem.vertices.sort_unstable();
+            elements_with_problem.vertices.dedup();
         }
         ProblemKind::DuplicateFace => elements_with_problem.faces = duplicates(mesh),
         ProblemKind::NonManifoldEdge | ProblemKind::FlippedNeighbour => {
@@ -65,6 +72,9 @@ pub(super) fn examine(
     for vertex in unused(mesh) {
         counts.add(ProblemKind::UnusedVertex, line(vertex_lines, vertex));
     }
+    for [vertex, _] in seams(mesh) {
+        counts.add(ProblemKind::UnjoinedVertex, line(vertex_lines, vertex as usize));
+    }
     for face in duplicates(mesh) {
         counts.add(ProblemKind::DuplicateFace, line(face_lines, face as usize));
     }
@@ -81,7 +91,10 @@ fn unused(mesh: &Mesh) -> Vec<usize> {
     if elements.iter().all(|indices| indices.is_empty()) {
         return Vec::new();
     }
-    let used = marked(mesh.positions.len(), elements.into_iter().flatten());
+    let used = marked(
+        mesh.positions.len(),
+        elements.into_iter().flatten().chain(mesh.untouched.indices()),
+    );
     (0..used.len()).filter(|&vertex| !used[vertex]).collect()
 }
 
@@ -93,28 +106,6 @@ fn duplicates(mesh: &Mesh) -> Vec<u32> {
     let row = |face: u32| sorted.row(face as usize);
     faces.sort_unstable_by(|&a, &b| row(a).cmp(row(b)).then(a.cmp(&b)));
     faces.windows(2).filter(|pair| row(pair[0]) == row(pair[1])).map(|pair| pair[1]).collect()
-}
-
-#[derive(Clone, Copy)]
-struct HalfEdge {
-    /// Lower vertex first.
-    ends: [u32; 2],
-    face: u32,
-    /// Whether the face traverses the edge from the lower to the higher vertex.
-    ascending: bool,
-}
-
-/// Returns the half-edges of all faces, grouped by edge and sorted by face within each group.
-fn half_edges(mesh: &Mesh) -> Vec<HalfEdge> {
-    let mut sides: Vec<HalfEdge> = Vec::with_capacity(mesh.faces.indices().len());
-    for (face, corners) in mesh.faces.iter().enumerate() {
-        for [from, to] in polygon_sides(corners) {
-            let ends = [from.min(to), from.max(to)];
-            sides.push(HalfEdge { ends, face: face as u32, ascending: from < to });
-        }
-    }
-    let order = argsort(sides.iter().map(|side| key_of_pair(side.ends)));
-    order.into_iter().map(|side| sides[side as usize]).collect()
 }
 
 /// Counts the vertices exactly at an earlier one, and returns the first of them.

@@ -4,9 +4,13 @@
 //! |---|---|
 //! | `polygon_mesh` | positions, faces, curves, tetrahedra, groups |
 //! | `ragged` | lists of lists of vertex indices |
+//! | `file_order` | the order of an OBJ file, so that it is written as it came |
 //! | `bounds` | bounding sphere and box, and the limit on coordinates |
 //! | `problem` | kinds and counts of the problems that do not stop reading a file |
 //! | `diagnostics` | the problems of a mesh as a whole: unused vertices, duplicate faces, non-manifold edges |
+//! | `half_edges` | the sides of faces, grouped by edge |
+//! | `coincident` | vertices at one place, up to rounding |
+//! | `seams` | boundary vertices that lie on others without being joined |
 //! | `io` | reading and writing mesh files |
 //! | `topology` | edges, neighbours, boundary loops, strips, components, curves on the mesh |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
@@ -17,15 +21,19 @@
 
 mod bounds;
 mod closest;
+mod coincident;
 mod curvature;
 mod diagnostics;
 mod edit;
+mod file_order;
+mod half_edges;
 mod io;
 mod laplacian;
 mod measure;
 mod polygon_mesh;
 mod problem;
 mod ragged;
+mod seams;
 mod topology;
 
 pub use bounds::{BoundingSphere, LARGEST_COORDINATE, diagonal, first_out_of_range};
@@ -43,7 +51,11 @@ pub use edit::{
     Picks, Scheme, Size, SizeError, SizeOf, SubdivideError, SubdividedCounts, Subdivision, Task,
     Weld,
 };
-pub use io::{Decimal, Read, ReadError, read, write_medit, write_obj, write_obj_with_uv};
+pub use file_order::FileOrder;
+pub use io::{
+    Decimal, FILE_FORMATS, FileFormat, Read, ReadError, read, write_medit, write_obj,
+    write_obj_with_uv, write_ply, write_stl,
+};
 pub(crate) use io::{decode, lines};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
 pub use measure::{
@@ -52,8 +64,9 @@ pub use measure::{
     quasi_conformal, smoothed_area,
 };
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
-pub use problem::{ElementKind, MeshProblem, ProblemKind};
+pub use problem::{ElementKind, MeshProblem, ProblemKind, untouched_words};
 pub use ragged::Ragged;
+pub use seams::seams;
 pub use topology::{
     Repeated, Topology, components, corners, edge_lines, feature_curves, hinges, repeated, stars,
     strips,

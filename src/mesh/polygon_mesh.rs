@@ -1,5 +1,6 @@
 //! A polygon mesh with curves, tetrahedra and named groups.
 
+use super::file_order::FileOrder;
 use super::ragged::Ragged;
 use std::borrow::Cow;
 
@@ -22,6 +23,14 @@ pub struct Mesh {
     /// Named sets of faces and curves, which may overlap; none is empty. From a file they are in
     /// the order of their first members.
     pub groups: Vec<Group>,
+    /// Faces that visit a vertex twice, as those with a hole at the end of a slit: neither solved nor
+    /// built, and written as they came. None of [`Mesh::groups`] has them.
+    pub untouched: Ragged,
+    /// The vertices, ascending, whose positions are not in the file, since a coordinate is no number.
+    /// Nothing is built of their faces.
+    pub unplaced: Vec<u32>,
+    /// The order of the OBJ file that it was read from.
+    pub order: FileOrder,
 }
 
 impl Mesh {
@@ -29,7 +38,12 @@ impl Mesh {
     /// of a mesh is theirs: files have stray vertices, often at the origin.
     pub fn used_positions(&self) -> Cow<'_, [Point]> {
         let mut used = vec![false; self.positions.len()];
-        let corners = [self.faces.indices(), self.curves.indices(), self.tets.as_flattened()];
+        let corners = [
+            self.faces.indices(),
+            self.curves.indices(),
+            self.tets.as_flattened(),
+            self.untouched.indices(),
+        ];
         corners.into_iter().flatten().for_each(|&v| used[v as usize] = true);
         let count = used.iter().filter(|used| **used).count();
         if count == 0 || count == used.len() {

@@ -34,14 +34,18 @@ pub enum ProblemKind {
     TooFewCorners(ElementKind),
     /// The same corner twice in a row; it is kept once.
     RepeatedCorner(ElementKind),
-    /// A face visits one of its corners twice; it is skipped.
+    /// A face visits one of its corners twice, as around a hole; it is left as it is.
     SelfTouchingFace,
     /// A statement that is not part of the format; it is ignored.
     UnknownStatement,
     /// One `g` statement has more names than the limit; the rest is ignored.
     TooManyNames,
+    /// The file ends within a line.
+    CutOff,
     /// A vertex that no element uses.
     UnusedVertex,
+    /// A boundary vertex that lies on another one without being joined to it.
+    UnjoinedVertex,
     /// A face on the same vertices as an earlier one.
     DuplicateFace,
     /// An edge of more than two faces.
@@ -67,8 +71,10 @@ impl ProblemKind {
                 ElementKind::Tetrahedron => ("tetrahedron", "tetrahedra"),
             },
             SelfTouchingFace | DuplicateFace => ("face", "faces"),
+            CutOff => ("line", "lines"),
             UnknownStatement => ("unknown statement", "unknown statements"),
             UnusedVertex => ("unused vertex", "unused vertices"),
+            UnjoinedVertex => ("boundary vertex", "boundary vertices"),
             TooManyNames => ("`g` statement", "`g` statements"),
             NonManifoldEdge | FlippedNeighbour => ("edge", "edges"),
         };
@@ -87,16 +93,29 @@ impl ProblemKind {
             TooFewCorners(ElementKind::Curve) => "with fewer than two vertices, skipped",
             TooFewCorners(ElementKind::Tetrahedron) => "with fewer than four corners, skipped",
             RepeatedCorner(_) => "with the same vertex twice in a row, which is kept once",
-            SelfTouchingFace => "with the same vertex at two corners, skipped",
+            SelfTouchingFace => {
+                "with the same vertex at two corners, as around a hole: exported as it came, but neither \
+                 shown, solved nor built"
+            }
             UnknownStatement => "ignored",
+            CutOff => "cut off by the end of the file: more may be missing",
             TooManyNames => "with too many names, of which the first are kept",
             UnusedVertex => "",
+            UnjoinedVertex => "that lies on another without being joined to it: the seam can open",
             DuplicateFace => "on the same vertices as an earlier face",
             NonManifoldEdge => "with more than two faces",
             FlippedNeighbour => "whose two faces have opposite orientations",
         };
         (one, many, defect)
     }
+}
+
+/// Says why these many faces, which a mesh has left as they are, are no panels.
+pub fn untouched_words(faces: usize) -> String {
+    let faces = words::count(faces, "face has", "faces have");
+    format!(
+        "{faces} the same vertex at two corners, as around a hole: left as it came, neither solved nor built"
+    )
 }
 
 /// All problems of one kind in a mesh.
@@ -116,6 +135,12 @@ impl fmt::Display for MeshProblem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (one, many, defect) = self.kind.description();
         f.write_str(&words::count(self.count, one, many))?;
+        let defect = match self.kind {
+            ProblemKind::UnjoinedVertex if self.count > 1 => {
+                "that lie on others without being joined to them: the seam can open"
+            }
+            _ => defect,
+        };
         if !defect.is_empty() {
             write!(f, " {defect}")?;
         }
@@ -142,6 +167,11 @@ impl DiagnosticCounts {
             }
             _ => self.0.insert(place, (kind, 1, line)),
         }
+    }
+
+    /// The number of problems of a kind.
+    pub(super) fn of(&self, kind: ProblemKind) -> usize {
+        self.0.iter().find(|(other, ..)| *other == kind).map_or(0, |(_, count, _)| *count)
     }
 
     /// Returns the problems by kind; `text` returns the text of a line.

@@ -18,13 +18,26 @@ pub struct UnitsAndUp {
     pub up: Option<Up>,
 }
 
+/// Bytes of a PLY file in which unit and axis are looked for: its header is text, the rest may not be.
+const PLY_HEADER: usize = 1 << 16;
+
 impl UnitsAndUp {
     /// Reads unit and up axis from the comments at the beginning of a mesh file, such as
     /// `# units: m` and `# up: y`.
     pub fn stated(file: &[u8]) -> UnitsAndUp {
         let mut frame = UnitsAndUp::default();
+        let is_ply = file.starts_with(b"ply");
+        let file = if is_ply { &file[..file.len().min(PLY_HEADER)] } else { file };
         for (_, line) in lines(&decode(file)) {
-            let Some(comment) = line.trim_ascii().strip_prefix('#') else { break };
+            let line = line.trim_ascii();
+            let comment = match is_ply {
+                true if line == "end_header" => break,
+                true => line.strip_prefix("comment").unwrap_or_default(),
+                false => match line.strip_prefix('#') {
+                    Some(comment) => comment,
+                    None => break,
+                },
+            };
             match comment.split_once(':').map(|(key, value)| (key.trim(), value.trim())) {
                 Some(("units", units)) if !units.is_empty() => frame.units = Some(units.to_owned()),
                 Some(("up", axis)) => frame.up = Up::of_word(axis).or(frame.up),

@@ -59,7 +59,7 @@ pub use lesson::{Goal, GoalOf, Lesson, Lock};
 pub(crate) use panels::all_faces;
 pub use panels::{
     Forecast, ForecastOfKind, HowFar, MeshRemedy, PanelOffer, offers_new_panels, panel_adjective,
-    panel_offers, panel_remedy,
+    panel_offers, panel_remedy, problem_remedy,
 };
 pub use presentation::{Slide, Variant, Variants};
 pub use presets::{PRESETS, Preset, PresetOffer};

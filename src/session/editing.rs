@@ -265,7 +265,9 @@ impl Session {
     /// the rest mesh, derived in the same way from the positions `rest`; both `#V by 3`.
     fn carried_to(&self, edited: &Edited, from: &[Point], rest: &[Point]) -> (RestMesh, Carried) {
         let positions = edited.in_other_state(from, rest);
-        let mut rest = self.rest.next(Mesh { positions, ..edited.mesh.clone() });
+        let mut mesh = Mesh { positions, ..edited.mesh.clone() };
+        edited.origins.carry(self.mesh(), &mut mesh);
+        let mut rest = self.rest.next(mesh);
         let shape = (&**self.scene.handles(), &**self.scene.positions());
         let mut carried = carry(self.document(), shape, &self.rest, (edited, from), &rest);
         rest.set_lost(std::mem::take(&mut carried.lost));

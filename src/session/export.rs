@@ -1,8 +1,8 @@
-//! The current state as an OBJ file and as a scene.
+//! The current state as a mesh file and as a scene.
 
 use super::Session;
 use super::state::grouped;
-use crate::mesh::{Weld, write_obj, write_obj_with_uv};
+use crate::mesh::{Mesh, Weld, write_medit, write_obj, write_obj_with_uv, write_ply, write_stl};
 use crate::scene::{MeshSource, Scene, UnitsAndUp};
 
 impl Session {
@@ -11,10 +11,25 @@ impl Session {
         self.obj_comments() + &write_obj(self.mesh(), self.scene.positions())
     }
 
-    /// As [`Session::obj`], with the vertices and faces of the file before it was welded.
-    pub fn obj_unwelded(&self, weld: &Weld) -> String {
-        let positions = weld.original_positions(self.rest.positions(), self.scene.positions());
-        self.obj_comments() + &write_obj(&weld.original, &positions)
+    /// Returns the current shape as a mesh file with this ending: `ply`, `stl`, `mesh`, else OBJ; with
+    /// the vertices and faces of the file before it was welded, if it was.
+    pub fn mesh_file(&self, ending: &str, weld: Option<&Weld>) -> Vec<u8> {
+        let moved =
+            |weld: &Weld| weld.original_positions(self.rest.positions(), self.scene.positions());
+        let positions = weld.map_or_else(|| self.scene.positions().to_vec(), moved);
+        let mesh = weld.map_or(self.mesh(), |weld| &weld.original);
+        match ending.to_ascii_lowercase().as_str() {
+            "ply" => write_ply(mesh, &positions, &self.comments_of_header()),
+            "stl" => write_stl(mesh, &positions),
+            "mesh" => write_medit(&Mesh { positions, ..mesh.clone() }).into_bytes(),
+            _ => (self.obj_comments() + &write_obj(mesh, &positions)).into_bytes(),
+        }
+    }
+
+    /// The same as [`UnitsAndUp::comments`], without the signs of OBJ.
+    fn comments_of_header(&self) -> Vec<String> {
+        let comments = self.obj_comments();
+        comments.lines().map(|line| line.trim_start_matches("# ").to_owned()).collect()
     }
 
     fn obj_comments(&self) -> String {

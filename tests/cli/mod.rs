@@ -6,6 +6,7 @@ mod edit;
 mod exact;
 mod experiment;
 mod faults;
+mod files;
 mod folder;
 mod lessons;
 mod new_mesh;
@@ -261,7 +262,10 @@ fn an_output_replaces_the_file_of_its_name_but_never_the_input() {
     assert_ne!(folder.read("out.obj"), "old");
     for (arguments, word) in [
         // A scene became the text of a mesh.
-        (vec!["solve", "s.shapeup.json", "--out", "s.shapeup.json"], "--out writes .obj or .mesh"),
+        (
+            vec!["solve", "s.shapeup.json", "--out", "s.shapeup.json"],
+            "--out writes .obj, .ply, .stl or .mesh",
+        ),
         (vec!["solve", "roof.obj", "--out", "x.stl"], "found `x.stl`"),
         (vec!["solve", "roof.obj", "--out", "./roof.obj"], "--out would replace the input"),
         (vec!["solve", "s.shapeup.json", "--report", "s.shapeup.json"], "--report would replace"),

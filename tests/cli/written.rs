@@ -56,8 +56,8 @@ fn an_ending_of_another_format_is_refused_before_anything_is_solved() {
     let folder = Folder::new("ending");
     folder.write("roof.obj", ROOF);
     for (command, out, words) in [
-        ("solve", "out.off", "--out writes .obj or .mesh, found `out.off`"),
-        ("solve", "out.OFF", ".obj or .mesh"),
+        ("solve", "out.off", "--out writes .obj, .ply, .stl or .mesh, found `out.off`"),
+        ("solve", "out.OFF", ".stl or .mesh"),
         ("parametrize", "out.off", "--out writes .obj, found"),
         ("parametrize", "out.mesh", "--out writes .obj, found"),
     ] {

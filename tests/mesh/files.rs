@@ -292,7 +292,7 @@ fn every_awkward_file_is_read_as_it_should_be_or_refused() {
             }
         };
         assert_eq!(row.refused, "", "{name} was read");
-        let Mesh { positions, faces, curves, tets, groups } = &read.mesh;
+        let Mesh { positions, faces, curves, tets, groups, .. } = &read.mesh;
         assert_eq!(
             (positions.len(), faces.len(), curves.len(), tets.len()),
             (row.vertices, row.faces, row.curves, 0),

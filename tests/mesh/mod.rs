@@ -8,6 +8,7 @@ mod developable;
 mod extrude;
 mod files;
 mod folds;
+mod formats;
 mod fuzzed;
 mod measure;
 mod new_kinds;

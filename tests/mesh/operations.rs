@@ -83,7 +83,7 @@ fn check(mesh: &Mesh, id: &str, picked: &Picked) {
         assert_eq!(euler(&edited, &after), euler(mesh, &Topology::new(mesh)), "{id}");
     }
     let is_manifold = most_faces(&Topology::new(mesh)) <= 2 && most_alike(mesh) == 1;
-    if is_manifold && !["weld", "merge-vertices", "remove-strip", "fill"].contains(&id) {
+    if is_manifold && !["weld", "join", "merge-vertices", "remove-strip", "fill"].contains(&id) {
         assert!(most_faces(&after) <= 2, "{id}");
         assert_eq!(most_alike(&edited), 1, "{id}: faces run as they did");
     }
@@ -367,6 +367,28 @@ fn vertices_are_welded_merged_and_snapped() {
     let snapped = apply(&mesh, "snap", Some(&[0.25]), &with_vertices(&[4])).unwrap().mesh;
     assert_eq!(snapped.positions[4], [1.0, 1.0, 0.25]);
     assert_eq!(snapped.positions[5], mesh.positions[5]);
+}
+
+#[test]
+fn patches_are_joined_along_their_seam_only() {
+    // Two patches with vertices of their own along x = 1, and a loose vertex on one of them.
+    let mut mesh = flat(1, 2);
+    mesh.positions
+        .extend([1.0, 2.0].into_iter().flat_map(|x| [0.0, 1.0, 2.0].map(|y| [x, y, 0.0])));
+    mesh.positions.push([1.0, 1.0, 0.0]);
+    let seam: Vec<u32> = (6..9).collect();
+    mesh.faces.push(&[seam[0], 9, 10, seam[1]]);
+    mesh.faces.push(&[seam[1], 10, 11, seam[2]]);
+    let Edited { mesh: joined, origins } = done(&mesh, "join");
+    assert_eq!(joined.positions.len(), 10);
+    assert_eq!(Topology::new(&joined).boundary_loops().len(), 1);
+    let places = |v: u32| mesh.positions[v as usize];
+    for v in seam {
+        let to = origins.vertices[v as usize].unwrap();
+        assert_eq!(joined.positions[to as usize], places(v));
+    }
+    let again = apply(&joined, "join", None, &Picked::default()).unwrap_err().to_string();
+    assert!(again.contains("boundary vertices that lie on each other"), "{again}");
 }
 
 #[test]

@@ -62,8 +62,8 @@ fn the_format_is_told_by_extension_else_by_content() {
     }
     assert_eq!(ok("scan.medit", medit).mesh.positions.len(), 1);
     assert_eq!(ok("square", SQUARE).mesh.positions.len(), 4);
-    for bytes in [&b"solid cube\nfacet normal 0 0 1\n"[..], b"ply\nformat ascii 1.0\n"] {
-        let message = refused("cube.stl", bytes);
+    for bytes in [&b"ISO-10303-21;\nHEADER;\n"[..], b"; FBX 7.3.0 project file\n"] {
+        let message = refused("cube.step", bytes);
         assert!(message.contains(".obj") && message.contains(".off"), "{message}");
     }
 }

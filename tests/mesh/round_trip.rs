@@ -73,6 +73,7 @@ fn mesh() -> impl Strategy<Value = Mesh> {
                 curves: Ragged::from_iter(curves),
                 tets: Vec::new(),
                 groups: groups(&face_members, &curve_members),
+                ..Mesh::default()
             }
         })
     })

@@ -390,6 +390,8 @@ fn an_inline_mesh_is_written_with_its_groups() {
         group("wall \"east\"", GroupKeyword::Material, &[0, 1]),
         Group { curves: vec![0], ..group("rail", GroupKeyword::Group, &[]) },
     ];
+    mesh.untouched.push(&[0, 1, 2, 0, 3, 2]);
+    mesh.unplaced = vec![1, 3];
     let scene = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
     let text = scene.to_json(&mesh);
     assert_eq!(Scene::from_json(&text).unwrap(), scene, "{text}");

@@ -275,7 +275,7 @@ export function commandTable(
       group: 'Page',
       label: 'This list',
       keys: ['?', 'F1'],
-      action: opens(() => showHelp(byId('help'), app.commands)),
+      action: opens(() => showHelp(byId('help'), app.commands, app.actions.ask.fileFormats())),
       title: () => 'Mouse and keys',
     },
     {

@@ -236,7 +236,7 @@ function sceneFile(name: string, text: string) {
 /** Whether any work was ever stored in this browser. */
 const hasStoredWork = () => getItem('shape-up.works') !== null;
 
-const FILES = 'a mesh (.obj, .off, .mesh, .3dm) or a scene (.json)';
+const FILES = 'a mesh (.obj, .off, .mesh, .ply, .stl, .3dm) or a scene (.json)';
 
 /**
  * Shows what can be opened where not even the first example could be fetched, until a model is opened.

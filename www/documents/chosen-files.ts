@@ -161,7 +161,7 @@ export async function offersToChoose(
 /** @returns empty if cancelled */
 const choose = (multiple: boolean): Promise<File[]> =>
   new Promise((done) => {
-    const input = element('input', { type: 'file', accept: '.obj,.off,.mesh', multiple });
+    const input = element('input', { type: 'file', accept: '.obj,.off,.mesh,.ply,.stl', multiple });
     input.onchange = () => done([...(input.files ?? [])]);
     input.oncancel = () => done([]);
     input.click();

@@ -11,6 +11,7 @@ import { offersToChoose } from './chosen-files.ts';
 import { askToExport } from './collapse.ts';
 import { Openings, type Opening } from './openings.ts';
 import { askRhino } from './rhino/rhino-client.ts';
+import type { FromRhino } from './rhino/rhino-in.ts';
 import { rememberedFrame } from './units-prompt.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
@@ -35,6 +36,8 @@ export interface Origin {
   original?: string | null;
   /** its saved history and progress */
   saved?: Saved;
+  /** take what is hidden in a Rhino file */
+  hidden?: boolean;
   /** do not weld the vertices */
   unwelded?: boolean;
   /** the previously open model, which Undo opens again */
@@ -95,11 +98,12 @@ export class Files extends Emitter<{ opened: void }> {
     cancelled?: AbortSignal,
   ): Promise<Loaded | null> {
     try {
-      const files = await Promise.all(given.map((file) => asMesh(file, cancelled)));
+      const hidden = origin.hidden ?? false;
+      const files = await Promise.all(given.map((file) => asMesh(file, hidden, cancelled)));
       const unreadable = files.find((file) => !isReadable(file));
       if (unreadable) {
         throw new Error(
-          `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh or .3dm for a mesh, .json for a scene.`,
+          `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh, .ply, .stl or .3dm for a mesh, .json for a scene.`,
         );
       }
       if (!(await opening.isWanted())) return null;
@@ -129,6 +133,7 @@ export class Files extends Emitter<{ opened: void }> {
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       if (loaded.welded) this.#reportWelded(loaded.welded, loaded.units);
+      this.#reportLeftOut(files, given);
       this.emit('opened', undefined);
       return loaded;
     } catch (error) {
@@ -193,11 +198,34 @@ export class Files extends Emitter<{ opened: void }> {
     this.#alerts.notice(words, { label: 'Undo', action: openUnwelded });
   }
 
+  /**
+   * Reports what of Rhino files was left out.
+   * @param given the files themselves
+   */
+  #reportLeftOut(files: (NamedBytes & Partial<FromRhino>)[], given: NamedBytes[]) {
+    for (const { hidden = 0, unread } of files) {
+      if (unread) this.#alerts.notice(unread);
+      if (hidden === 0) continue;
+      const words = count(hidden, 'object is', 'objects are');
+      const action = () => this.open(given, { ...this.origin, hidden: true }).catch(() => {});
+      this.#alerts.notice(`${words} hidden or on a layer that is off, and not loaded.`, {
+        label: hidden === 1 ? 'Load it too' : 'Load them too',
+        action,
+      });
+    }
+  }
+
   /** Exports the current shape with the file's original vertices, before welding. */
   async exportUnwelded() {
     await this.#actions.settled();
     if (!(await this.mayExport())) return;
     this.save('.obj', await this.#actions.ask.objUnwelded(), 'model/obj');
+  }
+
+  /** Exports the current shape in the format with this ending. */
+  async exportAs(ending: 'ply' | 'stl') {
+    if (!(await this.mayExport())) return;
+    this.save(`.${ending}`, await this.#actions.ask.meshFile(ending), `model/${ending}`);
   }
 
   /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
@@ -239,7 +267,14 @@ export class Files extends Emitter<{ opened: void }> {
   }
 }
 
-/** Converts a Rhino file to OBJ; returns other files unchanged. */
-async function asMesh(file: NamedBytes, cancelled?: AbortSignal): Promise<NamedBytes> {
-  return IS_RHINO.test(file.name) ? askRhino((rhino) => rhino.read(file), cancelled) : file;
+/**
+ * Converts a Rhino file to OBJ; returns other files unchanged.
+ * @param hidden takes hidden objects too
+ */
+async function asMesh(
+  file: NamedBytes,
+  hidden: boolean,
+  cancelled?: AbortSignal,
+): Promise<NamedBytes | FromRhino> {
+  return IS_RHINO.test(file.name) ? askRhino((rhino) => rhino.read(file, hidden), cancelled) : file;
 }

@@ -3,17 +3,19 @@
 import { button } from '../ui/controls/fields.ts';
 import { element } from '../ui/dom.ts';
 import { count, groupDigits } from '../ui/format.ts';
+import { meshActions } from '../store/mesh-actions.ts';
 import { frameFields } from '../documents/units-prompt.ts';
 import type { AppContext } from '../app/context.ts';
-import type { Loaded } from '../solver/types.ts';
+import type { Loaded, MeshRemedy } from '../solver/types.ts';
 
 /** @param showLog opens the log, with the details of each problem */
 export function modelPanel(
   place: HTMLElement,
-  { store, actions }: AppContext,
+  { store, solver, actions }: AppContext,
   showLog: () => void,
 ) {
   const frame = frameFields(store, actions);
+  const mesh = meshActions(store, solver, actions);
   store.subscribe(['model', 'fileName'], ({ model, fileName }) => {
     if (!model) return;
     place.replaceChildren(
@@ -27,9 +29,14 @@ export function modelPanel(
       ]),
       frame,
       ...groups(model),
-      ...report(model, showLog),
+      ...report(model, showLog, mend),
     );
   });
+
+  function mend({ label, words, operation }: MeshRemedy) {
+    const change = () => actions.reportErrors(mesh.remesh({ operation }, label));
+    return button(label, change, { class: 'small bordered', title: words });
+  }
 }
 
 function optional(name: string, value: number): [string, string][] {
@@ -53,9 +60,18 @@ function groups(model: Loaded) {
   return [shown];
 }
 
-/** The import report. */
-function report(model: Loaded, showLog: () => void) {
-  const problems = model.problems.map((problem) => element('li', problem.message));
+/**
+ * The import report.
+ * @param mend button that changes the mesh
+ */
+function report(
+  model: Loaded,
+  showLog: () => void,
+  mend: (remedy: MeshRemedy) => HTMLButtonElement,
+) {
+  const problems = model.problems.map(({ message, remedy }) =>
+    element('li', message, remedy && ' ', remedy && mend(remedy)),
+  );
   const notes = model.notes.map((note) => element('li.quiet', note));
   if (problems.length + notes.length === 0) return [];
   const title =

@@ -7,7 +7,7 @@ type Named = { name: string };
 const isScene = ({ name }: Named) => /\.json$/i.test(name);
 
 /** Whether the file can be a mesh or a scene, by its name. */
-export const isReadable = ({ name }: Named) => /\.(obj|off|mesh|json|3dm)$/i.test(name);
+export const isReadable = ({ name }: Named) => /\.(obj|off|mesh|ply|stl|json|3dm)$/i.test(name);
 
 /** Returns the first scene, or else the first file. */
 export const mainOf = <File extends Named>(files: File[]) => files.find(isScene) ?? files[0];

@@ -3,7 +3,7 @@
 use super::edit::Remesh;
 use super::new_mesh::New;
 use super::remesh::Quads;
-use super::words::{Word, Words};
+use super::words::{MESHES, MESHES_AND_SCENE, Word, Words};
 use crate::cli::{edit, new_mesh, remesh};
 use serde_json::Value;
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
@@ -240,7 +240,7 @@ fn solve(mut words: Words) -> Result<Command, String> {
             "--improve" => solve.improve = words.flag(&name)?,
             "--boundary" => solve.boundary = Some(words.boundary(&name)?),
             "--trace" => solve.trace = words.flag(&name)?,
-            "--out" => solve.out = Some(words.mesh(&name, &["obj", "mesh"])?),
+            "--out" => solve.out = Some(words.mesh(&name, MESHES)?),
             "--report" => solve.report = Some(words.file(&name)?),
             "--iterations" => solve.iterations = Some(words.iterations(&name)?),
             "--tolerance" => solve.tolerance = Some(words.not_negative(&name)?),
@@ -306,7 +306,7 @@ fn refine(mut words: Words) -> Result<Command, String> {
             "--keep" => subdivision.keep = words.not_negative(&name)?,
             "--panels" => panels = Some(words.kind(&name)?),
             "--adopt" => adopt = words.flag(&name)?,
-            "--out" => out = Some(words.mesh(&name, &["obj", "mesh", "json"])?),
+            "--out" => out = Some(words.mesh(&name, MESHES_AND_SCENE)?),
             "--report" => report = Some(words.file(&name)?),
             _ => return Err(unknown(&Word::Option(name), "refine")),
         }

@@ -1,11 +1,10 @@
-//! Output: atomic writing of files, mesh files of sessions with the format by extension (Medit,
-//! else OBJ), an output folder that is removed if it stays empty, text on standard output, and the
+//! Output: atomic writing of files, mesh files of sessions with the format by extension, an output folder that is removed if it stays empty, text on standard output, and the
 //! form of tables.
 
 use super::Failure;
 use crate::cli::input;
 use serde::Serialize;
-use shape_up::mesh::{Circularity, Mesh, Planarity, Weld, write_medit};
+use shape_up::mesh::{Circularity, Mesh, Planarity, Weld};
 use shape_up::session::Session;
 use shape_up::words;
 use std::fs::OpenOptions;
@@ -160,18 +159,14 @@ pub(super) fn circularity(circularity: &Circularity, units: &str, tolerance: f64
     )
 }
 
-/// Returns the text of the file `path`, with the original vertices and faces of a welded mesh.
-pub(super) fn mesh_text(path: &Path, session: &Session, weld: Option<&Weld>) -> String {
-    let now = session.positions();
-    match (is_medit(path), weld) {
-        (false, None) => session.obj(),
-        (false, Some(weld)) => session.obj_unwelded(weld),
-        (true, None) => write_medit(&Mesh { positions: now, ..session.mesh().clone() }),
-        (true, Some(weld)) => {
-            let positions = weld.original_positions(&session.mesh().positions, &now);
-            write_medit(&Mesh { positions, ..weld.original.clone() })
-        }
-    }
+/// Returns the content of the file `path`, with the original vertices and faces of a welded mesh.
+pub(super) fn mesh_file(path: &Path, session: &Session, weld: Option<&Weld>) -> Vec<u8> {
+    session.mesh_file(&ending(path), weld)
+}
+
+/// The ending of a name in lower case; empty without one.
+fn ending(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 
 /// Adds to `files` the changed mesh of a session or, if the name ends in .json, the scene with the
@@ -179,34 +174,34 @@ pub(super) fn mesh_text(path: &Path, session: &Session, weld: Option<&Weld>) -> 
 pub(super) fn write_changed<'a>(
     path: &'a Path,
     session: &Session,
-    files: &mut Vec<(&'a Path, String)>,
+    files: &mut Vec<(&'a Path, Vec<u8>)>,
 ) -> Option<String> {
     if input::is_scene(path) {
-        files.push((path, session.scene_with_mesh()));
+        files.push((path, session.scene_with_mesh().into_bytes()));
         return None;
     }
-    files.push((path, mesh_text(path, session, None)));
+    files.push((path, mesh_file(path, session, None)));
     left_out(path, session.mesh())
 }
 
 /// Returns a remark on the parts of the mesh that the format of `path` cannot represent, if any.
 pub(super) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
     let larger = mesh.faces.iter().filter(|face| face.len() > 4).count();
-    let (format, parts) = if is_medit(path) {
-        let faces = (larger, "face of more than four corners", "faces of more than four corners");
-        let curves = (mesh.curves.len(), "curve", "curves");
-        ("Medit", vec![faces, curves, (mesh.groups.len(), "group", "groups")])
-    } else {
-        ("OBJ", vec![(mesh.tets.len(), "tetrahedron", "tetrahedra")])
+    let faces = (larger, "face of more than four corners", "faces of more than four corners");
+    let curves = (mesh.curves.len(), "curve", "curves");
+    let groups = (mesh.groups.len(), "group", "groups");
+    let tets = (mesh.tets.len(), "tetrahedron", "tetrahedra");
+    let untouched = (mesh.untouched.len(), "face with a hole", "faces with holes");
+    let (format, parts) = match ending(path).as_str() {
+        "mesh" => ("Medit", vec![faces, curves, groups, untouched]),
+        "ply" => ("PLY", vec![groups, tets, untouched]),
+        "stl" => ("STL", vec![curves, groups, tets, untouched]),
+        _ => ("OBJ", vec![tets]),
     };
     let parts = parts.into_iter().filter(|(count, ..)| *count > 0);
     let parts: Vec<_> = parts.map(|(count, one, many)| words::count(count, one, many)).collect();
     let parts = (!parts.is_empty()).then(|| parts.join(", "))?;
     Some(format!("{} is {format}, which cannot store {parts}", path.display()))
-}
-
-fn is_medit(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("mesh"))
 }
 
 /// Folders made for output. On drop, those that are empty are removed.

@@ -71,7 +71,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
         words::count(report.faces, "face", "faces")
     );
     remarks.extend(lost.iter().cloned());
-    let mut files: Vec<(&Path, String)> = Vec::new();
+    let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(path) = &command.out {
         remarks.extend(output::write_changed(path, &session, &mut files));
     }
@@ -79,7 +79,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     levels.iter().for_each(|level| text += &line(level));
     if let Some(path) = &command.report {
         let report = RefineReport { levels, lost, report };
-        files.push((path, output::json(&report)));
+        files.push((path, output::json(&report).into_bytes()));
     }
     output::write(&files)?;
     output::print(&text)

@@ -80,9 +80,9 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         format!("stopped: {collapse}. A larger weight of closeness keeps the mesh closer to its original shape")
     }));
 
-    let mut files: Vec<(&Path, String)> = Vec::new();
+    let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(path) = &command.out {
-        files.push((path, output::mesh_text(path, &session, weld.as_ref())));
+        files.push((path, output::mesh_file(path, &session, weld.as_ref())));
         remarks.extend(output::left_out(path, session.mesh()));
     }
     if let Some(path) = &command.report {
@@ -91,7 +91,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
             true => session.verdict_report(tolerance, press.is_some()).map_err(at_input)?,
             false => None,
         };
-        files.push((path, output::json(&ReportFile { report: &report, verdict })));
+        files.push((path, output::json(&ReportFile { report: &report, verdict }).into_bytes()));
     }
     output::write(&files)?;
     let told = Told { units, tolerance, verdict, remarks };

@@ -2,7 +2,7 @@
 
 use shape_up::constraint::KINDS;
 use shape_up::generate::NEW_KINDS;
-use shape_up::mesh::{MESH_OPERATIONS, Scheme, Size};
+use shape_up::mesh::{FileFormat, MESH_OPERATIONS, Scheme, Size};
 use shape_up::scene::{
     Accelerator, BUILD_SETTINGS, BuildForm, BuildSetting, BuildUnit, NamedEnum, UNITS,
 };
@@ -15,16 +15,16 @@ pub(super) fn usage() -> String {
 usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH|auto]
                 [--improve] [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
-                [--out FILE.obj|FILE.mesh] [--report FILE.json] [--trace]
+                [--out FILE.obj|.ply|.stl|.mesh] [--report FILE.json] [--trace]
        shape-up build SCENE|MESH [--SETTING VALUE ...] [--sheet WxH] [--units {}]
                 [--out DIR] [--report FILE.json] [--report-page FILE.html [--link URL]]
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
                 [--keep DEGREES] [--panels KIND] [--adopt]
-                [--out FILE.obj|FILE.mesh|FILE.json] [--report FILE.json]
+                [--out FILE.obj|.ply|.stl|.mesh|.json] [--report FILE.json]
        shape-up remesh MESH [--quads N | --size LENGTH] [--follow 0..1] [--even 0..1]
                 [--crease DEGREES] [--boundary follow|cut] [--out FILE.obj] [--report FILE.json]
        shape-up edit SCENE|MESH OPERATION [--SIZE VALUE ...] [--vertices LIST] [--faces LIST]
-                [--out FILE.obj|FILE.mesh|FILE.json]
+                [--out FILE.obj|.ply|.stl|.mesh|.json]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
        shape-up check FOLDER [--scene SCENE] [--csv FILE.csv]
@@ -39,7 +39,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH|auto
        shape-up operators
        shape-up --help | --version
 
-A SCENE is a *.json file, a MESH is OBJ, OFF or Medit (.obj, .off, .mesh).
+A SCENE is a *.json file, a MESH has one of the formats below that are read.
 --panels puts a KIND of constraint on every face that it fits. The kinds are:
  {}
 --exact meets all constraints exactly instead of weighing them; --within meets them up to a LENGTH in
@@ -51,7 +51,7 @@ too.
 a WEIGHT keeps them near it.
 A MESH is solved with settings that preserve its shape, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
---out writes OBJ, or Medit if the name ends in .mesh; only Medit can store tetrahedra.
+--out writes the format that the name ends in, else OBJ; only Medit can store tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
@@ -91,6 +91,8 @@ parametrize makes a flat map that preserves angles; --out writes the mesh with t
 experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations,
 --svg plots them. Without a scene it lists the examples that have a comparison of the paper. Limits are
 per method.
+Formats of files:
+{}
 Exit code: 0 done, 1 error in the input, 2 usage error, 3 internal error.",
         Accelerator::list("|"),
         UNITS.map(|unit| unit.symbol).join("|"),
@@ -101,6 +103,7 @@ Exit code: 0 done, 1 error in the input, 2 usage error, 3 internal error.",
         build_settings(),
         operations(),
         new_kinds(),
+        FileFormat::table(),
     )
 }
 

@@ -23,6 +23,11 @@ pub(super) enum Word {
     Option(String),
 }
 
+/// Endings of the mesh files that are written,
+pub(super) const MESHES: &[&str] = &["obj", "ply", "stl", "mesh"];
+/// and with that of a scene.
+pub(super) const MESHES_AND_SCENE: &[&str] = &["obj", "ply", "stl", "mesh", "json"];
+
 impl Words {
     pub(super) fn new(arguments: Vec<OsString>) -> Words {
         Words { parser: lexopt::Parser::from_args(arguments), seen: Vec::new() }
@@ -83,7 +88,12 @@ impl Words {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         if ending.is_some_and(|ending| !formats.contains(&&*ending)) {
             let formats: Vec<_> = formats.iter().map(|format| format!(".{format}")).collect();
-            let known = formats.join(" or ");
+            let known = match formats.split_last() {
+                Some((last, others)) if !others.is_empty() => {
+                    format!("{} or {last}", others.join(", "))
+                }
+                _ => formats.join(""),
+            };
             return Err(format!("{name} writes {known}, found `{}`", path.display()));
         }
         Ok(path)

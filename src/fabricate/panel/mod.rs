@@ -5,14 +5,13 @@ mod alike;
 mod inset;
 mod name;
 mod polygon;
-mod triangles;
 
+pub(super) use crate::math::{ears as triangles, triangles_in_space, turn};
 pub use alike::panel_types;
 pub use inset::inset;
 pub use name::panel_names;
 pub(super) use polygon::{direction_of, distance_to_outline, sides, smallest_box_within};
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};
-pub(super) use triangles::{triangles, triangles_in_space, turn};
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::Point2;

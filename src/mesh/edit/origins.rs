@@ -57,6 +57,22 @@ impl Origins {
         }
     }
 
+    /// Gives the mesh `to`, made from `from`, what no operation changes: the faces that are left as they
+    /// are, as long as their vertices are there, and which vertices are not in the file.
+    pub fn carry(&self, from: &Mesh, to: &mut Mesh) {
+        let is_unplaced = |old: &u32| from.unplaced.binary_search(old).is_ok();
+        let made_of = (0..).zip(self.between.iter());
+        let unplaced = made_of.filter(|(_, olds)| olds.iter().any(is_unplaced));
+        to.unplaced = unplaced.map(|(new, _)| new).collect();
+        to.untouched = Ragged::new();
+        for face in from.untouched.iter() {
+            let kept = face.iter().map(|&old| self.vertices[old as usize]);
+            if let Some(face) = kept.collect::<Option<Vec<u32>>>() {
+                to.untouched.push(&face);
+            }
+        }
+    }
+
     /// Composes these origins with those of a following edit, `next`.
     pub(super) fn then(&self, next: &Origins) -> Origins {
         let union = |olds: &Ragged, row: &[u32]| {

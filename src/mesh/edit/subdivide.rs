@@ -206,6 +206,7 @@ impl Subdivision {
             curves: mesh.curves.iter().map(|curve| split.curve(curve)).collect(),
             tets: Vec::new(),
             groups: mesh.groups.iter().map(group).collect(),
+            ..Mesh::default()
         };
         let origins = Origins {
             vertices: (0..mesh.positions.len() as u32).map(Some).collect(),

@@ -2,13 +2,9 @@
 //! common edges, and constraints on them would tear it apart.
 
 use super::rebuild::has_twice;
-use crate::math::{Vec3, argsort, key_of_number, polygon_sides};
+use crate::mesh::coincident::{first_within, tolerance};
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
 
-/// Upper bound on the welding distance, as a fraction of the diagonal of the bounding box.
-const TOLERANCE: f64 = 1e-6;
-/// Upper bound on it as a fraction of the shortest edge, so that no edge vanishes.
-const OF_SHORTEST_EDGE: f64 = 0.1;
 /// A mesh is unwelded if at least this fraction of the vertices of faces belongs to one face only.
 const OWN: f64 = 0.9;
 /// It is welded only if at least this fraction of the vertices of faces merges into others.
@@ -64,16 +60,13 @@ impl Weld {
     }
 
     /// Returns the positions of the original, `#V by 3`, after the welded mesh moved from `rest` to
-    /// `now`: each vertex moves with its welded one.
+    /// `now`: each vertex is where its welded one is, so that what was measured on the welded mesh is
+    /// true of the original. If nothing moved, all are where they were.
     pub fn original_positions(&self, rest: &[Point], now: &[Point]) -> Vec<Point> {
-        let moved = |(at, &to): (&Point, &u32)| -> Point {
-            let (rest, now) = (rest[to as usize], now[to as usize]);
-            // Exactly coincident vertices stay bit-identical.
-            std::array::from_fn(
-                |i| if at[i] == rest[i] { now[i] } else { at[i] + (now[i] - rest[i]) },
-            )
-        };
-        self.original.positions.iter().zip(&self.to).map(moved).collect()
+        if now == rest {
+            return self.original.positions.clone();
+        }
+        self.to.iter().map(|&to| now[to as usize]).collect()
     }
 }
 
@@ -97,6 +90,12 @@ fn merged(mesh: &Mesh, first: &[u32], least: f64) -> Option<(Mesh, Vec<u32>)> {
     let mut welded = Mesh { positions, ..mesh.clone() };
     welded.faces.rename(&to);
     welded.curves.rename(&to);
+    welded.untouched.rename(&to);
+    for v in &mut welded.unplaced {
+        *v = to[*v as usize];
+    }
+    welded.unplaced.sort_unstable();
+    welded.unplaced.dedup();
     let on_each_other =
         |mesh: &Mesh| elements_with_problem(mesh, ProblemKind::DuplicateFace).faces.len();
     let is_sound =
@@ -120,75 +119,6 @@ fn uses(mesh: &Mesh) -> Vec<u32> {
     let mut uses = vec![0; mesh.positions.len()];
     mesh.faces.indices().iter().for_each(|&v| uses[v as usize] += 1);
     uses
-}
-
-/// Returns the welding distance of `mesh`; `None` if no edge has a length.
-fn tolerance(mesh: &Mesh) -> Option<f64> {
-    let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
-    let sides = mesh.faces.iter().flat_map(polygon_sides);
-    let lengths = sides.map(|[a, b]| (at(b) - at(a)).length()).filter(|length| *length > 0.0);
-    let shortest = lengths.reduce(f64::min)?;
-    let used = mesh.used_positions();
-    let bound = |pick: fn(f64, f64) -> f64| {
-        let points = used.iter().copied();
-        points.reduce(|a, b| std::array::from_fn(|i| pick(a[i], b[i]))).map(Vec3::from)
-    };
-    let diagonal = (bound(f64::max)? - bound(f64::min)?).length();
-    Some((TOLERANCE * diagonal).min(OF_SHORTEST_EDGE * shortest))
-}
-
-/// Returns for each vertex the first vertex of its part within `tolerance` that is not itself
-/// merged.
-pub(super) fn first_within(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
-    // With cells of twice the tolerance, all points within the tolerance are in at most 8 cells.
-    // Adding zero turns -0 into +0.
-    let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
-    let cell_of = |p: Point| p.map(cell);
-    let by_cell = |a: [f64; 3], b: [f64; 3]| {
-        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
-    };
-    let cell_at = |v: u32| cell_of(positions[v as usize]);
-    let order = sorted_by_cell(positions.iter().copied().map(cell_of).collect());
-    let begin = |near: [f64; 3]| order.partition_point(|&v| by_cell(cell_at(v), near).is_lt());
-    // The vertices of each cell that are not merged so far, from the place where it begins in
-    // `order`, and their number.
-    let mut apart = vec![0; positions.len()];
-    let mut counts = vec![0; positions.len()];
-    let mut first: Vec<u32> = (0..positions.len() as u32).collect();
-    for (vertex, &here) in positions.iter().enumerate() {
-        let [low, high] = [-tolerance, tolerance].map(|by| here.map(|x| cell(x + by)));
-        let mut nearest = vertex as u32;
-        for corner in 0..8 {
-            let near: [f64; 3] =
-                std::array::from_fn(|i| if corner >> i & 1 == 0 { low[i] } else { high[i] });
-            let begin = begin(near);
-            // Without such a cell this is the next one, whose vertices are too far away.
-            let count = counts.get(begin).copied().unwrap_or(0);
-            for &other in apart.iter().skip(begin).take(count) {
-                let away = Vec3::from(positions[other as usize]) - Vec3::from(here);
-                if parts[other as usize] == parts[vertex] && away.length() <= tolerance {
-                    nearest = nearest.min(other);
-                }
-            }
-        }
-        first[vertex] = nearest;
-        if nearest as usize == vertex {
-            let begin = begin(cell_of(here));
-            apart[begin + counts[begin]] = nearest;
-            counts[begin] += 1;
-        }
-    }
-    first
-}
-
-/// Returns the indices of cells sorted by (x, y, z, index), by stable sorts by z, then y, then x.
-fn sorted_by_cell(cells: Vec<[f64; 3]>) -> Vec<u32> {
-    let mut order: Vec<u32> = (0..cells.len() as u32).collect();
-    for axis in [2, 1, 0] {
-        let keys = order.iter().map(|&v| key_of_number(cells[v as usize][axis]));
-        order = argsort(keys).into_iter().map(|place| order[place as usize]).collect();
-    }
-    order
 }
 
 #[cfg(test)]
@@ -223,12 +153,12 @@ mod tests {
             assert_eq!(weld.original, came);
             assert!(weld.tolerance > 0.0 && weld.tolerance < 1e-4 * scale);
             assert_eq!(weld.original_positions(&mesh.positions, &mesh.positions), came.positions);
-            // Welded vertices move together.
+            // Welded vertices are at one place, so that what holds for the mesh holds for them.
             let mut now = mesh.positions.clone();
             now[weld.to[2] as usize][2] += scale;
             let out = weld.original_positions(&mesh.positions, &now);
-            let moved = out.iter().zip(&came.positions).filter(|(a, b)| a != b);
-            assert_eq!(moved.count(), weld.to.iter().filter(|&&to| to == weld.to[2]).count());
+            let is_there = |(at, &to): (&Point, &u32)| *at == now[to as usize];
+            assert!(out.iter().zip(&weld.to).all(is_there));
         }
     }
 

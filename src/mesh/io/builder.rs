@@ -1,7 +1,7 @@
 //! Builder that the readers of all formats use to add vertices and elements; and the result of
 //! reading: a mesh with its problems and notes, or an error.
 
-use super::lines::excerpt;
+use super::lines::{excerpt, lines};
 use super::number::{Numbering, coordinate};
 use crate::mesh::diagnostics::{coincident, examine};
 use crate::mesh::problem::DiagnosticCounts;
@@ -17,49 +17,65 @@ pub(crate) struct MeshBuilder {
     vertex_lines: Vec<u32>,
     face_lines: Vec<u32>,
     /// Elements deferred until all vertices are read: kind, line, and end in `deferred_corners`.
-    deferred: Vec<(ElementKind, u32, u32)>,
+    deferred: Vec<(ElementKind, Option<u32>, u32)>,
     deferred_corners: Vec<Option<i32>>,
     row: Vec<u32>,
     /// `#V`: number, from one, of the last face or tetrahedron with this corner.
     visited: Vec<u32>,
     faces_seen: u32,
+    /// The line of the last vertex or element with a problem.
+    last_fault: Option<usize>,
 }
 
 impl MeshBuilder {
     /// Appends a vertex. Bad coordinates are NaN until [`MeshBuilder::finish`].
     pub(crate) fn vertex(&mut self, words: [&str; 3], line: usize) {
-        let [x, y, z] = words.map(coordinate);
-        let problems = [x.1, y.1, z.1];
+        self.vertex_of(words.map(coordinate), Some(line));
+    }
+
+    /// Appends a vertex of these coordinates, each with its problem, if any; a binary file has no
+    /// lines.
+    pub(crate) fn vertex_of(
+        &mut self,
+        coordinates: [(f64, Option<ProblemKind>); 3],
+        line: Option<usize>,
+    ) {
+        let problems = coordinates.map(|(_, problem)| problem);
         for (i, problem) in problems.iter().enumerate() {
             if let Some(new) = problem.filter(|_| !problems[..i].contains(problem)) {
-                self.counts.add(new, Some(line));
+                self.counts.add(new, line);
+                self.last_fault = line;
             }
         }
-        self.mesh.positions.push([x.0, y.0, z.0]);
-        self.vertex_lines.push(line as u32);
+        self.mesh.positions.push(coordinates.map(|(x, _)| x));
+        self.vertex_lines.extend(line.map(|line| line as u32));
     }
 
     /// Appends an element on existing vertices and returns its index among the elements of its
-    /// kind. If it has to be skipped, counts the problem and returns `None`.
+    /// kind. If it has to be skipped, counts the problem and returns `None`. A binary file has no lines.
     pub(crate) fn element(
         &mut self,
         element: ElementKind,
         numbers: impl Iterator<Item = Option<i32>>,
         numbering: Numbering,
-        line: usize,
+        line: Option<usize>,
     ) -> Option<u32> {
         match self.resolve(element, numbers, numbering) {
-            Ok(true) => self.counts.add(ProblemKind::RepeatedCorner(element), Some(line)),
+            Ok(true) => self.counts.add(ProblemKind::RepeatedCorner(element), line),
             Ok(false) => {}
             Err(problem) => {
-                self.counts.add(problem, Some(line));
+                self.counts.add(problem, line);
+                self.last_fault = line;
+                if problem == ProblemKind::SelfTouchingFace {
+                    self.mesh.untouched.push(&self.row);
+                }
                 return None;
             }
         }
         let index = match element {
             ElementKind::Face => {
                 self.mesh.faces.push(&self.row);
-                self.face_lines.push(line as u32);
+                self.face_lines.extend(line.map(|line| line as u32));
                 self.mesh.faces.len()
             }
             ElementKind::Curve => {
@@ -122,8 +138,9 @@ impl MeshBuilder {
     }
 
     /// Stores a deferred element whose corners are those stored since the last one.
-    pub(crate) fn defer_element(&mut self, element: ElementKind, line: usize) {
-        self.deferred.push((element, line as u32, self.deferred_corners.len() as u32));
+    pub(crate) fn defer_element(&mut self, element: ElementKind, line: Option<usize>) {
+        let line = line.map(|line| line as u32);
+        self.deferred.push((element, line, self.deferred_corners.len() as u32));
     }
 
     pub(crate) fn deferred_corners(&self) -> impl Iterator<Item = i32> {
@@ -136,8 +153,22 @@ impl MeshBuilder {
         let mut begin = 0;
         for (element, line, end) in std::mem::take(&mut self.deferred) {
             let row = corners[begin..end as usize].iter().copied();
-            self.element(element, row, numbering, line as usize);
+            self.element(element, row, numbering, line.map(|line| line as usize));
             begin = end as usize;
+        }
+    }
+
+    /// Counts the last line of a `text` that ends without a line end in an element which is not whole,
+    /// or has fewer corners than all the others.
+    pub(crate) fn examine_end(&mut self, text: &str) {
+        let Some(line) = unfinished_line(text) else { return };
+        let is_face = self.face_lines.last() == Some(&(line as u32));
+        let corners: Vec<usize> = self.mesh.faces.iter().map(<[u32]>::len).collect();
+        let last = corners.split_last().filter(|_| is_face);
+        let is_shorter = last
+            .is_some_and(|(last, others)| others.iter().min().is_some_and(|least| last < least));
+        if self.last_fault == Some(line) || is_shorter {
+            self.counts.add(ProblemKind::CutOff, Some(line));
         }
     }
 
@@ -151,17 +182,29 @@ impl MeshBuilder {
         if positions.as_flattened().iter().all(|x| x.is_nan()) {
             return Err(ReadFault::whole("no coordinate in the file is a number"));
         }
-        if let Some((count, first)) = coincident(positions) {
-            let vertices = words::count(count, "vertex lies", "vertices lie");
-            let line = self.vertex_lines[first];
-            self.notes.push(format!("{vertices} exactly on an earlier one, first at line {line}"));
-        }
+        let coincident = coincident(positions);
+        let is_unplaced = |v: &u32| positions[*v as usize].iter().any(|x| x.is_nan());
+        self.mesh.unplaced = (0..positions.len() as u32).filter(is_unplaced).collect();
         fill_in(positions);
         positions.shrink_to_fit();
         examine(&self.mesh, &self.vertex_lines, &self.face_lines, &mut self.counts);
+        // Those at seams are said as a problem.
+        let at_seams = self.counts.of(ProblemKind::UnjoinedVertex);
+        if let Some((count, first)) = coincident.filter(|(count, _)| *count > at_seams) {
+            let vertices = words::count(count, "vertex lies", "vertices lie");
+            let line = self.vertex_lines.get(first);
+            let place = line.map_or_else(String::new, |line| format!(", first at line {line}"));
+            self.notes.push(format!("{vertices} exactly on an earlier one{place}"));
+        }
         let problems = self.counts.problems(|line| excerpt(text, line));
         Ok(Read { mesh: self.mesh, problems, notes: self.notes })
     }
+}
+
+/// Returns the number of the last line if no line end follows it.
+fn unfinished_line(text: &str) -> Option<usize> {
+    let has_end = text.ends_with(['\n', '\r']);
+    lines(text).last().map(|(number, _)| number).filter(|_| !has_end)
 }
 
 /// Replaces every NaN coordinate by the middle of the extent, so that vertices keep their numbers

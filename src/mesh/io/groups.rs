@@ -1,6 +1,7 @@
 //! The named, overlapping groups of an OBJ file.
 
-use std::collections::BTreeMap;
+use crate::words;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::math::{argsort, key_of_pair};
 use crate::mesh::{ElementKind, Group, GroupKeyword};
@@ -15,6 +16,8 @@ pub(crate) struct Groups {
     by_name: BTreeMap<(GroupKeyword, String), usize>,
     /// For each keyword, the indices in `groups` of the open groups, to which elements are added.
     open: [Vec<usize>; GroupKeyword::STATEMENTS.len()],
+    /// Names of objects and groups that were opened again after others.
+    reopened: BTreeSet<String>,
 }
 
 impl Groups {
@@ -23,7 +26,7 @@ impl Groups {
     /// the limit.
     pub(crate) fn open(&mut self, keyword: GroupKeyword, text: &str) -> bool {
         let open = &mut self.open[keyword as usize];
-        open.clear();
+        let before = std::mem::take(open);
         // A `#` may begin a name: these statements have no comments.
         let mut words = text.split_ascii_whitespace().skip(1);
         let names: Vec<String> = match keyword {
@@ -37,11 +40,28 @@ impl Groups {
                 self.groups.push(Group { name, keyword, faces: Vec::new(), curves: Vec::new() });
                 new
             });
+            let is_new = group == new;
+            if !is_new && !before.contains(&group) && keyword != GroupKeyword::Material {
+                self.reopened.insert(self.groups[group].name.clone());
+            }
             if !open.contains(&group) {
                 open.push(group);
             }
         }
         words.next().is_some()
+    }
+
+    /// Says which names were opened again after others, and are one group each.
+    pub(crate) fn note(&self) -> Option<String> {
+        const MOST: usize = 3;
+        let names: Vec<String> = self.reopened.iter().cloned().collect();
+        let several = words::count(names.len(), "name stands", "names stand");
+        let some = words::and_more(&names, MOST);
+        (!names.is_empty()).then(|| {
+            format!(
+                "{several} for several groups of the file, which are one group each here: {some}"
+            )
+        })
     }
 
     pub(crate) fn add(&mut self, element: ElementKind, index: u32) {

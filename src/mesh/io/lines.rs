@@ -50,28 +50,58 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Returns the lines, joining those that end in a backslash with the next and numbered by the
-/// first. Comments are never continued, since they may end in a Windows folder path.
+/// Statements of OBJ whose rest is a name, which may end in a backslash, as a folder does.
+const NAMES: &str = "o g usemtl mtllib maplib usemap";
+/// Other statements that a line may begin with.
+const STATEMENTS: &str = "v vt vn vp f fo l p s mg cstype deg curv curv2 surf parm trim hole end";
+
+fn is_one_of(words: &str, word: &str) -> bool {
+    words.split(' ').any(|known| known == word)
+}
+
+/// Returns the lines of OBJ, joining those that end in a backslash with the next and numbered by the
+/// first. Neither comments, which may end in a Windows folder path, nor names that end in a backslash
+/// are continued, and no line is whose next one is a statement of its own.
 pub(crate) fn joined_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
-    let continued = |line: &str| line.trim_ascii_end().strip_suffix('\\').map(str::len);
     let mut lines = lines(text);
     std::iter::from_fn(move || {
         let (number, first) = lines.next()?;
-        let is_comment = first.trim_ascii_start().starts_with('#');
-        let Some(length) = continued(first).filter(|_| !is_comment) else {
+        let statement = first.split_ascii_whitespace().next().unwrap_or_default();
+        let of_name = is_one_of(NAMES, statement);
+        let Some(length) = backslash(first).filter(|_| !statement.starts_with('#')) else {
             return Some((number, Cow::Borrowed(first)));
         };
+        let is_own_word = first[..length].ends_with([' ', '\t']);
+        if (of_name && !is_own_word) || !lines.goes_on(of_name) {
+            let rest = if of_name { first } else { &first[..length] };
+            return Some((number, Cow::Borrowed(rest)));
+        }
         let mut joined = first[..length].to_owned();
-        for (_, next) in lines.by_ref() {
+        while let Some((_, next)) = lines.next() {
             joined.push(' ');
-            let length = continued(next);
+            let length = backslash(next);
             joined.push_str(&next[..length.unwrap_or(next.len())]);
-            if length.is_none() {
+            if length.is_none() || !lines.goes_on(of_name) {
                 break;
             }
         }
         Some((number, Cow::Owned(joined)))
     })
+}
+
+/// Returns the length of a line without the backslash at its end; `None` without one.
+fn backslash(line: &str) -> Option<usize> {
+    line.trim_ascii_end().strip_suffix('\\').map(str::len)
+}
+
+impl Lines<'_> {
+    /// Whether the next line can be the rest of the line before: of names, or of numbers.
+    fn goes_on(&self, of_names: bool) -> bool {
+        let next = Lines { rest: self.rest, number: 0 }.next().map_or("", |(_, line)| line);
+        let word = next.split_ascii_whitespace().next().unwrap_or_default();
+        let is_empty = word.is_empty() || word.starts_with('#');
+        !is_one_of(NAMES, word) && !is_one_of(STATEMENTS, word) && !(of_names && is_empty)
+    }
 }
 
 /// Returns the words of a line up to a comment: a `#` that begins a word, unlike in `1.#IND`.
@@ -112,6 +142,28 @@ mod tests {
         let found = joined("f 1 2 \\\r\n 3\\  \n4\n# C:\\models\\\nv\\");
         let line = |number, text: &str| (number, text.to_owned());
         assert_eq!(found, [line(1, "f 1 2   3 4"), line(4, "# C:\\models\\"), line(5, "v")]);
+    }
+
+    #[test]
+    fn a_backslash_at_the_end_of_a_name_is_part_of_it() {
+        let line = |number, text: &str| (number, text.to_owned());
+        for name in ["usemtl Wood\\", "o a\\", "g roof\\", "mtllib C:\\tex\\", "usemtl Wood \\"] {
+            for next in ["f 1 2 3", "usemtl b", "v 0 0 0", "g"] {
+                let found = joined(&format!("{name}\n{next}\n"));
+                assert_eq!(found, [line(1, name), line(2, next)]);
+            }
+            assert_eq!(joined(name), [line(1, name)]);
+            assert_eq!(joined(&format!("{name}\r\n\r\n# c\r\n"))[0], line(1, name));
+        }
+        // Names of a group go on in the next line after a word of their own.
+        assert_eq!(joined("g a \\\nb\nf 1"), [line(1, "g a  b"), line(3, "f 1")]);
+    }
+
+    #[test]
+    fn a_statement_is_no_continuation() {
+        let found = joined("f 1 2 3\\\nf 2 3 4 \\\nv 0 0 0\n");
+        let line = |number, text: &str| (number, text.to_owned());
+        assert_eq!(found, [line(1, "f 1 2 3"), line(2, "f 2 3 4 "), line(3, "v 0 0 0")]);
     }
 
     #[test]

@@ -1,34 +1,52 @@
-//! Reading and writing mesh files: OBJ, OFF and Medit, recognised by name or content.
+//! Reading and writing mesh files: OBJ, OFF, Medit, PLY and STL, recognised by name or content.
 
 mod builder;
+mod formats;
 mod groups;
 mod lines;
 mod medit;
 mod number;
 mod obj;
 mod off;
+mod ply;
+mod stl;
 mod stream;
 
 pub use builder::{Read, ReadError};
+pub use formats::{FILE_FORMATS, FileFormat};
 pub(crate) use lines::{decode, lines};
 pub use medit::write_medit;
 pub use number::Decimal;
 pub use obj::{write_obj, write_obj_with_uv};
+pub use ply::write_ply;
+pub use stl::write_stl;
 
 use builder::ReadFault;
 
-/// Reads a mesh from the bytes of the file `name`: OBJ, OFF or Medit, by the extension, else by
-/// content. Vertices keep their order and numbers; faces, curves and tetrahedra keep their order,
+/// Reads a mesh from the bytes of the file `name`: OBJ, OFF, Medit, PLY or STL, by the extension, else
+/// by content. Vertices keep their order and numbers; faces, curves and tetrahedra keep their order,
 /// without those reported as skipped in the problems. Time and memory are linear in the size of the
 /// file, up to sorting.
 ///
 /// # Errors
 ///
-/// If the file is empty, larger than 4 GiB, not text, of an unknown format, truncated, or has no
-/// vertices.
+/// If the file is empty, larger than 4 GiB, of an unknown format, truncated, or has no vertices.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
-    let text = decode(bytes);
-    read_text(name, &text).map_err(|fault| ReadError {
+    let format = Format::of_name(name).or_else(|| Format::of_binary(bytes));
+    // Messages have the line of a text; a binary file has none.
+    let is_binary = matches!(format, Some(Format::Ply | Format::Stl)) && bytes.contains(&0);
+    let text = if is_binary { "".into() } else { decode(bytes) };
+    let found = match format {
+        _ if bytes.is_empty() => Err(ReadFault::whole("the file is empty")),
+        _ if u32::try_from(bytes.len()).is_err() => {
+            Err(ReadFault::whole("the file is larger than 4 GiB"))
+        }
+        Some(Format::Ply) if ply::is_one(bytes) => ply::read(bytes),
+        Some(Format::Ply) => Err(ReadFault::whole("this is no PLY file: expected `ply` first")),
+        Some(Format::Stl) => stl::read(bytes),
+        _ => read_text(format, &text),
+    };
+    found.and_then(|builder| builder.finish(&text)).map_err(|fault| ReadError {
         file: name.to_owned(),
         line: fault.line,
         text: fault.line.map(|line| lines::excerpt(&text, line)).unwrap_or_default(),
@@ -36,44 +54,50 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
     })
 }
 
-fn read_text(name: &str, text: &str) -> Result<Read, ReadFault> {
+fn read_text(format: Option<Format>, text: &str) -> Result<builder::MeshBuilder, ReadFault> {
     if text.trim().is_empty() {
         return Err(ReadFault::whole("the file is empty"));
     }
-    if u32::try_from(text.len()).is_err() {
-        return Err(ReadFault::whole("the file is larger than 4 GiB"));
-    }
+    let known = || format!("expected a file in the format {}", formats::mesh_endings());
     if text.contains('\0') {
-        return Err(ReadFault::whole(format!("this is not a text file; {KNOWN}")));
+        return Err(ReadFault::whole(format!("this is not a text file; {}", known())));
     }
-    let format = Format::of_name(name).or_else(|| Format::of_content(text));
-    let builder = match format {
-        Some(Format::Obj) => obj::read(text),
-        Some(Format::Off) => off::read(text)?,
-        Some(Format::Medit) => medit::read(text)?,
-        None => return Err(ReadFault::whole(format!("the format is not known; {KNOWN}"))),
-    };
-    builder.finish(text)
+    match format.or_else(|| Format::of_content(text)) {
+        Some(Format::Obj) => Ok(obj::read(text)),
+        Some(Format::Off) => off::read(text),
+        Some(Format::Medit) => medit::read(text),
+        _ => Err(ReadFault::whole(format!("the format is not known; {}", known()))),
+    }
 }
-
-/// The known formats, for messages.
-const KNOWN: &str = "expected a text file in the format .obj (Wavefront), .off or .mesh (Medit)";
 
 #[derive(Clone, Copy)]
 enum Format {
     Obj,
     Off,
     Medit,
+    Ply,
+    Stl,
 }
 
 impl Format {
     fn of_name(name: &str) -> Option<Self> {
-        let (_, extension) = name.rsplit_once('.')?;
-        match extension.to_ascii_lowercase().as_str() {
+        let format = FileFormat::of_name(name).filter(|format| format.is_mesh())?;
+        match format.endings[0] {
             "obj" => Some(Format::Obj),
             "off" => Some(Format::Off),
             "mesh" => Some(Format::Medit),
+            "ply" => Some(Format::Ply),
+            "stl" => Some(Format::Stl),
             _ => None,
+        }
+    }
+
+    /// The format of a file that may be binary.
+    fn of_binary(bytes: &[u8]) -> Option<Self> {
+        match () {
+            () if ply::is_one(bytes) => Some(Format::Ply),
+            () if stl::is_one(bytes) => Some(Format::Stl),
+            () => None,
         }
     }
 

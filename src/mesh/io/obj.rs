@@ -7,13 +7,17 @@ use super::builder::MeshBuilder;
 use super::groups::Groups;
 use super::lines::{joined_lines, words};
 use super::number::{Numbering, whole};
-use crate::mesh::{Decimal, ElementKind, Group, GroupKeyword, Mesh, Point, ProblemKind};
+use crate::mesh::file_order::FilePart;
+use crate::mesh::{Decimal, ElementKind, Group, GroupKeyword, Mesh, Point, ProblemKind, Ragged};
 use crate::words;
 use std::fmt::{Display, Write};
 
 /// Statements ignored without a message: they do not affect the shape, or only free-form elements.
 const SILENT: &str = "vt vn vp s mg mtllib maplib usemap parm trim hole scrv sp end con bmat step \
     ctech stech bevel c_interp d_interp lod shadow_obj trace_obj call csh";
+
+/// Statements that are written again where they were.
+const KEPT: &str = "o g usemtl mtllib s mg usemap maplib bevel c_interp d_interp lod";
 
 pub(crate) fn read(text: &str) -> MeshBuilder {
     let mut builder = MeshBuilder::default();
@@ -69,6 +73,9 @@ pub(crate) fn read(text: &str) -> MeshBuilder {
             }
             _ => {
                 let opens = |(word, _): &&(&str, GroupKeyword)| *word == statement;
+                if KEPT.split(' ').any(|kept| kept == statement) {
+                    builder.mesh.order.push(FilePart::Statement(text.trim_ascii().into()));
+                }
                 if let Some(&(_, keyword)) = GroupKeyword::STATEMENTS.iter().find(opens) {
                     if groups.open(keyword, &text) {
                         builder.counts.add(ProblemKind::TooManyNames, Some(line));
@@ -81,10 +88,19 @@ pub(crate) fn read(text: &str) -> MeshBuilder {
         };
         let corners = words.map(|word| ignored.corner(word));
         let numbering = Numbering::OneBasedOrBack { read: vertices_read };
-        if let Some(index) = builder.element(element, corners, numbering, line) {
+        let untouched = builder.mesh.untouched.len();
+        if let Some(index) = builder.element(element, corners, numbering, Some(line)) {
             groups.add(element, index);
+            builder.mesh.order.push(match element {
+                ElementKind::Curve => FilePart::Curves(1),
+                _ => FilePart::Faces(1),
+            });
+        } else if builder.mesh.untouched.len() > untouched {
+            builder.mesh.order.push(FilePart::Untouched(1));
         }
     }
+    builder.examine_end(text);
+    builder.notes.extend(groups.note());
     builder.mesh.groups = groups.finish();
     builder.notes.extend(ignored.notes());
     builder
@@ -131,6 +147,9 @@ impl Ignored {
 /// polylines, in order and with their groups. Numbers have the fewest digits that read back to the
 /// same `f64`.
 ///
+/// A mesh that came from an OBJ file and whose elements are still those has their order and its
+/// statements as they came: empty groups, smoothing, and faces that were left as they are.
+///
 /// OBJ has no tetrahedra: they are left out. It has one `o` and one `usemtl` at a time: of several
 /// such groups of an element, the first is written. White space in the name of a `g` becomes `_`.
 pub fn write_obj(mesh: &Mesh, positions: &[Point]) -> String {
@@ -153,6 +172,25 @@ fn write(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
     for place in uv {
         push_row(&mut out, "vt", place);
     }
+    let mut elements = Elements { out, has_map: !uv.is_empty() };
+    if is_as_it_came(mesh) {
+        let [mut faces, mut curves, mut untouched] =
+            [&mesh.faces, &mesh.curves, &mesh.untouched].map(Ragged::iter);
+        for part in mesh.order.parts() {
+            let (statement, rows, count) = match part {
+                FilePart::Faces(count) => ('f', &mut faces, *count),
+                FilePart::Curves(count) => ('l', &mut curves, *count),
+                FilePart::Untouched(count) => ('f', &mut untouched, *count),
+                FilePart::Statement(text) => {
+                    elements.out.push_str(text);
+                    elements.out.push('\n');
+                    continue;
+                }
+            };
+            rows.take(count as usize).for_each(|row| elements.push(statement, row));
+        }
+        return elements.out;
+    }
     let members = members(mesh);
     let mut members = members.chunk_by(|a, b| a.0 == b.0).peekable();
     let mut open: &[(u32, u32)] = &[];
@@ -160,19 +198,65 @@ fn write(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
     let curves = mesh.curves.iter().map(|row| ('l', row));
     for (element, (statement, row)) in faces.chain(curves).enumerate() {
         let now = members.next_if(|run| run[0].0 as usize == element).unwrap_or_default();
-        push_groups(&mut out, &mesh.groups, open, now);
+        push_groups(&mut elements.out, &mesh.groups, open, now);
         open = now;
-        out.push(statement);
+        elements.push(statement, row);
+    }
+    if !mesh.untouched.is_empty() {
+        push_groups(&mut elements.out, &mesh.groups, open, &[]);
+        mesh.untouched.iter().for_each(|row| elements.push('f', row));
+    }
+    elements.out
+}
+
+/// Whether the faces, curves and groups of the mesh are those of the file that its order is of.
+fn is_as_it_came(mesh: &Mesh) -> bool {
+    let counts = [&mesh.faces, &mesh.curves, &mesh.untouched].map(Ragged::len);
+    if mesh.order.parts().is_empty() || !mesh.order.has(counts) {
+        return false;
+    }
+    let mut groups = Groups::default();
+    let mut next = [0; 2];
+    for part in mesh.order.parts() {
+        let (element, count) = match part {
+            FilePart::Faces(count) => (ElementKind::Face, *count),
+            FilePart::Curves(count) => (ElementKind::Curve, *count),
+            FilePart::Untouched(_) => continue,
+            FilePart::Statement(text) => {
+                let word = text.split_ascii_whitespace().next();
+                let opens = |(known, _): &&(&str, GroupKeyword)| word == Some(*known);
+                if let Some(&(_, keyword)) = GroupKeyword::STATEMENTS.iter().find(opens) {
+                    groups.open(keyword, text);
+                }
+                continue;
+            }
+        };
+        let first = &mut next[usize::from(element == ElementKind::Curve)];
+        (*first..*first + count).for_each(|index| groups.add(element, index));
+        *first += count;
+    }
+    groups.finish() == mesh.groups
+}
+
+/// A file with its vertices, to which elements are appended.
+struct Elements {
+    out: String,
+    /// Whether each vertex has texture coordinates of its number.
+    has_map: bool,
+}
+
+impl Elements {
+    fn push(&mut self, statement: char, row: &[u32]) {
+        self.out.push(statement);
         for &vertex in row {
-            out.push(' ');
-            push(&mut out, u64::from(vertex) + 1);
-            if !uv.is_empty() {
-                push(&mut out, format_args!("/{}", u64::from(vertex) + 1));
+            self.out.push(' ');
+            push(&mut self.out, u64::from(vertex) + 1);
+            if self.has_map {
+                push(&mut self.out, format_args!("/{}", u64::from(vertex) + 1));
             }
         }
-        out.push('\n');
+        self.out.push('\n');
     }
-    out
 }
 
 fn push_row(out: &mut String, statement: &str, numbers: &[f64]) {

@@ -41,6 +41,11 @@ impl<'a> Stream<'a> {
         word.parse().map_err(|_| self.fault(format!("expected {what}, found `{word}`")))
     }
 
+    /// The number of the line of the last word.
+    pub(crate) fn line(&self) -> usize {
+        self.line
+    }
+
     pub(crate) fn fault(&self, message: String) -> ReadFault {
         ReadFault { line: Some(self.line), message }
     }
@@ -85,7 +90,7 @@ impl<'a> Stream<'a> {
             first_line.get_or_insert(self.line);
             builder.defer_corner(whole(word));
         }
-        builder.defer_element(element, first_line.unwrap_or(self.line));
+        builder.defer_element(element, Some(first_line.unwrap_or(self.line)));
         Ok(self.drop_line())
     }
 }

@@ -3,7 +3,8 @@
 //! In addition to `"groups": {NAME: {"faces": LIST}}`, a group may have `"curves"` and the OBJ
 //! statement that named it, `"keyword": "o" | "g" | "usemtl"` (`g` if absent). Groups with the same
 //! name but different statements form an array. This way the groups of an OBJ file survive saving
-//! and loading a scene.
+//! and loading a scene. So do the faces that are left as they are, `"untouched": [[0, 1, 2, 0, 3, 4]]`,
+//! and the vertices without a position in the file, `"unplaced": LIST`.
 
 use crate::json::indices::{self, Indices};
 use crate::json::{Either, Entries, JsonError, object, points, present, word_or};
@@ -30,6 +31,10 @@ struct MeshFile {
     tets: Option<Vec<Indices>>,
     #[serde(default)]
     groups: Entries<SameName>,
+    #[serde(default, deserialize_with = "present")]
+    untouched: Option<Vec<Indices>>,
+    #[serde(default, deserialize_with = "indices::deserialize")]
+    unplaced: Vec<u32>,
 }
 
 #[derive(serde::Deserialize)]
@@ -100,7 +105,8 @@ impl<'de> Deserialize<'de> for Pose {
 }
 
 fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
-    let MeshFile { file, positions, faces, curves, tets, groups: Entries(groups) } = file;
+    let MeshFile { file, positions, faces, curves, tets, groups, untouched, mut unplaced } = file;
+    let Entries(groups) = groups;
     if let Some(path) = file {
         let others = [
             ("positions", positions.is_some()),
@@ -108,6 +114,8 @@ fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
             ("curves", curves.is_some()),
             ("tets", tets.is_some()),
             ("groups", !groups.is_empty()),
+            ("untouched", untouched.is_some()),
+            ("unplaced", !unplaced.is_empty()),
         ];
         if let Some((key, _)) = others.into_iter().find(|(_, given)| *given) {
             return Err(JsonError::unknown_key(key, &["file"]));
@@ -128,8 +136,16 @@ fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
         positions,
         faces: ragged("faces", faces, 3, count)?,
         curves: ragged("curves", curves, 2, count)?,
+        untouched: ragged("untouched", untouched, 3, count)?,
         ..Mesh::default()
     };
+    unplaced.sort_unstable();
+    unplaced.dedup();
+    if let Some(last) = unplaced.last().filter(|&&last| last as usize >= count) {
+        let message = format!("there is no vertex {last}: the mesh has {count}, counted from 0");
+        return Err(JsonError::new("unplaced", message));
+    }
+    mesh.unplaced = unplaced;
     for (i, tet) in ragged("tets", tets, 4, count)?.iter().enumerate() {
         mesh.tets.push(tet.try_into().map_err(|_| {
             let message = format!("found an array of {}, expected the four corners", tet.len());
@@ -248,6 +264,12 @@ pub(super) fn write<S: Serializer>(mesh: &Mesh, to: S) -> Result<S::Ok, S::Error
     }
     if !mesh.groups.is_empty() {
         map.serialize_entry("groups", &Groups(&mesh.groups))?;
+    }
+    if !mesh.untouched.is_empty() {
+        map.serialize_entry("untouched", &Rows(&mesh.untouched))?;
+    }
+    if !mesh.unplaced.is_empty() {
+        map.serialize_entry("unplaced", &Indices(&mesh.unplaced[..]))?;
     }
     map.end()
 }

@@ -1,7 +1,9 @@
 //! The shapes offered for all panels of a mesh, and the request for one of them.
 
 use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selector};
-use crate::mesh::{MESH_OPERATIONS, Mesh, Topology, mean_dihedral_angle};
+use crate::mesh::{
+    MESH_OPERATIONS, Mesh, ProblemKind, Topology, mean_dihedral_angle, untouched_words,
+};
 use crate::scene::{ConstraintSpec, Scene, SceneError};
 use crate::solve::Require;
 use serde::Serialize;
@@ -39,7 +41,10 @@ pub(super) fn is_of_triangles(mesh: &Mesh) -> bool {
 /// Returns the reason why the kind does not apply to `mesh`, if so.
 fn against(info: &Info, adjective: &str, mesh: &Mesh) -> Option<String> {
     if mesh.faces.is_empty() {
-        Some("There are no panels.".to_owned())
+        match mesh.untouched.len() {
+            0 => Some("There are no panels.".to_owned()),
+            faces => Some(format!("There are no panels: {}.", untouched_words(faces))),
+        }
     } else if is_of_triangles(mesh) {
         Some(format!("All panels are triangles, which are always {adjective}."))
     } else if fitting(info, mesh) == 0 {
@@ -134,7 +139,7 @@ fn known() -> String {
     KINDS.iter().map(|info| info.id).collect::<Vec<_>>().join(", ")
 }
 
-/// A change of the mesh for panels of one shape.
+/// A change of the mesh, for panels of one shape or to mend a problem.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct MeshRemedy {
@@ -142,7 +147,7 @@ pub struct MeshRemedy {
     pub words: String,
     /// The id of one of the [`MESH_OPERATIONS`].
     pub operation: &'static str,
-    /// Its label.
+    /// What it does: the label of a button.
     pub label: &'static str,
 }
 
@@ -164,6 +169,17 @@ const FLAT: f64 = 0.01;
 pub fn offers_new_panels(mesh: &Mesh, topology: &Topology) -> bool {
     let is_surface = mesh.tets.is_empty() && mesh.faces.len() >= FEWEST && is_of_triangles(mesh);
     is_surface && mean_dihedral_angle(mesh, topology, &mesh.positions) > FLAT
+}
+
+/// Returns the change of the mesh that mends a problem of it, if there is one.
+pub fn problem_remedy(kind: ProblemKind) -> Option<MeshRemedy> {
+    match kind {
+        ProblemKind::UnjoinedVertex => {
+            let words = "Nothing keeps the patches together at the seam.".to_owned();
+            Some(MeshRemedy { label: "Join them", ..MeshRemedy::new("join", words)? })
+        }
+        _ => None,
+    }
 }
 
 /// Returns the change of the mesh after which the offered kinds apply, if there is one: none applies

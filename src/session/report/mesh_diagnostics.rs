@@ -15,6 +15,7 @@ const ROUNDING: f64 = 1e-12;
 /// Problems whose elements are still in the mesh, with their names in queries.
 const PROBLEMS: &[(&str, ProblemKind)] = &[
     ("unused-vertices", ProblemKind::UnusedVertex),
+    ("unjoined-vertices", ProblemKind::UnjoinedVertex),
     ("duplicate-faces", ProblemKind::DuplicateFace),
     ("crowded-edges", ProblemKind::NonManifoldEdge),
     ("flipped-edges", ProblemKind::FlippedNeighbour),

@@ -22,8 +22,8 @@ pub struct Verdict {
     pub adjective: &'static str,
     /// How good the shape is.
     pub level: Level,
-    /// Why it is not good, the gravest reason first; empty for a poor one, which lacks panels or has
-    /// folded faces.
+    /// Why it is not good, the gravest reason first; for a poor one, which lacks panels or has folded
+    /// faces, only an open seam.
     pub flaws: Vec<Flaw>,
     /// Number of panels whose worst vertex is within the tolerance.
     pub within: usize,
@@ -58,6 +58,9 @@ pub struct Verdict {
     pub shortest_edge: f64,
     /// The fraction of the area that is lost, after wrinkles are smoothed away.
     pub area_lost: f64,
+    /// The largest distance between boundary vertices that lie on each other at rest, without being
+    /// joined.
+    pub seam: f64,
     /// The attempts of the search that led to the shape; empty if none did.
     pub attempts: Vec<Tried>,
     /// The name of the attempt that found it; empty if none did.
@@ -141,10 +144,16 @@ impl Verdict {
             (beyond > 0).then_some(EasedPanels { panels: beyond, within: eased.within })
         });
         let measure = model.cache.shape_measure(model.scene, model.rest);
-        let (level, flaws) = match within + eased.map_or(0, |eased| eased.panels) == faces.len() {
-            true => measure.level(eased.is_some(), edge),
-            false => (Level::Poor, Vec::new()),
-        };
+        let (mut level, mut flaws) =
+            match within + eased.map_or(0, |eased| eased.panels) == faces.len() {
+                true => measure.level(eased.is_some(), edge),
+                false => (Level::Poor, Vec::new()),
+            };
+        let seam = model.rest.seam_at(model.scene.positions());
+        if seam > tolerance {
+            flaws.insert(0, Flaw::SeamOpened);
+            level = level.max(Level::Fair);
+        }
         let chosen = search.and_then(|met| met.tried.get(met.chosen?));
         Some(Verdict {
             kind: kind.id,
@@ -166,6 +175,7 @@ impl Verdict {
             bend: measure.bend,
             shortest_edge: measure.shortest_edge,
             area_lost: measure.area_lost,
+            seam,
             attempts: search.map_or_else(Vec::new, |met| met.tried.clone()),
             chosen: chosen.map_or_else(String::new, |tried| tried.name.clone()),
         })

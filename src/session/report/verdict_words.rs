@@ -84,6 +84,10 @@ impl Verdict {
         let edges = |far: f64| edges(far / scale.edge);
         match flaw {
             Flaw::Eased => String::new(),
+            Flaw::SeamOpened => format!(
+                "A seam opened by {}: its vertices lie on each other but are not joined.",
+                edges(self.seam)
+            ),
             Flaw::Rougher | Flaw::Flatter => self.bend.words(),
             Flaw::Away => {
                 format!("The surface moved by up to {}.", edges(self.surface.max))
@@ -191,6 +195,7 @@ mod tests {
             bend: Bend { rest: 3.6, now: 4.0, change: None },
             shortest_edge: 0.8,
             area_lost: 0.0,
+            seam: 0.75,
             attempts: Vec::new(),
             chosen: String::new(),
         }
@@ -264,6 +269,10 @@ mod tests {
             (Flaw::OffBoundary, "The boundary moved by up to 22 % of an edge. All "),
             (Flaw::Short, "An edge has 80 % of its length. All "),
             (Flaw::Eased, "All 800 "),
+            (
+                Flaw::SeamOpened,
+                "A seam opened by 1.5 edges: its vertices lie on each other but are not joined. All ",
+            ),
         ] {
             assert!(with(flaw).starts_with(words), "{}", with(flaw));
         }

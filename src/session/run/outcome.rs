@@ -22,6 +22,8 @@ pub enum Level {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 #[serde(rename_all = "kebab-case")]
 pub enum Flaw {
+    /// Boundary vertices that lay on each other, without being joined, are apart.
+    SeamOpened,
     /// Panels have a larger tolerance than required.
     Eased,
     /// Neighbouring faces meet at clearly larger angles.

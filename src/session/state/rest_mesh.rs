@@ -3,7 +3,7 @@
 use crate::math::{Vec3, key_of_pair, sort_by_number};
 use crate::mesh::{
     BoundaryCurve, BoundaryCurves, BoundingSphere, Group, Mesh, Point, Surface, Topology,
-    folded_faces, mean_dihedral_angle, smoothed_area,
+    folded_faces, mean_dihedral_angle, seams, smoothed_area,
 };
 use crate::solve::Moved;
 use std::cell::{OnceCell, RefCell};
@@ -28,6 +28,8 @@ pub(crate) struct RestMesh {
     smoothed_area: OnceCell<f64>,
     /// See [`RestMesh::original`].
     original: RefCell<Option<(Rc<Mesh>, Option<Rc<Surface>>)>>,
+    /// See [`seams`].
+    seams: OnceCell<Vec<[u32; 2]>>,
     generation: u32,
     lost: Vec<String>,
 }
@@ -45,6 +47,7 @@ impl RestMesh {
             boundary: OnceCell::new(),
             smoothed_area: OnceCell::new(),
             original: RefCell::default(),
+            seams: OnceCell::new(),
             generation: 0,
             lost: Vec::new(),
         }
@@ -137,6 +140,14 @@ impl RestMesh {
             *known = Some((Rc::clone(target), lies.then(|| Rc::new(surface))));
         }
         known.as_ref().and_then(|(_, surface)| surface.clone())
+    }
+
+    /// Returns the largest distance at `now` (`#V by 3`) between boundary vertices that lie on each
+    /// other at rest without being joined.
+    pub(crate) fn seam_at(&self, now: &[Point]) -> f64 {
+        let at = |v: u32| Vec3::from(now[v as usize]);
+        let pairs = self.seams.get_or_init(|| seams(&self.mesh)).iter();
+        pairs.map(|&[a, b]| (at(a) - at(b)).length()).fold(0.0, f64::max)
     }
 
     /// Returns the vertices of each boundary loop, except corners, which are on the curve as well,

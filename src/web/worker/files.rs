@@ -112,12 +112,18 @@ impl Solver {
         Ok(self.open()?.obj())
     }
 
+    /// Returns the current shape as a mesh file with this ending, such as `ply`.
+    #[wasm_bindgen(js_name = meshFile)]
+    pub fn mesh_file(&self, ending: &str) -> Result<Vec<u8>, JsValue> {
+        Ok(self.open()?.mesh_file(ending, None))
+    }
+
     /// Returns the current shape as OBJ with the vertices and faces of the file before welding.
     #[wasm_bindgen(js_name = objUnwelded)]
-    pub fn obj_unwelded(&self) -> Result<String, JsValue> {
+    pub fn obj_unwelded(&self) -> Result<Vec<u8>, JsValue> {
         let session = self.open()?;
         let weld = self.weld.as_ref().filter(|_| session.mesh_generation() == 0);
-        Ok(weld.map_or_else(|| session.obj(), |weld| session.obj_unwelded(weld)))
+        Ok(session.mesh_file("obj", weld))
     }
 
     /// The current shape as OBJ with the texture coordinates `uv` (`#V by 2`) of each vertex.

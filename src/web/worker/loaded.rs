@@ -1,7 +1,9 @@
 //! The summary of a file that was opened.
 
 use crate::mesh::{Read, Weld, diagonal};
-use crate::scene::{MeshRemedy, PanelOffer, Up, offers_new_panels, panel_offers, panel_remedy};
+use crate::scene::{
+    MeshRemedy, PanelOffer, Up, offers_new_panels, panel_offers, panel_remedy, problem_remedy,
+};
 use crate::session::{FACE_MEASURES, Guessed, Session, flaw_of};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -73,6 +75,8 @@ struct Problem {
     line: Option<usize>,
     /// The name for querying the elements with this problem; none if they are not in the mesh.
     flaw: Option<&'static str>,
+    /// A change of the mesh that mends it.
+    remedy: Option<MeshRemedy>,
 }
 
 impl Loaded {
@@ -122,6 +126,7 @@ impl Loaded {
                     count: p.count,
                     line: p.line,
                     flaw: flaw_of(p.kind),
+                    remedy: problem_remedy(p.kind),
                 })
                 .collect(),
             notes: read.notes.clone(),

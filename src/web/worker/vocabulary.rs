@@ -3,6 +3,7 @@
 use super::solver::Solver;
 use crate::constraint::{Info, KINDS, Kind, Sketch};
 use crate::fabricate::{BUILD_NUMBERS, BuildNumber};
+use crate::mesh::{FILE_FORMATS, FileFormat};
 use crate::session::{FACE_MEASURES, FaceMeasure, OPERATIONS, Operation, SETTINGS, Setting};
 use crate::web::values::{Js, plains};
 use serde::Serialize;
@@ -39,6 +40,12 @@ impl Solver {
     /// Returns the measures of faces.
     pub fn measures(&self) -> Result<Vec<Js<FaceMeasure>>, JsValue> {
         plains(FACE_MEASURES)
+    }
+
+    /// Returns the file formats of models.
+    #[wasm_bindgen(js_name = fileFormats)]
+    pub fn file_formats(&self) -> Result<Vec<Js<FileFormat>>, JsValue> {
+        plains(FILE_FORMATS)
     }
 
     /// Returns the declared selection operations.

@@ -1,86 +1,73 @@
 /**
- * Converts a Rhino file to OBJ text. Meshes become faces, with one group per layer. Polylines
- * become curves, except that those exported from here as panels become faces; in a file without a
- * mesh, all closed polylines do. Coincident corners are welded: Rhino stores objects separately.
+ * Converts a Rhino file to OBJ text. Meshes become faces, with one group per layer, named by its full
+ * path. Polylines become curves, except that those exported from here as panels become faces; in a file
+ * without a mesh, all closed polylines do. Coincident corners are welded: Rhino stores objects separately.
  */
 
-import { NAMES, ROLE, rhino } from './rhino.ts';
+import { count } from '../../ui/format.ts';
+import { NAMES, rhino, type Point } from './rhino.ts';
+import { objectsOf, unreadWords, type Face, type Line } from './rhino-objects.ts';
 import type { NamedBytes } from '../../solver/types.ts';
-
-type Point = [number, number, number];
-type Face = { layer: string; corners: Point[] };
 
 /** Welding distance, relative to the size: many Rhino meshes store seven digits. */
 const SAME = 1e-6;
 
-export async function meshFromRhino({ name, bytes }: NamedBytes): Promise<NamedBytes> {
+/** A mesh, and what of the Rhino file is not in it. */
+export type FromRhino = NamedBytes & {
+  /** how many objects are hidden or on layers that are off */
+  hidden: number;
+  /** a sentence for what cannot be read; empty if there is nothing */
+  unread: string;
+};
+
+/** @param withHidden takes hidden objects and those on layers that are off */
+export async function meshFromRhino(
+  { name, bytes }: NamedBytes,
+  withHidden: boolean,
+): Promise<FromRhino> {
   const api = await rhino();
   const file = api.File3dm.fromByteArray(bytes);
   if (!file) throw new Error(`${name}: this is not a Rhino file, or it is damaged.`);
   try {
-    const { faces, curves, others } = objectsOf(file);
+    const { faces: meshed, lines, leftOut } = objectsOf(api, file, withHidden);
+    const { faces, curves } = withPanels(meshed, lines);
+    const unread = unreadWords(leftOut);
     if (faces.length + curves.length === 0) {
+      const hidden = count(leftOut.hidden, 'object is', 'objects are');
       throw new Error(
-        others > 0
-          ? `${name} contains ${others} ${others === 1 ? 'object' : 'objects'} but no mesh or polyline. Convert surfaces with Rhino’s Mesh command.`
-          : `${name} contains no mesh or polyline.`,
+        [
+          `${name} contains no mesh or polyline${leftOut.hidden > 0 ? ' that is shown' : ''}.`,
+          leftOut.hidden > 0 && `${hidden} hidden or on a layer that is off: show them in Rhino.`,
+          unread,
+        ]
+          .filter(Boolean)
+          .join(' '),
       );
     }
     const system = file.settings().modelUnitSystem;
     const units = Object.keys(NAMES).find((unit) => api.UnitSystem[NAMES[unit]] === system);
     const text = objText(faces, curves, units);
-    return { name: name.replace(/\.3dm$/i, '.obj'), bytes: new TextEncoder().encode(text) };
+    return {
+      name: name.replace(/\.3dm$/i, '.obj'),
+      bytes: new TextEncoder().encode(text),
+      hidden: leftOut.hidden,
+      unread,
+    };
   } finally {
     file.delete();
   }
 }
 
-/** Collects the faces and curves of the file, and counts the other objects. */
-function objectsOf(file: any) {
-  const faces: Face[] = [];
-  const lines: (Face & { role: string | undefined })[] = [];
-  let others = 0;
-  const objects = file.objects();
-  for (let i = 0; i < objects.count; i++) {
-    const object = objects.get(i);
-    const geometry = object.geometry();
-    const attributes = object.attributes();
-    const layer = layerName(file, attributes.layerIndex);
-    if (geometry?.faces && geometry.vertices && !geometry.edges) {
-      faces.push(...facesOf(geometry, layer));
-    } else if (geometry?.isPolyline?.()) {
-      const corners = cornersOf(geometry);
-      lines.push({ layer, corners, role: attributes.getUserString(ROLE) || undefined });
-    } else {
-      others += 1;
-    }
-  }
-  const hasMesh = faces.length > 0;
-  const isPanel = ({ corners, role }: Face & { role: string | undefined }) =>
+/** Makes faces of the polylines that are panels; the others are curves. */
+function withPanels(meshed: Face[], lines: Line[]) {
+  const hasMesh = meshed.length > 0;
+  const isPanel = ({ corners, role }: Line) =>
     isClosed(corners) && corners.length > 3 && (role ? role === 'panel' : !hasMesh);
-  for (const line of lines.filter(isPanel)) {
-    faces.push({ layer: line.layer, corners: line.corners.slice(0, -1) });
-  }
-  return { faces, curves: lines.filter((line) => !isPanel(line)), others };
-}
-
-function layerName(file: any, index: number): string {
-  const layers = file.layers();
-  return index >= 0 && index < layers.count ? layers.get(index).name : '';
-}
-
-function facesOf(mesh: any, layer: string): Face[] {
-  const [vertices, faces] = [mesh.vertices(), mesh.faces()];
-  return Array.from({ length: faces.count }, (_, i) => {
-    const [a, b, c, d] = faces.get(i);
-    // A triangle repeats its last corner.
-    const corners = c === d ? [a, b, c] : [a, b, c, d];
-    return { layer, corners: corners.map((vertex) => vertices.point3dAt(vertex)) };
-  });
-}
-
-function cornersOf(polyline: any): Point[] {
-  return Array.from({ length: polyline.pointCount }, (_, i) => polyline.point(i));
+  const panels = lines.filter(isPanel).map(({ layer, corners }) => ({
+    layer,
+    corners: corners.slice(0, -1),
+  }));
+  return { faces: [...meshed, ...panels], curves: lines.filter((line) => !isPanel(line)) };
 }
 
 function isClosed(corners: Point[]) {

@@ -6,16 +6,8 @@
  * built: named objects on coloured layers.
  */
 
-import {
-  addLayer,
-  addMesh,
-  addPolyline,
-  attributesOf,
-  NAMES,
-  rhino,
-  ROLE,
-  type Point,
-} from './rhino.ts';
+import { addLayer, addMesh, addPolyline, attributesOf, NAMES, rhino, type Point } from './rhino.ts';
+import { ROLE } from './rhino-objects.ts';
 import { byLayer, pointsOf } from './scene-lists.ts';
 import type { SpatialPart } from '../../solver/types.ts';
 

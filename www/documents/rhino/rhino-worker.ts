@@ -9,7 +9,7 @@ import { meshFromRhino } from './rhino-in.ts';
 import { rhinoFile, rhinoParts } from './rhino-out.ts';
 
 const methods = {
-  /** The mesh in a file, as OBJ. */
+  /** The mesh in a file, as OBJ. Hidden objects are in it if asked for. */
   read: meshFromRhino,
   /** A scene with the table of its face errors, as a file. */
   write: rhinoFile,

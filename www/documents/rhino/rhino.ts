@@ -16,9 +16,6 @@ export function rhino(): Promise<any> {
   });
 }
 
-/** Key of the user text that gives the role of a polyline. */
-export const ROLE = 'shape-up';
-
 /** Rhino's name of each unit symbol. */
 export const NAMES: Record<string, string> = Object.fromEntries(
   UNITS.map(({ symbol, rhino }) => [symbol, rhino]),

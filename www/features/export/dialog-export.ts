@@ -80,6 +80,18 @@ export function showExport(app: AppContext) {
             'With the vertices of the file, before coincident ones were joined',
             () => files.exportUnwelded(),
           ),
+        format(
+          'PLY',
+          'Faces and curves in full precision, for scans and 3D programs',
+          () => files.exportAs('ply'),
+          !curvesOnly,
+        ),
+        format(
+          'STL',
+          'Triangles in seven digits, for 3D printers',
+          () => files.exportAs('stl'),
+          !curvesOnly,
+        ),
         format('3DM', 'For Rhino, with a layer for each group', () => saveForRhino(app)),
         format('Scene', 'The mesh with its constraints, handles and weights', () =>
           files.saveScene(),

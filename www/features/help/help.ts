@@ -6,6 +6,7 @@ import { dialogHead, openDialog } from '../../ui/controls/dialog.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { copyText } from '../../ui/output.ts';
 import type { Command } from '../../app/context.ts';
+import type { FileFormat } from '../../solver/types.ts';
 
 /** Actions of the pointer; see `pointer.ts`. */
 const POINTER: [string, string][] = [
@@ -35,7 +36,14 @@ const VIEW_KEYS: [string, string][] = [
   ['Alt + drag', 'on a vertex: make it a handle and move it'],
 ];
 
-export function showHelp(dialog: HTMLDialogElement, commands: Command[]) {
+/** @param formats of files; without an engine there are none */
+export function showHelp(
+  dialog: HTMLDialogElement,
+  commands: Command[],
+  formats: Promise<FileFormat[]>,
+) {
+  const files = element('section.files', { 'aria-live': 'polite' });
+  formats.then((known) => files.replaceChildren(...filesTable(known))).catch(() => files.remove());
   const bound = commands.filter((command) => command.keys.length > 0);
   const groups = [...new Set(bound.map((command) => command.group))];
   dialog.replaceChildren(
@@ -54,6 +62,7 @@ export function showHelp(dialog: HTMLDialogElement, commands: Command[]) {
         ]),
       ),
     ),
+    files,
     element(
       'p.about',
       'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012. ',
@@ -66,6 +75,32 @@ export function showHelp(dialog: HTMLDialogElement, commands: Command[]) {
     if (event.target === dialog) dialog.close();
   };
   dialog.showModal();
+}
+
+/** What is read and written of each format. */
+function filesTable(formats: FileFormat[]) {
+  const row = ({ name, endings, reads, writes, leaves_out }: FileFormat) =>
+    element(
+      'tr',
+      element('th', { scope: 'row' }, name, ' ', element('span', `.${endings.join(' .')}`)),
+      ...[reads, writes, leaves_out].map((words) => element('td', words || '–')),
+    );
+  const heads = ['Format', 'Read', 'Written', 'Not'].map((head) =>
+    element('th', { scope: 'col' }, head),
+  );
+  return [
+    element('h3', { id: 'files-title' }, 'Files'),
+    element(
+      'div',
+      { tabindex: '0', role: 'region', 'aria-labelledby': 'files-title' },
+      element(
+        'table',
+        { 'aria-labelledby': 'files-title' },
+        element('thead', element('tr', ...heads)),
+        element('tbody', ...formats.map(row)),
+      ),
+    ),
+  ];
 }
 
 function keysOf({ keys, label }: Command): [(Node | string)[], string] {

@@ -10,6 +10,7 @@ import { element, setText } from '../../ui/dom.ts';
 import { count, length } from '../../ui/format.ts';
 import { isHard } from '../../store/state.ts';
 import { showExactVerdict } from './exact-verdict.ts';
+import { meshActions } from '../../store/mesh-actions.ts';
 import { showElements } from '../../viewport/camera.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Edit } from '../../solver/types.ts';
@@ -22,6 +23,7 @@ export function watchConditions(app: AppContext) {
   const { store, solver, files, alerts, actions } = app;
   const place = element('div', { 'aria-live': 'polite', id: 'conditions' });
   document.getElementById('messages')?.append(place);
+  const mesh = meshActions(store, solver, actions);
   /** Number of zero-area faces when last counted. */
   let flat = 0;
   /** The current message. */
@@ -32,7 +34,14 @@ export function watchConditions(app: AppContext) {
     const { problems = [] } = store.get().model ?? {};
     const isListed = document.getElementById('model')?.checkVisibility();
     if (problems.length === 0 || isListed) return void lookForFlatFaces();
-    alerts.notice(`${count(problems.length, 'problem')}, see Model: ${problems[0].message}`);
+    const { message, remedy } = problems.find((problem) => problem.remedy) ?? problems[0];
+    const mend = remedy && {
+      label: remedy.label,
+      action: () =>
+        actions.reportErrors(mesh.remesh({ operation: remedy.operation }, remedy.label)),
+    };
+    const words = `${count(problems.length, 'problem')}, see Model: ${message}`;
+    alerts.notice(words, ...(mend ? [mend] : []));
   }
 
   async function lookForFlatFaces() {

@@ -121,6 +121,14 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         apply: vertices::weld,
     },
     MeshOperation {
+        id: "join",
+        label: "Join seams",
+        summary: "Merges boundary vertices that lie on each other without being joined, as between two patches.",
+        picks: Picks::Nothing,
+        sizes: &[],
+        apply: vertices::join,
+    },
+    MeshOperation {
         id: "merge-vertices",
         label: "Merge vertices",
         summary: "Merges the selected vertices into one at their centre.",

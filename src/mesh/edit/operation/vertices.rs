@@ -1,10 +1,10 @@
-//! Welding, merging and snapping vertices.
+//! Welding, joining, merging and snapping vertices.
 
 use super::declaration::{OperationError, Task};
-use crate::mesh::Point;
+use crate::mesh::coincident::first_within;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::{Rebuild, Touching};
-use crate::mesh::edit::weld::first_within;
+use crate::mesh::{Point, seams};
 
 /// Welds each picked vertex to the first picked vertex within the size.
 pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
@@ -27,6 +27,18 @@ pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
     }
     let kept = rebuild.keep(task.all_faces());
     kept.map_err(|Touching(face)| OperationError::TouchingWithin(face))?;
+    Ok(rebuild.finish())
+}
+
+/// Merges each boundary vertex that lies on another one with it: see [`seams`].
+pub(super) fn join(task: &Task<'_>) -> Result<Edited, OperationError> {
+    let pairs = seams(task.mesh);
+    if pairs.is_empty() {
+        return Err(OperationError::Expected("boundary vertices that lie on each other"));
+    }
+    let mut rebuild = Rebuild::new(task.mesh);
+    pairs.iter().for_each(|&[v, first]| rebuild.merge(&[v, first], &[first]));
+    rebuild.keep(task.all_faces())?;
     Ok(rebuild.finish())
 }
 

@@ -1,15 +1,15 @@
 //! A polygon as triangles.
 
-use crate::fabricate::surface::unit;
-use crate::math::plane::{Point2, bounds, distance};
-use crate::math::{Vec3, polygon_sides, twice_vector_area};
+use super::plane::{Point2, bounds, distance};
+use super::polygon::{polygon_sides, twice_vector_area};
+use super::vec3::Vec3;
 
 /// Distance from a line within which a corner lies on it, as a fraction of the size of the polygon.
 const STRAIGHT: f64 = 1e-9;
 
 /// Cuts off ears, the one with the shortest diagonal first: triangles as corners, counterclockwise.
 /// A straight corner is never the tip of an ear, whatever its rounding.
-pub(in crate::fabricate) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
+pub fn ears(polygon: &[Point2]) -> Vec<[usize; 3]> {
     let [low, high] = bounds(polygon.iter().copied());
     let least = STRAIGHT * distance(low, high);
     let mut left: Vec<usize> = (0..polygon.len()).collect();
@@ -45,7 +45,7 @@ pub(in crate::fabricate) fn triangles(polygon: &[Point2]) -> Vec<[usize; 3]> {
 
 /// A polygon in space as triangles: a fan around the first corner for which no triangle is flipped,
 /// or, if there is none, the triangles of the polygon seen along its normal.
-pub(in crate::fabricate) fn triangles_in_space(corners: &[Vec3<f64>]) -> Vec<[usize; 3]> {
+pub fn triangles_in_space(corners: &[Vec3<f64>]) -> Vec<[usize; 3]> {
     let n = corners.len();
     let outside = twice_vector_area(corners.iter().copied());
     let around = |from: usize| (2..n).map(move |k| [from, (from + k - 1) % n, (from + k) % n]);
@@ -64,11 +64,16 @@ pub(in crate::fabricate) fn triangles_in_space(corners: &[Vec3<f64>]) -> Vec<[us
     let x = along.reduce(|a, b| if a == Vec3::zero() { b } else { a }).unwrap_or(Vec3::zero());
     let y = normal.cross(x);
     let flat: Vec<Point2> = corners.iter().map(|p| [p.dot(x), p.dot(y)]).collect();
-    triangles(&flat)
+    ears(&flat)
+}
+
+/// Normalises a vector; zero if it has no direction.
+fn unit(v: Vec3<f64>) -> Vec3<f64> {
+    v.length_and_direction().1.unwrap_or(Vec3::zero())
 }
 
 /// Twice the signed area of a triangle, positive if counterclockwise.
-pub(in crate::fabricate) fn turn(a: Point2, b: Point2, c: Point2) -> f64 {
+pub fn turn(a: Point2, b: Point2, c: Point2) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
@@ -79,13 +84,12 @@ mod tests {
     #[test]
     fn a_quad_is_cut_along_its_shorter_diagonal_and_a_notch_is_left_out() {
         let kite = [[0.0, 0.0], [3.0, -1.0], [6.0, 0.0], [3.0, 1.0]];
-        let found = triangles(&kite);
+        let found = ears(&kite);
         assert_eq!(found.len(), 2);
         assert!(found.iter().all(|own| own.contains(&1) && own.contains(&3)));
         let notched = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.0, 1.0], [0.0, 3.0]];
-        let areas = triangles(&notched)
-            .into_iter()
-            .map(|[a, b, c]| turn(notched[a], notched[b], notched[c]));
+        let areas =
+            ears(&notched).into_iter().map(|[a, b, c]| turn(notched[a], notched[b], notched[c]));
         let areas: Vec<f64> = areas.collect();
         assert!(areas.iter().all(|twice| *twice > 0.0));
         assert_eq!(areas.iter().sum::<f64>(), 16.0);
@@ -98,7 +102,7 @@ mod tests {
         for k in 0..200 {
             let (s, c) = libm::sincos(0.1 + 0.37 * f64::from(k));
             let turned = quad.map(|[x, y]| [7.1 + c * x - s * y, s * x + c * y - 3.3]);
-            let found = triangles(&turned);
+            let found = ears(&turned);
             let areas = || found.iter().map(|&[a, b, c]| turn(turned[a], turned[b], turned[c]));
             assert!(found.len() == 4 && areas().all(|twice| twice > 0.5), "{k}: {found:?}");
         }

@@ -1,0 +1,107 @@
+// Files as they come: open seams, PLY and STL, what a Rhino file hides, and the table in the help.
+
+import { exported, openText, showPanel } from '../actions.ts';
+import { expect, looks, openPage, state, test, waitForState } from '../support.ts';
+
+test.use({ sameDocument: true });
+
+/** Two quads side by side, with vertices of their own along the seam. */
+const PATCHES =
+  'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0.5\nv 1 1 0\nf 1 2 3 4\nf 5 6 7 8\n';
+
+test(
+  'an open seam is named, and joined by one press that can be undone',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'patches.obj', PATCHES, 8);
+    await showPanel(page, 'Model');
+    const panel = page.getByRole('listitem').filter({ hasText: '2 boundary vertices that lie on' });
+    await expect(panel).toContainText('line 5');
+    await panel.getByRole('button', { name: 'Join them' }).click();
+    await waitForState(page, (now) => now.vertices === 6);
+    expect((await state(page)).problems).toHaveLength(0);
+    await page.getByRole('button', { name: 'Undo', exact: true }).click();
+    await waitForState(page, (now) => now.vertices === 8);
+  },
+);
+
+test('PLY and STL are opened as they are exported', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'patches.obj', PATCHES, 8);
+  for (const [format, ending, vertices, faces] of [
+    ['PLY', 'ply', 8, 2],
+    ['STL', 'stl', 6, 4],
+  ] as const) {
+    const { name, bytes } = await exported(page, format);
+    expect(name).toBe(`patches.${ending}`);
+    const given = { name, mimeType: 'application/octet-stream', buffer: bytes };
+    await page.getByLabel('Open file').setInputFiles(given);
+    await waitForState(page, (now) => now.problems.length < 9);
+    await expect(page.getByRole('status')).toContainText(
+      `Opened patches.${ending}: ${vertices} vertices, ${faces} faces`,
+    );
+    await openText(page, 'patches.obj', PATCHES, 8);
+  }
+});
+
+test('hidden objects of a Rhino file are left out, counted, and loaded if asked for', async ({
+  page,
+}) => {
+  await openPage(page);
+  const { default: openRhino } = await import('rhino3dm');
+  const rhino: any = await openRhino();
+  const file = new rhino.File3dm();
+  for (const [x, visible] of [
+    [0, true],
+    [5, false],
+  ] as const) {
+    const mesh = new rhino.Mesh();
+    for (const [a, b] of [
+      [0, 0],
+      [1, 0],
+      [1, 1],
+      [0, 1],
+    ])
+      mesh.vertices().addPoint3d(x + a, b, a * b);
+    mesh.faces().addQuadFace(0, 1, 2, 3);
+    const attributes = new rhino.ObjectAttributes();
+    attributes.visible = visible;
+    file.objects().addMesh(mesh, attributes);
+  }
+  file.objects().addSphere(new rhino.Sphere([0, 0, 0], 1), new rhino.ObjectAttributes());
+  const buffer = Buffer.from(file.toByteArray());
+  const given = { name: 'hidden.3dm', mimeType: 'application/octet-stream', buffer };
+  await page.getByLabel('Open file').setInputFiles(given);
+  await waitForState(page, (now) => now.vertices === 4);
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('1 surface or solid was left out: convert with Rhino’s Mesh');
+  await expect(alert).toContainText(
+    '1 object is hidden or on a layer that is off, and not loaded.',
+  );
+  await alert.getByRole('button', { name: 'Load it too' }).click();
+  await waitForState(page, (now) => now.vertices === 8);
+  await expect(alert).not.toContainText('hidden');
+});
+
+test(
+  'the help has the table of formats, and the file chooser offers what is read',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await page.keyboard.press('?');
+    const help = page.getByRole('dialog', { name: 'Mouse and keys' });
+    const rows = help.getByRole('table', { name: 'Files' }).getByRole('row');
+    await expect(rows.filter({ hasText: 'PLY' })).toContainText('text and binary');
+    const read = await rows.evaluateAll((all) =>
+      all.flatMap((row) => {
+        const [, reads] = [...row.children].map((cell) => cell.textContent);
+        const endings = row.querySelector('span')?.textContent ?? '';
+        return row.querySelector('td') && reads !== '–' ? endings.split(' ') : [];
+      }),
+    );
+    const accepted = (await page.getByLabel('Open file').getAttribute('accept')) ?? '';
+    expect(accepted.split(',').sort()).toEqual(read.sort());
+    await page.keyboard.press('Escape');
+  },
+);
