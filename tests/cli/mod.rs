@@ -266,7 +266,7 @@ fn an_output_replaces_the_file_of_its_name_but_never_the_input() {
             vec!["solve", "s.shapeup.json", "--out", "s.shapeup.json"],
             "--out writes .obj, .ply, .stl or .mesh",
         ),
-        (vec!["solve", "roof.obj", "--out", "x.stl"], "found `x.stl`"),
+        (vec!["solve", "roof.obj", "--out", "x.off"], "found `x.off`"),
         (vec!["solve", "roof.obj", "--out", "./roof.obj"], "--out would replace the input"),
         (vec!["solve", "s.shapeup.json", "--report", "s.shapeup.json"], "--report would replace"),
         (vec!["check", "roof.obj", "--report", "roof.obj"], "--report would replace"),

@@ -117,7 +117,7 @@ fn awkward() -> Vec<Expected> {
                 ("g", "Group08", 6, 0),
                 ("g", "Group01", 6, 0),
             ],
-            notes: &["165 vertices lie exactly on an earlier one, first at line 9"],
+            problems: &[(UnjoinedVertex, 165, 9)],
             ..none
         },
         Expected {
@@ -208,7 +208,7 @@ fn awkward() -> Vec<Expected> {
                 ("o", "short_block", 5, 0),
                 ("o", "tall_block", 5, 0),
             ],
-            problems: &[(UnusedVertex, 4, 50)],
+            problems: &[(UnusedVertex, 4, 50), (UnjoinedVertex, 44, 43)],
             notes: &["47 vertices lie exactly on an earlier one, first at line 43"],
             ..none
         },
@@ -230,7 +230,11 @@ fn awkward() -> Vec<Expected> {
                 ("o", "short_block", 5, 0),
                 ("o", "tall_block", 5, 0),
             ],
-            problems: &[(NonFiniteCoordinate, 4, 12), (UnusedVertex, 4, 57)],
+            problems: &[
+                (NonFiniteCoordinate, 4, 12),
+                (UnusedVertex, 4, 57),
+                (UnjoinedVertex, 40, 51),
+            ],
             notes: &["43 vertices lie exactly on an earlier one, first at line 51"],
             ..none
         },
@@ -363,6 +367,7 @@ fn every_file_that_is_read_is_the_same_after_it_is_written() {
         let Ok(Read { mesh, .. }) = read_file(&file) else { continue };
         let text = write_obj(&mesh, &mesh.positions);
         let again = read("again.obj", text.as_bytes()).expect("what we write is read").mesh;
-        assert_eq!(again, Mesh { tets: Vec::new(), ..mesh }, "{}", file.0);
+        // What is a guess is a number in the file.
+        assert_eq!(again, Mesh { tets: Vec::new(), unplaced: Vec::new(), ..mesh }, "{}", file.0);
     }
 }

@@ -50,7 +50,7 @@ test('hidden objects of a Rhino file are left out, counted, and loaded if asked 
 }) => {
   await openPage(page);
   const { default: openRhino } = await import('rhino3dm');
-  const rhino: any = await openRhino();
+  const rhino = await openRhino();
   const file = new rhino.File3dm();
   for (const [x, visible] of [
     [0, true],
