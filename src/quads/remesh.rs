@@ -6,7 +6,7 @@ use super::part::{Asked, Part};
 use super::remeshed::{notes_on, together, without};
 use super::surface::{InputParts, InputSurface, LeftPart};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Surface};
 
 /// If parts with more than this fraction of the area cannot be covered, nothing is.
 const MOST_LEFT: f64 = 0.5;
@@ -24,6 +24,23 @@ pub struct Remesher {
     stay: Vec<u32>,
     /// The last of each choice at the boundary: both are asked for in turn.
     kept: Vec<Kept>,
+    /// What the last result was measured against.
+    measured: Option<Measured>,
+}
+
+/// The input without the faces that stay.
+struct Measured {
+    staying: Vec<u32>,
+    mesh: Mesh,
+    surface: Surface,
+}
+
+impl Measured {
+    fn new(input: &Mesh, staying: &[u32]) -> Measured {
+        let mesh = without(input, staying);
+        let surface = Surface::new(&mesh.positions, &mesh);
+        Measured { staying: staying.to_vec(), mesh, surface }
+    }
 }
 
 /// The maps of all parts for panels of one size.
@@ -59,7 +76,7 @@ impl Remesher {
         let (positions, faces) = (mesh.positions.clone(), mesh.faces.clone());
         let mesh = Mesh { positions, faces, ..Mesh::default() };
         let stay = stay.to_vec();
-        Ok(Remesher { mesh, surfaces, area, left, stay, kept: Vec::new() })
+        Ok(Remesher { mesh, surfaces, area, left, stay, kept: Vec::new(), measured: None })
     }
 
     /// Covers the surface; see [`remesh`]. The result does not depend on what was asked before.
@@ -125,11 +142,10 @@ impl Remesher {
         let staying: Vec<u32> =
             left.iter().flat_map(|part| &part.faces).chain(&self.stay).copied().collect();
         let cuts = options.boundary == Boundary::Cut;
-        // What stays is not measured.
-        let mut found = match staying.is_empty() {
-            true => together(mesh, parts, cuts, units),
-            false => together(&without(mesh, &staying), parts, cuts, units),
-        };
+        let last = self.measured.take().filter(|measured| measured.staying == staying);
+        let measured = last.unwrap_or_else(|| Measured::new(mesh, &staying));
+        let mut found = together((&measured.mesh, &measured.surface), parts, cuts, units);
+        self.measured = Some(measured);
         found.append(mesh, &staying);
         found.notes.extend(notes_on(&left));
         self.kept.push(kept);

@@ -5,7 +5,7 @@ use super::part::Part;
 use super::result::{Distances, RemeshMeasures, Tally, places};
 use super::surface::LeftPart;
 use crate::math::{Vec3, marked};
-use crate::mesh::{Mesh, Point};
+use crate::mesh::{Mesh, Point, Surface};
 use crate::words;
 
 /// A mesh of quads along the lines of curvature of another mesh.
@@ -40,8 +40,13 @@ const NEAR: f64 = 2.5;
 /// A panel follows a surface that turns by no more than this along it, in radians.
 const TURN: f64 = 1.0;
 
-/// One mesh of all parts, measured and described.
-pub(super) fn together(input: &Mesh, parts: Vec<Part>, cuts: bool, units: &str) -> Remeshed {
+/// One mesh of all parts, measured and described; the input is given with its surface.
+pub(super) fn together(
+    (input, surface): (&Mesh, &Surface),
+    parts: Vec<Part>,
+    cuts: bool,
+    units: &str,
+) -> Remeshed {
     let mut mesh = Mesh::default();
     let mut tally = Tally::default();
     for part in &parts {
@@ -53,7 +58,7 @@ pub(super) fn together(input: &Mesh, parts: Vec<Part>, cuts: bool, units: &str) 
         }
         tally.add(&part.positions, &part.faces, &part.samples, part.size, cuts);
     }
-    let distances = Distances::between(&mesh, input);
+    let distances = Distances::between(&mesh, input, surface);
     let mut notes = Vec::new();
     notes.extend(not_followed(&parts, input, &distances, units));
     let measures = tally.measures(

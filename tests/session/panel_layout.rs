@@ -184,7 +184,7 @@ fn both_choices_at_the_boundary_are_forecast() {
     let found = layouts.at_boundaries(&settings, &mut |_, _| true).expect("not cancelled");
     let choices: Vec<Boundary> = found.iter().map(|one| one.boundary).collect();
     assert_eq!(choices, [Boundary::Followed, Boundary::Cut]);
-    let pattern = |words: &str| words.contains(" panels, which will move by about ");
+    let pattern = |words: &str| words.contains(" panels, will move about ");
     assert!(found.iter().all(|one| pattern(&one.words)), "{found:?}");
     let large = LayoutSettings { size: Some(100.0), ..USUAL };
     let found = layouts.at_boundaries(&large, &mut |_, _| true).expect("not cancelled");

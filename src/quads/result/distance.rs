@@ -22,13 +22,13 @@ pub(in crate::quads) struct Distances {
 }
 
 impl Distances {
-    /// Measures the distances both ways between two meshes.
-    pub(in crate::quads) fn between(result: &Mesh, input: &Mesh) -> Distances {
-        let of = |from: &Mesh, to: &Mesh| {
-            let surface = Surface::new(&to.positions, to);
-            distances(&from.used_positions(), &surface)
-        };
-        Distances { to_input: of(result, input), from_input: of(input, result) }
+    /// Measures the distances both ways between two meshes, of which the input has this surface.
+    pub(in crate::quads) fn between(result: &Mesh, input: &Mesh, surface: &Surface) -> Distances {
+        let of_result = Surface::new(&result.positions, result);
+        Distances {
+            to_input: distances(&result.used_positions(), surface),
+            from_input: distances(&input.used_positions(), &of_result),
+        }
     }
 
     /// The largest of them.

@@ -82,15 +82,19 @@ impl Layout {
         kinds.map(|kind| kind.least_move).fold(0.0, f64::max) * self.remeshed.measures.edge.mean
     }
 
-    /// The layout on its `shape` as hosts see it; `units` is the symbol of the unit, and `kept` the
+    /// The layout on its shape, with its surface, as hosts see it; `units` is the symbol of the unit, and `kept` the
     /// number of faces that were to stay.
-    pub(super) fn shown(&self, shape: &Mesh, units: &str, kept: usize) -> PanelLayout {
-        let surface = Surface::new(&shape.positions, shape);
+    pub(super) fn shown(
+        &self,
+        (shape, surface): (&Mesh, &Surface),
+        units: &str,
+        kept: usize,
+    ) -> PanelLayout {
         let size = self.remeshed.measures.edge.mean;
         let mut rings = Vec::new();
         let mut notes = Vec::new();
         for note in &self.remeshed.notes {
-            let of = |&at| MarkedPlace::new(at, RING * size, &surface, shape);
+            let of = |&at| MarkedPlace::new(at, RING * size, surface, shape);
             let places: Vec<MarkedPlace> = note.places.iter().map(of).collect();
             rings.extend(places.iter().map(|place| place.ring.clone()));
             let places = places.into_iter().map(|place| place.around).collect();
@@ -101,7 +105,7 @@ impl Layout {
             let words = format!("{faces}, and the panels share no corners with what stays.");
             notes.push(LayoutNote { words, places: Vec::new() });
         }
-        let (lines, irregular) = self.lines(&surface);
+        let (lines, irregular) = self.lines(surface);
         PanelLayout {
             boundary: (!self.topology.boundary_loops().is_empty()).then_some(self.boundary),
             count: self.count(),
@@ -119,11 +123,11 @@ impl Layout {
         self.remeshed.measures.quads + self.remeshed.measures.other_faces
     }
 
-    /// What this choice at the boundary comes to: "483 panels, which will move by 20 mm".
+    /// What this choice at the boundary comes to: "483 panels, will move about 20 mm".
     pub(super) fn forecast(&self, units: &str) -> BoundaryForecast {
         let count = words::count(self.count(), "panel", "panels");
         let far = words::rough_length(self.move_length(), units);
-        let words = format!("{count}, which will move by about {far}");
+        let words = format!("{count}, will move about {far}");
         BoundaryForecast { boundary: self.boundary, words }
     }
 

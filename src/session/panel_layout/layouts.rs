@@ -6,6 +6,7 @@ use crate::math::Vec3;
 use crate::mesh::{BoundingSphere, Mesh, Surface, Topology};
 use crate::quads::{Boundary, MapOptions, RemeshError, RemeshObserver, Remesher};
 use crate::scene::SceneError;
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 /// Panels are cut at the boundary without a wish if they then move at most this fraction as far.
@@ -18,6 +19,7 @@ const RING: f64 = 0.03;
 /// last layout of each choice at the boundary. To be dropped when the shape changes.
 pub struct PanelLayouts {
     shape: Mesh,
+    surface: OnceCell<Surface>,
     units: String,
     has_boundary: bool,
     /// The faces that stay as they are.
@@ -36,6 +38,7 @@ impl PanelLayouts {
         let has_boundary = !Topology::new(&shape).boundary_loops().is_empty() || !kept.is_empty();
         PanelLayouts {
             shape,
+            surface: OnceCell::new(),
             units: units.to_owned(),
             has_boundary,
             kept: kept.to_vec(),
@@ -66,7 +69,7 @@ impl PanelLayouts {
             self.refused_at = error.place();
             refused(error)
         })?;
-        Ok(layout.shown(&self.shape, &self.units, self.kept.len()))
+        Ok(layout.shown((&self.shape, self.surface()), &self.units, self.kept.len()))
     }
 
     /// What the panels come to with each choice at the boundary; empty if the surface is closed.
@@ -96,8 +99,11 @@ impl PanelLayouts {
     pub fn refused_at(&self) -> Option<MarkedPlace> {
         let shape = &self.shape;
         let radius = RING * BoundingSphere::of(&shape.positions).diameter();
-        let surface = || Surface::new(&shape.positions, shape);
-        self.refused_at.map(|at| MarkedPlace::new(at, radius, &surface(), shape))
+        self.refused_at.map(|at| MarkedPlace::new(at, radius, self.surface(), shape))
+    }
+
+    fn surface(&self) -> &Surface {
+        self.surface.get_or_init(|| Surface::new(&self.shape.positions, &self.shape))
     }
 
     /// The layout that moves less of those with the wished choices at the boundary.

@@ -6,12 +6,15 @@ use crate::mesh::{Mesh, Point, Surface};
 /// Number of points of a ring.
 const POINTS: usize = 32;
 /// What is within this many radii of a ring is around its place.
-const AROUND: f64 = 3.0;
+const AROUND: f64 = 2.0;
+/// A point of a ring that is farther than this many radii from the surface is not on it: beside a
+/// boundary, or around what is smaller than the ring.
+const BESIDE: f64 = 0.4;
 
 /// A place on the shape.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MarkedPlace {
-    /// A closed line over the surface around it.
+    /// A closed line around it, over the surface where there is one.
     pub ring: Vec<Point>,
     /// The vertices of the mesh around it, at least the corners of its face.
     pub around: Vec<u32>,
@@ -38,7 +41,10 @@ impl MarkedPlace {
         let ring = (0..=POINTS).map(|k| {
             let turn = (k % POINTS) as f64 / POINTS as f64;
             let [c, s] = [cosine(turn), sine(turn)];
-            surface.closest((at + (first * c + second * s) * radius).into(), &mut hint)
+            let point = at + (first * c + second * s) * radius;
+            let over = surface.closest(point.into(), &mut hint);
+            let is_beside = (Vec3::from(over) - point).length() > BESIDE * radius;
+            if is_beside { point.into() } else { over }
         });
         let near = |v: &u32| (point(*v) - at).length() <= AROUND * radius;
         let mut around: Vec<u32> = corners.to_vec();

@@ -109,15 +109,15 @@ test('both choices at the boundary are forecast, and what moves less can be chos
   await offer(page).getByRole('button', { name: 'New panels along the curvature' }).click();
   const choice = card(page).getByLabel('Boundary');
   await expect(choice).toHaveValue('');
-  const pattern = /^\d+ panels, which will move by about [\d.]+/;
+  const pattern = /^\d+ panels, will move about [\d.]+/;
   const forecasts = card(page).getByRole('definition');
   await expect(forecasts.nth(0)).toHaveText(pattern);
   await expect(forecasts.nth(1)).toHaveText(pattern);
   const follows = await forecasts.nth(0).textContent();
   await choice.selectOption('Cuts the panels');
-  await expect(card(page).locator('[aria-current=true]')).toContainText('Cuts the panels');
+  await expect(card(page).locator('[aria-current=true]')).toContainText(/^Cut/);
   await choice.selectOption('What moves less');
-  await expect(card(page).locator('[aria-current=true]')).toContainText('Followed by the panels');
+  await expect(card(page).locator('[aria-current=true]')).toContainText(/^Followed/);
   await expect(forecasts.nth(0)).toHaveText(follows ?? '');
 });
 

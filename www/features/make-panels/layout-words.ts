@@ -24,16 +24,16 @@ export function paragraphs(
 
 /**
  * The forecasts of the choices at the boundary.
- * @param labels of the choices
+ * @param labels the choices, each with the label of its option and a shorter one
  * @param known the forecasts; null until they are known
  * @param shown the choice that is shown
  */
 export function boundaryForecasts(
-  labels: [BoundaryForecast['boundary'], string][],
+  labels: [BoundaryForecast['boundary'], string, string][],
   known: BoundaryForecast[] | null,
   shown: BoundaryForecast['boundary'] | null,
 ): HTMLElement[] {
-  return labels.map(([boundary, label]) => {
+  return labels.map(([boundary, , label]) => {
     const words = known?.find((one) => one.boundary === boundary)?.words ?? '…';
     const current = boundary === shown;
     return element(

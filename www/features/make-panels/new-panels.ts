@@ -10,7 +10,7 @@ import { once } from '../../ui/once.ts';
 import { Cancelled, messageOf } from '../../solver/errors.ts';
 import { groupDigits } from '../../ui/format.ts';
 import { latestOnly } from '../../store/latest-only.ts';
-import { fly } from '../../viewport/camera.ts';
+import { cover, fly } from '../../viewport/camera.ts';
 import { boundaryForecasts, paragraphs } from './layout-words.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { KindInfo } from '../../solver/types.ts';
@@ -36,11 +36,13 @@ const FOLLOW = 2 / 3;
 const EVEN = 0.25;
 /** Time without another wish after which both choices at the boundary are forecast. */
 const IDLE_MS = 400;
-/** The choices at the boundary. */
-const BOUNDARIES: [BoundaryForecast['boundary'], string][] = [
-  ['follow', 'Followed by the panels'],
-  ['cut', 'Cuts the panels'],
+/** The choices at the boundary, with the labels of their options and of their forecasts. */
+const BOUNDARIES: [BoundaryForecast['boundary'], string, string][] = [
+  ['follow', 'Followed by the panels', 'Followed'],
+  ['cut', 'Cuts the panels', 'Cut'],
 ];
+/** Where the card lies along the lower edge of the view. */
+const narrow = matchMedia('(max-width: 699px)');
 const AUTOMATIC = 'What moves less';
 
 function newPanelsCard(
@@ -74,7 +76,10 @@ function newPanelsCard(
   const unit = element('span.unit');
   const follow = slider('Fewer irregular points', 'Smaller move', FOLLOW);
   const even = slider('Sizes as the curvature asks', 'Even sizes', EVEN);
-  const boundary = choice({}, chooseBoundary, [['', AUTOMATIC], ...BOUNDARIES]);
+  const boundary = choice({}, chooseBoundary, [
+    ['', AUTOMATIC],
+    ...BOUNDARIES.map(([value, label]) => [value, label]),
+  ]);
   const forecasts = element('dl.quiet');
   const boundaryLine = element(
     'div.boundary',
@@ -294,6 +299,11 @@ function newPanelsCard(
     actions.setStatus(panels.words);
     if (kind) await make(kind);
   }
+
+  // The model is framed in the area above the card.
+  const covers = () => cover(viewport, card, narrow.matches);
+  new ResizeObserver(covers).observe(card);
+  narrow.addEventListener('change', covers);
 
   card.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape') return;
