@@ -105,11 +105,11 @@ impl Remeshed {
 pub(super) fn notes_on(left: &[LeftPart]) -> Vec<RemeshNote> {
     let mut notes: Vec<(String, usize, Vec<Vec3<f64>>)> = Vec::new();
     for part in left {
-        let why = match part.error {
-            RemeshError::TooFewTriangles { .. } => String::new(),
-            ref error => format!(": {error}"),
+        // Of a small part the whole is the place.
+        let (why, at) = match part.error {
+            RemeshError::TooFewTriangles { .. } => (String::new(), part.at),
+            ref error => (format!(": {error}"), error.place().unwrap_or(part.at)),
         };
-        let at = part.error.place().unwrap_or(part.at);
         match notes.iter_mut().find(|(known, ..)| *known == why) {
             Some((_, count, places)) => {
                 *count += 1;

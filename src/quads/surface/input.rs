@@ -48,7 +48,7 @@ pub(crate) struct LeftPart {
     pub(crate) area: f64,
     /// Why it is not covered.
     pub(crate) error: RemeshError,
-    /// A point of it.
+    /// Its middle.
     pub(crate) at: Vec3<f64>,
 }
 
@@ -101,6 +101,7 @@ impl InputSurface {
                 Some(error) => {
                     faces.dedup();
                     let area = area(&positions, &own);
+                    let at = middle(&positions, &own);
                     found.left.push(LeftPart { faces, area, error, at });
                 }
             }
@@ -112,7 +113,8 @@ impl InputSurface {
     pub(crate) fn left(&self, error: RemeshError) -> LeftPart {
         let mut faces = self.faces.clone();
         faces.dedup();
-        LeftPart { faces, area: self.area(), error, at: self.positions[0] }
+        let at = middle(&self.positions, &self.triangles);
+        LeftPart { faces, area: self.area(), error, at }
     }
 
     /// The area, in the squared unit of the mesh.
@@ -155,6 +157,13 @@ impl InputSurface {
         let vertices = vertices.iter().map(|&v| original[v]).collect();
         InputSurface { positions, triangles, faces, vertices, tensors }
     }
+}
+
+/// The mean of the corners of triangles.
+fn middle(positions: &[Vec3<f64>], triangles: &[[usize; 3]]) -> Vec3<f64> {
+    let corners = triangles.as_flattened();
+    let sum = corners.iter().fold(Vec3::zero(), |sum, &v| sum + positions[v]);
+    sum * (1.0 / corners.len().max(1) as f64)
 }
 
 /// The area of triangles.
