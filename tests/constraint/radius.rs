@@ -98,8 +98,8 @@ fn nearly_closest_for_rings_arcs_and_lines_of_any_flatness_size_and_place() {
                 let points: Points = (0..12)
                     .map(|i| {
                         let t = f64::from(i) / 12.0 * part * std::f64::consts::TAU;
-                        let height = bent * (3.0 * t).sin() + noise * random.uniform();
-                        Vec3::new(own * t.cos(), own * t.sin(), height)
+                        let height = bent * libm::sin(3.0 * t) + noise * random.uniform();
+                        Vec3::new(own * libm::cos(t), own * libm::sin(t), height)
                     })
                     .collect();
                 nearly_closest(&centred(&points), radius, &mut random, (own, part, bent, noise));

@@ -121,7 +121,7 @@ fn a_mesh_comes_back_from_ply_bit_for_bit() {
     assert_eq!(found.mesh.curves, Ragged::from_iter([[0, 1], [1, 2]]));
     // A face of more corners than a byte counts.
     let corners: Vec<u32> = (0..300).collect();
-    let at = |k: u32| [f64::from(k).cos(), f64::from(k).sin(), 0.0];
+    let at = |k: u32| [libm::cos(f64::from(k)), libm::sin(f64::from(k)), 0.0];
     let round = Mesh {
         positions: corners.iter().map(|&k| at(k)).collect(),
         faces: [corners].into_iter().collect(),

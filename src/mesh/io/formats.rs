@@ -105,7 +105,7 @@ impl FileFormat {
     pub fn of_name(name: &str) -> Option<&'static FileFormat> {
         let (_, ending) = name.rsplit_once('.')?;
         let is_it = |known: &&str| known.eq_ignore_ascii_case(ending);
-        FILE_FORMATS.iter().find(|format| format.endings.iter().any(|known| is_it(&known)))
+        FILE_FORMATS.iter().find(|format| format.endings.iter().any(is_it))
     }
 
     /// Whether it is the format of a mesh that the reader of mesh files reads.

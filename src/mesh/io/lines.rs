@@ -100,7 +100,7 @@ impl Lines<'_> {
         let next = Lines { rest: self.rest, number: 0 }.next().map_or("", |(_, line)| line);
         let word = next.split_ascii_whitespace().next().unwrap_or_default();
         let is_empty = word.is_empty() || word.starts_with('#');
-        !is_one_of(NAMES, word) && !is_one_of(STATEMENTS, word) && !(of_names && is_empty)
+        !(is_one_of(NAMES, word) || is_one_of(STATEMENTS, word) || of_names && is_empty)
     }
 }
 

@@ -27,12 +27,15 @@ pub(crate) struct RestMesh {
     boundary: OnceCell<Vec<BoundaryCurve>>,
     smoothed_area: OnceCell<f64>,
     /// See [`RestMesh::original`].
-    original: RefCell<Option<(Rc<Mesh>, Option<Rc<Surface>>)>>,
+    original: RefCell<Option<KnownTarget>>,
     /// See [`seams`].
     seams: OnceCell<Vec<[u32; 2]>>,
     generation: u32,
     lost: Vec<String>,
 }
+
+/// A mesh that closeness is to, and its surface if the rest mesh is made of panels on it.
+type KnownTarget = (Rc<Mesh>, Option<Rc<Surface>>);
 
 impl RestMesh {
     pub(crate) fn new(mesh: Mesh) -> RestMesh {
