@@ -219,13 +219,15 @@ export class Files extends Emitter<{ opened: void }> {
   async exportUnwelded() {
     await this.#actions.settled();
     if (!(await this.mayExport())) return;
-    this.save('.obj', await this.#actions.ask.objUnwelded(), 'model/obj');
+    const bytes = await this.#actions.ask.objUnwelded();
+    this.save('.obj', Uint8Array.from(bytes), 'model/obj');
   }
 
   /** Exports the current shape in the format with this ending. */
   async exportAs(ending: 'ply' | 'stl') {
     if (!(await this.mayExport())) return;
-    this.save(`.${ending}`, await this.#actions.ask.meshFile(ending), `model/${ending}`);
+    const bytes = await this.#actions.ask.meshFile(ending);
+    this.save(`.${ending}`, Uint8Array.from(bytes), `model/${ending}`);
   }
 
   /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
