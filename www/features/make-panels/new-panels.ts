@@ -169,8 +169,9 @@ function newPanelsCard(
       if (error instanceof Cancelled) return laidOut ? show(laidOut.panels) : close();
       refused = await jobs.ask.panelsRefusedAt().catch(() => null);
       if (layouts.hasNext()) return;
-      laidOut = null;
+      laidOut = forecast = null;
       take.disabled = true;
+      forecasts.replaceChildren();
       const words = `Not possible: ${messageOf(error)}.`;
       if (refused) say('', [{ words, places: [Array.from(refused.vertices)] }]);
       else say(words);
