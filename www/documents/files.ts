@@ -199,20 +199,20 @@ export class Files extends Emitter<{ opened: void }> {
   }
 
   /**
-   * Reports what of Rhino files was left out.
+   * Reports what of Rhino files was left out, in one message: a second would take its place.
    * @param given the files themselves
    */
   #reportLeftOut(files: (NamedBytes & Partial<FromRhino>)[], given: NamedBytes[]) {
-    for (const { hidden = 0, unread } of files) {
-      if (unread) this.#alerts.notice(unread);
-      if (hidden === 0) continue;
-      const words = count(hidden, 'object is', 'objects are');
-      const action = () => this.open(given, { ...this.origin, hidden: true }).catch(() => {});
-      this.#alerts.notice(`${words} hidden or on a layer that is off, and not loaded.`, {
-        label: hidden === 1 ? 'Load it too' : 'Load them too',
-        action,
-      });
+    const hidden = files.reduce((sum, file) => sum + (file.hidden ?? 0), 0);
+    const words = files.flatMap(({ unread }) => unread || []);
+    if (hidden > 0) {
+      const objects = count(hidden, 'object is', 'objects are');
+      words.push(`${objects} hidden or on a layer that is off, and not loaded.`);
     }
+    if (words.length === 0) return;
+    const action = () => this.open(given, { ...this.origin, hidden: true }).catch(() => {});
+    const label = hidden === 1 ? 'Load it too' : 'Load them too';
+    this.#alerts.notice(words.join(' '), ...(hidden > 0 ? [{ label, action }] : []));
   }
 
   /** Exports the current shape with the file's original vertices, before welding. */
