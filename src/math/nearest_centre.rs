@@ -49,10 +49,8 @@ pub(super) fn nearest_centre(
     let enough = ROUNDING * radius * radius;
     let mut best = search.descend(first, STEPS);
     if best.0 > enough {
-        let mut others = search.starts();
-        for start in &mut others {
-            *start = search.descend(start.1, FIRST_STEPS);
-        }
+        let begun = search.starts().into_iter().map(|start| search.descend(start, FIRST_STEPS));
+        let mut others: Vec<(f64, Vec3<f64>)> = begun.collect();
         others.sort_by(|a, b| a.0.total_cmp(&b.0));
         others.truncate(FOLLOWED);
         for (_, start) in others {
@@ -74,7 +72,7 @@ struct Search<'a> {
 impl Search<'_> {
     /// The centres from which a circle or sphere passes through the mean of the points, in many
     /// directions; and for a sphere those that have the circle of the points in their plane.
-    fn starts(&self) -> Vec<(f64, Vec3<f64>)> {
+    fn starts(&self) -> Vec<Vec3<f64>> {
         let mut starts = Vec::new();
         if self.dimensions == 3 {
             let circle = Round::fit_principal(self.points, 2);
@@ -96,7 +94,7 @@ impl Search<'_> {
                 }
             }
         }
-        starts.into_iter().map(|start| (f64::INFINITY, start)).collect()
+        starts
     }
 
     /// Returns the least `E` that so many of Newton's steps find from `start`, and where it is.

@@ -7,6 +7,7 @@ use super::number::{Numbering, coordinate, whole};
 use super::stl::of_number;
 use super::stream::Stream;
 use crate::mesh::{ElementKind, Mesh, Point, ProblemKind};
+use std::borrow::Cow;
 
 /// Whether a file is one, by its first bytes.
 pub(super) fn is_one(bytes: &[u8]) -> bool {
@@ -16,7 +17,7 @@ pub(super) fn is_one(bytes: &[u8]) -> bool {
 pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadFault> {
     let (header, length) = header(bytes)?;
     let rest = &bytes[length..];
-    let text = decode(rest);
+    let text = if header.binary.is_none() { decode(rest) } else { Cow::default() };
     let mut body = match header.binary {
         Some(is_little) => Body::Binary { rest, is_little },
         None => Body::Text { words: Stream::new(&text), before: header.lines },

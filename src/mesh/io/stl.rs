@@ -7,6 +7,7 @@ use super::number::{Numbering, coordinate};
 use crate::math::{Vec3, triangles_in_space};
 use crate::mesh::{ElementKind, Group, GroupKeyword, Mesh, Point, ProblemKind};
 use crate::words::count;
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 /// Bytes of a binary file before its triangles: a free header, and their number.
@@ -22,12 +23,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadFault> {
     let triangles = bytes.get(HEADER - 4..HEADER).and_then(|count| count.try_into().ok());
     let triangles = triangles.map(|count| u32::from_le_bytes(count) as usize);
     let is_whole = triangles.is_some_and(|count| HEADER + count * TRIANGLE == bytes.len());
-    let text = decode(bytes);
-    let is_text =
-        text.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case("solid"));
     let mut corners = Corners::default();
-    if is_text && !is_whole {
-        read_text(&text, &mut corners)?;
+    if !is_whole && is_solid(&beginning(bytes)) {
+        read_text(&decode(bytes), &mut corners)?;
     } else {
         read_binary(bytes, triangles.unwrap_or(0), &mut corners)?;
     }
@@ -36,11 +34,19 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadFault> {
 
 /// Whether a file is one, by its first bytes.
 pub(super) fn is_one(bytes: &[u8]) -> bool {
-    let text = decode(&bytes[..bytes.len().min(1024)]);
-    let has =
-        |word: &str| text.split_ascii_whitespace().any(|found| found.eq_ignore_ascii_case(word));
+    let text = beginning(bytes);
+    let is_facet = |word: &str| word.eq_ignore_ascii_case("facet");
+    is_solid(&text) && text.split_ascii_whitespace().any(is_facet)
+}
+
+/// The beginning of a file as text: of a large binary file, no more is decoded.
+fn beginning(bytes: &[u8]) -> Cow<'_, str> {
+    decode(&bytes[..bytes.len().min(1024)])
+}
+
+/// Whether a text begins as STL does.
+fn is_solid(text: &str) -> bool {
     text.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case("solid"))
-        && has("facet")
 }
 
 fn read_binary(bytes: &[u8], triangles: usize, corners: &mut Corners) -> Result<(), ReadFault> {

@@ -26,17 +26,11 @@ impl MarkedPlace {
         let corners = surface.closest_face(at.into()).map(|face| shape.faces.row(face as usize));
         let corners = corners.unwrap_or_default();
         let point = |v: u32| Vec3::from(shape.positions[v as usize]);
-        let normal = twice_vector_area(corners.iter().map(|&v| point(v)));
-        // Any two directions across the normal; across the vertical where there is none.
-        let [x, y, z] = Point::from(normal).map(f64::abs);
-        let axis = if x <= y && x <= z {
-            [1.0, 0.0, 0.0]
-        } else {
-            [0.0, f64::from(y <= z), f64::from(y > z)]
-        };
-        let unit = |v: Vec3<f64>| v * (1.0 / v.length().max(f64::MIN_POSITIVE));
-        let first = unit(normal.cross(Vec3::from(axis)));
-        let second = unit(normal.cross(first));
+        let area = twice_vector_area(corners.iter().map(|&v| point(v)));
+        // A face without area counts as level.
+        let normal = area.length_and_direction().1.unwrap_or(Vec3::new(0.0, 0.0, 1.0));
+        let first = normal.across();
+        let second = normal.cross(first);
         let mut hint = Surface::NO_HINT;
         let ring = (0..=POINTS).map(|k| {
             let turn = (k % POINTS) as f64 / POINTS as f64;
