@@ -249,3 +249,30 @@ fn what_cannot_be_is_refused_with_the_reason() {
         .collect();
     assert_eq!(fill(&curves(&[(star, true)])[0], 0.3, UP), Err(SpanError::Folded));
 }
+
+/// Four edges drawn one by one, in any direction, as most programs write them, were no curve to fill.
+#[test]
+fn polylines_that_close_together_are_one_curve_more() {
+    let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 3.0, 1.0], [0.0, 3.0, 0.0]];
+    let side = |k: usize| vec![corners[k], corners[(k + 1) % 4]];
+    let drawn = [side(2), reversed(&side(0)), side(1), reversed(&side(3))];
+    let open = [vec![[9.0, 0.0, 0.0], [9.0, 1.0, 0.0]], vec![[9.0, 1.0, 0.0], [9.0, 2.0, 0.0]]];
+    let polylines: Vec<_> = drawn.iter().chain(&open).map(|line| (line.clone(), false)).collect();
+    let all = curves(&polylines);
+    let closed: Vec<bool> = all.iter().map(SpanCurve::is_closed).collect();
+    assert_eq!(closed, [false, false, false, false, false, false, true]);
+    let labels = SpanCurve::labels(&all);
+    assert_eq!(labels[6].label, "Joined curves 1");
+    let sloped = 10.0f64.sqrt();
+    assert!((labels[6].length - (4.0 + sloped + 17.0f64.sqrt() + 3.0)).abs() < 1e-12);
+    let mesh = fill(&all[6], 1.0, UP).expect("it is closed");
+    assert_sound(&mesh);
+    for corner in corners {
+        assert!(mesh.positions.contains(&corner), "{corner:?}");
+    }
+
+    // Where three lines meet, none goes on.
+    let star = [side(0), side(1), side(2), side(3), vec![corners[0], [0.0, 0.0, 5.0]]];
+    let star: Vec<_> = star.iter().map(|line| (line.clone(), false)).collect();
+    assert!(!curves(&star).iter().any(SpanCurve::is_closed));
+}

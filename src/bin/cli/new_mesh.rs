@@ -31,8 +31,10 @@ enum From {
 #[derive(Debug, PartialEq)]
 struct Span {
     file: PathBuf,
-    /// One curve for `fill`, two for `loft`.
-    curves: Vec<usize>,
+    /// The number of curves.
+    count: usize,
+    /// One curve for `fill`, two for `loft`, if they were named.
+    curves: Option<Vec<usize>>,
     /// The size of a panel.
     size: Option<f64>,
 }
@@ -96,7 +98,7 @@ fn parse_plan(mut words: Words) -> Result<New, String> {
 
 fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String> {
     let (mut units, mut out, mut file) = (None, None, None);
-    let (mut curves, mut size): (Vec<usize>, _) = ((0..count).collect(), None);
+    let (mut curves, mut size) = (None, None);
     while let Some(option) = words.option(&mut file)? {
         match option.as_str() {
             "--units" => units = Some(words.text(&option)?),
@@ -105,13 +107,11 @@ fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String>
             "--curves" => {
                 let list = words.text(&option)?;
                 let numbers: Result<Vec<usize>, _> = list.split(',').map(str::parse).collect();
-                curves =
-                    numbers.ok().filter(|numbers| numbers.len() == count).ok_or_else(|| {
-                        format!(
-                            "--curves needs {}, found `{list}`",
-                            words::count(count, "number", "numbers")
-                        )
-                    })?;
+                let numbers = numbers.ok().filter(|numbers| numbers.len() == count);
+                curves = Some(numbers.ok_or_else(|| {
+                    let count = words::count(count, "number", "numbers");
+                    format!("--curves needs {count}, found `{list}`")
+                })?);
             }
             _ => {
                 let takes = "--curves, --size, --units, --out";
@@ -120,7 +120,7 @@ fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String>
         }
     }
     let file = file.ok_or_else(|| format!("{name} needs a file with curves or faces"))?;
-    Ok(New { from: From::Span(Span { file, curves, size }), units, out })
+    Ok(New { from: From::Span(Span { file, count, curves, size }), units, out })
 }
 
 /// Makes the mesh and writes it to the file, or to standard output.
@@ -153,9 +153,13 @@ fn mesh(from: &From) -> Result<(Mesh, UnitsAndUp), Failure> {
                 plan.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
             Ok((mesh, metres))
         }
-        From::Span(Span { file, curves, size }) => {
+        From::Span(Span { file, count, curves, size }) => {
             let bytes = input::bytes(file)?;
-            let known = SpanCurve::all(&input::mesh_of(file, &bytes)?.mesh);
+            // Welded as when it is opened: the ends of curves then meet exactly.
+            let known = SpanCurve::all(&input::read_mesh(file)?.0.mesh);
+            let closed = known.iter().position(SpanCurve::is_closed).unwrap_or(0);
+            let usual = if *count == 1 { vec![closed] } else { vec![0, 1] };
+            let curves = curves.as_ref().unwrap_or(&usual);
             let frame = UnitsAndUp::stated(&bytes);
             let up = frame.up.unwrap_or_default().direction();
             let lengths = SpanCurve::labels(&known);

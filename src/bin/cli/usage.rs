@@ -85,8 +85,9 @@ new plan makes a surface over an outline on the ground. PLAN.json has the keys o
 follow|cut; size, of a panel; turn, of a cut grid in degrees; height; and stands, the supports:
 outline|corners.
 new loft makes a surface between two curves of a file, new fill one inside a closed curve. Curves are the
-polylines of the file, then the boundaries of its faces, counted from 0 (default 0,1 or 0). By default a
-panel has a twentieth of the length of the first curve, and the unit is that of the file.
+polylines of the file, then the boundaries of its faces, then what several polylines close together,
+counted from 0 (default 0,1, or the first closed one). By default a panel has a twentieth of the length
+of the first curve, and the unit is that of the file.
 parametrize makes a flat map that preserves angles; --out writes the mesh with the map as its vt lines.
 experiment solves a scene by several methods, and prints how far each came; --csv writes all iterations,
 --svg plots them. Without a scene it lists the examples that have a comparison of the paper. Limits are

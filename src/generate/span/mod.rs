@@ -1,9 +1,12 @@
-//! Surfaces between the curves of a file, its polylines and the boundaries of its faces: the
-//! curves, points in equal steps along them, and why there is no surface between them.
+//! Surfaces between the curves of a file, its polylines, the boundaries of its faces, and polylines
+//! that close together: the curves, points in equal steps along them, and why there is no surface
+//! between them.
 
+mod chains;
 mod fill;
 mod loft;
 
+use chains::closed_chains;
 pub use fill::fill;
 pub use loft::loft;
 
@@ -48,7 +51,7 @@ impl fmt::Display for SpanError {
         match *self {
             SpanError::Missing { asked, found } => write!(
                 f,
-                "there is no curve {asked}: the file has {found} polylines and boundaries, counted from 0"
+                "there is no curve {asked}: the file has {found} curves and boundaries, counted from 0"
             ),
             SpanError::NoLength => f.write_str("the curve has no length"),
             SpanError::OneClosed => f.write_str(
@@ -74,15 +77,24 @@ pub struct SpanCurve {
     /// point.
     points: Vec<Vec3<f64>>,
     closed: bool,
-    /// Whether it is a boundary of faces, not a polyline.
-    is_boundary: bool,
+    source: Source,
+}
+
+/// What a curve is in its file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Source {
+    Polyline,
+    /// Of faces.
+    Boundary,
+    /// Of several polylines, each of which ends where the next one begins.
+    Chain,
 }
 
 /// A curve as hosts list it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct CurveLabel {
-    /// Label, such as "Curve 1" or "Boundary 2".
+    /// Label, such as "Curve 1", "Boundary 2" or "Joined curves 1".
     pub label: String,
     /// Length in the unit of the mesh.
     pub length: f64,
@@ -91,37 +103,48 @@ pub struct CurveLabel {
 }
 
 impl SpanCurve {
-    /// The polylines of `mesh`, then the boundaries of its faces.
+    /// The polylines of `mesh`, then the boundaries of its faces, then the closed curves that
+    /// several polylines make together.
     pub fn all(mesh: &Mesh) -> Vec<SpanCurve> {
         let topology = Topology::new(mesh);
-        let polylines = mesh.curves.iter().map(|curve| (curve.to_vec(), false));
+        let polylines = mesh.curves.iter().map(|curve| (curve.to_vec(), Source::Polyline));
         let boundaries = topology.boundary_loops().iter().map(|row| {
             let again = topology.is_closed_loop(row).then_some(row[0]);
-            (row.iter().copied().chain(again).collect(), true)
+            (row.iter().copied().chain(again).collect(), Source::Boundary)
         });
-        let through = |(vertices, is_boundary): (Vec<u32>, bool)| {
+        let chains = closed_chains(mesh).into_iter().map(|chain| (chain, Source::Chain));
+        let through = |(vertices, source): (Vec<u32>, Source)| {
             let mut points: Vec<_> =
                 vertices.iter().map(|&v| Vec3::from(mesh.positions[v as usize])).collect();
             // Steps without length have no direction.
             points.dedup();
             let closed = points.len() > 3 && points.first() == points.last();
             points.truncate(points.len() - usize::from(closed));
-            SpanCurve { points, closed, is_boundary }
+            SpanCurve { points, closed, source }
         };
-        polylines.chain(boundaries).map(through).collect()
+        polylines.chain(boundaries).chain(chains).map(through).collect()
     }
 
     /// The labels and lengths of curves, for hosts to list.
     pub fn labels(curves: &[SpanCurve]) -> Vec<CurveLabel> {
-        let mut counts = [0; 2];
+        let mut counts = [0; 3];
         let label = |curve: &SpanCurve| {
-            let count = &mut counts[usize::from(curve.is_boundary)];
+            let count = &mut counts[curve.source as usize];
             *count += 1;
-            let name = if curve.is_boundary { "Boundary" } else { "Curve" };
+            let name = match curve.source {
+                Source::Polyline => "Curve",
+                Source::Boundary => "Boundary",
+                Source::Chain => "Joined curves",
+            };
             let length = length_of(&curve.ring());
             CurveLabel { label: format!("{name} {count}"), length, closed: curve.closed }
         };
         curves.iter().map(label).collect()
+    }
+
+    /// Whether it ends where it begins.
+    pub fn is_closed(&self) -> bool {
+        self.closed
     }
 
     /// The curve with this index.

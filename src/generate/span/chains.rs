@@ -1,0 +1,52 @@
+//! Polylines that together make a closed curve, as the four edges of a patch are drawn.
+
+use crate::mesh::Mesh;
+use std::collections::BTreeMap;
+
+/// Returns the vertices of the closed curves that several polylines of `mesh` make together, each
+/// ending where the next one begins; the first vertex is repeated at the end. Where more than two
+/// polylines meet, none goes on.
+pub(super) fn closed_chains(mesh: &Mesh) -> Vec<Vec<u32>> {
+    let curves: Vec<&[u32]> = mesh.curves.iter().collect();
+    // Ends meet at a position: curves rarely share vertices. Zero has two signs.
+    let place = |vertex: u32| mesh.positions[vertex as usize].map(|x| (x + 0.0).to_bits());
+    let ends = |curve: &[u32]| Some([place(*curve.first()?), place(*curve.last()?)]);
+    let mut meeting: BTreeMap<[u64; 3], Vec<usize>> = BTreeMap::new();
+    for (k, curve) in curves.iter().enumerate() {
+        if let Some([first, last]) = ends(curve).filter(|[first, last]| first != last) {
+            meeting.entry(first).or_default().push(k);
+            meeting.entry(last).or_default().push(k);
+        }
+    }
+    let next = |at: [u64; 3], from: usize| match meeting.get(&at)?[..] {
+        [a, b] if a != b => Some(if a == from { b } else { a }),
+        _ => None,
+    };
+    let mut used = vec![false; curves.len()];
+    let mut found = Vec::new();
+    for start in 0..curves.len() {
+        let Some([first, _]) = ends(curves[start]).filter(|[first, last]| first != last) else {
+            continue;
+        };
+        let mut chain: Vec<u32> = Vec::new();
+        let mut at = first;
+        let mut current = Some(start).filter(|_| !used[start]);
+        let mut is_closed = false;
+        while let Some(k) = current {
+            used[k] = true;
+            let mut part = curves[k].to_vec();
+            if place(part[0]) != at {
+                part.reverse();
+            }
+            at = place(part[part.len() - 1]);
+            chain.extend(part);
+            let after = next(at, k);
+            is_closed = after == Some(start);
+            current = after.filter(|&next| !used[next]);
+        }
+        if is_closed {
+            found.push(chain);
+        }
+    }
+    found
+}
