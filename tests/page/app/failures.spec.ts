@@ -130,7 +130,7 @@ test('without graphics everything but the 3D view works', async ({ page }) => {
 });
 
 test('a lost graphics context is restored', looks, async ({ page }) => {
-  await openPage(page, 'backend=webgl2');
+  await openPage(page, 'renderer=webgl2');
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
   await page.evaluate(() => {
     const canvas = document.querySelector('[role="application"] canvas') as HTMLCanvasElement;

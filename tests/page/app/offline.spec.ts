@@ -30,7 +30,7 @@ test('after one visit the page works without a network', async ({ page, context 
   expect(after.iteration).toBeGreaterThan(0);
   await openExample(page, 'Hypar');
   // An address with a parameter is served from the cache too.
-  await visit(page, `backend=${(await state(page)).renderer}`);
+  await visit(page, `renderer=${(await state(page)).renderer}`);
   expect((await state(page)).vertices).toBeGreaterThan(0);
 });
 

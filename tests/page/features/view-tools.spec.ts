@@ -268,7 +268,7 @@ test(
   'opening another model removes the tape, and a lost context does not',
   looks,
   async ({ page }) => {
-    await openSteps(page, 'backend=webgl2');
+    await openSteps(page, 'renderer=webgl2');
     await page.keyboard.press('5');
     await page.keyboard.press('d');
     await page.mouse.click(...(await screenOf(page, 0)));

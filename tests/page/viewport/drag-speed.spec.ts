@@ -58,7 +58,7 @@ test('a drag on 2500 vertices is answered quickly, with even less work in the pa
       }
     };
   });
-  await visit(page, `backend=webgl2#example=${EXAMPLE}`);
+  await visit(page, `renderer=webgl2#example=${EXAMPLE}`);
   await waitForState(page, (now) => now.vertices > 2400 && now.renderer === 'webgl2');
   const known = (await state(page)).handles.length;
   const vertex = await page.evaluate(() => {

@@ -5,7 +5,9 @@ import { keyName, singleKeys } from '../../ui/keys.ts';
 import { dialogHead, openDialog } from '../../ui/controls/dialog.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { copyText } from '../../ui/output.ts';
+import { webgl2Card, webgpuCard, type GraphicsCard } from '../../viewport/graphics-card.ts';
 import type { Command } from '../../app/context.ts';
+import type { State } from '../../store/state.ts';
 import type { FileFormat } from '../../solver/types.ts';
 
 /** Actions of the pointer; see `pointer.ts`. */
@@ -36,12 +38,29 @@ const VIEW_KEYS: [string, string][] = [
   ['Alt + drag', 'on a vertex: make it a handle and move it'],
 ];
 
-/** @param formats of files; without an engine there are none */
+type Renderer = State['renderer'];
+const INTERFACES: {
+  [name in Renderer]?: {
+    label: string;
+    cardOf: () => GraphicsCard | null | Promise<GraphicsCard | null>;
+  };
+} = {
+  webgpu: { label: 'WebGPU', cardOf: webgpuCard },
+  webgl2: { label: 'WebGL2', cardOf: webgl2Card },
+};
+
+/**
+ * @param formats of files; without an engine there are none
+ * @param renderer what draws the view
+ */
 export function showHelp(
   dialog: HTMLDialogElement,
   commands: Command[],
   formats: Promise<FileFormat[]>,
+  renderer: Renderer,
 ) {
+  const drawn = element('p.about', { 'aria-live': 'polite' });
+  void cardInWords(renderer).then((words) => setText(drawn, words));
   const files = element('section.files', { 'aria-live': 'polite' });
   formats.then((known) => files.replaceChildren(...filesTable(known))).catch(() => files.remove());
   const bound = commands.filter((command) => command.keys.length > 0);
@@ -63,6 +82,7 @@ export function showHelp(
       ),
     ),
     files,
+    drawn,
     element(
       'p.about',
       'Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012. ',
@@ -75,6 +95,15 @@ export function showHelp(
     if (event.target === dialog) dialog.close();
   };
   dialog.showModal();
+}
+
+/** Says which interface of the browser draws, and with which graphics card. */
+async function cardInWords(renderer: Renderer) {
+  const { label, cardOf } = INTERFACES[renderer] ?? {};
+  if (!cardOf) return '';
+  const card = await cardOf();
+  const how = card?.isSoftware ? ', without a graphics card: slow with large meshes' : '';
+  return `Drawn by ${label}${card?.name ? ` with ${card.name}` : ''}${how}.`;
 }
 
 /** What is read and written of each format. */
