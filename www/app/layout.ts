@@ -8,9 +8,14 @@ import { byId, element, icon } from '../ui/dom.ts';
 import type { Store } from '../store/state.ts';
 
 const PHONE = matchMedia('(max-width: 699px)');
-/** Groups of the toolbar that move to the bottom bar or its menu on a phone; others stay. */
+/** Touch-sized buttons in a window that is too narrow for all of them. */
+const TABLET = matchMedia('(pointer: coarse) and (min-width: 700px) and (max-width: 1099px)');
+/** Groups of the toolbar that move to the bottom bar of a phone, and to the menu; others stay. */
 const IN_BAR = ['group-run', 'group-file'];
-const IN_MORE = ['group-mode', 'group-scene', 'group-page'];
+const IN_MORE = {
+  phone: ['group-mode', 'group-scene', 'group-page'],
+  tablet: ['group-scene', 'group-page'],
+};
 
 export function arrangeForWidth(store: Store) {
   const header = byId('header');
@@ -24,20 +29,19 @@ export function arrangeForWidth(store: Store) {
     icon('more'),
     element('span', 'More'),
   );
-  bar.append(moreButton);
   header.append(tools);
 
   function arrange() {
     tools.append(...groups);
-    if (PHONE.matches) {
-      moreButton.before(...IN_BAR.map(byId));
-      more.append(...IN_MORE.map(byId));
-      // In a menu each control is its own tab stop.
-      for (const control of more.querySelectorAll('[tabindex]'))
-        control.removeAttribute('tabindex');
-    }
+    if (PHONE.matches) bar.append(...IN_BAR.map(byId), moreButton);
+    else if (TABLET.matches) tools.append(moreButton);
+    else moreButton.remove();
+    if (!moreButton.isConnected) return;
+    more.append(...IN_MORE[PHONE.matches ? 'phone' : 'tablet'].map(byId));
+    // In a menu each control is its own tab stop.
+    for (const control of more.querySelectorAll('[tabindex]')) control.removeAttribute('tabindex');
   }
-  PHONE.addEventListener('change', arrange);
+  for (const query of [PHONE, TABLET]) query.addEventListener('change', arrange);
   arrange();
   [tools, bar, byId('select-bar')].forEach(oneTabStop);
   more.addEventListener('click', (event) => {
@@ -46,8 +50,9 @@ export function arrangeForWidth(store: Store) {
   });
   byId('examples').addEventListener('click', () => more.hidePopover());
   tabs(store);
-  placeMenu(byId('examples'), () => (PHONE.matches ? moreButton : byId('examples-button')));
-  placeMenu(byId('recent'), () => (PHONE.matches ? moreButton : byId('recent-button')));
+  const unlessInMenu = (id: string) => () => (moreButton.isConnected ? moreButton : byId(id));
+  placeMenu(byId('examples'), unlessInMenu('examples-button'));
+  placeMenu(byId('recent'), unlessInMenu('recent-button'));
   byId('recent').addEventListener('click', () => more.hidePopover());
   placeMenu(more, () => moreButton);
 }
