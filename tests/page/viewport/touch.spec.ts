@@ -101,6 +101,21 @@ test('one finger orbits, two pan and zoom', async ({ page }) => {
   await expect.poll(async () => (await screenOf(page, MIDDLE))[0]).toBeGreaterThan(left + 20);
 });
 
+test('a brush stroke that becomes a pinch leaves the selection as it was', async ({ page }) => {
+  const touch = await fingers(page);
+  const [x, y] = await screenOf(page, MIDDLE);
+  await touch.down([x, y]);
+  await touch.up();
+  const { selection } = await waitForState(page, (now) => now.selection.vertices.length === 1);
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await page.keyboard.press('p');
+  await touch.down([x - 60, y]);
+  await waitForState(page, (now) => now.selection.vertices.length === 0);
+  await touch.down([x - 60, y], [x + 60, y]);
+  await touch.up();
+  expect((await state(page)).selection).toEqual(selection);
+});
+
 test('a long press shows the menu; a handle and its arrows follow a finger', async ({ page }) => {
   const touch = await fingers(page);
   const [x, y] = await screenOf(page, MIDDLE);

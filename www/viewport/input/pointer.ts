@@ -226,9 +226,14 @@ export class PointerInput {
     event.stopPropagation();
   }
 
-  /** A second finger switches to pan and zoom, except while a handle is dragged. */
+  /**
+   * A second finger switches to pan and zoom, except while a handle is dragged. What the first one
+   * has done meanwhile was not meant.
+   */
   #secondFinger() {
-    if (this.#gesture?.kind !== 'handle') this.#become({ kind: 'pinch' });
+    if (this.#gesture?.kind === 'handle') return;
+    this.cancel();
+    this.#become({ kind: 'pinch' });
   }
 
   #move(event: PointerEvent) {
