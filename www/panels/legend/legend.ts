@@ -57,7 +57,7 @@ export function legend(place: HTMLElement, app: AppContext, fit: () => void) {
   const tolerance = field('Tolerance', (value) => {
     const state = store.get();
     const about = declared(state, state.measure);
-    if (about?.toleranced) actions.setTolerance(value);
+    if (about?.toleranced) void actions.edit({ setTolerance: { tolerance: value } });
     else if (about) actions.setToleranceOf(about.id, value);
   });
   tolerance.placeholder = 'none';
@@ -103,11 +103,19 @@ export function legend(place: HTMLElement, app: AppContext, fit: () => void) {
       type: 'text',
       inputMode: 'decimal',
       'aria-label': name,
+      oninput: () => input.setCustomValidity(''),
       onchange: () => {
         const value = numberIn(input);
+        if (value === undefined) {
+          input.setCustomValidity(`“${input.value}” is no number from 0.`);
+          return input.reportValidity();
+        }
         accept(value === null ? null : value / unitNow().factor);
       },
-      onblur: () => show(),
+      onblur: () => {
+        input.setCustomValidity('');
+        show();
+      },
     });
     return input;
   }
@@ -190,7 +198,6 @@ export function legend(place: HTMLElement, app: AppContext, fit: () => void) {
       'measures',
       'range',
       'spread',
-      'tolerance',
       'tolerances',
       'document',
       'renderer',
@@ -203,8 +210,10 @@ export function legend(place: HTMLElement, app: AppContext, fit: () => void) {
   );
 }
 
-/** Returns the number in a field if it is non-negative, else null. */
+/** Returns the number in a field; null if it is empty, undefined if it has none from zero. */
 function numberIn(input: HTMLInputElement) {
-  const value = Number.parseFloat(input.value.replace(',', '.').replace('−', '-'));
-  return value >= 0 ? value : null;
+  const text = input.value.trim();
+  if (text === '') return null;
+  const value = Number(text.replace(',', '.'));
+  return value >= 0 ? value : undefined;
 }

@@ -1,0 +1,39 @@
+/**
+ * What is typed into a number field and is no part of a number. Browsers leave such characters out
+ * without a word, so that `2*0.5` became 20.5: here they are refused with words, with all that
+ * follows, until the field is edited otherwise or left.
+ */
+
+/** What numbers are written with; each field refuses what is no number by itself. */
+const PART = /^[\d.,eE+−-]*$/;
+
+/** Refuses it in all number fields of the page. */
+export function refuseExpressions() {
+  /** The field in which a character was refused. */
+  let refused: HTMLInputElement | null = null;
+  const accept = () => {
+    refused?.setCustomValidity('');
+    refused = null;
+  };
+
+  document.addEventListener('beforeinput', (event) => {
+    const field = event.target;
+    if (!(field instanceof HTMLInputElement) || field.type !== 'number') return;
+    const text = event.data?.trim();
+    if (!text) return accept();
+    if (field !== refused && PART.test(text)) return;
+    event.preventDefault();
+    if (field === refused) return;
+    accept();
+    refused = field;
+    field.setCustomValidity(`“${text}” is no part of a number. Write the result, such as 0.5.`);
+    field.reportValidity();
+  });
+  document.addEventListener('keydown', ({ key, ctrlKey, metaKey }) => {
+    // Enter reports the field as it is, which is not what was meant.
+    if (key === 'Enter') setTimeout(accept);
+    else if (key.length > 1 || ctrlKey || metaKey) accept();
+  });
+  document.addEventListener('pointerdown', accept);
+  document.addEventListener('focusout', accept);
+}
