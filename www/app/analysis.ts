@@ -27,19 +27,19 @@ const TABS: Tab[] = [
   { id: 'log', label: 'Log', make: logOf },
 ];
 
-/**
- * @returns `bring`
- *   shows a tab and scrolls the region into view; `shown` returns the id of the current tab
- */
-export function analysisRegion(
-  place: HTMLElement,
-  app: AppContext,
-): { bring: (id: string) => void; show: (id: string) => void; shown: () => string } {
+/** @returns shows a tab and scrolls the region into view */
+export function analysisRegion(place: HTMLElement, app: AppContext): (id: string) => Promise<void> {
+  const { store, actions } = app;
   const list = element('div', { role: 'tablist', 'aria-label': 'Analysis' });
   const entries = TABS.map((tab) => {
     const button = element(
       'button',
-      { role: 'tab', id: `tab-${tab.id}`, 'aria-controls': tab.id, onclick: () => show(tab.id) },
+      {
+        role: 'tab',
+        id: `tab-${tab.id}`,
+        'aria-controls': tab.id,
+        onclick: () => actions.look({ plot: tab.id }),
+      },
       tab.label,
     );
     const panel = element('div', {
@@ -59,12 +59,10 @@ export function analysisRegion(
     next?.click();
   });
 
-  let shown = '';
-
   function show(id: string) {
+    // A saved view may name a tab that does not exist.
     const entry = entries.find((one) => one.id === id);
     if (!entry) return;
-    shown = id;
     for (const { id: other, panel, button } of entries) {
       const isShown = other === id;
       panel.hidden = !isShown;
@@ -74,17 +72,13 @@ export function analysisRegion(
     if (!entry.isMade) entry.make(entry.panel, app);
     entry.isMade = true;
   }
-  show(TABS[0].id);
-  return {
-    show,
-    shown: () => shown,
-    async bring(id) {
-      show(id);
-      app.store.set({ advanced: true });
-      await Promise.resolve();
-      // In a narrow window the panel may be behind another panel or closed.
-      if (place.offsetParent === null) byId('tab-inspector').click();
-      place.scrollIntoView({ block: 'nearest' });
-    },
+  store.subscribe(['plot'], ({ plot }) => show(plot));
+  return async (id) => {
+    actions.look({ plot: id });
+    store.set({ advanced: true });
+    await Promise.resolve();
+    // In a narrow window the panel may be behind another panel or closed.
+    if (place.offsetParent === null) byId('tab-inspector').click();
+    place.scrollIntoView({ block: 'nearest' });
   };
 }

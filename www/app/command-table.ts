@@ -121,9 +121,13 @@ export function commandTable(
       group: 'Edit',
       label: 'Redo',
       keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
-      action: actions.redo,
-      enabled: ({ document, dragged }) => Boolean(document?.redo) && dragged.length === 0,
-      title: ({ document }) => (document?.redo ? `Redo: ${document.redo}` : 'Nothing to redo'),
+      action: () => (store.get().document?.redo ? actions.redo() : files.goForward()),
+      enabled: ({ document, dragged, isUndone }) =>
+        Boolean(document?.redo || isUndone) && dragged.length === 0,
+      title: ({ document, isUndone }) => {
+        const what = document?.redo || (isUndone && 'New mesh');
+        return what ? `Redo: ${what}` : 'Nothing to redo';
+      },
     },
     {
       id: 'add-handles',
@@ -275,7 +279,10 @@ export function commandTable(
       group: 'Page',
       label: 'This list',
       keys: ['?', 'F1'],
-      action: opens(() => showHelp(byId('help'), app.commands, app.actions.ask.fileFormats())),
+      action: opens(() => {
+        const { renderer } = store.get();
+        showHelp(byId('help'), app.commands, app.actions.ask.fileFormats(), renderer);
+      }),
       title: () => 'Mouse and keys',
     },
     {

@@ -21,24 +21,22 @@ import { isEmbedded } from '../ui/embedded.ts';
 import { saveFile } from '../ui/output.ts';
 import { getItem } from '../ui/safe-storage.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
-import { restoreView, type ViewContext } from '../viewport/saved-view.ts';
 import type { Files } from '../documents/files.ts';
+import type { AppContext } from './context.ts';
 import type { Opening } from '../documents/openings.ts';
-import type { SolverClient } from '../solver/solver-client.ts';
 import type { Loaded } from '../solver/types.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
 
 export class Startup {
   #store;
-  #viewContext;
+  #actions;
   #solver;
   #files;
   #alerts;
   #autosave: Autosave | null = null;
 
-  constructor(solver: SolverClient, files: Files, alerts: Alerts, viewContext: ViewContext) {
-    this.#store = viewContext.store;
-    this.#viewContext = viewContext;
+  constructor({ store, actions, solver, files, alerts }: AppContext) {
+    this.#store = store;
+    this.#actions = actions;
     this.#solver = solver;
     this.#files = files;
     this.#alerts = alerts;
@@ -48,7 +46,7 @@ export class Startup {
   async begin() {
     const { openings } = this.#files;
     window.addEventListener('hashchange', () =>
-      this.#viewContext.actions.reportErrors(openings.begin((own) => this.#openLink(own))),
+      this.#actions.reportErrors(openings.begin((own) => this.#openLink(own))),
     );
     await openings.begin((own) => this.#begin(own));
   }
@@ -83,7 +81,7 @@ export class Startup {
       this.#alerts.error(messageOf(error));
       if (this.#solver.isAbsent) return;
       showNothingOpen(this.#files, async () => {
-        await this.#viewContext.actions.reportErrors(this.#startFresh());
+        await this.#actions.reportErrors(this.#startFresh());
       });
     }
   }
@@ -101,7 +99,7 @@ export class Startup {
 
   /** Saves all unsaved changes. */
   async saveNow() {
-    await this.#viewContext.actions.settled();
+    await this.#actions.settled();
     await this.#autosave?.save();
   }
 
@@ -149,7 +147,7 @@ export class Startup {
 
   #startAutosave() {
     if (isEmbedded) return;
-    this.#autosave ??= new Autosave(this.#solver, this.#files, this.#viewContext);
+    this.#autosave ??= new Autosave(this.#solver, this.#files, this.#store, this.#actions);
   }
 
   /**
@@ -166,8 +164,7 @@ export class Startup {
     if (!loaded) return true;
     const { undoLost } = loaded;
     const fresh = () => {
-      if (location.hash) history.replaceState(null, '', location.pathname + location.search);
-      void this.#viewContext.actions.reportErrors(this.#startFresh());
+      void this.#actions.reportErrors(this.#startFresh());
     };
     const words = undoLost ? `is back, but its undo history is lost: ${undoLost}` : 'is back';
     this.#alerts.notice(`${last.work.title} ${words}.`, {
@@ -182,8 +179,8 @@ export class Startup {
     const bytes = new TextEncoder().encode(text);
     const examples = work.example ? await this.#files.examples() : [];
     const example = examples.find(({ id }) => id === work.example);
-    const { id, title } = work;
-    const origin = { example, work: id, title, saved, text };
+    const { id, title, hash: link, view } = work;
+    const origin = { example, work: id, title, saved, text, link, view };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
     const loaded = await this.#files.open(files, origin, { opening }).catch(async (error) => {
       await markUnreadable(work);
@@ -193,7 +190,6 @@ export class Startup {
       release(work);
       return null;
     }
-    restoreView(work.view, this.#viewContext);
     return loaded;
   }
 
@@ -205,24 +201,26 @@ export class Startup {
     if (location.hash.length < 2) return false;
     const link = await readLink(location.hash);
     if (!link) return false;
-    const { example, text, run } = link;
+    const { example, text, run, name } = link;
+    const from = { link: location.hash };
     let loaded: Loaded | null = null;
-    if (example) loaded = await this.#openExample(example, text, opening);
-    else if (text) loaded = await this.#files.open([sceneFile('shared', text)], {}, { opening });
+    if (example) loaded = await this.#openExample(example, text, from, opening);
+    else if (text)
+      loaded = await this.#files.open([sceneFile(name ?? 'shared', text)], from, { opening });
     if (loaded && run) this.#solver.tell.run();
     return true;
   }
 
   /** @param edits text of a scene that replaces the scene of the example */
-  async #openExample(id: string, edits: string | null, opening: Opening) {
+  async #openExample(id: string, edits: string | null, from: { link: string }, opening: Opening) {
     const examples = await this.#files.examples();
     const example = examples.find((one) => one.id === id);
     if (!example)
       throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
-    if (!edits) return this.#files.openExample(example, { opening });
+    if (!edits) return this.#files.openExample(example, { ...from, opening });
     const mesh = { name: example.mesh, bytes: await this.#files.exampleFile(example.mesh) };
     const files = [sceneFile(example.id, edits), mesh];
-    const loaded = await this.#files.open(files, { example }, { opening });
+    const loaded = await this.#files.open(files, { ...from, example }, { opening });
     // The edits are stored in the link only, not in a file.
     if (loaded) this.#files.original = null;
     return loaded;

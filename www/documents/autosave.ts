@@ -6,7 +6,7 @@
  * A tab holds a lock on its work while it lives, so that no other tab opens it.
  */
 
-import { viewOf, type ViewContext } from '../viewport/saved-view.ts';
+import { viewOf } from '../viewport/saved-view.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
 import {
   recoverUnsaved,
@@ -22,6 +22,8 @@ import {
   type Contents,
 } from './recent-documents.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
+import type { Actions } from '../store/actions.ts';
+import type { Store } from '../store/state.ts';
 import type { Files } from './files.ts';
 import type { Saved } from '../solver/types.ts';
 
@@ -43,7 +45,7 @@ export class Autosave {
   #store;
   #solver;
   #files;
-  #seen;
+  #actions;
   /** Id of the current work; empty while another model is being opened. */
   #id = '';
   /** The same, kept until that model has opened: its opening may be cancelled. */
@@ -58,12 +60,11 @@ export class Autosave {
   /** Fragment of the address at which the model was opened. */
   #hash = '';
 
-  constructor(solver: SolverClient, files: Files, seen: ViewContext) {
-    const { store, actions } = seen;
+  constructor(solver: SolverClient, files: Files, store: Store, actions: Actions) {
     this.#store = store;
     this.#solver = solver;
     this.#files = files;
-    this.#seen = seen;
+    this.#actions = actions;
     solver.on('model', () => {
       // Scenes that arrive before the new model has opened belong to no work.
       this.#id = solver.restoring ? this.#lastId : '';
@@ -92,12 +93,12 @@ export class Autosave {
     const id = work ?? newId();
     // A model that is reopened continues its work.
     this.#files.origin = { ...this.#files.origin, work: id };
-    this.#hash = location.hash;
+    this.#hash = this.#files.origin.link ?? '';
     // The user may already have edited the model since it was opened.
     this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
     this.#confirmed = this.#kept;
     this.#id = this.#lastId = id;
-    this.#seen.actions.describeFile({ saved: '' });
+    this.#actions.describeFile({ saved: '' });
     setItem(OWN_KEY, id, 'sessionStorage');
     if (claims.get(id) !== this.#release) this.#release();
     // A resumed work was claimed before it was opened.
@@ -122,13 +123,13 @@ export class Autosave {
         this.#confirmed = kept;
         if (kept === this.#kept) forgetUnsaved(next[0].id);
         setItem(ANY_KEY, 'yes');
-        this.#seen.actions.describeFile({
+        this.#actions.describeFile({
           saved: `Saved in this browser ${timeOf(next[0].savedAt)}`,
         });
       } catch {
         // Storage is blocked (as in some private windows) or full.
         this.#kept = NOTHING;
-        this.#seen.actions.describeFile({ saved: OFF });
+        this.#actions.describeFile({ saved: OFF });
         return;
       }
     }
@@ -166,7 +167,7 @@ export class Autosave {
     if (!model || !text || !this.#id) return null;
     const asItCame = origin.example && text === original && !progress;
     if (kept.text === null && asItCame) return null;
-    const view = viewOf(this.#seen);
+    const view = viewOf(this.#store.get());
     const viewWords = JSON.stringify(view);
     const isOther = text !== kept.text || progress !== kept.progress;
     if (!isOther && !(withView && viewWords !== kept.view)) return null;

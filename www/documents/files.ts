@@ -12,7 +12,8 @@ import { askToExport } from './collapse.ts';
 import { Openings, type Opening } from './openings.ts';
 import { askRhino } from './rhino/rhino-client.ts';
 import type { FromRhino } from './rhino/rhino-in.ts';
-import { rememberedFrame } from './units-prompt.ts';
+import { digestOf, rememberedFrame } from './units-prompt.ts';
+import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
@@ -40,10 +41,17 @@ export interface Origin {
   hidden?: boolean;
   /** do not weld the vertices */
   unwelded?: boolean;
-  /** the previously open model, which Undo opens again */
-  before?: Before | null;
+  /** fragment of the address at which it was opened, with its # */
+  link?: string;
+  /** camera and display at which it was left */
+  view?: SavedView | null;
+  /** the model that a new mesh replaced, which Undo opens again */
+  before?: Left | null;
+  /** the new mesh that Undo replaced, which Redo opens again */
+  after?: Left | null;
 }
-type Before = { given: NamedBytes[]; origin: Origin };
+/** An open model, to be opened again as it was left. */
+type Left = { given: NamedBytes[]; origin: Origin };
 
 const IS_RHINO = /\.3dm$/i;
 
@@ -59,8 +67,11 @@ export class Files extends Emitter<{ opened: void }> {
   #solver;
   #alerts;
   #actions;
+  /** Text of the scene when it was opened last. */
+  #openedText: string | null = null;
   /** The files opened last. */
   #given: NamedBytes[] = [];
+  #digest: string | null = null;
   /** Base name of saved files. */
   #name = 'model';
 
@@ -70,10 +81,16 @@ export class Files extends Emitter<{ opened: void }> {
     this.#solver = solver;
     this.#alerts = alerts;
     this.#actions = actions;
+    solver.on('scene', () => this.#forgetUndone());
   }
 
   get name() {
     return this.#name;
+  }
+
+  /** The digest of the main one of the files opened last. */
+  get digest() {
+    return this.#digest;
   }
 
   /**
@@ -116,13 +133,19 @@ export class Files extends Emitter<{ opened: void }> {
         this.#actions.setStatus(`Reading ${files.map((file) => file.name).join(' and ')} …`);
       const main = mainOf(files);
       const { saved, first: solved, unwelded } = origin;
-      const frame = rememberedFrame(main.name);
+      const digest = await digestOf(main.bytes.slice());
+      const frame = rememberedFrame(digest);
       const loaded = await this.#actions.open({ files, saved, frame, solved, weld: !unwelded });
       opening.opened();
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;
-      this.origin = origin;
+      this.#openedText = this.#solver.sceneText;
+      this.#digest = digest;
+      const { view, ...rest } = origin;
+      if (view) restoreView(view, this.#store, this.#actions);
+      this.origin = rest;
       this.original = origin.original ?? (origin.work ? null : this.#solver.sceneText);
+      nameInAddress(origin.link);
       this.#alerts.clear();
       if (!origin.first) removeFirstPicture();
       this.#actions.describeFile({
@@ -130,6 +153,7 @@ export class Files extends Emitter<{ opened: void }> {
         fileName: origin.title ?? main.name,
         example: origin.example ?? null,
         isNew: Boolean(origin.before),
+        isUndone: Boolean(origin.after),
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       if (loaded.welded) this.#reportWelded(loaded.welded, loaded.units);
@@ -148,20 +172,21 @@ export class Files extends Emitter<{ opened: void }> {
   /**
    * Opens an example.
    * @param how.first it is the page's first model, already solved
+   * @param how.link fragment of the address that names it
    * @param how.opening that it is part of, if it is not one of its own
    * @returns null if a later opening has taken its place
    */
   async openExample(
     example: Example,
-    { first = false, opening }: { first?: boolean; opening?: Opening } = {},
+    { first = false, link, opening }: { first?: boolean; link?: string; opening?: Opening } = {},
   ): Promise<Loaded | null> {
     if (!opening)
-      return this.openings.begin((own) => this.openExample(example, { first, opening: own }));
+      return this.openings.begin((own) => this.openExample(example, { first, link, opening: own }));
     const names = [example.scene, example.mesh];
     const files = await Promise.all(
       names.map(async (name) => ({ name, bytes: await this.exampleFile(name) })),
     );
-    const loaded = await this.open(files, { first, example }, { opening });
+    const loaded = await this.open(files, { first, example, link }, { opening });
     if (!loaded) return null;
     const { numbers } = this.#store.get();
     const status = first && numbers?.ended.converged;
@@ -174,12 +199,46 @@ export class Files extends Emitter<{ opened: void }> {
     return this.#actions.ask.exampleFile(name);
   }
 
+  /**
+   * Returns the open model as it is now, with its undo history, which belongs to the solver's last
+   * scene text; null without one.
+   */
+  async asItIs(): Promise<Left | null> {
+    const state = this.#store.get();
+    if (!state.document) return null;
+    const { saved, sceneText } = this.#solver;
+    const bytes = new TextEncoder().encode(sceneText ?? (await this.#actions.ask.scene()));
+    const { origin, original, name } = this;
+    const [title, view] = [state.fileName, viewOf(state)];
+    return {
+      given: [{ name: `${name}.shapeup.json`, bytes }],
+      origin: { ...origin, first: false, saved, original, title, view },
+    };
+  }
+
   /** Reopens the model that was open before a new mesh. */
   async goBack() {
     const { before } = this.origin;
     if (!before) return;
-    const loaded = await this.open(before.given, before.origin).catch(() => null);
+    const after = await this.asItIs();
+    const loaded = await this.open(before.given, { ...before.origin, after }).catch(() => null);
     if (loaded) this.#actions.setStatus('Undid: New mesh');
+  }
+
+  /** Reopens the new mesh from which Undo went back, unless the model has changed since. */
+  async goForward() {
+    const { after } = this.origin;
+    if (!after || !this.#store.get().isUndone) return;
+    const loaded = await this.open(after.given, after.origin).catch(() => null);
+    if (loaded) this.#actions.setStatus('Redid: New mesh');
+  }
+
+  /** Forgets the new mesh from which Undo went back, once an edit has taken its place. */
+  #forgetUndone() {
+    const { document: scene, isUndone } = this.#store.get();
+    if (!isUndone || scene?.redo || this.#solver.sceneText === this.#openedText) return;
+    this.#actions.describeFile({ isUndone: false });
+    delete this.origin.after;
   }
 
   examples(): Promise<Example[]> {
@@ -267,6 +326,12 @@ export class Files extends Emitter<{ opened: void }> {
     saveFile(name, content, type);
     this.#actions.setStatus(`Saved ${name}`);
   }
+}
+
+/** Makes the address that of the open model: a reload would otherwise open another one. */
+function nameInAddress(link = '') {
+  const { hash, pathname, search } = location;
+  if (hash !== link) history.replaceState(null, '', pathname + search + link);
 }
 
 /**

@@ -69,6 +69,7 @@ export const outdated = () =>
  * @param given.example id of the example whose mesh the scene has
  * @param given.run whether to iterate after opening
  * @param given.tolerance in the unit of the mesh
+ * @param given.name base name of the scene's files
  * @returns with the rounding step, if rounded
  */
 export async function packScene({
@@ -76,14 +77,16 @@ export async function packScene({
   example,
   run,
   tolerance,
+  name,
 }: {
   scene: SceneFile;
   example?: string;
   run: boolean;
   tolerance: number;
+  name?: string;
 }): Promise<{ code: string; rounded: number | null }> {
   // JSON omits undefined keys.
-  const about = { example, run: run || undefined };
+  const about = { example, run: run || undefined, name };
   const exact = await packed({ ...about, scene });
   const step = tolerance > 0 ? stepBelow(PART * tolerance) : null;
   const { mesh: unrounded, lesson } = scene;
@@ -103,7 +106,7 @@ export async function packScene({
 /** @returns rejects altered codes */
 export async function unpackScene(
   code: string,
-): Promise<{ text: string; example: string | null; run: boolean }> {
+): Promise<{ text: string; example: string | null; run: boolean; name: string | null }> {
   const bytes = readCode(code);
   if (!bytes?.length) throw damaged();
   if (bytes[0] < VERSION) throw outdated();
@@ -117,10 +120,11 @@ export async function unpackScene(
     throw new Error(`The link unpacks to more than ${most} MB. Ask the sender for the scene file.`);
   }
   const end = content.indexOf(10);
-  const { scene, example = null, run = false, step, origin } = read(content.subarray(0, end));
+  const about = read(content.subarray(0, end));
+  const { scene, example = null, run = false, name = null, step, origin } = about;
   const numbers = content.subarray(end + 1);
   if (step) scene.mesh = restoredMesh({ mesh: scene.mesh, origin, numbers }, step);
-  return { text: JSON.stringify(scene), example, run };
+  return { text: JSON.stringify(scene), example, run, name };
 }
 
 /** The JSON of a link. */

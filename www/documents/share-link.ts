@@ -22,6 +22,8 @@ interface Linked {
   text: string | null;
   /** whether to iterate after opening */
   run: boolean;
+  /** base name of the scene's files, if the mesh is no example's */
+  name: string | null;
 }
 
 /**
@@ -36,7 +38,7 @@ export async function readLink(hash: string): Promise<Linked | null> {
   // The scene, or the edits of an example, in the first links.
   if (parts.has('scene') || parts.has('edits')) throw outdated();
   const example = parts.get('example');
-  return example ? { example, text: null, run: parts.has('run') } : null;
+  return example ? { example, text: null, run: parts.has('run'), name: null } : null;
 }
 
 /** Returns the address that opens the current scene, and the rounding step of its positions. */
@@ -46,16 +48,16 @@ export async function linkTo({
   files,
 }: Pick<AppContext, 'store' | 'actions' | 'files'>) {
   const text = await actions.ask.scene();
-  const { numbers, tolerance, model } = store.get();
+  const { numbers, document: scene } = store.get();
   const { mesh, variants, current } = JSON.parse(text);
   const example = (await isUnchanged(mesh, files)) ? files.origin.example : undefined;
   // A kept design needs no run: it is already solved.
   const isKept = variants?.design !== undefined && !current;
   const run = (numbers?.iteration ?? 0) > 0 && !isKept;
-  const about = { example, original: files.original, run };
+  const about = { example, original: files.original, run, name: files.name };
   const { fragment, rounded } = await writeLink(text, {
     ...about,
-    tolerance: tolerance ?? model?.tolerance ?? 0,
+    tolerance: scene?.tolerance ?? 0,
   });
   return { address: new URL(fragment, location.href.split('#')[0]).href, rounded };
 }
@@ -82,6 +84,7 @@ async function isUnchanged(
  * @param about.example whose mesh the scene has
  * @param about.original text of the unchanged example
  * @param about.tolerance in the unit of the mesh
+ * @param about.name base name of the scene's files
  * @returns with the rounding step, if rounded
  */
 export async function writeLink(
@@ -91,11 +94,18 @@ export async function writeLink(
     original,
     run,
     tolerance,
-  }: { example?: Example; original: string | null; run: boolean; tolerance: number },
+    name,
+  }: {
+    example?: Example;
+    original: string | null;
+    run: boolean;
+    tolerance: number;
+    name?: string;
+  },
 ): Promise<{ fragment: string; rounded: number | null }> {
   const scene = withoutPositions(text);
   if (!example) {
-    const { code, rounded } = await packScene({ scene, run, tolerance });
+    const { code, rounded } = await packScene({ scene, run, tolerance, name });
     return { fragment: `#link=${code}`, rounded };
   }
   const edits = { ...scene, mesh: { file: example.mesh } };

@@ -1,11 +1,12 @@
 /**
  * The unit and the vertical axis of the model: fields of its panel that show whether they were
- * guessed and remember the choice by file name. The coordinates never change.
+ * guessed and remember the choice by the contents of the file. The coordinates never change.
  */
 
 import { element, removeKeepingFocus, setText } from '../ui/dom.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
 import { UNITS } from '../ui/units.ts';
+import type { AppContext } from '../app/context.ts';
 import type { Store } from '../store/state.ts';
 import type { Actions } from '../store/actions.ts';
 import type { Loaded } from '../solver/types.ts';
@@ -29,34 +30,54 @@ function remembered(): [string, Frame][] {
   }
 }
 
-/** Returns the remembered frame as comment lines of a mesh file. */
-export function rememberedFrame(name: string) {
-  const frame = remembered().find(([known]) => known === name)?.[1];
+/**
+ * Returns what tells the contents of a file from those of any other; null where the browser has no
+ * hash function, as at an address without encryption: then nothing is remembered.
+ */
+export async function digestOf(bytes: BufferSource): Promise<string | null> {
+  const hash = await crypto.subtle?.digest('SHA-256', bytes);
+  return hash ? btoa(String.fromCharCode(...new Uint8Array(hash))) : null;
+}
+
+/**
+ * Returns the remembered frame as comment lines of a mesh file.
+ * @param digest of the file
+ */
+export function rememberedFrame(digest: string | null) {
+  const frame = remembered().find(([known]) => known === digest)?.[1];
   return frame ? `# units: ${frame.units}\n# up: ${frame.up}\n` : '';
 }
 
-/** @param name of a file */
-function rememberFrame(name: string, frame: Frame) {
-  const others = remembered().filter(([known]) => known !== name);
-  const all = [...others, [name, frame]].slice(-MOST_FILES);
+/** @param digest of a file */
+function rememberFrame(digest: string, frame: Frame) {
+  const others = remembered().filter(([known]) => known !== digest);
+  const all = [...others, [digest, frame]].slice(-MOST_FILES);
   setItem(KEY, JSON.stringify(all));
 }
 
 /** Returns a function that changes unit and axis, each as one step of undo. */
-function changes(store: Store, actions: Actions): (part: Partial<Frame>) => Promise<void> {
+function changes(
+  store: Store,
+  actions: Actions,
+  files: { digest: string | null },
+): (part: Partial<Frame>) => Promise<void> {
   return async (part) => {
     const { model, document } = store.get();
     if (!model || !document) return;
     const { units = document.units, up = document.up } = part;
     if (units !== document.units) await actions.edit({ setUnits: { units } });
     if (up !== document.up) await actions.edit({ setUp: { up } });
-    rememberFrame(model.name, { units, up });
+    if (files.digest) rememberFrame(files.digest, { units, up });
   };
 }
 
 /** Returns the rows of the model panel: the guess and the two fields, kept up to date. */
-export function frameFields(store: Store, actions: Actions): HTMLElement {
-  const apply = changes(store, actions);
+export function frameFields({
+  store,
+  actions,
+  files,
+}: Pick<AppContext, 'store' | 'actions' | 'files'>): HTMLElement {
+  const apply = changes(store, actions, files);
   let confirmed: Loaded | null = null;
   const change = async (part: Partial<Frame>) => {
     await apply(part);

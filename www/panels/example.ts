@@ -15,9 +15,10 @@ export function exampleNote(
     if (!to) return [];
     const onclick = (event: Event) => {
       // A link to the current address would do nothing.
-      if (location.hash !== linkToExample(to.id)) return;
+      const link = linkToExample(to.id);
+      if (location.hash !== link) return;
       event.preventDefault();
-      void actions.reportErrors(files.openExample(to));
+      void actions.reportErrors(files.openExample(to, { link }));
     };
     return [element('a', { href: linkToExample(to.id), title: to.title, onclick }, text)];
   };

@@ -9,12 +9,9 @@ import type { AppContext } from '../app/context.ts';
 import type { Loaded, MeshRemedy } from '../solver/types.ts';
 
 /** @param showLog opens the log, with the details of each problem */
-export function modelPanel(
-  place: HTMLElement,
-  { store, solver, actions }: AppContext,
-  showLog: () => void,
-) {
-  const frame = frameFields(store, actions);
+export function modelPanel(place: HTMLElement, app: AppContext, showLog: () => void) {
+  const { store, solver, actions } = app;
+  const frame = frameFields(app);
   const mesh = meshActions(store, solver, actions);
   store.subscribe(['model', 'fileName'], ({ model, fileName }) => {
     if (!model) return;

@@ -87,8 +87,6 @@ export interface State {
   spread: Spread | null;
   /** the card in the corner of the view, which draws lines on the surface */
   corner: 'curvature' | 'new-panels' | null;
-  /** tolerance of lengths, in the unit of the mesh */
-  tolerance: number | null;
   /** of the other measures, in their units */
   tolerances: Record<Measure, number | null>;
   /** `map` applies if all values are coloured */
@@ -128,12 +126,16 @@ export interface State {
   build: BuildReport | null;
   /** shown instead of the current shape, on request */
   heldOriginal: HeldOriginal | null;
+  /** id of the plot or table of the analysis */
+  plot: string;
   /** whether all controls are shown, not only the essential ones */
   advanced: boolean;
   dark: boolean;
   renderer: 'webgpu' | 'webgl2' | 'none' | 'starting';
   /** the model is a new mesh that replaced another model */
   isNew: boolean;
+  /** the model is the one from which a new mesh was undone */
+  isUndone: boolean;
   /** state of the autosave, as text */
   saved: string;
   /** last event, as text */
@@ -223,7 +225,6 @@ const INITIAL: State = {
   greatest: null,
   spread: null,
   corner: null,
-  tolerance: null,
   tolerances: {},
   display: {
     edges: true,
@@ -249,10 +250,12 @@ const INITIAL: State = {
   verdict: null,
   heldOriginal: null,
   build: null,
+  plot: 'convergence',
   advanced: false,
   dark: false,
   renderer: 'starting',
   isNew: false,
+  isUndone: false,
   saved: '',
   status: '',
 };

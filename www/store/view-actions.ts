@@ -28,9 +28,6 @@ export function createViewActions(store: Store) {
     /** Sets the verdict on the panels. */
     judge: (verdict: State['verdict']) => store.set({ verdict }),
 
-    /** Sets the tolerance of lengths, in the unit of the mesh. */
-    setTolerance: (tolerance: number | null) => store.set({ tolerance }),
-
     /** Sets the tolerance of another measure, in its unit. */
     setToleranceOf: (id: string, value: number | null) =>
       store.set({ tolerances: { ...store.get().tolerances, [id]: value } }),
@@ -55,9 +52,9 @@ export function createViewActions(store: Store) {
           | 'section'
           | 'views'
           | 'tab'
+          | 'plot'
           | 'measure'
           | 'measureChosen'
-          | 'tolerance'
           | 'tolerances'
         >
       >,
@@ -69,7 +66,10 @@ export function createViewActions(store: Store) {
     /** Sets the source and the save status of the model. */
     describeFile: (
       file: Partial<
-        Pick<State, 'firstExample' | 'fileName' | 'example' | 'isNew' | 'saved' | 'status'>
+        Pick<
+          State,
+          'firstExample' | 'fileName' | 'example' | 'isNew' | 'isUndone' | 'saved' | 'status'
+        >
       >,
     ) => store.set(file),
 

@@ -3,42 +3,20 @@
 import type { State, Store } from '../store/state.ts';
 import type { Actions } from '../store/actions.ts';
 
-/** The saved parts of the state under their names there, and `plot`, the tab of the analysis. */
-export type SavedView = { [part in (typeof PARTS)[number]]: State[part] } & { plot: string };
+const PARTS = [
+  ...(['camera', 'parallel', 'views', 'tab', 'plot'] as const),
+  ...(['measure', 'measureChosen', 'tolerances'] as const),
+];
 
-export interface ViewContext {
-  store: Store;
-  actions: Actions;
-  /** plots and tables */
-  analysis: { show: (tab: string) => void; shown: () => string };
-}
+/** The saved parts of the state under their names there. */
+export type SavedView = Pick<State, (typeof PARTS)[number]>;
 
-const PARTS: [
-  'camera',
-  'parallel',
-  'views',
-  'tab',
-  'measure',
-  'measureChosen',
-  'tolerance',
-  'tolerances',
-] = ['camera', 'parallel', 'views', 'tab', 'measure', 'measureChosen', 'tolerance', 'tolerances'];
+export const viewOf = (state: Readonly<State>) =>
+  Object.fromEntries(PARTS.map((part) => [part, state[part]])) as unknown as SavedView;
 
-export function viewOf({ store, analysis }: ViewContext): SavedView {
-  const state = store.get();
-  const parts = Object.fromEntries(PARTS.map((part) => [part, state[part]]));
-  return { ...parts, plot: analysis.shown() } as SavedView;
-}
-
-/**
- * Restores the saved view of a model that was just opened.
- * @param view null if none was saved
- */
-export function restoreView(view: SavedView | null, { store, actions, analysis }: ViewContext) {
-  if (!view) return;
-  const { plot, ...parts } = view;
-  const known = store.get().measures.some(({ id }) => id === parts.measure);
-  if (!known) parts.measure = store.get().measure;
-  actions.look(parts);
-  analysis.show(plot);
+/** Restores the saved view of a model that was just opened. */
+export function restoreView(view: SavedView, store: Store, actions: Actions) {
+  const { measures, measure } = store.get();
+  const known = measures.some(({ id }) => id === view.measure);
+  actions.look(known ? view : { ...view, measure });
 }

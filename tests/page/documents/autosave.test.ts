@@ -10,7 +10,7 @@ import { createStore } from '../../../www/store/state.ts';
 import type { Files } from '../../../www/documents/files.ts';
 import type { Loaded } from '../../../www/solver/types.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
-import type { ViewContext } from '../../../www/viewport/saved-view.ts';
+import type { Actions } from '../../../www/store/actions.ts';
 
 /** The parts of the solver that autosave follows. */
 class Solver extends Emitter<{ model: object; scene: object }> {
@@ -39,11 +39,11 @@ test('autosave goes on after the opening of another file was cancelled', async (
   const files = Object.assign(new Emitter(), { origin: {}, original: null, name: 'roof' });
   const store = createStore();
   store.set({ model: { title: '', name: 'roof.obj' } as Loaded });
-  const seen = { store, actions: { describeFile() {} }, analysis: { shown: () => '' } };
   const autosave = new Autosave(
     solver as unknown as SolverClient,
     files as unknown as Files,
-    seen as unknown as ViewContext,
+    store,
+    { describeFile() {} } as unknown as Actions,
   );
   const { id } = autosave;
   await autosave.save();

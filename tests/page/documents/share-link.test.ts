@@ -264,7 +264,7 @@ test('an example whose mesh was refined is stored with that mesh, also when it w
   const obj = `# roof\n${wavyGrid(2)}`;
   const appWith = (mesh: Mesh, original: Mesh | null) =>
     ({
-      store: { get: () => ({ tolerance: TOLERANCE }) },
+      store: { get: () => ({ document: { tolerance: TOLERANCE } }) },
       actions: { ask: { scene: async () => JSON.stringify(sceneWith(mesh)) } },
       files: {
         origin: { example: { id: 'roof', mesh: 'roof.obj' } },

@@ -66,6 +66,9 @@ test('the guess is shown in the panel, covers nothing, and is written into saved
     await expect(guess(page)).toBeHidden();
     await expect.poll(() => upOf(page)).toBe('y');
   }
+  // Another file of that name is another file: it used to get the unit without a question.
+  await openText(page, 'roof.obj', wavyGrid(3), 16);
+  await expect(guess(page)).toBeVisible();
   // A guess marked as right is not asked for again.
   await openText(page, 'other.obj', wavyGrid(2), 9);
   await looksRight(page).click();

@@ -1,7 +1,7 @@
 // A link contains the scene, which is solved when the link is opened.
 
 import type { Page } from '@playwright/test';
-import { addConstraint, openExample, openText, runToTheEnd, tool } from '../actions.ts';
+import { addConstraint, openExample, openText, runToTheEnd, showPanel, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import {
   dragVertex,
@@ -36,7 +36,11 @@ test("a link contains the user's mesh, which is solved again", async ({ page, ot
   await openPage(page);
   await openText(page, 'roof.obj', `g east\n${wavyGrid(4)}`, 25);
   await addConstraint(page, 'Plane', 'each face');
+  await page.getByLabel('Tolerance').fill('4');
+  await page.getByLabel('Tolerance').press('Enter');
   const before = await runToTheEnd(page);
+  const within = (there: Page) => there.getByTitle('Faces within the tolerance');
+  await expect(within(page)).not.toHaveText(/^(0|16) of/);
   const link = await linkOf(page);
   expect(new URL(link).hash).toMatch(/^#link=[\w-]+$/);
   await expect(dialogOf(page).getByText('Short enough')).toBeVisible();
@@ -50,6 +54,17 @@ test("a link contains the user's mesh, which is solved again", async ({ page, ot
     expect(await positionOf(other, vertex)).toEqual(await positionOf(page, vertex));
   }
   expect(await sceneOf(other)).toEqual(await sceneOf(page));
+  // The tolerance and the name were those of the reader's page.
+  await expect(other.getByLabel('Tolerance')).toHaveValue('4');
+  await expect(within(other)).toHaveText((await within(page).textContent()) ?? '');
+  await showPanel(other, 'Model');
+  await expect(other.getByText('roof.shapeup.json')).toBeVisible();
+
+  // The link stayed in the address, and a reload opened it in place of the later file.
+  await openText(other, 'tower.obj', wavyGrid(2), 9);
+  expect(new URL(other.url()).hash).toBe('');
+  await other.reload();
+  await waitForState(other, (now) => now.vertices === 9);
 });
 
 test('an example is linked by name, together with its edits', async ({ page, otherPage }) => {

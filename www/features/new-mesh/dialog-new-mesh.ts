@@ -27,7 +27,7 @@ const QUIET_MS = 150;
 export async function newMesh({ store, solver, files, actions, alerts }: AppContext) {
   await init({ module_or_path: solver.module });
   const kinds = newKinds();
-  const before = await whatIsOpen();
+  const before = await files.asItIs();
   const open = openMesh();
   /** One autosave entry for all trials. */
   const work = crypto.randomUUID();
@@ -58,20 +58,6 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
     kept?: () => void;
   };
   const keep = button('Create mesh', keepIt, { class: 'primary' });
-
-  /** The open document with its undo history, which belongs to the solver's last scene text. */
-  async function whatIsOpen() {
-    const { document: scene, fileName } = store.get();
-    if (!scene) return null;
-    const { saved, sceneText } = solver;
-    const bytes = new TextEncoder().encode(sceneText ?? (await actions.ask.scene()));
-    const { original } = files;
-    const origin = { ...files.origin, first: false, saved, original };
-    return {
-      given: [{ name: `${files.name}.shapeup.json`, bytes }],
-      origin: { ...origin, title: fileName },
-    };
-  }
 
   /** The open mesh, whose curves the span form uses. */
   function openMesh() {
