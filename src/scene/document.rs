@@ -28,6 +28,10 @@ pub struct Scene {
     /// The axis that points up.
     #[serde(default, skip_serializing_if = "is_default")]
     pub up: Up,
+    /// The distance within which panels have their shape, in the unit of the mesh; if absent, that
+    /// which their constraint requires, or one that suits the mesh.
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    pub tolerance: Option<f64>,
     /// The rest shape.
     pub mesh: MeshSource,
     /// Another pose, which gives the rest shapes of constraints; the mesh itself if absent.
@@ -106,6 +110,7 @@ impl Scene {
             title: String::new(),
             units: String::new(),
             up: Up::Z,
+            tolerance: None,
             mesh,
             pose: None,
             current: None,

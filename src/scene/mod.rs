@@ -65,4 +65,5 @@ pub use presentation::{Slide, Variant, Variants};
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};
 pub use units::{LengthUnit, UNITS};
+pub(crate) use validate::check_tolerance;
 pub use words::NamedEnum;

@@ -185,6 +185,7 @@ impl Scene {
         if let Some(boundary) = self.closeness.boundary {
             from_zero("closeness.boundary.weight", boundary.weight)?;
         }
+        check_tolerance(self.tolerance)?;
         from_zero("weights.shape", self.weights.shape)?;
         from_zero("weights.close", self.weights.close)?;
         from_zero("weights.smooth", self.weights.smooth)?;
@@ -395,6 +396,16 @@ fn check_indices(path: &str, what: &str, indices: &[u32], count: usize) -> Resul
             &format!("{path}[{k}]"),
             format!("{what} {} is listed twice, expected it once", indices[k as usize]),
         ),
+    }
+}
+
+/// Checks the tolerance of panels.
+pub(crate) fn check_tolerance(tolerance: Option<f64>) -> Result<(), SceneError> {
+    match tolerance {
+        Some(length) if !(length.is_finite() && length > 0.0) => {
+            error("tolerance", format!("found {length}, expected a length above 0"))
+        }
+        _ => Ok(()),
     }
 }
 

@@ -14,7 +14,7 @@ use crate::mesh::{ElementsWithProblem, Measures, Mesh};
 use crate::scene::{Forecast, GoalResult, SceneError};
 use crate::session::Error;
 use crate::solve::{
-    ConformalNorm, ConformalWeights, FewerFlips, Moved, Parametrization, SolveError,
+    ConformalNorm, ConformalWeights, FewerFlips, Moved, Parametrization, Require, SolveError,
 };
 use std::rc::Rc;
 
@@ -109,9 +109,23 @@ impl Session {
         self.rest.mean_edge()
     }
 
+    /// Returns the distance within which panels have their shape, in the unit of the mesh: that of
+    /// the scene, or else the one that the last constraint on panels requires, or else that of the
+    /// mesh.
+    pub fn tolerance(&self) -> f64 {
+        let document = self.document();
+        let rows = document.constraints.iter().rev();
+        let mut on_panels = rows.filter(|row| row.enabled && row.kind.info().panels.is_some());
+        let required = || match on_panels.next()?.require {
+            Require::Within(length) => Some(length),
+            Require::Soft | Require::Exact => None,
+        };
+        document.tolerance.or_else(required).unwrap_or_else(|| self.mesh_tolerance())
+    }
+
     /// Returns a tolerance for distances on this mesh: about a thousandth of the mean edge, rounded
     /// to 1, 2 or 5 times a power of ten, in the unit of the mesh.
-    pub fn tolerance(&self) -> f64 {
+    pub(super) fn mesh_tolerance(&self) -> f64 {
         report::tolerance(self.rest.mean_edge(), self.rest.diameter())
     }
 

@@ -44,7 +44,7 @@ impl Session {
 
     /// Whether a handle is to move a vertex from its rest position.
     fn is_pulled(&self) -> bool {
-        let least = self.tolerance();
+        let least = self.mesh_tolerance();
         self.scene.handles().iter().any(|handle| {
             let rest = self.rest.positions()[handle.vertex as usize];
             (Vec3::from(handle.target) - Vec3::from(rest)).length() > least

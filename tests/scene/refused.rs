@@ -112,6 +112,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "smoothness": { "weighting": "cot" }"#, "smoothness.weighting", &["\"cot\"", "\"cotangent\""]),
     (r#", "solver": { "iterations": -3 }"#, "solver.iterations", &["found -3", "0 or more"]),
     (r#", "solver": { "iterations": 1.5 }"#, "solver.iterations", &["found 1.5", "whole"]),
+    (r#", "tolerance": 0"#, "tolerance", &["found 0", "above 0"]),
     (r#", "solver": { "tolerance": -1e-9 }"#, "solver.tolerance", &["-0.000000001", "from 0"]),
     (r#", "solver": { "factorization": "dense" }"#, "solver.factorization", &["\"dense\"", "\"supernodal\" or \"sprs-ldl\""]),
     (r#", "solver": { "accelerator": "newton" }"#, "solver.accelerator", &["\"newton\"", "\"anderson\""]),

@@ -88,7 +88,7 @@ prop_compose! {
 prop_compose! {
     fn scene()(
         texts in ("\\PC{0,8}", ".{0,4}"),
-        up in any::<bool>(),
+        (up, tolerance) in (any::<bool>(), prop::option::of(1e-9..1e9f64)),
         current in prop::option::of(prop::collection::vec(prop::array::uniform3(finite()), 0..4)),
         sets in prop::collection::btree_map(".{0,6}", (list(9), list(3)), 0..3),
         constraints in prop::collection::vec(
@@ -110,6 +110,7 @@ prop_compose! {
     ) -> Scene {
         Scene {
             steps,
+            tolerance,
             variants: Variants {
                 design: kept.len().checked_sub(1),
                 kept: kept.into_iter()

@@ -67,6 +67,10 @@ fn every_edit_is_read_with_its_fields() {
         ),
         (json!({ "setWeights": { "close": 0.5 } }), Edit::SetWeights(weights)),
         (json!({ "setUnits": { "units": "mm" } }), Edit::SetUnits { units: "mm".to_owned() }),
+        (
+            json!({ "setTolerance": { "tolerance": 0.2 } }),
+            Edit::SetTolerance { tolerance: Some(0.2) },
+        ),
         (json!({ "setUp": { "up": "y" } }), Edit::SetUp { up: Up::Y }),
         (
             json!({ "setLesson": { "lesson": null } }),

@@ -57,6 +57,7 @@ import { followNextStep, followAdvanced, followTheme } from './appearance.ts';
 import { commandTable } from './command-table.ts';
 import { bindButtons, bindKeys, bindRunButton } from './commands.ts';
 import { offerReport, reportUncaughtErrors } from './errors.ts';
+import { refuseExpressions } from '../ui/controls/number-typing.ts';
 import { arrangeForWidth } from './layout.ts';
 import { stayOffline } from './offline.ts';
 import { offerCancel, showLoading } from './progress.ts';
@@ -67,6 +68,7 @@ import type { AppContext } from './context.ts';
 const store = createStore();
 followTheme(store);
 followAdvanced(store);
+refuseExpressions();
 const alerts = new Alerts(byId('alert'));
 reportUncaughtErrors(alerts, store);
 const solver = new SolverClient();
@@ -96,14 +98,14 @@ const app: AppContext = {
   script: scriptApi(store, solver, viewport, files),
 };
 viewport.once('ready', () => legend(byId('legend'), app, fit));
-modelPanel(byId('model'), app, () => analysis.bring('log'));
+modelPanel(byId('model'), app, () => showAnalysis('log'));
 constraintsPanel(byId('constraints'), app);
 handlesPanel(byId('handles'), app);
 energiesPanel(byId('energies'), app);
 displayPanel(byId('display'), app);
 selectBar(byId('select-bar'), byId('select-menu'), app);
-const analysis = analysisRegion(byId('analysis'), app);
-exampleNote(byId('example-note'), app, (plot) => analysis.bring(plot));
+const showAnalysis = analysisRegion(byId('analysis'), app);
+exampleNote(byId('example-note'), app, showAnalysis);
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 if (isEmbedded) embeddedView(app);
 lessonPanel(app);
@@ -154,7 +156,7 @@ viewport.on('none', explainNoPicture);
 
 Object.assign(window, { shapeUp: app.script });
 
-const startup = new Startup(solver, files, alerts, { store, actions, analysis });
+const startup = new Startup(app);
 byId('recent-button').addEventListener('click', () =>
   actions.reportErrors(showRecent(byId('recent'), startup)),
 );
@@ -174,7 +176,7 @@ function bindSolver(client: SolverClient) {
       // A restarted worker keeps the view settings.
       ...(!client.restoring && {
         ...{ camera: null, views: [], measureChosen: false },
-        ...{ tolerance: loaded.tolerance || null, tolerances: {} },
+        ...{ tolerances: {} },
       }),
       model: loaded,
       document: null,

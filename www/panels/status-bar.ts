@@ -75,7 +75,7 @@ export function statusBar(
 
   store.subscribe(['status'], ({ status }) => setText(places.status, status));
   store.subscribe(
-    ['numbers', 'measure', 'model', 'document', 'tolerance', 'tolerances', 'display'],
+    ['numbers', 'measure', 'model', 'document', 'tolerances', 'display'],
     showNumbers,
   );
   store.subscribe(['document', 'model'], ({ document, model }) => {

@@ -88,7 +88,7 @@ export function worstElements(panel: HTMLElement, app: AppContext) {
     const state = store.get();
     if (!inSight || !state.model) return;
     const about = by.value === COLOURS ? colouring(state) : undefined;
-    const tolerance = (about ? toleranceOf(state, about) : state.tolerance) ?? undefined;
+    const tolerance = (about ? toleranceOf(state, about) : state.document?.tolerance) ?? undefined;
     const worst = () => {
       if (by.value === '') return [];
       if (about) return actions.ask.worstFaces(about.id, ROWS, tolerance);
@@ -123,5 +123,5 @@ export function worstElements(panel: HTMLElement, app: AppContext) {
     if (inSight) ask();
   }).observe(panel);
   store.subscribe(['document', 'measure', 'model'], offer);
-  store.subscribe(['numbers', 'running', 'tolerance', 'tolerances'], () => ask());
+  store.subscribe(['numbers', 'running', 'document', 'tolerances'], () => ask());
 }

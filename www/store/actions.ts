@@ -52,8 +52,7 @@ export function createActions(
     within?: number,
     from: PanelStart = 'now',
   ): Promise<null | undefined> {
-    const { tolerance: own, model } = store.get();
-    const tolerance = within ?? own ?? model?.tolerance ?? 0;
+    const tolerance = within ?? store.get().document?.tolerance ?? 0;
     return attempt(solver.change.makePanels(kind, tolerance, from));
   }
 

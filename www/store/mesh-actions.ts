@@ -34,8 +34,7 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
 
   /** The verdict on the panels, for the status line. */
   async function verdict() {
-    const { tolerance, model } = store.get();
-    const found = await actions.ask.panelProgress(tolerance ?? model?.tolerance ?? 0);
+    const found = await actions.ask.panelProgress();
     return found ? `. ${found}` : '';
   }
 

@@ -97,10 +97,9 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
 
     /**
      * Presses for panels that end better than the last one. Other trials go first.
-     * @param tolerance of its panels
      * @param found is called with those found so far, whenever there is another one
      */
-    async betterPresses(tolerance: number, found: (presses: BetterPress[]) => void) {
+    async betterPresses(found: (presses: BetterPress[]) => void) {
       const until = performance.now() + MOST_PRESSES_MS;
       let count = 0;
       const tell = async () => {
@@ -108,14 +107,13 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
         if (presses.length !== count) found(presses);
         count = presses.length;
       };
-      const begin = (model: Snapshot) => ask.tryPresses(model, tolerance);
       const asked = changes;
       for (;;) {
         const before = last;
         await before;
         if (asked !== changes) return false;
         if (last !== before) continue;
-        const done = await run(begin, () => performance.now() < until, tell);
+        const done = await run(ask.tryPresses, () => performance.now() < until, tell);
         if (done !== false || asked !== changes) return done;
       }
     },

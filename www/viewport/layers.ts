@@ -42,7 +42,7 @@ export const LAYERS: [
   [['selection', 'model'], showSelection],
   [['tint', 'model'], showTint],
   [['rowColours', 'model', 'flatMap'], showRowColours],
-  [['measure', 'range', 'tolerance', 'tolerances', 'display', 'flatMap'], showValues],
+  [['measure', 'range', 'document', 'tolerances', 'display', 'flatMap'], showValues],
   [['flatMap'], showFlatMap],
 ];
 export function showValues(view: View, state: State, geometry: Geometry | null) {

@@ -29,12 +29,14 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     if let Some(kind) = command.panels.filter(|_| !is_press) {
         scene.request_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
     }
-    let press = is_press.then(|| tolerance_of(&mesh));
+    let press = is_press.then(|| scene.tolerance.unwrap_or_else(|| tolerance_of(&mesh)));
     let require = match command.require {
         Some(Required::Is(require)) => Some(require),
         _ => press.map(Require::Within).filter(|_| command.panels.is_none()),
     };
     if let Some(require) = require {
+        // That of the command takes its place.
+        scene.tolerance = None;
         for row in &mut scene.constraints {
             (row.require, row.eased) = (require, None);
         }
@@ -64,7 +66,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     } else {
         session.solve(command.trace).map_err(at_input)?;
     }
-    let tolerance = tolerance(&session);
+    let tolerance = session.tolerance();
     let (report, verdict) = (session.report(), verdict(&mut session, tolerance));
     if command.improve && report.exact.as_ref().is_none_or(|exact| exact.improved.is_none()) {
         let why = "--improve did nothing: it needs exact or within constraints, all of them met";
@@ -131,16 +133,6 @@ struct Told {
     tolerance: f64,
     verdict: Vec<String>,
     remarks: Vec<String>,
-}
-
-/// Returns the largest tolerance that a constraint requires, or that of the mesh.
-fn tolerance(session: &Session) -> f64 {
-    let rows = session.document().constraints.iter().filter(|row| row.enabled);
-    let required = rows.filter_map(|row| match row.require {
-        Require::Within(length) => Some(length),
-        Require::Soft | Require::Exact => None,
-    });
-    required.reduce(f64::max).unwrap_or_else(|| session.tolerance())
 }
 
 /// Returns the verdict in the words of the page: on the panels, on hard constraints, or on all

@@ -12,7 +12,7 @@ use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
     ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, SceneError,
-    Target, Variants,
+    Target, Variants, check_tolerance,
 };
 use crate::session::report::{check_lesson, check_presentation};
 use crate::session::state::{Draft, Part, RowValues, Settings};
@@ -48,6 +48,10 @@ pub(crate) fn apply(
                 PanelStart::Now | PanelStart::Original => settings,
             }));
             let require = within.map_or(Require::Soft, Require::Within);
+            if within.is_some() {
+                // Now that of the constraint.
+                draft.put(Part::Tolerance(None));
+            }
             let info =
                 draft.set_rows(|document, mesh| document.request_panels(&kind, require, mesh))?;
             format!("Make panels {}", info.panels.unwrap_or(info.id))
@@ -202,6 +206,11 @@ pub(crate) fn apply(
                 renumber_variants(draft, |_| None);
             }
             "Change lesson".to_owned()
+        }
+        Edit::SetTolerance { tolerance } => {
+            check_tolerance(tolerance)?;
+            draft.put(Part::Tolerance(tolerance));
+            "Change tolerance".to_owned()
         }
         Edit::SetBuild { build } => {
             build.check().map_err(|(key, message)| {

@@ -154,6 +154,11 @@ pub enum Edit {
         #[cfg_attr(target_arch = "wasm32", tsify(optional))]
         unsolved: bool,
     },
+    /// Sets the distance within which panels have their shape.
+    SetTolerance {
+        /// In the unit of the mesh, above zero; null for that of the constraints or the mesh.
+        tolerance: Option<f64>,
+    },
     /// Sets how parts are built from the shape.
     SetBuild {
         /// All settings; omitted ones get their defaults.

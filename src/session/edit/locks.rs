@@ -79,6 +79,7 @@ fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
             &[Lock::Handles]
         }
         Edit::SetLesson { .. }
+        | Edit::SetTolerance { .. }
         | Edit::SetBuild { .. }
         | Edit::SetSteps { .. }
         | Edit::RemoveVariant { .. }

@@ -15,6 +15,7 @@ use std::mem::{size_of_val, swap};
 pub(crate) enum Part {
     Units(String),
     Up(Up),
+    Tolerance(Option<f64>),
     Lesson(Option<Lesson>),
     Build(Option<Box<BuildSettings>>),
     Variants(Variants),
@@ -161,6 +162,7 @@ impl Part {
         match self {
             Part::Units(units) => swap(units, &mut scene.units),
             Part::Up(up) => swap(up, &mut scene.up),
+            Part::Tolerance(tolerance) => swap(tolerance, &mut scene.tolerance),
             Part::Lesson(lesson) => swap(lesson, &mut scene.lesson),
             Part::Build(build) => swap(build, &mut scene.build),
             Part::Variants(variants) => swap(variants, &mut scene.variants),
@@ -203,6 +205,7 @@ impl Part {
         match self {
             Part::Units(units) => *units == scene.units,
             Part::Up(up) => *up == scene.up,
+            Part::Tolerance(tolerance) => *tolerance == scene.tolerance,
             Part::Lesson(lesson) => *lesson == scene.lesson,
             Part::Build(build) => *build == scene.build,
             Part::Variants(variants) => *variants == scene.variants,
@@ -222,6 +225,7 @@ impl Part {
         match self {
             Part::Units(_)
             | Part::Up(_)
+            | Part::Tolerance(_)
             | Part::Lesson(_)
             | Part::Build(_)
             | Part::Steps(_)
@@ -255,6 +259,7 @@ impl Part {
         let mut parts = vec![
             Part::Units(to.units.clone()),
             Part::Up(to.up),
+            Part::Tolerance(to.tolerance),
             Part::Lesson(to.lesson.clone()),
             Part::Build(to.build.clone()),
             Part::Variants(to.variants.clone()),
@@ -279,7 +284,7 @@ impl Part {
     pub(crate) fn bytes(&self) -> usize {
         let held = match self {
             Part::Units(text) | Part::RowName(_, text) => text.len(),
-            Part::Up(_) | Part::Settings(_) => 0,
+            Part::Up(_) | Part::Tolerance(_) | Part::Settings(_) => 0,
             Part::RowValues(_, values) => bytes_of_eased(values.eased.as_ref()),
             Part::Lesson(lesson) => lesson.as_ref().map_or(0, bytes_of_lesson),
             Part::Build(build) => build.as_ref().map_or(0, |_| size_of::<BuildSettings>()),

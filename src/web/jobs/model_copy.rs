@@ -105,10 +105,10 @@ impl ModelCopy {
         Ok(())
     }
 
-    /// Begins to try presses for panels that end better than the last one, which was for panels within
-    /// `tolerance`, in the unit of the mesh.
+    /// Begins to try presses for panels that end better than the last one.
     #[wasm_bindgen(js_name = tryPresses)]
-    pub fn try_presses(&mut self, tolerance: f64) {
+    pub fn try_presses(&mut self) {
+        let tolerance = self.session.tolerance();
         let presses = BetterPresses::new(&mut self.session, tolerance);
         self.trial = presses.map(|presses| Trial::Presses(Box::new(presses)));
     }

@@ -21,6 +21,8 @@ pub struct Document<'a> {
     title: &'a str,
     units: &'a str,
     up: Up,
+    /// The distance within which panels have their shape, in the unit of the mesh.
+    tolerance: f64,
     constraints: Vec<ConstraintRow<'a>>,
     /// The id of the measure of faces that fits the constraints, if there are any.
     measure: Option<&'static str>,
@@ -190,6 +192,7 @@ impl<'a> Document<'a> {
             title: &scene.title,
             units: &scene.units,
             up: scene.up,
+            tolerance: session.tolerance(),
             constraints,
             measure: session.scene_measure(),
             handles,

@@ -32,8 +32,6 @@ pub struct Loaded {
     /// Mean edge length at rest; zero without edges.
     #[serde(rename = "meanEdge")]
     mean_edge: f64,
-    /// The default tolerance of distances, in the unit of the mesh.
-    tolerance: f64,
     /// The kinds that are offered for making all panels.
     panels: Vec<PanelOffer>,
     /// A change of the mesh after which they apply.
@@ -111,7 +109,6 @@ impl Loaded {
                 .map(|measure| (measure.id, measure.unit.rounding(size)))
                 .collect(),
             mean_edge: session.mean_edge(),
-            tolerance: session.tolerance(),
             panels: panel_offers(mesh),
             panel_remedy: panel_remedy(mesh, session.topology()),
             new_panels: offers_new_panels(mesh, session.topology()),

@@ -67,26 +67,28 @@ impl Solver {
         plain(&WholeReport(self.open()?.report()))
     }
 
-    /// Returns how many panels meet their requirement within a tolerance (units of the mesh); undefined
-    /// if no row requires a shape of the panels.
-    pub fn verdict(&mut self, tolerance: f64) -> Result<Option<Js<PanelVerdict>>, JsValue> {
+    /// Returns how many panels meet their requirement within the tolerance; undefined if no row
+    /// requires a shape of the panels.
+    pub fn verdict(&mut self) -> Result<Option<Js<PanelVerdict>>, JsValue> {
         let session = self.open_mut()?;
-        let verdict = session.verdict(tolerance);
+        let verdict = session.verdict(session.tolerance());
         verdict.map(|verdict| plain(&PanelVerdict::of(session, verdict))).transpose()
     }
 
-    /// Says how many panels meet their requirement within a tolerance (units of the mesh) so far;
-    /// undefined if no row requires a shape of the panels.
+    /// Says how many panels meet their requirement within the tolerance so far; undefined if no row
+    /// requires a shape of the panels.
     #[wasm_bindgen(js_name = panelProgress)]
-    pub fn panel_progress(&mut self, tolerance: f64) -> Result<Option<String>, JsValue> {
-        Ok(self.open_mut()?.panel_progress(tolerance))
+    pub fn panel_progress(&mut self) -> Result<Option<String>, JsValue> {
+        let session = self.open_mut()?;
+        Ok(session.panel_progress(session.tolerance()))
     }
 
-    /// Returns whether the constraints are met within a tolerance (units of the mesh), after a run
-    /// without hard constraints; undefined if no constraint has a weight.
+    /// Returns whether the constraints are met within the tolerance, after a run without hard
+    /// constraints; undefined if no constraint has a weight.
     #[wasm_bindgen(js_name = runVerdict)]
-    pub fn run_verdict(&mut self, tolerance: f64) -> Result<Option<Js<RunVerdict>>, JsValue> {
-        self.open_mut()?.run_verdict(tolerance).as_ref().map(plain).transpose()
+    pub fn run_verdict(&mut self) -> Result<Option<Js<RunVerdict>>, JsValue> {
+        let session = self.open_mut()?;
+        session.run_verdict(session.tolerance()).as_ref().map(plain).transpose()
     }
 
     /// Returns how well the hard constraints are met; undefined if they have not been met for the
@@ -98,8 +100,9 @@ impl Solver {
 
     /// Returns the numbers of the variants that were kept.
     #[wasm_bindgen(js_name = variantTable)]
-    pub fn variant_table(&mut self, tolerance: f64) -> Result<Vec<Js<VariantRow>>, JsValue> {
-        plains(&self.open_mut()?.variant_table(tolerance).map_err(thrown)?)
+    pub fn variant_table(&mut self) -> Result<Vec<Js<VariantRow>>, JsValue> {
+        let session = self.open_mut()?;
+        plains(&session.variant_table(session.tolerance()).map_err(thrown)?)
     }
 
     /// Returns the histograms of the corner angles, of the original and of the current shape.

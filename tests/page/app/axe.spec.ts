@@ -63,11 +63,20 @@ for (const [title, states] of Object.entries(walks)) {
   test(`axe: ${title}`, { tag }, async ({ page }, { project }) => {
     const seen = states.filter(({ only = project.name }) => only === project.name);
     await visit(page);
+    let hasFocus = false;
+    // Once something had the focus, the keyboard would otherwise begin again at the top.
+    const expectFocus = async (when: string) => {
+      const before = hasFocus;
+      hasFocus = await page.evaluate(() => document.activeElement !== document.body);
+      expect.soft(hasFocus || !before, `the focus fell to the body: ${when}`).toBe(true);
+    };
     for (const { name, reach, leave } of seen) {
       await test.step(name, async () => {
         await reach?.(page);
+        await expectFocus(name);
         await expectNothing(page, name);
         await leave?.(page);
+        await expectFocus(`${name}, left`);
       });
     }
   });

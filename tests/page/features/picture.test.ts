@@ -53,8 +53,14 @@ test('the legend of a measure of both signs begins below zero, and has the steps
     places: { low: 0, high: 1, tolerance: null },
   };
   const state = {
-    ...{ measures: [about], measure, document: { units: 'm' }, model: { faces: 5 }, dark: false },
-    ...{ display: { full: false, log: false }, tolerance: 0.01, tolerances: {} },
+    ...{
+      measures: [about],
+      measure,
+      document: { units: 'm', tolerance: 0.01 },
+      model: { faces: 5 },
+      dark: false,
+    },
+    ...{ display: { full: false, log: false }, tolerances: {} },
     spread,
   };
   const words = ['Gauss curvature', '−0.0200 1/m²', '0.0200 1/m²'];
@@ -78,8 +84,14 @@ test('the legend of an error begins at zero, and its colours at the tolerance', 
     places: { low: 0.25, high: 1, tolerance: 0.25 },
   };
   const { words, colours } = await legendOf({
-    ...{ measures: [about], measure, document: { units: 'm' }, model: { faces: 3 }, dark: false },
-    ...{ display: { full: false, log: false }, tolerance: 0.01, tolerances: {} },
+    ...{
+      measures: [about],
+      measure,
+      document: { units: 'm', tolerance: 0.01 },
+      model: { faces: 3 },
+      dark: false,
+    },
+    ...{ display: { full: false, log: false }, tolerances: {} },
     spread,
   });
   assert.equal(words[1], '0');

@@ -21,7 +21,7 @@ test('curvatures are shown per metre, whatever the unit of the mesh', () => {
 });
 
 test('a signed value has no tolerance', () => {
-  const state = { tolerance: 0.01, tolerances: { bend: 3 } } as unknown as State;
+  const state = { document: { tolerance: 0.01 }, tolerances: { bend: 3 } } as unknown as State;
   assert.equal(toleranceOf(state, mean), null);
   assert.equal(toleranceOf(state, { ...mean, signed: false }), 3);
 });

@@ -82,7 +82,7 @@ test('an improvement that is stopped keeps what it has', async () => {
 test('better presses let other trials go first, and begin again after them', async () => {
   const { made, begun, steps } = trials(() => {});
   const heard: unknown[] = [];
-  const pressed = made.betterPresses(0.001, (presses) => heard.push(...presses));
+  const pressed = made.betterPresses((presses) => heard.push(...presses));
   assert.equal(await made.exactOffer(() => true), 'the shape');
   assert.equal(await pressed, true);
   assert.ok(begun.length >= 2 && steps() >= 9);
@@ -91,5 +91,5 @@ test('better presses let other trials go first, and begin again after them', asy
 
 test('an edit ends the search for better presses', async () => {
   const { made } = trials((solver) => solver.emit('scene', { generation: 6 }));
-  assert.equal(await made.betterPresses(0.001, () => {}), false);
+  assert.equal(await made.betterPresses(() => {}), false);
 });

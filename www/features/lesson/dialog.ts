@@ -19,9 +19,8 @@ export async function write(app: AppContext) {
   const scene = state.document;
   if (!scene) return;
   // Goals are written in the unit of the tolerance.
-  const { tolerance } = state;
   const numbers = state.model?.faces ? await actions.ask.buildNumbers() : [];
-  const { unit, factor } = lengthUnit(tolerance ?? 0, scene.units);
+  const { unit, factor } = lengthUnit(scene.tolerance, scene.units);
   const lengths = { unit: unit || 'unit of the mesh', factor };
   // Signed measures are not errors.
   const errors = state.measures.filter(({ signed }) => !signed);
@@ -34,8 +33,8 @@ export async function write(app: AppContext) {
       goal: { measure: measure.id },
     })),
     ...measures
-      .filter(({ toleranced }) => toleranced && tolerance)
-      .map(({ id }) => counting(id, tolerance ?? 0)),
+      .filter(({ toleranced }) => toleranced)
+      .map(({ id }) => counting(id, scene.tolerance)),
     ...[...new Set(scene.constraints.map(({ label }) => label))].map((label) => ({
       value: `constraint ${label}`,
       label: `Constraint: ${label}`,

@@ -46,7 +46,7 @@ export class BetterChoices {
       show(LOOKING);
       actions.judge({ shape, report: { ...verdict, suggestions: presses } });
     };
-    const ended = await actions.trials.betterPresses(verdict.tolerance, take).catch(() => null);
+    const ended = await actions.trials.betterPresses(take).catch(() => null);
     show('');
     // Something has changed meanwhile: the next verdict asks again.
     if (ended === false && this.#triedFor === asked) this.#triedFor = '';

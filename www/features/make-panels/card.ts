@@ -95,7 +95,7 @@ export class MakePanels {
     });
     const updateSoon = throttled(RENEW_MS, () => this.#showVerdict(false));
     solver.on('frame', updateSoon);
-    store.subscribe(['tolerance'], updateSoon);
+    store.subscribe(['document'], updateSoon);
     // The card grows when remedies are added later.
     new ResizeObserver(() => this.#cover()).observe(this.#card);
     // A docked panel hides the card. Noticed here, before the smaller view is framed anew.
@@ -294,18 +294,17 @@ export class MakePanels {
   async #renewVerdict() {
     const { store, actions } = this.#app;
     const { model } = store.get();
-    const tolerance = store.get().tolerance ?? model?.tolerance ?? 0;
     const goesOn = () => store.get().running || this.#isUnderWay();
     const isShown = () => store.get().model === model && this.#shows === 'verdict';
     if (goesOn()) {
-      const progress = await actions.ask.panelProgress(tolerance).catch(() => '');
+      const progress = await actions.ask.panelProgress().catch(() => '');
       if (!progress || !isShown() || !goesOn()) return;
       setText(this.#text, `${store.get().numbers?.attempt ?? ''} ${progress}`.trim());
       return this.#showChanges(null);
     }
     const atEnd = this.#isAtEnd;
     this.#isAtEnd = false;
-    const verdict = await actions.ask.verdict(tolerance).catch(() => null);
+    const verdict = await actions.ask.verdict().catch(() => null);
     // Where a run has begun meanwhile, its progress comes next.
     if (!verdict || !isShown() || goesOn()) return;
     const { running, numbers } = store.get();
@@ -351,11 +350,8 @@ export class MakePanels {
 
   /** Makes the panels by a better press. */
   async #press({ kind: id, within, from, label }: BetterPress) {
-    const { store, actions } = this.#app;
-    const { kinds, tolerance, model } = store.get();
-    const kind = kinds.find((one) => one.id === id);
+    const kind = this.#app.store.get().kinds.find((one) => one.id === id);
     if (!kind) return;
-    if (within !== (tolerance ?? model?.tolerance)) actions.setTolerance(within);
     this.#choice = { label };
     await this.#make(kind, from, within);
   }

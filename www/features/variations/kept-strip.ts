@@ -32,22 +32,21 @@ export function keptStrip({ store, solver, actions }: AppContext) {
   let isRemoving = false;
 
   /** Asks for the kept shapes and their numbers. */
-  async function keptShapes(allowed: number) {
-    const rows = await actions.ask.variantTable(allowed);
+  async function keptShapes() {
+    const rows = await actions.ask.variantTable();
     const shapes: Float64Array[] = [];
     for (const index of rows.keys()) shapes.push(await actions.ask.variantPositions(index));
     return { rows, shapes };
   }
 
   async function update() {
-    const { document: scene, model, tolerance } = store.get();
+    const { document: scene } = store.get();
     const { connectivity } = solver.geometry ?? {};
-    if (!scene || !model || !connectivity) return void newest(null);
+    if (!scene || !connectivity) return void newest(null);
     const { variants, units, up } = scene;
     empty.hidden = variants.length > 0;
     strip.hidden = table.hidden = variants.length === 0;
-    const allowed = tolerance ?? model.tolerance;
-    const kept = await newest(variants.length > 0 ? keptShapes(allowed) : null);
+    const kept = await newest(variants.length > 0 ? keptShapes() : null);
     if (kept === null) return strip.replaceChildren();
     if (!kept) return;
     const { rows, shapes } = kept;
@@ -55,7 +54,7 @@ export function keptStrip({ store, solver, actions }: AppContext) {
     strip.replaceChildren(...cards.map(({ place }) => place));
     cards.forEach(({ canvas }, index) => drawShape(canvas, connectivity, shapes[index], { up }));
     strip.querySelector('[aria-current]')?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
-    body.replaceChildren(...rows.map((row) => numbers(row, units, allowed)));
+    body.replaceChildren(...rows.map((row) => numbers(row, units, scene.tolerance)));
   }
 
   /**

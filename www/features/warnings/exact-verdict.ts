@@ -83,16 +83,15 @@ async function improve(app: App, output: Output) {
 async function showCost(app: App, output: Output, words: ExactWords) {
   const { store, actions } = app;
   const { showMessage, offer } = output;
-  const { model, tolerance } = store.get();
-  if (!model) return;
+  const { document: scene } = store.get();
+  if (!scene) return;
   const say = (next: string, ...buttons: HTMLElement[]) =>
     showMessage(`${saidIn(words, output)} ${next}`.trim(), ...buttons);
   const group = say('Checking how far an exact shape would move …');
   const found = await actions.trials.exactOffer(() => group.isConnected).catch(() => null);
   if (!group.isConnected || !found) return group.remove();
   const { offer: cost } = found;
-  const allowed = tolerance ?? model.tolerance;
-  if (cost.met && cost.moved.max <= allowed && cost.folded === 0) {
+  if (cost.met && cost.moved.max <= scene.tolerance && cost.folded === 0) {
     if (!(await actions.exact.accept(found, true))) return group.remove();
     say(cost.words.taken, improveButton(app, output));
     return;

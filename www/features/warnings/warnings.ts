@@ -62,9 +62,8 @@ export function watchConditions(app: AppContext) {
 
   /** Reports the result of a run: all within the tolerance, or the worst element and remedies. */
   async function showVerdict() {
-    const { document: scene, numbers, model, tolerance } = store.get();
-    if (!scene || !numbers || !model) return;
-    const allowed = tolerance ?? model.tolerance;
+    const { document: scene, numbers } = store.get();
+    if (!scene || !numbers) return;
     if (numbers.exact && scene.constraints.some(isHard)) {
       return showExactVerdict(app, {
         showMessage,
@@ -74,7 +73,7 @@ export function watchConditions(app: AppContext) {
       });
     }
     if (hasHint()) return;
-    const verdict = await actions.ask.runVerdict(allowed).catch(() => null);
+    const verdict = await actions.ask.runVerdict().catch(() => null);
     if (!verdict || store.get().document !== scene || store.get().running) return;
     // The card already shows the verdict on the panels.
     const words = cardOfPanels() ? verdict.brief : verdict.full;
@@ -95,7 +94,7 @@ export function watchConditions(app: AppContext) {
       .slice(0, MOST_REMEDIES)
       .map(({ label, edit, worst }) =>
         offer(
-          `${label}: ${length(worst, scene.units, allowed)}`,
+          `${label}: ${length(worst, scene.units, scene.tolerance)}`,
           () => take(edit),
           'The largest distance after this change',
         ),
@@ -162,6 +161,6 @@ export function watchConditions(app: AppContext) {
     flat = 0;
     wasRunning = false;
   });
-  store.subscribe(['document', 'tolerance'], clear);
+  store.subscribe(['document'], clear);
   files.on('opened', showProblems);
 }

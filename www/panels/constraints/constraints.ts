@@ -147,22 +147,24 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
   }
 
   const showNumbers = throttled(RENEW_MS, () => {
-    const { numbers, document, model, tolerance } = store.get();
+    const { numbers, document, model } = store.get();
+    if (!document) return;
+    const { tolerance } = document;
     const size = model?.size ?? 0;
     const movedText = movedInWords(store.get());
     setText(moved, movedText && `Moved ${movedText}`);
     moved.hidden = !movedText;
-    document?.constraints.forEach((row, i) => {
+    document.constraints.forEach((row, i) => {
       const value = numbers?.worst[i];
       if (!cells[i]) return;
       const { worst, within, share } = cells[i];
       const known = row.enabled && value !== undefined;
-      const words = (far: number) => length(far, document.units, tolerance ?? far);
+      const words = (far: number) => length(far, document.units, tolerance);
       setText(worst, known ? `worst ${words(lengthOrZero(value, size))}` : '');
-      const isWithin = known && tolerance !== null && value <= tolerance;
-      const allowed = limit(tolerance ?? 0, document.units);
+      const isWithin = known && value <= tolerance;
+      const allowed = limit(tolerance, document.units);
       const side = isWithin ? 'within' : 'beyond';
-      setText(within, known && tolerance !== null ? `${side} ${allowed}` : '');
+      setText(within, known ? `${side} ${allowed}` : '');
       setAttribute(within, 'class', isWithin ? 'within met' : 'within');
       const some = known && numbers && energyOrZero(numbers.energy.total, size) > 0;
       setText(share, some ? `${part(numbers.shares[i])} of energy` : '');
@@ -190,7 +192,7 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
     renamed = null;
     showNumbers();
   });
-  store.subscribe(['numbers', 'tolerance'], showNumbers);
+  store.subscribe(['numbers', 'document'], showNumbers);
 }
 
 /** Describes the requirement, and parameters that differ from their defaults. */

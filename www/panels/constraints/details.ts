@@ -62,9 +62,8 @@ function requirementOf(
   store: Store,
   actions: Actions,
 ) {
-  const { tolerance, model, document } = store.get();
-  const usual = tolerance ?? model?.tolerance ?? 0;
-  const length = typeof require === 'object' ? require.within : usual;
+  const { document } = store.get();
+  const length = typeof require === 'object' ? require.within : (document?.tolerance ?? 0);
   const { unit, factor } = lengthUnit(length, document?.units ?? '');
   const ask = (require: Require) => actions.exact.require(index, require);
   const within = amountField(`${name}: within`, (value) => ask({ within: value / factor }));

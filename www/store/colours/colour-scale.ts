@@ -54,7 +54,7 @@ export function colourFaces(
     solver.tell.show({ measure, shapes, projections, corners: bands });
   });
   store.subscribe(['measure'], () => store.set(NONE));
-  store.subscribe(['tolerance', 'tolerances', 'ownRange', 'display', 'renderer'], update);
+  store.subscribe(['document', 'tolerances', 'ownRange', 'display', 'renderer'], update);
 
   /** Values of the original; null if unknown. */
   let original: Float32Array | null = null;

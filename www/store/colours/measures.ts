@@ -23,11 +23,11 @@ export const declared = ({ measures }: State, measure: Measure | null): FaceMeas
  * this measure; null if there is none.
  */
 export function toleranceOf(
-  { tolerance, tolerances }: State,
+  { document, tolerances }: State,
   { id, toleranced, signed }: FaceMeasure,
 ) {
   if (signed) return null;
-  return toleranced ? tolerance : (tolerances[id] ?? null);
+  return toleranced ? (document?.tolerance ?? null) : (tolerances[id] ?? null);
 }
 
 /**

@@ -57,8 +57,8 @@ export const onCopy = {
   tryImprovement: (model: Snapshot) => copyOf(model).tryImprovement(),
   /** Begins to try changes that lower the worst distance. */
   tryRemedies: (model: Snapshot) => copyOf(model).tryRemedies(),
-  /** Begins to try presses for panels that end better than the last one, within `tolerance`. */
-  tryPresses: (model: Snapshot, tolerance: number) => copyOf(model).tryPresses(tolerance),
+  /** Begins to try presses for panels that end better than the last one. */
+  tryPresses: (model: Snapshot) => copyOf(model).tryPresses(),
   /**
    * Continues what was begun last, for a slice.
    * @returns whether there is more to do
