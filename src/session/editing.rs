@@ -27,13 +27,18 @@ fn cannot_be_refined(why: SubdivideError) -> SceneError {
 }
 
 impl Session {
-    /// Makes an edit, and returns whether it is a step of undo; an edit without effect is not.
+    /// Makes an edit, and returns whether it is a step of undo; an edit without effect is not, nor
+    /// the tolerance, by which a shape is judged, so that it changes during a run and keeps Redo.
     ///
     /// # Errors
     /// If the lesson locks a part that it would change; if it refers to a row or vertex that does
     /// not exist, or leaves a row without constraints or a goal without its row; or if it makes the
     /// system singular. Nothing has changed then.
     pub fn edit(&mut self, edit: Edit) -> Result<bool, Error> {
+        if let Edit::SetTolerance { .. } = edit {
+            self.make(edit)?;
+            return Ok(false);
+        }
         self.end_transaction();
         let Some((name, back)) = self.make(edit)? else { return Ok(false) };
         self.history.push(name, back);

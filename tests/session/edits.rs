@@ -51,7 +51,6 @@ fn only_what_changes_the_problem_or_the_shape_is_another_generation() {
         Edit::SetSteps { steps: vec![Slide { title: "Now".to_owned(), ..Slide::default() }] },
         Edit::NameSet { name: "two".to_owned(), vertices: Vec::new(), faces },
         Edit::SetUnits { units: "m".to_owned() },
-        Edit::SetTolerance { tolerance: Some(0.02) },
     ] {
         assert!(!goes_on(edit.clone()), "{edit:?}");
     }
@@ -172,8 +171,9 @@ fn the_tolerance_is_that_of_the_scene_or_of_its_panels_or_of_the_mesh() {
     let own = session.tolerance();
     assert_eq!(own, 1e-3, "a thousandth of the mean edge, rounded");
     let set = |tolerance| Edit::SetTolerance { tolerance };
-    session.edit(set(Some(0.05))).expect("it is valid");
-    assert_eq!(session.tolerance(), 0.05);
+    let generation = session.generation();
+    assert!(!session.edit(set(Some(0.05))).expect("it is valid"), "it is no step of undo");
+    assert_eq!((session.tolerance(), session.generation()), (0.05, generation));
     let mesh = session.mesh().clone();
     let read = Session::open(session.scene(), mesh).expect("it is the same scene");
     assert_eq!(read.tolerance(), 0.05, "it is in the file");
@@ -181,14 +181,15 @@ fn the_tolerance_is_that_of_the_scene_or_of_its_panels_or_of_the_mesh() {
     session.make_panels("plane", 0.02, PanelStart::Now).expect("there are quads");
     assert_eq!(session.tolerance(), 0.02, "the panels were asked for within another one");
     session.edit(set(Some(0.07))).expect("it is valid");
+    assert!(session.is_running(), "it is judged otherwise, and goes on");
+    session.end_run();
     assert_eq!(session.tolerance(), 0.07);
     session.edit(set(None)).expect("it is valid");
     assert_eq!(session.tolerance(), 0.02);
-    for _ in 0..3 {
-        session.undo().expect("it can be undone");
-    }
-    assert_eq!(session.tolerance(), 0.05);
 
+    session.undo().expect("it can be undone");
+    session.edit(set(Some(0.3))).expect("it is valid");
+    assert!(session.undo_and_redo()[1].is_some(), "it keeps Redo");
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = session.edit(set(Some(wrong))).expect_err("it is no length").to_string();
         assert_eq!(error, format!("tolerance: found {wrong}, expected a length above 0"));

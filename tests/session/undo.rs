@@ -96,7 +96,6 @@ fn deed() -> impl Strategy<Value = Deed> {
         (0..3usize).prop_map(|index| Edit::DuplicateConstraint { index }),
         setting(),
         "(m|mm|ft)".prop_map(|units| Edit::SetUnits { units }),
-        prop::option::of(0.1..1.0f64).prop_map(|tolerance| Edit::SetTolerance { tolerance }),
         any::<bool>().prop_map(|y| Edit::SetUp { up: if y { Up::Y } else { Up::Z } }),
         (vertices(), any::<bool>())
             .prop_map(|(vertices, fixed)| Edit::AddHandles { vertices, fixed }),

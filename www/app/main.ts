@@ -57,6 +57,7 @@ import { followNextStep, followAdvanced, followTheme } from './appearance.ts';
 import { commandTable } from './command-table.ts';
 import { bindButtons, bindKeys, bindRunButton } from './commands.ts';
 import { offerReport, reportUncaughtErrors } from './errors.ts';
+import { keepFocus } from '../ui/keep-focus.ts';
 import { refuseExpressions } from '../ui/controls/number-typing.ts';
 import { arrangeForWidth } from './layout.ts';
 import { stayOffline } from './offline.ts';
@@ -89,6 +90,7 @@ const pointer = new PointerInput(store, solver, viewport, region, actions, {
 });
 bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
+keepFocus(viewport.element);
 const { fit } = colourFaces(store, solver, () => viewport.view);
 colourRows(store, solver, actions);
 

@@ -56,7 +56,11 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     /** Edits the document, as one step of undo. */
     edit(edit: Edit) {
       if (edit === 'reset') scheduler.pause();
-      scheduler.betweenRuns(() => solver.edit(edit));
+      // By the tolerance a run is judged, and goes on.
+      if (typeof edit === 'object' && 'setTolerance' in edit) {
+        solver.edit(edit);
+        scheduler.changed();
+      } else scheduler.betweenRuns(() => solver.edit(edit));
       return null;
     },
     /** Adds one kind of constraint to all panels, within the tolerance, and runs: one step of undo. */

@@ -67,8 +67,10 @@ for (const [title, states] of Object.entries(walks)) {
     // Once something had the focus, the keyboard would otherwise begin again at the top.
     const expectFocus = async (when: string) => {
       const before = hasFocus;
-      hasFocus = await page.evaluate(() => document.activeElement !== document.body);
-      expect.soft(hasFocus || !before, `the focus fell to the body: ${when}`).toBe(true);
+      const isKept = () => page.evaluate(() => document.activeElement !== document.body);
+      const message = `the focus fell to the body: ${when}`;
+      if (before) await expect.poll(isKept, { message, timeout: 2000 }).toBe(true);
+      hasFocus = await isKept();
     };
     for (const { name, reach, leave } of seen) {
       await test.step(name, async () => {

@@ -106,8 +106,9 @@ export function legend(place: HTMLElement, app: AppContext, fit: () => void) {
       oninput: () => input.setCustomValidity(''),
       onchange: () => {
         const value = numberIn(input);
-        if (value === undefined) {
-          input.setCustomValidity(`“${input.value}” is no number from 0.`);
+        if (value === undefined || (value === 0 && input === tolerance)) {
+          const least = input === tolerance ? 'above' : 'from';
+          input.setCustomValidity(`“${input.value}” is no number ${least} 0.`);
           return input.reportValidity();
         }
         accept(value === null ? null : value / unitNow().factor);

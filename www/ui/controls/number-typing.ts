@@ -30,10 +30,11 @@ export function refuseExpressions() {
     field.reportValidity();
   });
   document.addEventListener('keydown', ({ key, ctrlKey, metaKey }) => {
-    // Enter reports the field as it is, which is not what was meant.
-    if (key === 'Enter') setTimeout(accept);
-    else if (key.length > 1 || ctrlKey || metaKey) accept();
+    // Enter and Tab report the field as it is, which is not what was meant.
+    const reports = key === 'Enter' || key === 'Tab';
+    if ((key.length > 1 && !reports) || ctrlKey || metaKey) accept();
   });
-  document.addEventListener('pointerdown', accept);
+  // After the field itself has been told, and found it invalid.
+  document.addEventListener('change', accept);
   document.addEventListener('focusout', accept);
 }
