@@ -153,6 +153,7 @@ test('an expression in a number field is refused with words, and changes nothing
   expect(words).toBe('“*” is no part of a number. Write the result, such as 0.5.');
   await page.keyboard.press('Enter');
   await expect(weight).toHaveValue('1');
+  expect((await constraint(page))?.weight ?? 1).toBe(1);
   await weight.fill('3');
   await page.keyboard.press('Enter');
   await expect.poll(async () => (await constraint(page))?.weight).toBe(3);

@@ -20,7 +20,7 @@ export function refuseExpressions() {
     const field = event.target;
     if (!(field instanceof HTMLInputElement) || field.type !== 'number') return;
     const text = event.data?.trim();
-    if (!text) return accept();
+    if (!text) return event.inputType.startsWith('delete') ? accept() : undefined;
     if (field !== refused && PART.test(text)) return;
     event.preventDefault();
     if (field === refused) return;
