@@ -4,7 +4,7 @@
 import type { Page } from '@playwright/test';
 import { openText, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
+import { expect, openPage, sceneOf, screenOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -46,6 +46,11 @@ test('Cancel restores the previous model, an edited example as edited and under 
   await weight.fill('7');
   await weight.press('Enter');
   await expect.poll(async () => (await sceneOf(page)).weights.shape).toBe(7);
+  // The camera and the plot were lost.
+  await page.getByRole('application', { name: '3D view' }).focus();
+  for (let k = 0; k < 5; k++) await page.keyboard.press('ArrowRight');
+  await page.getByRole('tab', { name: 'Worst' }).click();
+  const corner = await screenOf(page, 0);
   const before = await sceneOf(page);
   const own = () => page.evaluate(() => sessionStorage.getItem('shape-up.work'));
   const work = await own();
@@ -56,6 +61,9 @@ test('Cancel restores the previous model, an edited example as edited and under 
   expect(await sceneOf(page)).toEqual(before);
   expect((await state(page)).running).toBe(false);
   expect(await own()).toBe(work);
+  const now = await screenOf(page, 0);
+  for (const axis of [0, 1]) expect(now[axis]).toBeCloseTo(corner[axis], 0);
+  await expect(page.getByRole('tab', { name: 'Worst' })).toHaveAttribute('aria-selected', 'true');
   await tool(page, 'Share');
   const link = page.getByRole('dialog', { name: 'Share' }).getByRole('textbox', { name: 'Link' });
   await expect(link).toHaveValue(/#link=/);
@@ -78,8 +86,20 @@ test('Undo restores the model before a new mesh, with its undo history', async (
   await waitForState(page, (now) => now.vertices === 25);
   expect(await sceneOf(page)).toEqual(before);
   await expect(undo).toHaveAttribute('title', title ?? '');
+  // There was no way back to the new mesh.
+  const redo = page.getByRole('button', { name: 'Redo', exact: true });
+  await expect(redo).toHaveAttribute('title', /^Redo: New mesh/);
+  await redo.click();
+  await waitForState(page, (now) => now.vertices !== 25);
+  await undo.click();
+  await waitForState(page, (now) => now.vertices === 25);
+  await expect(redo).toBeEnabled();
   await undo.click();
   await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
+  await expect(redo).toHaveAttribute('title', /^Redo: (?!New mesh)/);
+  await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  await expect(redo).toBeDisabled();
 });
 
 test('a surface is made between two curves of the model, or inside a boundary', async ({
