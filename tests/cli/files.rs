@@ -102,6 +102,28 @@ const HOLE: &str = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 
     v 8 0 0\nv 8 4 1\ng holes\ns 1\nf 1 2 3 4 1 5 6 7 8 5\ng others\nf 2 9 10 3\n";
 
 #[test]
+fn a_guessed_place_is_not_welded() {
+    // Quads with corners of their own, of which one has two coordinates that are no numbers.
+    let folder = Folder::new("welded-guess");
+    let (mut vertices, mut faces) = (String::new(), String::new());
+    for k in 0..9 {
+        for (x, y) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
+            vertices += &match (k, y) {
+                (0, 0) => "v nan nan nan\n".to_owned(),
+                _ => format!("v {} {} 0\n", k % 3 + x, k / 3 + y),
+            };
+        }
+        let a = 4 * k + 1;
+        faces += &format!("f {a} {} {} {}\n", a + 1, a + 2, a + 3);
+    }
+    folder.write("soup.obj", vertices + &faces);
+    let out = folder.run(&["check", "soup.obj"]).done();
+    // 16 places, of which one is a guess twice: at the corner itself, and beside the second quad.
+    assert!(out.contains("19 coincident vertices were welded, 17 remain"), "{out}");
+    assert!(!out.contains("seam"), "{out}");
+}
+
+#[test]
 fn a_face_with_a_hole_comes_out_as_it_came_and_one_reason_is_given() {
     let folder = Folder::new("hole");
     folder.write("hole.obj", HOLE);
