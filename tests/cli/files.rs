@@ -139,6 +139,14 @@ fn a_face_with_a_hole_comes_out_as_it_came_and_one_reason_is_given() {
     folder.run(&["edit", "hole.json", "flip", "--out", "back.obj"]).done();
     assert!(folder.read("back.obj").contains("\nf 1 2 3 4 1 5 6 7 8 5\n"));
 
+    // The faces beside it are deleted, or its corners are merged.
+    folder.write("two.obj", format!("{HOLE}v 12 0 0\nv 12 4 1\nf 9 11 12 10\n"));
+    folder.run(&["edit", "two.obj", "delete", "--faces", "0", "--out", "left.obj"]).done();
+    assert!(folder.read("left.obj").contains("\nf 1 2 3 4 1 5 6 7 8 5\n"));
+    let merge = ["edit", "two.obj", "merge-vertices", "--vertices", "1,2", "--out", "left.obj"];
+    folder.run(&merge).done();
+    assert!(folder.read("left.obj").contains("\nf 1 2 3 1 4 5 6 7 4\n"));
+
     folder.write("only.obj", HOLE.split("g others").next().unwrap());
     let why = "1 face has the same vertex at two corners, as around a hole";
     folder.run(&["build", "only.obj"]).refused(&[why]);
