@@ -230,6 +230,8 @@ fn a_file_that_ends_within_a_line_says_so() {
     };
     assert_eq!(cut(whole), None);
     assert_eq!(cut(&format!("{whole}\nf 1 2\n")), None, "a line that is whole and wrong");
+    assert_eq!(cut(&format!("{whole}\nf 1 2 3 1 4 2")), None, "a face that is left as it is");
+    assert_eq!(cut(&format!("{whole}\nv 1,5 2 3")), None, "a decimal comma");
     for (end, line) in [("\nf 1 2", 7), ("\nf 1 2 3", 7), ("\nv 1 2", 7), ("\nv 1 2 -", 7)] {
         let found = cut(&format!("{whole}{end}")).unwrap_or_else(|| panic!("{end:?} is cut off"));
         let said = found.to_string();
