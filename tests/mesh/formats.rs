@@ -152,6 +152,11 @@ fn corners_of_stl_at_one_place_are_one_vertex() {
     assert_eq!(found.problems[0].kind, ProblemKind::TooFewCorners(ElementKind::Face));
     let found = refused("a.stl", STL.split_at(STL.len() - 40).0);
     assert_eq!(found, "a.stl: the file ends within a triangle: it is not whole");
+    // Between two triangles it may be whole, or not.
+    for end in [STL.rfind("endsolid"), STL.find("endsolid"), STL.rfind("outer")] {
+        let notes = ok("a.stl", &STL[..end.unwrap()]).notes;
+        assert_eq!(notes[0], "the file does not end with `endsolid`: more may be missing");
+    }
 }
 
 #[test]
@@ -166,10 +171,10 @@ fn binary_stl_is_read_whatever_its_header_says_and_only_if_it_is_whole() {
         let known =
             |p: &[f64; 3]| mesh.positions.iter().any(|q| q.map(|x| f64::from(x as f32)) == *p);
         assert!(found.mesh.positions.iter().all(known));
+        assert_eq!(ok("a.stl", [&bytes[..], &[0; 2]].concat()).mesh, found.mesh);
+        let found = refused("a.stl", &bytes[..bytes.len() - 1]);
+        assert!(found.starts_with("a.stl: the file ends after 7 of 8 triangles"), "{found}");
     }
-    bytes[..8].copy_from_slice(b"Shape-Up");
-    let found = refused("a.stl", &bytes[..bytes.len() - 1]);
-    assert!(found.starts_with("a.stl: the file ends after 7 of 8 triangles"), "{found}");
     assert!(refused("a.stl", "v 0 0 0").starts_with("a.stl: this is no STL file"));
 }
 
@@ -185,6 +190,19 @@ fn a_polygon_with_a_notch_becomes_triangles_that_cover_it() {
     let areas: Vec<f64> = found.faces.iter().map(area).collect();
     assert!(areas.iter().all(|area| *area > 0.0), "{areas:?}");
     assert_eq!(areas.iter().sum::<f64>(), 8.0);
+}
+
+#[test]
+fn stl_keeps_a_mesh_for_which_single_precision_is_too_little() {
+    let mesh = prism();
+    for (scale, offset) in [(0.1, 2.7e6), (1e-47, 0.0), (1e39, 0.0)] {
+        let placed: Vec<_> = mesh.positions.iter().map(|p| p.map(|x| scale * x + offset)).collect();
+        let bytes = write_stl(&mesh, &placed);
+        let found = ok("a.stl", &bytes);
+        assert_eq!((found.mesh.positions.len(), found.mesh.faces.len()), (7, 8), "{offset}");
+        assert!(found.mesh.positions.iter().all(|p| placed.contains(p)), "{offset}");
+        assert_eq!(found.notes, ["STL has no common vertices: 24 corners are 7 vertices"]);
+    }
 }
 
 /// A file with all that a writer without its order would lose.
