@@ -38,8 +38,9 @@ fn ply_as_text_has_its_vertices_faces_and_edges() {
     assert_eq!(mesh.curves, Ragged::from_iter([[0, 2]]));
     assert!(problems.iter().all(|problem| problem.line.is_some()), "{problems:?}");
     assert_eq!(notes, ["ignored: red of vertex, element material, flag of face"]);
-    // The name says nothing: the content does. Line ends may be of Windows.
+    // The name says nothing: the content does. Line ends may be of Windows, and a mark of UTF-8 before.
     assert_eq!(ok("a", PLY.replace('\n', "\r\n")).mesh, mesh);
+    assert_eq!(ok("a.ply", format!("\u{feff}{PLY}")).mesh, mesh);
 }
 
 /// The same as [`PLY`], binary.
@@ -83,6 +84,15 @@ fn binary_ply_is_the_same_mesh_in_either_order_of_bytes() {
             let found = refused("a.ply", &bytes[..end]);
             assert!(found.starts_with("a.ply: the file ends where "), "{found}");
         }
+        // More than the header says is not a part of it; a line end is nothing.
+        assert_eq!(ok("a.ply", [&bytes[..], b"\n"].concat()).notes, text.notes);
+        let found = ok("a.ply", [&bytes[..], b"4\0\0\0"].concat());
+        assert_eq!(found.mesh, text.mesh);
+        assert_eq!(found.notes[0], "ignored: 4 bytes after the last element");
+        // The header of a binary file is text.
+        let at = bytes.windows(5).position(|word| word == b"float").unwrap();
+        let found = refused("a.ply", [&bytes[..at], b"halfs", &bytes[at + 5..]].concat());
+        assert!(found.starts_with("a.ply:6: `property halfs x`: expected a type"), "{found}");
     }
 }
 
@@ -99,6 +109,17 @@ fn ply_that_is_wrong_is_refused_with_its_line() {
         ("end_header\n", "end\n", "a.ply:18: `end`: expected a line of a PLY header"),
         ("4 0 1 2 3 9", "-4 0 1 2 3 9", "a.ply:24: `-4 0 1 2 3 9`: expected the length of a list"),
         ("ply\n", "plain\n", "a.ply: this is no PLY file"),
+        // Rows have other values than the header says, or there are more of them.
+        (
+            "property uchar red\n",
+            "",
+            "a.ply:24: `3 0 1 2 9`: the file goes on after its last element",
+        ),
+        (
+            "element edge 1",
+            "element edge 0",
+            "a.ply:26: `0 2`: the file goes on after its last element",
+        ),
     ] {
         let found = refused("a.ply", PLY.replacen(from, to, 1));
         assert!(found.starts_with(message), "{found}");
@@ -108,6 +129,7 @@ fn ply_that_is_wrong_is_refused_with_its_line() {
     assert_eq!(found.problems[0].line, Some(25));
     let found = ok("a.ply", PLY.replace("1 0 255 0", "nan 0 255 0"));
     assert_eq!(found.mesh.unplaced, [1]);
+    assert_eq!((found.problems[0].line, &*found.problems[0].text), (Some(20), "nan 0 255 0"));
 }
 
 #[test]
