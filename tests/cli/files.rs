@@ -97,10 +97,6 @@ fn nothing_is_built_of_a_coordinate_that_is_no_number() {
     assert_eq!(folder.files().iter().filter(|name| *name == "parts").count(), 0);
 }
 
-/// A panel with a hole at the end of a slit, and a bent quad beside it.
-const HOLE: &str = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\n\
-    v 8 0 0\nv 8 4 1\ng holes\ns 1\nf 1 2 3 4 1 5 6 7 8 5\ng others\nf 2 9 10 3\n";
-
 #[test]
 fn a_guessed_place_is_not_welded() {
     // Quads with corners of their own, of which one has two coordinates that are no numbers.
@@ -118,10 +114,14 @@ fn a_guessed_place_is_not_welded() {
     }
     folder.write("soup.obj", vertices + &faces);
     let out = folder.run(&["check", "soup.obj"]).done();
-    // 16 places, of which one is a guess twice: at the corner itself, and beside the second quad.
+    // 15 corners of the grid, and the two guesses, which are at one place.
     assert!(out.contains("19 coincident vertices were welded, 17 remain"), "{out}");
     assert!(!out.contains("seam"), "{out}");
 }
+
+/// A panel with a hole at the end of a slit, and a bent quad beside it.
+const HOLE: &str = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\n\
+    v 8 0 0\nv 8 4 1\ng holes\ns 1\nf 1 2 3 4 1 5 6 7 8 5\ng others\nf 2 9 10 3\n";
 
 #[test]
 fn a_face_with_a_hole_comes_out_as_it_came_and_one_reason_is_given() {
