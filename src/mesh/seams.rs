@@ -8,9 +8,12 @@ use crate::math::marked;
 
 /// Returns the pairs of boundary vertices that coincide, up to rounding, without being joined: each
 /// later one, ascending, with the first that it lies on. Vertices of one face, which would lose an
-/// edge, are left out, and so are those of faces that lie on each other: two layers have no seam.
+/// edge, are left out, and so are those of faces that lie on each other: two layers have no seam. A
+/// mesh with tetrahedra has none: they keep its faces together.
 pub fn seams(mesh: &Mesh) -> Vec<[u32; 2]> {
-    let Some(tolerance) = tolerance(mesh) else { return Vec::new() };
+    let Some(tolerance) = tolerance(mesh).filter(|_| mesh.tets.is_empty()) else {
+        return Vec::new();
+    };
     let found = pairs(mesh, tolerance);
     let layered = if found.is_empty() { Vec::new() } else { layered(mesh, tolerance) };
     if layered.is_empty() {
@@ -126,6 +129,14 @@ mod tests {
         let mut mesh = strips(0.0);
         double(&mut mesh, 0..1);
         assert_eq!(seams(&mesh), [[7, 4], [8, 5]]);
+    }
+
+    #[test]
+    fn faces_of_tetrahedra_have_no_seam() {
+        // Nor could it be joined: see `MESH_OPERATIONS`.
+        let mut mesh = strips(0.0);
+        mesh.tets.push([0, 3, 4, 10]);
+        assert_eq!(seams(&mesh), [[0; 2]; 0]);
     }
 
     #[test]
