@@ -23,9 +23,29 @@ pub(super) fn tolerance(mesh: &Mesh) -> Option<f64> {
     Some((TOLERANCE * diagonal).min(OF_SHORTEST_EDGE * shortest))
 }
 
-/// Returns for each vertex the first vertex of its part within `tolerance` that is not itself
+/// Returns for each vertex the first one of its part within `tolerance` that does not itself lie on
+/// an earlier one. Vertices of no part, and those that are not in the file, lie on none: where the
+/// latter are is a guess.
+pub(super) fn first_of_part(
+    mesh: &Mesh,
+    part: impl Fn(u32) -> Option<u32>,
+    tolerance: f64,
+) -> Vec<u32> {
+    let mut first: Vec<u32> = (0..mesh.positions.len() as u32).collect();
+    let is_placed = |v: u32| mesh.unplaced.binary_search(&v).is_err();
+    let placed = first.iter().filter(|&&v| is_placed(v));
+    let (vertices, parts): (Vec<u32>, Vec<u32>) =
+        placed.filter_map(|&v| Some((v, part(v)?))).unzip();
+    let positions: Vec<Point> = vertices.iter().map(|&v| mesh.positions[v as usize]).collect();
+    for (&v, nearest) in vertices.iter().zip(first_within(&positions, &parts, tolerance)) {
+        first[v as usize] = vertices[nearest as usize];
+    }
+    first
+}
+
+/// Returns for each position the first one of its part within `tolerance` that is not itself
 /// merged.
-pub(super) fn first_within(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
+fn first_within(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
     // With cells of twice the tolerance, all points within the tolerance are in at most 8 cells.
     // Adding zero turns -0 into +0.
     let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;

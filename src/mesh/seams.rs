@@ -1,29 +1,50 @@
 //! Seams: boundary vertices that lie on other boundary vertices without being joined to them, as
 //! where a program wrote two patches of one surface. Nothing keeps the patches together there.
 
-use super::coincident::{first_within, tolerance};
+use super::Mesh;
+use super::coincident::{first_of_part, tolerance};
 use super::half_edges::half_edges;
-use super::{Mesh, Point};
 use crate::math::marked;
 
 /// Returns the pairs of boundary vertices that coincide, up to rounding, without being joined: each
 /// later one, ascending, with the first that it lies on. Vertices of one face, which would lose an
-/// edge, are left out.
+/// edge, are left out, and so are those of faces that lie on each other: two layers have no seam. A
+/// mesh with tetrahedra has none: they keep its faces together.
 pub fn seams(mesh: &Mesh) -> Vec<[u32; 2]> {
-    let Some(tolerance) = tolerance(mesh) else { return Vec::new() };
+    let Some(tolerance) = tolerance(mesh).filter(|_| mesh.tets.is_empty()) else {
+        return Vec::new();
+    };
+    let found = pairs(mesh, tolerance);
+    let layered = if found.is_empty() { Vec::new() } else { layered(mesh, tolerance) };
+    if layered.is_empty() {
+        return found;
+    }
+    let is_layered = marked(mesh.faces.len(), &layered);
+    let others = mesh.faces.iter().zip(is_layered).filter(|(_, is_layered)| !is_layered);
+    let faces = others.map(|(corners, _)| corners).collect();
+    pairs(&Mesh { faces, ..mesh.clone() }, tolerance)
+}
+
+/// Returns the faces that lie on each other: their corners coincide, up to rounding.
+fn layered(mesh: &Mesh, tolerance: f64) -> Vec<u32> {
+    let first = first_of_part(mesh, |_| Some(0), tolerance);
+    let mut places = mesh.faces.clone();
+    places.rename(&first);
+    places.sort_rows();
+    let row = |face: u32| places.row(face as usize);
+    let mut faces: Vec<u32> = (0..places.len() as u32).collect();
+    faces.sort_unstable_by(|&a, &b| row(a).cmp(row(b)));
+    let layers = faces.chunk_by(|&a, &b| row(a) == row(b));
+    layers.filter(|layers| layers.len() > 1).flatten().copied().collect()
+}
+
+/// Returns the pairs as [`seams`], but also between the layers of a mesh.
+fn pairs(mesh: &Mesh, tolerance: f64) -> Vec<[u32; 2]> {
     let sides = half_edges(mesh);
     let rim = sides.chunk_by(|a, b| a.ends == b.ends).filter(|edge| edge.len() == 1);
     let ends: Vec<u32> = rim.flat_map(|edge| edge[0].ends).collect();
     let on_rim = marked(mesh.positions.len(), &ends);
-    let vertices: Vec<u32> =
-        (0..mesh.positions.len() as u32).filter(|&v| on_rim[v as usize]).collect();
-    let positions: Vec<Point> = vertices.iter().map(|&v| mesh.positions[v as usize]).collect();
-    let mut first: Vec<u32> = (0..mesh.positions.len() as u32).collect();
-    for (&v, nearest) in
-        vertices.iter().zip(first_within(&positions, &vec![0; vertices.len()], tolerance))
-    {
-        first[v as usize] = vertices[nearest as usize];
-    }
+    let first = first_of_part(mesh, |v| on_rim[v as usize].then_some(0), tolerance);
     let mut within_face = vec![false; mesh.positions.len()];
     for face in mesh.faces.iter() {
         let mut at: Vec<u32> = face.iter().map(|&v| first[v as usize]).collect();
@@ -71,6 +92,59 @@ mod tests {
              open, first at line 5: `v 1 0 0`";
         assert!(said.iter().any(|line| line == seam), "{said:?}");
         assert_eq!(read.notes, [""; 0]);
+    }
+
+    /// Appends copies of these faces, on copies of their vertices.
+    fn double(mesh: &mut Mesh, faces: std::ops::Range<usize>) {
+        let mut copies = vec![None; mesh.positions.len()];
+        for face in faces {
+            let mut row = mesh.faces.row(face).to_vec();
+            for v in &mut row {
+                let at = mesh.positions[*v as usize];
+                *v = *copies[*v as usize].get_or_insert_with(|| {
+                    mesh.positions.push(at);
+                    mesh.positions.len() as u32 - 1
+                });
+            }
+            mesh.faces.push(&row);
+        }
+    }
+
+    #[test]
+    fn layers_have_no_seam_and_do_not_hide_another_one() {
+        let mut grid = String::new();
+        for k in 0..25 {
+            grid.push_str(&format!("v {} {} {}\n", k / 5, k % 5, 0.1 * f64::from(k)));
+        }
+        for k in (0..19).filter(|k| k % 5 < 4) {
+            grid.push_str(&format!("f {} {} {} {}\n", k + 1, k + 6, k + 7, k + 2));
+        }
+        let grid = read("grid.obj", grid.as_bytes()).expect("it is a mesh").mesh;
+        for faces in [0..16, 0..1, 0..4, 12..16] {
+            let mut twice = grid.clone();
+            double(&mut twice, faces);
+            assert_eq!(seams(&twice), [[0; 2]; 0]);
+        }
+        // Only the face at one end of the seam is there twice.
+        let mut mesh = strips(0.0);
+        double(&mut mesh, 0..1);
+        assert_eq!(seams(&mesh), [[7, 4], [8, 5]]);
+    }
+
+    #[test]
+    fn faces_of_tetrahedra_have_no_seam() {
+        // Nor could it be joined: see `MESH_OPERATIONS`.
+        let mut mesh = strips(0.0);
+        mesh.tets.push([0, 3, 4, 10]);
+        assert_eq!(seams(&mesh), [[0; 2]; 0]);
+    }
+
+    #[test]
+    fn a_guessed_place_is_on_no_seam() {
+        let text = "v 0 0 0\nv 1 0 0\nv nan 1 0\nv 3 0 0\nv 4 0 0\nv nan 1 0\nf 1 2 3\nf 4 5 6\n";
+        let mesh = read("a.obj", text.as_bytes()).expect("it is a mesh").mesh;
+        assert_eq!(mesh.positions[2], mesh.positions[5]);
+        assert_eq!(seams(&mesh), [[0; 2]; 0]);
     }
 
     #[test]

@@ -97,6 +97,28 @@ fn nothing_is_built_of_a_coordinate_that_is_no_number() {
     assert_eq!(folder.files().iter().filter(|name| *name == "parts").count(), 0);
 }
 
+#[test]
+fn a_guessed_place_is_not_welded() {
+    // Quads with corners of their own, of which one has two coordinates that are no numbers.
+    let folder = Folder::new("welded-guess");
+    let (mut vertices, mut faces) = (String::new(), String::new());
+    for k in 0..9 {
+        for (x, y) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
+            vertices += &match (k, y) {
+                (0, 0) => "v nan nan nan\n".to_owned(),
+                _ => format!("v {} {} 0\n", k % 3 + x, k / 3 + y),
+            };
+        }
+        let a = 4 * k + 1;
+        faces += &format!("f {a} {} {} {}\n", a + 1, a + 2, a + 3);
+    }
+    folder.write("soup.obj", vertices + &faces);
+    let out = folder.run(&["check", "soup.obj"]).done();
+    // 15 corners of the grid, and the two guesses, which are at one place.
+    assert!(out.contains("19 coincident vertices were welded, 17 remain"), "{out}");
+    assert!(!out.contains("seam"), "{out}");
+}
+
 /// A panel with a hole at the end of a slit, and a bent quad beside it.
 const HOLE: &str = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 1 0\nv 1 3 0\nv 3 3 0\nv 3 1 0\n\
     v 8 0 0\nv 8 4 1\ng holes\ns 1\nf 1 2 3 4 1 5 6 7 8 5\ng others\nf 2 9 10 3\n";
@@ -116,6 +138,14 @@ fn a_face_with_a_hole_comes_out_as_it_came_and_one_reason_is_given() {
     folder.run(&["edit", "hole.obj", "flip", "--out", "hole.json"]).done();
     folder.run(&["edit", "hole.json", "flip", "--out", "back.obj"]).done();
     assert!(folder.read("back.obj").contains("\nf 1 2 3 4 1 5 6 7 8 5\n"));
+
+    // The faces beside it are deleted, or its corners are merged.
+    folder.write("two.obj", format!("{HOLE}v 12 0 0\nv 12 4 1\nf 9 11 12 10\n"));
+    folder.run(&["edit", "two.obj", "delete", "--faces", "0", "--out", "left.obj"]).done();
+    assert!(folder.read("left.obj").contains("\nf 1 2 3 4 1 5 6 7 8 5\n"));
+    let merge = ["edit", "two.obj", "merge-vertices", "--vertices", "1,2", "--out", "left.obj"];
+    folder.run(&merge).done();
+    assert!(folder.read("left.obj").contains("\nf 1 2 3 1 4 5 6 7 4\n"));
 
     folder.write("only.obj", HOLE.split("g others").next().unwrap());
     let why = "1 face has the same vertex at two corners, as around a hole";

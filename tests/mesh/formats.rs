@@ -38,8 +38,9 @@ fn ply_as_text_has_its_vertices_faces_and_edges() {
     assert_eq!(mesh.curves, Ragged::from_iter([[0, 2]]));
     assert!(problems.iter().all(|problem| problem.line.is_some()), "{problems:?}");
     assert_eq!(notes, ["ignored: red of vertex, element material, flag of face"]);
-    // The name says nothing: the content does. Line ends may be of Windows.
+    // The name says nothing: the content does. Line ends may be of Windows, and a mark of UTF-8 before.
     assert_eq!(ok("a", PLY.replace('\n', "\r\n")).mesh, mesh);
+    assert_eq!(ok("a.ply", format!("\u{feff}{PLY}")).mesh, mesh);
 }
 
 /// The same as [`PLY`], binary.
@@ -83,6 +84,15 @@ fn binary_ply_is_the_same_mesh_in_either_order_of_bytes() {
             let found = refused("a.ply", &bytes[..end]);
             assert!(found.starts_with("a.ply: the file ends where "), "{found}");
         }
+        // More than the header says is not a part of it; a line end is nothing.
+        assert_eq!(ok("a.ply", [&bytes[..], b"\n"].concat()).notes, text.notes);
+        let found = ok("a.ply", [&bytes[..], b"4\0\0\0"].concat());
+        assert_eq!(found.mesh, text.mesh);
+        assert_eq!(found.notes[0], "ignored: 4 bytes after the last element");
+        // The header of a binary file is text.
+        let at = bytes.windows(5).position(|word| word == b"float").unwrap();
+        let found = refused("a.ply", [&bytes[..at], b"halfs", &bytes[at + 5..]].concat());
+        assert!(found.starts_with("a.ply:6: `property halfs x`: expected a type"), "{found}");
     }
 }
 
@@ -99,6 +109,17 @@ fn ply_that_is_wrong_is_refused_with_its_line() {
         ("end_header\n", "end\n", "a.ply:18: `end`: expected a line of a PLY header"),
         ("4 0 1 2 3 9", "-4 0 1 2 3 9", "a.ply:24: `-4 0 1 2 3 9`: expected the length of a list"),
         ("ply\n", "plain\n", "a.ply: this is no PLY file"),
+        // Rows have other values than the header says, or there are more of them.
+        (
+            "property uchar red\n",
+            "",
+            "a.ply:24: `3 0 1 2 9`: the file goes on after its last element",
+        ),
+        (
+            "element edge 1",
+            "element edge 0",
+            "a.ply:26: `0 2`: the file goes on after its last element",
+        ),
     ] {
         let found = refused("a.ply", PLY.replacen(from, to, 1));
         assert!(found.starts_with(message), "{found}");
@@ -108,6 +129,7 @@ fn ply_that_is_wrong_is_refused_with_its_line() {
     assert_eq!(found.problems[0].line, Some(25));
     let found = ok("a.ply", PLY.replace("1 0 255 0", "nan 0 255 0"));
     assert_eq!(found.mesh.unplaced, [1]);
+    assert_eq!((found.problems[0].line, &*found.problems[0].text), (Some(20), "nan 0 255 0"));
 }
 
 #[test]
@@ -152,6 +174,11 @@ fn corners_of_stl_at_one_place_are_one_vertex() {
     assert_eq!(found.problems[0].kind, ProblemKind::TooFewCorners(ElementKind::Face));
     let found = refused("a.stl", STL.split_at(STL.len() - 40).0);
     assert_eq!(found, "a.stl: the file ends within a triangle: it is not whole");
+    // Between two triangles it may be whole, or not.
+    for end in [STL.rfind("endsolid"), STL.find("endsolid"), STL.rfind("outer")] {
+        let notes = ok("a.stl", &STL[..end.unwrap()]).notes;
+        assert_eq!(notes[0], "the file does not end with `endsolid`: more may be missing");
+    }
 }
 
 #[test]
@@ -166,10 +193,10 @@ fn binary_stl_is_read_whatever_its_header_says_and_only_if_it_is_whole() {
         let known =
             |p: &[f64; 3]| mesh.positions.iter().any(|q| q.map(|x| f64::from(x as f32)) == *p);
         assert!(found.mesh.positions.iter().all(known));
+        assert_eq!(ok("a.stl", [&bytes[..], &[0; 2]].concat()).mesh, found.mesh);
+        let found = refused("a.stl", &bytes[..bytes.len() - 1]);
+        assert!(found.starts_with("a.stl: the file ends after 7 of 8 triangles"), "{found}");
     }
-    bytes[..8].copy_from_slice(b"Shape-Up");
-    let found = refused("a.stl", &bytes[..bytes.len() - 1]);
-    assert!(found.starts_with("a.stl: the file ends after 7 of 8 triangles"), "{found}");
     assert!(refused("a.stl", "v 0 0 0").starts_with("a.stl: this is no STL file"));
 }
 
@@ -185,6 +212,19 @@ fn a_polygon_with_a_notch_becomes_triangles_that_cover_it() {
     let areas: Vec<f64> = found.faces.iter().map(area).collect();
     assert!(areas.iter().all(|area| *area > 0.0), "{areas:?}");
     assert_eq!(areas.iter().sum::<f64>(), 8.0);
+}
+
+#[test]
+fn stl_keeps_a_mesh_for_which_single_precision_is_too_little() {
+    let mesh = prism();
+    for (scale, offset) in [(0.1, 2.7e6), (1e-47, 0.0), (1e39, 0.0)] {
+        let placed: Vec<_> = mesh.positions.iter().map(|p| p.map(|x| scale * x + offset)).collect();
+        let bytes = write_stl(&mesh, &placed);
+        let found = ok("a.stl", &bytes);
+        assert_eq!((found.mesh.positions.len(), found.mesh.faces.len()), (7, 8), "{offset}");
+        assert!(found.mesh.positions.iter().all(|p| placed.contains(p)), "{offset}");
+        assert_eq!(found.notes, ["STL has no common vertices: 24 corners are 7 vertices"]);
+    }
 }
 
 /// A file with all that a writer without its order would lose.
@@ -230,6 +270,8 @@ fn a_file_that_ends_within_a_line_says_so() {
     };
     assert_eq!(cut(whole), None);
     assert_eq!(cut(&format!("{whole}\nf 1 2\n")), None, "a line that is whole and wrong");
+    assert_eq!(cut(&format!("{whole}\nf 1 2 3 1 4 2")), None, "a face that is left as it is");
+    assert_eq!(cut(&format!("{whole}\nv 1,5 2 3")), None, "a decimal comma");
     for (end, line) in [("\nf 1 2", 7), ("\nf 1 2 3", 7), ("\nv 1 2", 7), ("\nv 1 2 -", 7)] {
         let found = cut(&format!("{whole}{end}")).unwrap_or_else(|| panic!("{end:?} is cut off"));
         let said = found.to_string();

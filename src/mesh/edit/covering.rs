@@ -12,7 +12,7 @@ const NEGLIGIBLE: f64 = 1e-9;
 impl Edited {
     /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
     /// from the old face at its centre; sets and groups follow that. Curves stay, and so do vertices of
-    /// no face.
+    /// no face and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::new(&mesh.positions, mesh);
         let face_at = |point: Point| surface.closest_face(point).unwrap_or(0);
@@ -21,10 +21,11 @@ impl Edited {
             .iter()
             .map(|&point| (point, weights(mesh, face_at(point), point)))
             .collect();
-        // Vertices of curves and of no face stay, unless there is a new one at their place.
+        // Those vertices stay, unless there is a new one at their place.
         let mut stays = vec![true; mesh.positions.len()];
         mesh.faces.indices().iter().for_each(|&v| stays[v as usize] = false);
-        mesh.curves.indices().iter().for_each(|&v| stays[v as usize] = true);
+        let of_others = mesh.curves.indices().iter().chain(mesh.untouched.indices());
+        of_others.for_each(|&v| stays[v as usize] = true);
         for (point, terms) in &vertices {
             if let Some(old) = at_old(mesh, *point, terms) {
                 stays[old as usize] = false;
@@ -168,6 +169,20 @@ mod tests {
         assert_eq!(edited.mesh.positions[..6], mesh.positions[..]);
         assert_eq!(edited.mesh.curves.row(0), [0, 5, 2]);
         assert_eq!(edited.mesh.positions.len(), 8);
+    }
+
+    #[test]
+    fn faces_that_are_left_as_they_are_keep_their_corners() {
+        let (mut mesh, mut quads) = square();
+        // One of them is not a corner of the cover.
+        quads.positions[3] = [0.9, 0.0, 0.0];
+        mesh.positions.push([3.0, 0.0, 0.0]);
+        mesh.untouched = [[1, 4, 2]].iter().collect();
+        let mut edited = Edited::covering(&mesh, &quads);
+        edited.origins.carry(&mesh, &mut edited.mesh);
+        let at = |v: &u32| edited.mesh.positions[*v as usize];
+        let corners: Vec<Point> = edited.mesh.untouched.indices().iter().map(at).collect();
+        assert_eq!(corners, [[1.0, 0.0, 0.0], [3.0, 0.0, 0.0], [1.0, 1.0, 0.0]]);
     }
 
     #[test]

@@ -67,7 +67,13 @@ impl Origins {
         to.untouched = Ragged::new();
         for face in from.untouched.iter() {
             let kept = face.iter().map(|&old| self.vertices[old as usize]);
-            if let Some(face) = kept.collect::<Option<Vec<u32>>>() {
+            let Some(mut face) = kept.collect::<Option<Vec<u32>>>() else { continue };
+            // Corners may have been merged.
+            face.dedup();
+            if face.first() == face.last() {
+                face.pop();
+            }
+            if face.len() > 2 {
                 to.untouched.push(&face);
             }
         }

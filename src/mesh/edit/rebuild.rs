@@ -129,7 +129,8 @@ impl<'a> Rebuild<'a> {
             renamed
         };
         let curves: Vec<Vec<u32>> = mesh.curves.iter().map(rename).collect();
-        // Vertices that no old face or curve used are kept.
+        // Vertices that no old face or curve used are kept, and those of faces that are left as they
+        // are.
         let mut is_used = vec![false; vertices.len()];
         is_used[..names.len()].fill(true);
         let old = mesh.faces.indices().iter().chain(mesh.curves.indices());
@@ -138,7 +139,9 @@ impl<'a> Rebuild<'a> {
             is_used[v] &= name as usize == v;
         }
         let of_curves = curves.iter().filter(|curve| curve.len() > 1).flatten();
-        faces.indices().iter().chain(of_curves).for_each(|&v| is_used[v as usize] = true);
+        let of_untouched = mesh.untouched.indices().iter().map(|&v| &names[v as usize]);
+        let used = faces.indices().iter().chain(of_curves).chain(of_untouched);
+        used.for_each(|&v| is_used[v as usize] = true);
 
         let mut next = 0..;
         let index: Vec<Option<u32>> =

@@ -2,7 +2,7 @@
 //! common edges, and constraints on them would tear it apart.
 
 use super::rebuild::has_twice;
-use crate::mesh::coincident::{first_within, tolerance};
+use crate::mesh::coincident::{first_of_part, tolerance};
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
 
 /// A mesh is unwelded if at least this fraction of the vertices of faces belongs to one face only.
@@ -53,7 +53,7 @@ impl Weld {
         let whole = vec![0; mesh.positions.len()];
         let parts = [whole, groups(mesh)];
         let (welded, to) = parts.iter().find_map(|parts| {
-            let first = first_within(&mesh.positions, parts, tolerance);
+            let first = first_of_part(mesh, |v| Some(parts[v as usize]), tolerance);
             merged(mesh, &first, SHARED * used as f64)
         })?;
         Some(Weld { original: std::mem::replace(mesh, welded), to, tolerance })

@@ -23,8 +23,8 @@ pub(crate) struct MeshBuilder {
     /// `#V`: number, from one, of the last face or tetrahedron with this corner.
     visited: Vec<u32>,
     faces_seen: u32,
-    /// The line of the last vertex or element with a problem.
-    last_fault: Option<usize>,
+    /// The line of the last vertex or element that is not whole.
+    last_partial: Option<usize>,
 }
 
 impl MeshBuilder {
@@ -44,7 +44,9 @@ impl MeshBuilder {
         for (i, problem) in problems.iter().enumerate() {
             if let Some(new) = problem.filter(|_| !problems[..i].contains(problem)) {
                 self.counts.add(new, line);
-                self.last_fault = line;
+                if new == ProblemKind::MalformedCoordinate {
+                    self.last_partial = line;
+                }
             }
         }
         self.mesh.positions.push(coordinates.map(|(x, _)| x));
@@ -65,9 +67,12 @@ impl MeshBuilder {
             Ok(false) => {}
             Err(problem) => {
                 self.counts.add(problem, line);
-                self.last_fault = line;
-                if problem == ProblemKind::SelfTouchingFace {
-                    self.mesh.untouched.push(&self.row);
+                match problem {
+                    ProblemKind::SelfTouchingFace => self.mesh.untouched.push(&self.row),
+                    ProblemKind::MalformedCorner(_) | ProblemKind::TooFewCorners(_) => {
+                        self.last_partial = line;
+                    }
+                    _ => {}
                 }
                 return None;
             }
@@ -167,7 +172,7 @@ impl MeshBuilder {
         let last = corners.split_last().filter(|_| is_face);
         let is_shorter = last
             .is_some_and(|(last, others)| others.iter().min().is_some_and(|least| last < least));
-        if self.last_fault == Some(line) || is_shorter {
+        if self.last_partial == Some(line) || is_shorter {
             self.counts.add(ProblemKind::CutOff, Some(line));
         }
     }

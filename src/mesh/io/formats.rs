@@ -64,7 +64,7 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         endings: &["stl"],
         name: "STL",
         reads: "triangles, joined where their corners are equal; text and binary",
-        writes: "polygons as triangles; binary, in single precision: about seven digits",
+        writes: "polygons as triangles; binary, in single precision, or text where that is too little",
         leaves_out: "everything else",
         ..NONE
     },

@@ -53,7 +53,8 @@ impl<'a> Iterator for Lines<'a> {
 /// Statements of OBJ whose rest is a name, which may end in a backslash, as a folder does.
 const NAMES: &str = "o g usemtl mtllib maplib usemap";
 /// Other statements that a line may begin with.
-const STATEMENTS: &str = "v vt vn vp f fo l p s mg cstype deg curv curv2 surf parm trim hole end";
+const STATEMENTS: &str = "v vt vn vp f fo l p s mg cstype deg curv curv2 surf parm trim hole end \
+    bevel c_interp d_interp lod";
 
 fn is_one_of(words: &str, word: &str) -> bool {
     words.split(' ').any(|known| known == word)
@@ -148,7 +149,7 @@ mod tests {
     fn a_backslash_at_the_end_of_a_name_is_part_of_it() {
         let line = |number, text: &str| (number, text.to_owned());
         for name in ["usemtl Wood\\", "o a\\", "g roof\\", "mtllib C:\\tex\\", "usemtl Wood \\"] {
-            for next in ["f 1 2 3", "usemtl b", "v 0 0 0", "g"] {
+            for next in ["f 1 2 3", "usemtl b", "v 0 0 0", "g", "s 1", "bevel on", "lod 3"] {
                 let found = joined(&format!("{name}\n{next}\n"));
                 assert_eq!(found, [line(1, name), line(2, next)]);
             }

@@ -33,9 +33,12 @@ use builder::ReadFault;
 /// If the file is empty, larger than 4 GiB, of an unknown format, truncated, or has no vertices.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
     let format = Format::of_name(name).or_else(|| Format::of_binary(bytes));
-    // Messages have the line of a text; a binary file has none.
-    let is_binary = matches!(format, Some(Format::Ply | Format::Stl)) && bytes.contains(&0);
-    let text = if is_binary { "".into() } else { decode(bytes) };
+    // Messages have the line of a text; of a binary file, no more than its header is one.
+    let text = match format {
+        Some(Format::Ply) => decode(ply::text(bytes)),
+        Some(Format::Stl) if !stl::is_text(bytes) => "".into(),
+        _ => decode(bytes),
+    };
     let found = match format {
         _ if bytes.is_empty() => Err(ReadFault::whole("the file is empty")),
         _ if u32::try_from(bytes.len()).is_err() => {

@@ -7,14 +7,32 @@ use super::number::{Numbering, coordinate, whole};
 use super::stl::of_number;
 use super::stream::Stream;
 use crate::mesh::{ElementKind, Mesh, Point, ProblemKind};
+use crate::words::count;
 use std::borrow::Cow;
 
 /// Whether a file is one, by its first bytes.
 pub(super) fn is_one(bytes: &[u8]) -> bool {
+    let bytes = unmarked(bytes);
     bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") || bytes.starts_with(b"ply ")
 }
 
+/// The part of a file that is text: of a binary one, its header.
+pub(super) fn text(bytes: &[u8]) -> &[u8] {
+    const END: &[u8] = b"end_header";
+    let end = bytes.windows(END.len()).position(|word| word == END);
+    match end {
+        Some(end) if bytes.contains(&0) => &bytes[..end + END.len()],
+        _ => bytes,
+    }
+}
+
+/// The bytes after the mark of UTF-8, which editors put before a text.
+fn unmarked(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
+}
+
 pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadFault> {
+    let bytes = unmarked(bytes);
     let (header, length) = header(bytes)?;
     let rest = &bytes[length..];
     let text = if header.binary.is_none() { decode(rest) } else { Cow::default() };
@@ -28,6 +46,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadFault> {
         element.read(&mut body, &mut builder)?;
         ignored.extend(element.ignored());
     }
+    builder.notes.extend(body.rest()?);
     builder.settle(Numbering::ZeroBased);
     if !ignored.is_empty() {
         builder.notes.push(format!("ignored: {}", ignored.join(", ")));
@@ -211,6 +230,28 @@ impl<'a> Body<'a> {
         }
     }
 
+    /// Says what follows the last element, if anything. Text that goes on was not understood: its
+    /// values are not those of the header.
+    fn rest(&mut self) -> Result<Option<String>, ReadFault> {
+        match self {
+            Body::Text { words, before } => match words.word() {
+                None => Ok(None),
+                Some(_) => Err(ReadFault {
+                    line: Some(*before + words.line()),
+                    message:
+                        "the file goes on after its last element, expected as many elements and \
+                              values as in its header"
+                            .to_owned(),
+                }),
+            },
+            Body::Binary { rest, .. } => {
+                let is_blank = rest.iter().all(|byte| byte.is_ascii_whitespace() || *byte == 0);
+                let bytes = count(rest.len(), "byte", "bytes");
+                Ok((!is_blank).then(|| format!("ignored: {bytes} after the last element")))
+            }
+        }
+    }
+
     /// The line of the last value; none in a binary file.
     fn line(&self) -> Option<usize> {
         match self {
@@ -264,15 +305,15 @@ impl Element {
             for (values, property) in values.iter_mut().zip(properties) {
                 let what = format_args!("{name} {index} of {count}");
                 values.clear();
-                let length = match property.list {
-                    None => 1,
-                    Some(of) => body.value(of, what)?.whole().unwrap_or(-1),
-                };
-                line = line.or(body.line());
-                if length < 0 {
-                    let message = format!("expected the length of a list in {name} {index}");
-                    return Err(ReadFault { line: body.line(), message });
+                let mut length = Some(1);
+                if let Some(of) = property.list {
+                    length = body.value(of, what)?.whole().filter(|length| *length >= 0);
+                    line = line.or(body.line());
                 }
+                let length = length.ok_or_else(|| {
+                    let message = format!("expected the length of a list in {name} {index}");
+                    ReadFault { line: body.line(), message }
+                })?;
                 for _ in 0..length {
                     values.push(body.value(property.of, what)?);
                     line = line.or(body.line());

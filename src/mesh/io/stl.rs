@@ -1,10 +1,13 @@
 //! Reads and writes STL: triangles without common vertices, as text or binary. Corners at equal
 //! positions are one vertex. Each `solid` of a text file with several is an object.
+//!
+//! Binary files have single precision. Where that is too little, as at the coordinates of a site, text
+//! is written.
 
 use super::builder::{MeshBuilder, ReadFault};
 use super::lines::{decode, lines, words};
-use super::number::{Numbering, coordinate};
-use crate::math::{Vec3, triangles_in_space};
+use super::number::{Decimal, Numbering, coordinate};
+use crate::math::{Vec3, polygon_sides, triangles_in_space};
 use crate::mesh::{ElementKind, Group, GroupKeyword, Mesh, Point, ProblemKind};
 use crate::words::count;
 use std::borrow::Cow;
@@ -18,25 +21,28 @@ const TRIANGLE: usize = 50;
 /// A coordinate, and its problem, if any.
 type Coordinate = (f64, Option<ProblemKind>);
 
-/// Reads a file. Many binary files begin as text does.
+/// Reads a file.
 pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadFault> {
-    let triangles = bytes.get(HEADER - 4..HEADER).and_then(|count| count.try_into().ok());
-    let triangles = triangles.map(|count| u32::from_le_bytes(count) as usize);
-    let is_whole = triangles.is_some_and(|count| HEADER + count * TRIANGLE == bytes.len());
     let mut corners = Corners::default();
-    if !is_whole && is_solid(&beginning(bytes)) {
-        read_text(&decode(bytes), &mut corners)?;
-    } else {
-        read_binary(bytes, triangles.unwrap_or(0), &mut corners)?;
+    match is_text(bytes) {
+        true => read_text(&decode(bytes), &mut corners)?,
+        false => read_binary(bytes, &mut corners)?,
     }
     Ok(corners.finish())
 }
 
-/// Whether a file is one, by its first bytes.
-pub(super) fn is_one(bytes: &[u8]) -> bool {
+/// Whether a file of that name is text. Many binary files begin as text does, but the number of their
+/// triangles has a zero byte.
+pub(super) fn is_text(bytes: &[u8]) -> bool {
     let text = beginning(bytes);
+    let word = text.trim_ascii_start().get(..5);
+    word.is_some_and(|word| word.eq_ignore_ascii_case("solid")) && !text.contains('\0')
+}
+
+/// Whether a file is a text of STL, by its first bytes.
+pub(super) fn is_one(bytes: &[u8]) -> bool {
     let is_facet = |word: &str| word.eq_ignore_ascii_case("facet");
-    is_solid(&text) && text.split_ascii_whitespace().any(is_facet)
+    is_text(bytes) && beginning(bytes).split_ascii_whitespace().any(is_facet)
 }
 
 /// The beginning of a file as text: of a large binary file, no more is decoded.
@@ -44,17 +50,14 @@ fn beginning(bytes: &[u8]) -> Cow<'_, str> {
     decode(&bytes[..bytes.len().min(1024)])
 }
 
-/// Whether a text begins as STL does.
-fn is_solid(text: &str) -> bool {
-    text.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case("solid"))
-}
-
-fn read_binary(bytes: &[u8], triangles: usize, corners: &mut Corners) -> Result<(), ReadFault> {
-    let body = bytes.get(HEADER..).ok_or_else(|| {
+fn read_binary(bytes: &[u8], corners: &mut Corners) -> Result<(), ReadFault> {
+    let parts = bytes.split_first_chunk::<HEADER>();
+    let (&[.., a, b, c, d], body) = parts.ok_or_else(|| {
         ReadFault::whole("this is no STL file: expected `solid`, or 84 bytes and triangles")
     })?;
-    if body.len() / TRIANGLE < triangles {
-        let there = body.len() / TRIANGLE;
+    let triangles = u32::from_le_bytes([a, b, c, d]) as usize;
+    let there = body.len() / TRIANGLE;
+    if there < triangles {
         return Err(ReadFault::whole(format!(
             "the file ends after {there} of {triangles} triangles: it is not whole, or no STL file"
         )));
@@ -80,10 +83,12 @@ pub(super) fn of_number(x: f64) -> Coordinate {
 
 fn read_text(text: &str, corners: &mut Corners) -> Result<(), ReadFault> {
     let mut is_open = false;
+    let mut last = String::new();
     for (line, text) in lines(text) {
         let mut words = words(text);
         let Some(word) = words.next() else { continue };
-        match word.to_ascii_lowercase().as_str() {
+        last = word.to_ascii_lowercase();
+        match last.as_str() {
             "solid" => corners.begin(&words.collect::<Vec<_>>().join(" ")),
             "vertex" => {
                 let place = std::array::from_fn(|_| coordinate(words.next().unwrap_or_default()));
@@ -97,10 +102,14 @@ fn read_text(text: &str, corners: &mut Corners) -> Result<(), ReadFault> {
             _ => {}
         }
     }
-    match is_open {
-        true => Err(ReadFault::whole("the file ends within a triangle: it is not whole")),
-        false => Ok(()),
+    if is_open {
+        return Err(ReadFault::whole("the file ends within a triangle: it is not whole"));
     }
+    if last != "endsolid" && last != "end" {
+        let note = "the file does not end with `endsolid`: more may be missing";
+        corners.builder.notes.push(note.to_owned());
+    }
+    Ok(())
 }
 
 /// The triangles so far, with one vertex for equal positions.
@@ -161,28 +170,64 @@ impl Corners {
     }
 }
 
-/// Returns the faces at other positions (`#V by 3`) as a binary STL file; polygons are divided into
-/// triangles. STL has neither curves, groups nor units, and about seven digits.
+/// Single precision is enough if it moves corners at most by this fraction of the shortest edge.
+const LOST: f64 = 1e-3;
+
+/// Returns the faces at other positions (`#V by 3`) as an STL file; polygons are divided into
+/// triangles. It is binary, or text if single precision is too little. STL has neither curves, groups
+/// nor units.
 pub fn write_stl(mesh: &Mesh, positions: &[Point]) -> Vec<u8> {
-    let mut body = Vec::new();
-    let mut triangles: u32 = 0;
-    for face in mesh.faces.iter() {
+    let triangles = mesh.faces.iter().flat_map(|face| {
         let corners: Vec<Vec3<f64>> = face.iter().map(|&v| positions[v as usize].into()).collect();
-        for own in triangles_in_space(&corners) {
-            let [a, b, c] = own.map(|k| corners[k]);
-            let normal = (b - a).cross(c - a).length_and_direction().1.unwrap_or(Vec3::zero());
-            for point in [normal, a, b, c] {
-                let numbers = [point.x, point.y, point.z];
-                numbers.iter().for_each(|x| body.extend((*x as f32).to_le_bytes()));
-            }
-            body.extend([0; 2]);
-            triangles += 1;
-        }
+        triangles_in_space(&corners).into_iter().map(move |own| own.map(|k| corners[k]))
+    });
+    match is_single_enough(mesh, positions) {
+        true => binary(triangles),
+        false => text(triangles).into_bytes(),
     }
+}
+
+/// Whether single precision keeps the shape of the faces.
+fn is_single_enough(mesh: &Mesh, positions: &[Point]) -> bool {
+    let at = |v: u32| Vec3::from(positions[v as usize]);
+    let sides = mesh.faces.iter().flat_map(polygon_sides);
+    let lengths = sides.map(|[a, b]| (at(b) - at(a)).length()).filter(|length| *length > 0.0);
+    let shortest = lengths.fold(f64::INFINITY, f64::min);
+    let coordinates = mesh.faces.indices().iter().flat_map(|&v| positions[v as usize]);
+    let lost = coordinates.map(|x| (f64::from(x as f32) - x).abs()).fold(0.0, f64::max);
+    lost <= LOST * shortest
+}
+
+fn normal([a, b, c]: [Vec3<f64>; 3]) -> Vec3<f64> {
+    (b - a).cross(c - a).length_and_direction().1.unwrap_or(Vec3::zero())
+}
+
+fn binary(triangles: impl Iterator<Item = [Vec3<f64>; 3]>) -> Vec<u8> {
+    let mut count: u32 = 0;
     // A header that begins with "solid" would look like text.
-    let mut out = vec![0; HEADER - 4];
+    let mut out = vec![0; HEADER];
     out[..8].copy_from_slice(b"Shape-Up");
-    out.extend(triangles.to_le_bytes());
-    out.extend(body);
+    for corners in triangles {
+        let [a, b, c] = corners;
+        for point in [normal(corners), a, b, c] {
+            let numbers = [point.x, point.y, point.z];
+            numbers.iter().for_each(|x| out.extend((*x as f32).to_le_bytes()));
+        }
+        out.extend([0; 2]);
+        count += 1;
+    }
+    out[HEADER - 4..HEADER].copy_from_slice(&count.to_le_bytes());
     out
+}
+
+fn text(triangles: impl Iterator<Item = [Vec3<f64>; 3]>) -> String {
+    let row =
+        |Vec3 { x, y, z }: Vec3<f64>| format!("{} {} {}\n", Decimal(x), Decimal(y), Decimal(z));
+    let mut out = "solid Shape-Up\n".to_owned();
+    for corners in triangles {
+        out += &format!("facet normal {}outer loop\n", row(normal(corners)));
+        corners.into_iter().for_each(|corner| out += &format!("vertex {}", row(corner)));
+        out += "endloop\nendfacet\n";
+    }
+    out + "endsolid Shape-Up\n"
 }

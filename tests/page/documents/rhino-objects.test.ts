@@ -90,6 +90,60 @@ test('instances of blocks are placed, nested and mirrored ones too, and the bloc
   assert.deepEqual(leftOut, { hidden: 0, surfaces: 0, curves: 0, links: 0, others: 0 });
 });
 
+test('lines and curves of straight parts are polylines, and a mirrored one runs the same way', () => {
+  const file = new api.File3dm();
+  addLayer(file, 'Roof');
+  const [a, b, c]: Place[] = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [1, 2, 0],
+  ];
+  file.objects().addLine(a, c);
+  const straight = new api.PolylineCurve([a, b, c]);
+  file.objects().addCurve(straight, attributes());
+  file.objects().addCurve(straight.toNurbsCurve(), attributes());
+  const block = addBlock(file, 'Line', [straight]);
+  addInstance(file, instance(file, block, [5, 0, 0], true));
+  const { lines, leftOut } = taken(file);
+  assert.deepEqual(
+    lines.map(({ corners }) => corners),
+    [
+      [a, c],
+      [a, b, c],
+      [a, b, c],
+      [
+        [4, 2, 0],
+        [4, 0, 0],
+        [5, 0, 0],
+      ],
+    ],
+  );
+  assert.equal(leftOut.curves, 0);
+});
+
+test('a block that is in itself twice is left out', () => {
+  const file = new api.File3dm();
+  const block = addBlock(file, 'Panel', [square()]);
+  addInstance(file, instance(file, block, [0, 0, 0]));
+  // No program writes such a file, so the list of parts is a false one.
+  const written = api.File3dm.fromByteArray(file.toByteArray());
+  const [definition, objects] = [written.instanceDefinitions().get(0), written.objects()];
+  const ids = Array.from({ length: objects.count }, (_, i) => objects.get(i)).map(
+    (object) => object.attributes().id,
+  );
+  const circular = {
+    objects: () => objects,
+    layers: () => written.layers(),
+    instanceDefinitions: () => ({
+      count: 1,
+      get: () => ({ id: definition.id, getObjectIds: () => [...ids, ...ids] }),
+    }),
+  };
+  const { faces, leftOut } = objectsOf(api, circular, false);
+  assert.equal(faces.length, 2);
+  assert.equal(leftOut.links, 2);
+});
+
 test('what is hidden or on a layer that is off is counted, and taken if asked for', () => {
   const file = new api.File3dm();
   addLayer(file, 'Shown');

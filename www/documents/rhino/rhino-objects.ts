@@ -27,7 +27,7 @@ export interface LeftOut {
 /** Key of the user text that gives the role of a polyline. */
 export const ROLE = 'shape-up';
 
-/** Blocks in blocks, at most this many; more are a circle. */
+/** Layers in layers, at most this many; more are a circle. */
 const DEEPEST = 64;
 
 /** Rows of a transformation in space. */
@@ -53,7 +53,8 @@ export function objectsOf(api: any, file: any, withHidden: boolean) {
     itemsOf(file.instanceDefinitions()).map((definition) => [definition.id, definition]),
   );
 
-  function take(object: any, to: Transform, depth: number) {
+  /** @param within the blocks that the object is in */
+  function take(object: any, to: Transform, within: string[]) {
     const geometry = object.geometry();
     const attributes = object.attributes();
     const layer = layers(attributes.layerIndex);
@@ -61,17 +62,22 @@ export function objectsOf(api: any, file: any, withHidden: boolean) {
       leftOut.hidden += 1;
       return;
     }
-    const place = (corners: Point[]) => corners.map((point) => moved(point, to));
+    const corners = cornersOf(geometry);
     if (geometry instanceof api.Mesh) {
       faces.push(...facesOf(geometry, layer.path, to));
     } else if (geometry instanceof api.InstanceReference) {
-      const parts = definitions.get(geometry.parentIdefId)?.getObjectIds() ?? [];
+      const block: string = geometry.parentIdefId;
+      const parts = definitions.get(block)?.getObjectIds() ?? [];
       const found = parts.flatMap((id: string) => byId.get(id) ?? []);
-      if (found.length === 0 || depth > DEEPEST) leftOut.links += 1;
-      else for (const part of found) take(part, after(to, matrix(geometry.xform)), depth + 1);
-    } else if (geometry?.isPolyline?.()) {
+      // A block in itself would have no end.
+      if (found.length === 0 || within.includes(block)) leftOut.links += 1;
+      else {
+        const place = after(to, matrix(geometry.xform));
+        for (const part of found) take(part, place, [...within, block]);
+      }
+    } else if (corners.length > 1) {
       const role = attributes.getUserString(ROLE) || undefined;
-      lines.push({ layer: layer.path, corners: place(cornersOf(geometry)), role });
+      lines.push({ layer: layer.path, corners: placed(corners, to), role });
     } else if (isSurface(api, geometry)) {
       surfaces.push({ geometry, layer: layer.path, to });
     } else {
@@ -80,7 +86,7 @@ export function objectsOf(api: any, file: any, withHidden: boolean) {
   }
 
   for (const object of objects) {
-    if (!object.attributes().isInstanceDefinitionObject) take(object, UNCHANGED, 0);
+    if (!object.attributes().isInstanceDefinitionObject) take(object, UNCHANGED, []);
   }
   // A mesh beside surfaces is most often made of them, and would be there twice.
   const isAlone = faces.length + lines.length === 0;
@@ -182,19 +188,25 @@ function mirrors([a, b, c]: Transform) {
   return a[0] * minor(1, 2) - a[1] * minor(0, 2) + a[2] * minor(0, 1) < 0;
 }
 
+/** Moves corners. If they are mirrored, they run the other way round: a face would show its back. */
+function placed(corners: Point[], to: Transform): Point[] {
+  const there = corners.map((point) => moved(point, to));
+  return mirrors(to) ? there.toReversed() : there;
+}
+
 function facesOf(mesh: any, layer: string, to: Transform): Face[] {
   const [vertices, faces] = [mesh.vertices(), mesh.faces()];
-  // A mirrored face would show its back.
-  const isBack = mirrors(to);
   return Array.from({ length: faces.count }, (_, i) => {
     const [a, b, c, d] = faces.get(i);
     // A triangle repeats its last corner.
     const own = c === d ? [a, b, c] : [a, b, c, d];
-    const corners = isBack ? own.toReversed() : own;
-    return { layer, corners: corners.map((vertex) => moved(vertices.point3dAt(vertex), to)) };
+    const corners: Point[] = own.map((vertex) => vertices.point3dAt(vertex));
+    return { layer, corners: placed(corners, to) };
   });
 }
 
-function cornersOf(polyline: any): Point[] {
-  return Array.from({ length: polyline.pointCount }, (_, i) => polyline.point(i));
+/** The corners of a polyline, a line, or a curve of straight parts; none of other objects. */
+function cornersOf(geometry: any): Point[] {
+  const polyline = geometry?.isPolyline?.() ? geometry.tryGetPolyline() : null;
+  return Array.from({ length: polyline?.count ?? 0 }, (_, i) => polyline.get(i));
 }

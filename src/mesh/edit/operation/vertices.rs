@@ -1,22 +1,18 @@
 //! Welding, joining, merging and snapping vertices.
 
 use super::declaration::{OperationError, Task};
-use crate::mesh::coincident::first_within;
+use crate::mesh::coincident::first_of_part;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::{Rebuild, Touching};
-use crate::mesh::{Point, seams};
+use crate::mesh::seams;
 
 /// Welds each picked vertex to the first picked vertex within the size.
 pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
-    let (picked, positions): (Vec<u32>, Vec<Point>) = (0..)
-        .zip(task.picked_vertices())
-        .zip(&task.mesh.positions)
-        .filter_map(|((v, is_picked), &position)| is_picked.then_some((v, position)))
-        .unzip();
-    let first = first_within(&positions, &vec![0; picked.len()], task.sizes[0]);
+    let is_picked = task.picked_vertices();
+    let first = first_of_part(task.mesh, |v| is_picked[v as usize].then_some(0), task.sizes[0]);
     let mut rebuild = Rebuild::new(task.mesh);
     let mut welds = 0;
-    for (&v, first) in picked.iter().zip(first).map(|(v, k)| (v, picked[k as usize])) {
+    for (v, first) in (0..).zip(first) {
         if v != first {
             rebuild.merge(&[v, first], &[first]);
             welds += 1;
