@@ -85,7 +85,7 @@
 //!   stores it in the scene; the page's second worker passes it to `web::jobs::build`, which calls
 //!   [`fabricate::Build::new`].
 //! - A question of the page: a method in `web/worker`, such as `verdict` in `web/worker/questions`, whose
-//!   types wasm-bindgen writes; and its use in the page, `ask.verdict(tolerance)` of
+//!   types wasm-bindgen writes; and its use in the page, `ask.verdict()` of
 //!   `www/solver/solver-client.ts`. What takes long is a method in `web/jobs`, for the second worker
 //!   (`www/solver/jobs-client.ts`).
 //! - An edit of the page: a variant of [`session::Edit`], whose TypeScript type is generated, and its

@@ -17,6 +17,10 @@ export const viewOf = (state: Readonly<State>) =>
 /** Restores the saved view of a model that was just opened. */
 export function restoreView(view: SavedView, store: Store, actions: Actions) {
   const { measures, measure } = store.get();
-  const known = measures.some(({ id }) => id === view.measure);
-  actions.look(known ? view : { ...view, measure });
+  // Parts that an earlier version of this page had are left out.
+  const known = Object.fromEntries(
+    PARTS.filter((part) => part in view).map((part) => [part, view[part]]),
+  );
+  const hasMeasure = measures.some(({ id }) => id === view.measure);
+  actions.look(hasMeasure ? known : { ...known, measure });
 }

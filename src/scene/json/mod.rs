@@ -11,6 +11,7 @@
 //! | key | holds |
 //! |---|---|
 //! | "mesh" | `{ "file": PATH }`, relative to the scene, or `{ "positions", "faces", "curves", "tets", "groups" }` |
+//! | "tolerance" | the distance within which panels have their shape (what their constraint requires, else about a thousandth of the mean edge) |
 //! | "current" | start positions of the iteration, `#V by 3` (the design of `variants`, else the rest positions) |
 //! | "sets" | `{ NAME: { "vertices": LIST } }` or `{ NAME: { "faces": LIST } }` |
 //! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, `require` (`"soft"`, `"exact"` or `{ "within": LENGTH }`), `eased` (`{ "within": LENGTH, "faces": LIST }`: faces with a larger tolerance), and the parameters of the kind |
