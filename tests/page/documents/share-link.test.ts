@@ -253,7 +253,7 @@ test('an example is stored by its name, and edits in the code', async () => {
   const edited = sceneWith({ file: 'hypar.obj' }, { weights: { close: 3 } });
   const { fragment } = await linkOf(edited, how);
   assert.deepEqual(await readLink(fragment), {
-    ...{ example: 'hypar', text: JSON.stringify(edited), run: false },
+    ...{ example: 'hypar', text: JSON.stringify(edited), run: false, name: null },
   });
 });
 
