@@ -5,7 +5,8 @@ import type { Page } from '@playwright/test';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import jsqr from 'jsqr';
-import { tool } from '../actions.ts';
+import { openText, tool } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
 import { decodePng } from '../picture.ts';
 import { expect, openPage, test as base } from '../support.ts';
 
@@ -141,4 +142,22 @@ test('Share gives the HTML that embeds the model, and a QR code of the link', as
   await frame.getByRole('button', { name: 'Start the 3D model' }).click();
   await expect(frame.getByRole('contentinfo')).toContainText('Canopy');
   await context.close();
+});
+
+test('a model that is no example is drawn before it is started, under its name', async ({
+  page,
+}) => {
+  // There was an empty field.
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(6), 49);
+  await tool(page, 'Share');
+  const dialog = page.getByRole('dialog', { name: 'Share' });
+  const link = await dialog.getByRole('textbox', { name: 'Link' }).inputValue();
+  await page.goto(`embed.html?embed${new URL(link).hash}`);
+  const drawing = page.getByRole('img', { name: 'roof' });
+  const { pixels, channels } = decodePng(await drawing.screenshot());
+  const colours = new Set<string>();
+  for (let at = 0; at < pixels.length; at += channels)
+    colours.add(pixels.subarray(at, at + 3).join());
+  expect(colours.size).toBeGreaterThan(50);
 });

@@ -162,5 +162,6 @@ export function watchConditions(app: AppContext) {
     wasRunning = false;
   });
   store.subscribe(['document'], clear);
+  alerts.clearWith(clear);
   files.on('opened', showProblems);
 }

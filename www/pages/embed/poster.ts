@@ -4,6 +4,7 @@ import { readLink } from '../../documents/share-link.ts';
 import { listOfExamples } from '../../solver/examples.ts';
 import { messageOf } from '../../solver/errors.ts';
 import { byId, setText } from '../../ui/dom.ts';
+import { drawShape } from '../../ui/plot/thumbnail.ts';
 import { PRESSED } from '../../ui/embedded.ts';
 
 const { hash, search } = location;
@@ -15,7 +16,7 @@ readLink(hash).then(
   (link) =>
     link?.example
       ? showExample(link.example, link.run || link.text ? 'start' : 'end')
-      : setText(byId('title'), 'A model in Shape-Up'),
+      : showScene(link?.text ?? null, link?.name ?? 'A model in Shape-Up'),
   (error) => setText(byId('trouble'), messageOf(error)),
 );
 
@@ -24,6 +25,20 @@ function start() {
   const options = new URLSearchParams(search);
   options.set('embed', PRESSED);
   location.replace(`./?${options}${hash}`);
+}
+
+/** Draws the mesh of a scene, before it is solved. */
+function showScene(text: string | null, name: string) {
+  setText(byId('title'), name);
+  if (!text) return;
+  const { mesh, up = 'z' } = JSON.parse(text);
+  const faces: number[][] = mesh.faces ?? [];
+  let end = 0;
+  const faceOffsets = Uint32Array.from([0, ...faces.map(({ length }) => (end += length))]);
+  const drawing = byId<HTMLCanvasElement>('drawing');
+  drawing.hidden = faces.length === 0;
+  const faceIndices = Uint32Array.from(faces.flat());
+  drawShape(drawing, { faceOffsets, faceIndices }, mesh.positions.flat(), { up });
 }
 
 async function showExample(id: string, pose: 'start' | 'end') {

@@ -13,6 +13,8 @@ export class Alerts {
   /** The messages since the page was opened, oldest first. */
   journal: { time: Date; kind: 'error' | 'notice' | 'status'; text: string }[] = [];
   #listener: (() => void) | undefined;
+  /** What clears other messages of the view. */
+  #others: (() => void)[] = [];
   #place;
   /** Whether the current message must not be replaced. */
   #isFatal = false;
@@ -58,8 +60,15 @@ export class Alerts {
     this.#listener?.();
   }
 
+  /** Clears the message, as Escape does, and others of the view. */
   clear() {
+    for (const clear of this.#others) clear();
     if (!this.#isFatal) this.#clear();
+  }
+
+  /** Also clears messages that are shown elsewhere. */
+  clearWith(clear: () => void) {
+    this.#others.push(clear);
   }
 
   #clear() {

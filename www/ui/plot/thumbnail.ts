@@ -16,7 +16,7 @@ const FROM = { turn: 0.6, above: 0.5 };
  */
 export function drawShape(
   canvas: HTMLCanvasElement,
-  { faceOffsets, faceIndices }: Connectivity,
+  { faceOffsets, faceIndices }: Pick<Connectivity, 'faceOffsets' | 'faceIndices'>,
   positions: ArrayLike<number>,
   {
     up,
