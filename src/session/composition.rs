@@ -34,7 +34,8 @@ impl Session {
         self.rest.mesh()
     }
 
-    /// Number of meshes derived one after another from the opened one; 0 for the opened mesh.
+    /// Number of meshes derived one after another from the opened one; 0 for the opened mesh. Those
+    /// from which a reopened scene was derived count down from there, as `u32` wraps.
     pub fn mesh_generation(&self) -> u32 {
         self.rest.generation()
     }

@@ -124,8 +124,9 @@ fn refining_is_one_step_of_undo_with_the_run_that_follows() {
     assert_eq!(session.mesh_generation(), 1);
 }
 
+/// Undo was empty after a reload.
 #[test]
-fn what_is_saved_ends_where_the_mesh_was_another_one() {
+fn a_session_that_is_opened_again_goes_back_to_the_mesh_before() {
     let mut session = open(ALL, bumpy(4));
     session.edit(Edit::AddHandles { vertices: vec![18], fixed: true }).expect("it is there");
     session.edit(refine(Scheme::Linear, 1)).expect("it can be refined");
@@ -134,8 +135,32 @@ fn what_is_saved_ends_where_the_mesh_was_another_one() {
     let mut again = Session::open(scene, session.mesh().clone()).expect("it can be opened");
     again.restore(&session.saved_history(), &[]).expect("it was saved a moment ago");
     assert_eq!(again.undo_and_redo(), [Some("Release 1 vertex"), None]);
-    again.undo().expect("it was solvable");
+    assert_eq!(again.saved_history(), session.saved_history());
+    let generation = again.mesh_generation();
+    for _ in 0..3 {
+        let undone = again.undo().expect("it was solvable");
+        assert_eq!(undone, session.undo().expect("it was solvable"));
+        assert!(undone.is_some());
+        assert_eq!(everything(&again), everything(&session));
+    }
+    assert_ne!(again.mesh_generation(), generation, "a host is told of the other mesh");
     assert!(again.undo().expect("it was solvable").is_none());
+
+    // From the first state, the same forward.
+    let scene = Scene::from_json(&session.scene_with_mesh()).expect("it can be read");
+    let mut first = Session::open(scene, session.mesh().clone()).expect("it can be opened");
+    first.restore(&session.saved_history(), &[]).expect("it was saved a moment ago");
+    for _ in 0..3 {
+        let redone = first.redo().expect("it was solvable");
+        assert_eq!(redone, session.redo().expect("it was solvable"));
+        assert!(redone.is_some());
+        assert_eq!(everything(&first), everything(&session));
+    }
+
+    let history = session.saved_history();
+    for end in (1..history.len()).step_by(7) {
+        again.restore(&history[..end], &[]).expect_err("it is cut off");
+    }
 }
 
 #[test]

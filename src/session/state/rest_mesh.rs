@@ -58,7 +58,12 @@ impl RestMesh {
 
     /// Creates a mesh that is derived from this one.
     pub(crate) fn next(&self, mesh: Mesh) -> RestMesh {
-        RestMesh { generation: self.generation + 1, ..RestMesh::new(mesh) }
+        RestMesh::numbered(mesh, self.generation.wrapping_add(1))
+    }
+
+    /// Creates the mesh of this [`RestMesh::generation`].
+    pub(crate) fn numbered(mesh: Mesh, generation: u32) -> RestMesh {
+        RestMesh { generation, ..RestMesh::new(mesh) }
     }
 
     /// Approximate memory in bytes.
@@ -68,7 +73,8 @@ impl RestMesh {
         size_of_val(&*self.mesh.positions) + 64 * corners
     }
 
-    /// Number of meshes derived one after another from the opened one; 0 for the opened mesh.
+    /// Number of meshes derived one after another from the opened one; 0 for the opened mesh. Those
+    /// from which a reopened scene was derived count down from there, as `u32` wraps.
     pub(crate) fn generation(&self) -> u32 {
         self.generation
     }

@@ -2,19 +2,22 @@
 //! bytes beside the scene file. With them a reopened session continues in its saved state.
 //!
 //! A state is written as its difference from the previous state in the file, which is nearer to
-//! now: most edits do not change the positions. Numbers are little-endian with all of their bits;
-//! document and handles are a scene file.
+//! now: most edits do not change the positions. Of another mesh all is written. Numbers are
+//! little-endian with all of their bits; meshes, and document and handles, are scene files.
 
 use super::history::{Change, History, NamedStep};
 use crate::mesh::{Mesh, Point, first_out_of_range};
 use crate::scene::{MeshSource, Scene, SceneError, Variants};
 use crate::session::Error;
-use crate::session::state::{Part, SceneChange, SolvedScene, flat, grouped, same_positions};
+use crate::session::state::{
+    Part, RestMesh, SceneChange, SolvedScene, flat, grouped, same_positions,
+};
 use crate::solve::Handle;
+use std::borrow::Cow;
 use std::rc::Rc;
 
 /// The first bytes of a history.
-const MAGIC: &[u8] = b"shape-up steps 1";
+const MAGIC: &[u8] = b"shape-up steps 2";
 /// Limits of saved bytes, and of steps per list; the farthest steps are dropped first.
 const LIMIT_BYTES: usize = 20_000_000;
 const LIMIT_STEPS: usize = 1000;
@@ -56,6 +59,28 @@ impl SavedState {
         self.iteration = change.iteration;
     }
 
+    /// The state that `change` leads to, on the mesh `other`.
+    fn on_other_mesh(change: &Change, document: &Scene) -> SavedState {
+        let SceneChange { handles, positions, .. } = &change.scene;
+        SavedState {
+            document: document.clone(),
+            handles: Rc::clone(handles),
+            positions: Rc::clone(positions),
+            iteration: change.iteration,
+        }
+    }
+
+    /// Returns the change to this state, which is on the mesh `rest`, from one on another mesh.
+    fn with_mesh(&self, rest: RestMesh) -> Change {
+        let SavedState { document, handles, positions, iteration } = self.clone();
+        Change {
+            scene: SceneChange { parts: Vec::new(), handles, positions },
+            other: Some(Box::new((rest, document))),
+            iteration,
+            start: None,
+        }
+    }
+
     /// Returns the difference to the state `to`.
     pub(crate) fn change_to(&self, to: &SavedState) -> Change {
         let SavedState { document, handles, positions, iteration } = to;
@@ -76,17 +101,27 @@ impl SavedState {
 pub(crate) fn write_history(steps: [&[NamedStep]; 2], now: &SavedState, mesh: &Mesh) -> Vec<u8> {
     let mut out = MAGIC.to_vec();
     for steps in steps {
-        let mut near = now.clone();
+        let (mut near, mut mesh) = (now.clone(), mesh);
         let mut written = Vec::new();
         let mut count = 0;
-        // A session that is opened on this mesh cannot use steps from before the mesh.
-        let on_this_mesh = steps.iter().rev().take_while(|(_, change)| change.other.is_none());
-        for (name, change) in on_this_mesh.take(LIMIT_STEPS) {
+        for (name, change) in steps.iter().rev().take(LIMIT_STEPS) {
             let before = written.len();
-            let mut state = near.clone();
-            state.follow(change);
             write_bytes(&mut written, name.as_bytes());
-            write(&mut written, &state, Some(&near), mesh);
+            let state = if let Some((rest, document)) = change.other.as_deref() {
+                mesh = rest.mesh();
+                let state = SavedState::on_other_mesh(change, document);
+                written.push(OTHER);
+                let holder = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
+                write_bytes(&mut written, holder.to_json(mesh).as_bytes());
+                write(&mut written, &state, None, mesh);
+                state
+            } else {
+                let mut state = near.clone();
+                state.follow(change);
+                written.push(SAME);
+                write(&mut written, &state, Some(&near), mesh);
+                state
+            };
             if out.len() + written.len() > LIMIT_BYTES {
                 written.truncate(before);
                 break;
@@ -122,12 +157,36 @@ pub(crate) fn read_history(
     }
     let mut lists = [Vec::new(), Vec::new()];
     let mut farthest = Vec::new();
-    for list in &mut lists {
-        let mut near = now.clone();
+    let source = &now.document.mesh;
+    for (list, is_undo) in lists.iter_mut().zip([true, false]) {
+        let (mut near, mut mesh) = (now.clone(), Cow::Borrowed(mesh));
+        let mut generation = 0u32;
         for _ in 0..bytes.count()? {
             let name = bytes.text()?.to_owned();
-            let state = read(&mut bytes, Some(&near), &now.document.mesh, mesh)?;
-            list.push((name, near.change_to(&state)));
+            let (change, state) = match bytes.byte()? {
+                SAME => {
+                    let state = read(&mut bytes, Some(&near), source, &mesh)?;
+                    (near.change_to(&state), state)
+                }
+                OTHER => {
+                    let MeshSource::Inline(other) = Scene::from_json(bytes.text()?)?.mesh else {
+                        return Err(bytes.damaged("a mesh").into());
+                    };
+                    // Each mesh has its own number, on both sides of that of the opened one.
+                    generation = match is_undo {
+                        true => generation.wrapping_sub(1),
+                        false => generation + 1,
+                    };
+                    mesh = Cow::Owned(*other);
+                    let state = read(&mut bytes, None, source, &mesh)?;
+                    (
+                        state.with_mesh(RestMesh::numbered(mesh.clone().into_owned(), generation)),
+                        state,
+                    )
+                }
+                _ => return Err(bytes.damaged("whether the mesh is another one").into()),
+            };
+            list.push((name, change));
             near = state;
         }
         list.reverse();
