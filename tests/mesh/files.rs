@@ -119,6 +119,7 @@ fn awkward() -> Vec<Expected> {
             ],
             // Where boxes touch, two faces lie on each other.
             problems: &[(UnjoinedVertex, 70, 9)],
+            notes: &["165 vertices lie exactly on an earlier one, first at line 9"],
             ..none
         },
         Expected {
