@@ -114,6 +114,8 @@ export class Files extends Emitter<{ opened: void }> {
     opening: Opening,
     cancelled?: AbortSignal,
   ): Promise<Loaded | null> {
+    // Before it, not after: the message of a link that was refused meanwhile stays.
+    this.#alerts.clear();
     try {
       const hidden = origin.hidden ?? false;
       const files = await Promise.all(given.map((file) => asMesh(file, hidden, cancelled)));
@@ -146,7 +148,6 @@ export class Files extends Emitter<{ opened: void }> {
       this.origin = rest;
       this.original = origin.original ?? (origin.work ? null : this.#solver.sceneText);
       nameInAddress(origin.link);
-      this.#alerts.clear();
       if (!origin.first) removeFirstPicture();
       this.#actions.describeFile({
         firstExample: Boolean(origin.first),
