@@ -177,8 +177,7 @@ function bindSolver(client: SolverClient) {
     store.set({
       // A restarted worker keeps the view settings.
       ...(!client.restoring && {
-        ...{ camera: null, views: [], measureChosen: false },
-        ...{ tolerances: {} },
+        ...{ camera: null, views: [], measureChosen: false, tolerances: {} },
       }),
       model: loaded,
       document: null,

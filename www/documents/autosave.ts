@@ -57,8 +57,6 @@ export class Autosave {
   /** State whose write to the database has completed. */
   #confirmed = NOTHING;
   #writing: Promise<void> | null = null;
-  /** Fragment of the address at which the model was opened. */
-  #hash = '';
 
   constructor(solver: SolverClient, files: Files, store: Store, actions: Actions) {
     this.#store = store;
@@ -93,7 +91,6 @@ export class Autosave {
     const id = work ?? newId();
     // A model that is reopened continues its work.
     this.#files.origin = { ...this.#files.origin, work: id };
-    this.#hash = this.#files.origin.link ?? '';
     // The user may already have edited the model since it was opened.
     this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
     this.#confirmed = this.#kept;
@@ -179,7 +176,7 @@ export class Autosave {
       savedAt: Date.now(),
       iteration: saved.iteration,
       example: origin.example?.id ?? null,
-      hash: this.#hash,
+      hash: origin.link ?? '',
       view,
     };
     return [work, text === kept.text ? { progress } : { text, history, progress }];

@@ -44,6 +44,12 @@ async function legendOf(state: object, limits: number[] = []) {
   return { words, colours };
 }
 
+/** What the state has of every model in these tests. */
+const SHOWN = {
+  ...{ document: { units: 'm', tolerance: 0.01 }, tolerances: {}, dark: false },
+  display: { full: false, log: false },
+};
+
 test('the legend of a measure of both signs begins below zero, and has the steps of its bands', async () => {
   const measure = 'gauss-curvature';
   const about = { id: measure, label: 'Gauss curvature', unit: 'per-area', signed: true };
@@ -52,17 +58,7 @@ test('the legend of a measure of both signs begins below zero, and has the steps
     ...{ axis: { low: -0.02, high: 0.02, log: false }, counts: [1, 1, 1, 1, 1] },
     places: { low: 0, high: 1, tolerance: null },
   };
-  const state = {
-    ...{
-      measures: [about],
-      measure,
-      document: { units: 'm', tolerance: 0.01 },
-      model: { faces: 5 },
-      dark: false,
-    },
-    ...{ display: { full: false, log: false }, tolerances: {} },
-    spread,
-  };
+  const state = { ...SHOWN, measures: [about], measure, model: { faces: 5 }, spread };
   const words = ['Gauss curvature', '−0.0200 1/m²', '0.0200 1/m²'];
   const colours = [
     [0, 'blue'],
@@ -84,14 +80,10 @@ test('the legend of an error begins at zero, and its colours at the tolerance', 
     places: { low: 0.25, high: 1, tolerance: 0.25 },
   };
   const { words, colours } = await legendOf({
-    ...{
-      measures: [about],
-      measure,
-      document: { units: 'm', tolerance: 0.01 },
-      model: { faces: 3 },
-      dark: false,
-    },
-    ...{ display: { full: false, log: false }, tolerances: {} },
+    ...SHOWN,
+    measures: [about],
+    measure,
+    model: { faces: 3 },
     spread,
   });
   assert.equal(words[1], '0');
