@@ -8,13 +8,14 @@
 //! # Data flow
 //!
 //! ```text
-//! OBJ  ->  mesh  ->  constraint  ->  solve  ->  scene  ->  session  ->  positions  ->  view
-//!                    all of them use math and sparse
+//! file  ->  mesh  ->  constraint  ->  solve  ->  scene  ->  session  ->  positions  ->  view
 //! ```
 //!
-//! Each stage depends only on those to its left; [`view`] receives positions and index buffers,
-//! never the solver. `tests/rooms.rs` enforces the dependencies of this table: a room may use any
-//! item of the rooms that it knows of.
+//! A file becomes a mesh; a scene says which constraints hold there, and is made the problem that the
+//! solver iterates; a session does that for a host (the page, the command line), which draws or writes
+//! the positions. Each stage depends only on those to its left; [`view`] receives positions and index
+//! buffers, never the solver. `tests/rooms.rs` enforces the dependencies of this table: a room may use
+//! any item of the rooms that it knows of.
 //!
 //! | room | contents | knows of |
 //! |---|---|---|
@@ -30,32 +31,57 @@
 //! | [`fabricate`] | parts to cut: panels on sheets, offsets, the build check, files for machines | math, words, mesh, sparse, scene |
 //! | [`session`] | the interface of all hosts: load, edit, drag, step, undo, report | all above |
 //! | [`generate`] | new meshes: by kind and sizes, from a plan, or between curves; the example scenes and their meshes | math, json, mesh, constraint, sparse, scene, session |
-//! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), run live | all above |
+//! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), for the command line | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
-//! | `web` | wasm-bindgen interfaces: one for the workers (engine), one for the page (view) | all above |
+//! | `web` | wasm-bindgen interfaces: of the solver's worker (`web/worker`), of the second worker (`web/jobs`), and of the view (`web/page`) | all above |
 //!
 //! `src/bin` is outside: the command line, which drives sessions.
 //!
-//! Beside the pipeline, [`experiment`] contains the methods that the paper compares with: gradient
-//! descent, quasi-Newton without a metric, and a penalty method with Gauss-Newton. It drives
-//! sessions as a host does; only the command line runs it.
+//! The methods of [`experiment`] are gradient descent, quasi-Newton without a metric, and a penalty
+//! method with Gauss-Newton. It drives sessions as a host does.
+//!
+//! # The page
+//!
+//! `www` is in TypeScript. Its rooms, from the lowest, and which may import which, are in
+//! `.scripts/rooms.mjs`:
+//!
+//! | room | contents |
+//! |---|---|
+//! | `ui` | controls, dialogs, plots, which know no state |
+//! | `solver` | the page's side of the two workers, and the types of what crosses |
+//! | `worker` | the workers: one iterates (`solver-worker`, `scheduler`), a second instance of the engine does what takes long (`jobs-worker`) |
+//! | `store` | the state of the page, and the actions, which alone change it |
+//! | `viewport` | the canvas: frames to the view, pointer, keys and touch |
+//! | `documents` | files, links, saved works, examples |
+//! | `panels` | the parts of the side panels |
+//! | `docked` | what a panel beside the view is |
+//! | `features` | what is done with a model, each by itself: make panels, build, export, lessons |
+//! | `app` | wires them; header, menus and keys |
+//! | `pages` | the other pages: gallery, licences, projections |
+//!
+//! The page calls the solver's worker in three ways (`www/worker/interface.ts`): `tell` for commands
+//! without an answer, `change` for what changes the model, one after another, and `ask` for questions.
 //!
 //! # One drag
 //!
-//! 1. The page's view finds the handle under the pointer (`view::picking`) and converts the motion
-//!    of the pointer to a target (`view::gizmo`). The page sends vertex and target to the worker.
-//! 2. `web::worker` calls `Session::drag_through` (`session/dragging`), which checks the target and
-//!    passes it to the solver. Only the gradient of the handle's energy changes, no matrix. What
-//!    leads back to the state before the drag is kept in `session/undo/transaction`.
-//! 3. The next iteration uses it: `Session::step` calls `Solver::step` (`solve/solver/step`).
+//! 1. `www/viewport/input/pointer.ts` asks the view for the handle under the pointer
+//!    (`view/state/pick`) and for the target to which a motion of the pointer leads
+//!    (`view/state/gizmo_drag`); `www/store/handles.ts` tells it to the worker.
+//! 2. The worker keeps the latest target until its next slice of time (`www/worker/scheduler.ts`), then
+//!    calls `Session::drag_through` (`session/dragging`), which checks it and passes it to
+//!    `Solver::move_handles` (`solve/solver/handles`): no matrix changes. What leads back to the state
+//!    before the drag is kept in `session/undo/transaction`.
+//! 3. Energies, gradients and projections are computed for it, and `Session::step` (`session/iterating`)
+//!    calls `Solver::step` (`solve/solver/step`), which begins with the global step.
+//!    - Global step: `solve::system` applies the inverse of the normal matrix, by triangular sweeps through
+//!      the factor of [`sparse`]; `solve::accelerate` improves the step, or falls back to it.
 //!    - Local step: each batch of constraints projects its points (`constraint/batch` and
 //!      `constraint/kinds`).
 //!    - `solve::energy` sums energies and gradients of shape, closeness, smoothness and handles.
-//!    - Global step: `solve::system` applies the inverse of the normal matrix, by triangular sweeps through
-//!      the factor of [`sparse`]; `solve::accelerate` improves the step, or falls back to it.
 //! 4. The worker copies the positions to the page, which passes them to `view::state`; `view::gpu`
 //!    draws.
-//! 5. The end of the drag records it as one step of undo (`session/undo/history`).
+//! 5. The end of the drag records it as one step of undo (`session/undo/history`); where constraints are
+//!    hard, a run follows that meets them.
 //!
 //! # One run
 //!
@@ -71,29 +97,33 @@
 //! 4. `Session::end_run` keeps the iterate of least energy, or the best shape for the hard
 //!    constraints, and records the run as one step of undo. The scene names the attempt that found it
 //!    ([`scene::ChosenAttempt`]), so that every host gets the same shape from it.
-//! 5. `Session::report` measures the shape (`mesh/measure`), and the verdicts on it are worded beside
-//!    it: `session/report/verdict_words` on panels, `run_verdict`, and `exact_words` on hard
-//!    constraints. `session/export` writes OBJ or the scene.
+//! 5. `Session::report` measures the shape (`mesh/measure`). Verdicts on it are questions of their own
+//!    (`session/queries`): after a press for panels `Session::verdict` (worded in
+//!    `session/report/verdict_words`), after another run `Session::run_verdict` (`run_verdict`), of hard
+//!    constraints `exact_words`. `session/export` writes OBJ or the scene.
 //!
 //! # Other ways through the rooms
 //!
-//! - The text of a scene: `Scene::from_json` (`scene/json/file`) gives the typed [`scene::Scene`],
-//!   `Scene::validate` (`scene/validate`) checks it against the mesh, and `scene/problem` makes the
-//!   [`solve::Problem`] of it.
+//! - The text of a scene: `session/opened_file` tells what a file is; `Scene::from_json`
+//!   (`scene/json/file`) gives the typed [`scene::Scene`] or an error with its JSON path, `Scene::validate`
+//!   (`scene/validate`) checks it against the mesh, and `scene/problem` makes the [`solve::Problem`] of it.
 //! - A setting of Build: a field of [`scene::BuildSettings`] and its declaration in
 //!   [`scene::BUILD_SETTINGS`], of which hosts make their forms and options. The edit `SetBuild`
 //!   stores it in the scene; the page's second worker passes it to `web::jobs::build`, which calls
-//!   [`fabricate::Build::new`].
+//!   [`fabricate::Build::new`]. A kerf, for instance, is applied in `fabricate/cutting`; `file/drawing`
+//!   draws the outline, and `output` writes the files.
 //! - A question of the page: a method in `web/worker`, such as `verdict` in `web/worker/questions`, whose
-//!   types wasm-bindgen writes; and its use in the page, `ask.verdict()` of
-//!   `www/solver/solver-client.ts`. What takes long is a method in `web/jobs`, for the second worker
-//!   (`www/solver/jobs-client.ts`).
+//!   TypeScript types tsify and wasm-bindgen write; and its use in the page, `actions.ask.verdict()`. What
+//!   takes long is a method in `web/jobs`, such as `ModelCopy::forecast` on a copy of the model, and its
+//!   use, `jobs.copy(model).forecast()`. Nothing stands between: the calls cross by name
+//!   (`www/solver/remote.ts`).
 //! - An edit of the page: a variant of [`session::Edit`], whose TypeScript type is generated, and its
-//!   effect in `session/edit/apply`. The page calls `actions.edit({ removeSet: { name } })`;
-//!   `web/values` reads the object, and refuses fields that the variant does not have.
+//!   effect in `session/edit/apply`. The page calls `actions.edit({ removeSet: { name } })`; what is no
+//!   field of the variant is refused.
 //! - A setting of the solver: a declaration in [`session::SETTINGS`]. Hosts build their controls from
 //!   that list.
-//! - An operator: a file in `constraint/kinds`, and a line in the list there. See [`constraint`].
+//! - An operator: a file in `constraint/kinds` with its closed form, and a line in the list there. See
+//!   [`constraint`].
 //!
 //! # From a shape to parts
 //!
@@ -116,7 +146,7 @@
 //!
 //! | paper | code |
 //! |---|---|
-//! | `C_i`, `P_i`, `n_i`, `w_i` | constraint, [`constraint::Projection::project`], `n`, `weight` |
+//! | `C_i`, `P_i`, `n_i`, `w_i` | constraint, [`constraint::Projection::project`], which tries the closed form of the kind first, `n`, `weight` |
 //! | `V`, `V'`, `V*` | positions, rest positions (`rest`), the projection |
 //! | `N_i` (Eq. 5) | mean-centring: `centre` |
 //! | `phi` = `E_shape` (Eq. 4) | `energy.shape` |
@@ -131,6 +161,22 @@
 //! # Coverage of the paper
 //!
 //! See [`capabilities`].
+//!
+//! # Terms
+//!
+//! | term | means |
+//! |---|---|
+//! | host | what uses a session: the page, the command line, a test |
+//! | rest shape, original | the mesh as opened, to which closeness and smoothness refer |
+//! | handle | vertices that are pulled to targets, or fixed there |
+//! | row | constraints of one kind that a selector makes: one line of the list on the page |
+//! | hard | of constraints that are met within a length, or exactly, instead of being weighed |
+//! | met | satisfied within the length that is required |
+//! | press | making all panels circular or flat, by one button: a row of hard constraints and a run |
+//! | attempt | one way to meet hard constraints; a run tries several |
+//! | eased | with a larger tolerance for some panels, so that none folds |
+//! | forecast | an estimate, before a press, of how far it will move the mesh |
+//! | suggestion | an edit that helps, tried before it is offered |
 //!
 //! # Conventions
 //!

@@ -58,7 +58,8 @@ fn loaded() -> Solver {
 fn copy(solver: &Solver) -> ModelCopy {
     let (scene, generation) = (solver.scene(), solver.generation());
     let scene = scene.expect("a model is open");
-    ModelCopy::new(&scene, generation.expect("a model is open")).expect("it is open already")
+    let told = js_sys::Function::new_no_args("");
+    ModelCopy::new(&scene, generation.expect("a model is open"), told).expect("it is open already")
 }
 
 const ADD: &str =
@@ -123,7 +124,7 @@ fn what_the_second_worker_finds_on_a_copy_is_accepted_for_that_shape_only() {
     let mut copied = copy(&solver);
     assert!(copied.offer().expect("it can be asked").is_none(), "nothing is tried yet");
     copied.try_exact().expect("regular");
-    while copied.advance(10.0).expect("regular") {}
+    while copied.advance().expect("regular") {}
     let offer = copied.offer().expect("it can be asked").expect("it is found");
     assert!(get(&offer, "met").is_truthy() && number(&offer, "maxDistance") < 1e-9);
     let shape = || copied.shape().expect("it can be asked").expect("it is found");
@@ -140,7 +141,7 @@ fn what_the_second_worker_finds_on_a_copy_is_accepted_for_that_shape_only() {
     let mut copied = copy(&solver);
     let of = solver.generation().expect("a model is open");
     assert!(copied.find_variations().expect("regular"));
-    while get(&copied.advance_variations(10.0).expect("regular"), "more").is_truthy() {}
+    while get(&copied.advance_variations().expect("regular"), "more").is_truthy() {}
     let towards = copied.towards(&[0.02]).expect("there is one").to_vec();
     assert!(solver.show_variation(of, &towards, None).expect("a model is open"));
     assert!(!solver.keep_variation().expect("nothing is wrong"), "it is not brought back");

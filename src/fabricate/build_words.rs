@@ -6,7 +6,7 @@ use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::Choice;
 use super::report::BuildReport;
-use super::tighten::PanelRemedy;
+use super::tighten::PanelSuggestion;
 use crate::scene::{OffsetKind, Product, panel_adjective};
 use crate::words;
 use serde::Serialize;
@@ -40,8 +40,8 @@ pub struct CardWords {
     pub distance: String,
     /// The distances at which no edge flips; empty if there is no offset.
     pub safe: String,
-    /// What each remedy does, in their order.
-    pub remedies: Vec<String>,
+    /// What each suggestion does, in their order.
+    pub suggestions: Vec<String>,
 }
 
 /// The report in words.
@@ -99,10 +99,10 @@ impl CardWords {
     fn new(
         check: &[CheckRow],
         offset: Option<&OffsetReport>,
-        remedies: &[PanelRemedy],
+        suggestions: &[PanelSuggestion],
         building: f64,
     ) -> CardWords {
-        let remedy = |found: &PanelRemedy| {
+        let suggestion = |found: &PanelSuggestion| {
             let adjective = panel_adjective(found.constraint).unwrap_or_default();
             let within = words::millimetres_limit(building * found.within);
             format!("Makes all panels {adjective} within {within}")
@@ -114,7 +114,7 @@ impl CardWords {
                 .map(|offset| words::millimetres(offset.distance_mm))
                 .unwrap_or_default(),
             safe: offset.map(OffsetReport::safe).unwrap_or_default(),
-            remedies: remedies.iter().map(remedy).collect(),
+            suggestions: suggestions.iter().map(suggestion).collect(),
         }
     }
 }
@@ -251,14 +251,19 @@ impl Build {
             sheets: report.sheets_in_words(),
             warnings: report.warnings(),
             joint: report.joint(self.settings.thickness),
-            card: CardWords::new(check, offset.as_ref(), &tighten.remedies, self.mm_of_building()),
+            card: CardWords::new(
+                check,
+                offset.as_ref(),
+                &tighten.suggestions,
+                self.mm_of_building(),
+            ),
         }
     }
 
     /// The card of this build in words.
     pub fn card_words(&self, card: &BuildCard) -> CardWords {
         let BuildCard { check, offset, tighten, .. } = card;
-        CardWords::new(check, offset.as_ref(), &tighten.remedies, self.mm_of_building())
+        CardWords::new(check, offset.as_ref(), &tighten.suggestions, self.mm_of_building())
     }
 }
 

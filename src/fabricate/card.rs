@@ -57,7 +57,7 @@ pub struct BuildCard {
     pub offset: Option<OffsetReport>,
     /// The five numbers of the build check.
     pub check: Vec<CheckRow>,
-    /// Remedies for the numbers that exceed their limits.
+    /// Suggestions for the numbers that exceed their limits.
     pub tighten: Tighten,
     /// Products that are not available, each with the reason.
     pub problems: Vec<String>,

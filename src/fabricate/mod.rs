@@ -29,7 +29,7 @@
 //! | `card` | the part of the report that is updated while the user moves the shape |
 //! | `layer` | the offset of a moving shape as points, failing sides of parts, for the view |
 //! | `numbers` | the numbers that a lesson can limit |
-//! | `tighten` | remedies that the solver offers |
+//! | `tighten` | suggestions that the solver offers |
 //! | `report` | the report with all numbers |
 //! | `report_page` | the report as an HTML document of one page |
 //! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
@@ -73,4 +73,4 @@ pub use report::{BuildReport, FrameReport, PaperReport};
 pub use report_page::ReportView;
 pub use space::{PRESENTATION, SpatialPart};
 pub use surface::{Edge, PanelSurface};
-pub use tighten::{PanelRemedy, Tighten};
+pub use tighten::{PanelSuggestion, Tighten};

@@ -35,19 +35,19 @@ pub struct BuildNumber {
 pub const BUILD_NUMBERS: [BuildNumber; 6] = [
     BuildNumber {
         id: "beam_warp",
-        label: "Beam warp",
+        label: "Beam twist",
         description: "largest distance of a beam's corners to its plane",
         unit: NumberUnit::Length,
     },
     BuildNumber {
         id: "distance_error",
-        label: "Distance error",
+        label: "Offset error",
         description: "largest difference of the offset from its distance",
         unit: NumberUnit::Length,
     },
     BuildNumber {
         id: "lean",
-        label: "Lean",
+        label: "Node tilt",
         description: "largest angle between an inner node axis and the surface normal",
         unit: NumberUnit::Degrees,
     },

@@ -131,7 +131,7 @@ pub struct BuildReport {
     pub paper: Option<PaperReport>,
     /// The five numbers of the build check.
     pub check: Vec<CheckRow>,
-    /// Remedies for the numbers that exceed their limits.
+    /// Suggestions for the numbers that exceed their limits.
     pub tighten: Tighten,
     /// Products that are not available, each with the reason.
     pub problems: Vec<String>,

@@ -19,7 +19,7 @@
 //! | `variant_table` | the numbers of the kept variants |
 //! | `queries` | queries of hosts: selections, measures, reports, flat maps |
 //! | `handed_in` | the results of a lesson, and their check |
-//! | `trial` | remedies, and the cost of exactness, tried on a copy |
+//! | `trial` | suggestions, and the cost of exactness, tried on a copy |
 //! | `state` | the parts: the rest mesh, and the scene with its solver; their changes |
 //! | `run` | the parts: progress, meeting of hard constraints, and the guard against collapse |
 //! | `undo` | the parts: the history, and the drag or run under way |
@@ -82,7 +82,7 @@ pub use run::{
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
 pub use state::{Paired, ResolvedRow, check_targets};
 pub use trial::{
-    BetterPress, BetterPresses, Cost, ExactOffer, ExactShape, ExactTrial, Remedies, Remedy,
+    BetterPress, BetterPresses, Cost, ExactOffer, ExactShape, ExactTrial, Suggestion, Suggestions,
     VerdictReport,
 };
 pub use variant_table::VariantRow;

@@ -84,6 +84,11 @@ impl Run {
         [&self.before, &self.after].map(|report| report.circularity.e_c_mean)
     }
 
+    /// Mean over the panels of the largest distance of a corner from a circle, before and after.
+    fn off_circles(&self) -> [f64; 2] {
+        [&self.before, &self.after].map(|report| report.circularity.mean_distance)
+    }
+
     /// Mean planarity error, before and after.
     fn e_p(&self) -> [f64; 2] {
         [&self.before, &self.after].map(|report| report.planarity.e_p_mean)
@@ -224,6 +229,7 @@ const STATEMENTS: &[Statement] = &[
     ("canopy", |run| {
         vec![
             ("e_c before", run.e_c()[0], 5.5e-6..6.5e-6),
+            ("farthest before", run.before.circularity.max_distance, 0.42..0.43),
             ("e_c", run.e_c()[1], 0.0..1e-20),
             ("corners", run.worst[0][1], 0.0..1e-9),
         ]
@@ -241,12 +247,15 @@ const STATEMENTS: &[Statement] = &[
             ("lines before", run.worst[0][0], 1.0..1.1),
             ("lines", run.worst[0][1], 0.0..0.02),
             ("e_p", run.e_p()[1], 2e-7..1e-6),
+            ("warped", run.after.planarity.mean_distance, 0.0145..0.0155),
         ]
     }),
     ("fig-01-overview", |run| {
         vec![
             ("e_c before", run.e_c()[0], 1.5e-6..2.5e-6),
             ("e_c", run.e_c()[1], 0.0..5e-7),
+            ("panels before", run.off_circles()[0], 0.065..0.075),
+            ("panels", run.off_circles()[1], 0.0..0.03),
             ("crown before", run.worst[1][0], 0.45..0.55),
             ("crown", run.worst[1][1], 0.0..0.02),
             ("rigid area", run.worst[2][1], 0.0..0.03),
@@ -277,18 +286,34 @@ const STATEMENTS: &[Statement] = &[
         ]
     }),
     ("fig-05-planar", |run| {
-        vec![("e_p before", run.e_p()[0], 1.7e-8..1.9e-8), ("e_p", run.e_p()[1], 0.0..2e-9)]
+        vec![
+            ("e_p before", run.e_p()[0], 1.7e-8..1.9e-8),
+            ("e_p", run.e_p()[1], 0.0..2e-9),
+            ("panels before", run.before.planarity.mean_distance, 0.0085..0.0086),
+            ("panels", run.after.planarity.mean_distance, 0.0..0.0022),
+        ]
     }),
     ("fig-05-circular", |run| {
-        vec![("e_c before", run.e_c()[0], 8.1e-6..9.1e-6), ("e_c", run.e_c()[1], 0.0..5e-9)]
+        vec![
+            ("e_c before", run.e_c()[0], 8.1e-6..9.1e-6),
+            ("e_c", run.e_c()[1], 0.0..5e-9),
+            ("panels before", run.off_circles()[0], 0.215..0.225),
+            ("panels", run.off_circles()[1], 0.0..0.004),
+        ]
     }),
     ("fig-05-mixed", |run| {
-        vec![("e_c before", run.e_c()[0], 7.5e-6..8.5e-6), ("e_c", run.e_c()[1], 0.0..5e-7)]
+        vec![
+            ("e_c before", run.e_c()[0], 7.5e-6..8.5e-6),
+            ("e_c", run.e_c()[1], 0.0..5e-7),
+            ("panels before", run.off_circles()[0], 0.285..0.295),
+            ("panels", run.off_circles()[1], 0.0..0.05),
+        ]
     }),
     ("fig-06-exploration", |run| {
         vec![
             ("e_c before", run.e_c()[0], 9e-7..2e-6),
             ("e_c", run.e_c()[1], 0.0..5e-8),
+            ("panels", run.off_circles()[1], 0.0..0.004),
             ("corners", run.worst[0][1], 0.0..0.02),
         ]
     }),
@@ -332,6 +357,8 @@ const STATEMENTS: &[Statement] = &[
         vec![
             ("e_c before", run.e_c()[0], 3e-6..4e-6),
             ("e_c", run.e_c()[1], 0.0..6e-8),
+            ("corners before", run.before.circularity.max_distance, 0.038..0.039),
+            ("corners", run.after.circularity.max_distance, 0.0..0.007),
             ("shortest edge before", before, 0.23..0.24),
             ("shortest edge", after, 0.0..0.02),
         ]
@@ -390,6 +417,8 @@ const STATEMENTS: &[Statement] = &[
             ("vertices before", before, 2.0..3.0),
             ("vertices", after, 0.0..0.03),
             ("e_p", run.e_p()[1], 0.0..2e-8),
+            ("panels before", run.before.planarity.max_distance, 0.125..0.135),
+            ("panels", run.after.planarity.max_distance, 0.0..0.007),
         ]
     }),
     ("other-transfer", |run| {

@@ -1,4 +1,4 @@
-//! The build check: failures, their worst location, and remedies.
+//! The build check: failures, their worst location, and suggestions.
 
 use super::beams::cube;
 use super::build;
@@ -47,7 +47,7 @@ fn what_fails_is_listed_and_the_worst_of_it_is_named() {
     let limits = CheckLimits { warp: 1e9, distance: 1e9, lean: 180.0, flatness: 1e9 };
     let made = build(&wavy(), &BuildSettings { limits, ..own });
     assert_eq!(made.failed(), shape_up::fabricate::Failed::default());
-    assert!(made.report().tighten.remedies.is_empty());
+    assert!(made.report().tighten.suggestions.is_empty());
 }
 
 #[test]
@@ -106,13 +106,13 @@ fn circles_are_asked_for_where_corners_keep_the_distance_and_planes_for_flatness
     let kinds = |kind| {
         let own = BuildSettings { kind, ..BuildSettings::default() };
         let tighten = build(&wavy(), &own).report().tighten;
-        tighten.remedies.into_iter().map(|one| one.constraint).collect::<Vec<_>>()
+        tighten.suggestions.into_iter().map(|one| one.constraint).collect::<Vec<_>>()
     };
     assert_eq!(kinds(None), ["circle", "plane"]);
     assert_eq!(kinds(Some(OffsetKind::Corner)), ["circle", "plane"]);
     assert_eq!(kinds(Some(OffsetKind::Face)), ["plane"]);
     let all_met = build(&revolution(9, 7), &BuildSettings::default()).report();
-    assert!(all_met.tighten.remedies.is_empty());
+    assert!(all_met.tighten.suggestions.is_empty());
 }
 
 #[test]

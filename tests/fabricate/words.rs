@@ -3,7 +3,7 @@
 use super::build;
 use super::identities::revolution;
 use crate::support::grid::grid;
-use shape_up::fabricate::{BuildReport, CheckWords, PanelRemedy};
+use shape_up::fabricate::{BuildReport, CheckWords, PanelSuggestion};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, OffsetKind, Product};
 
@@ -82,10 +82,10 @@ fn a_row_of_the_check_has_its_value_its_limit_and_whether_it_is_met() {
     assert_eq!(state, &format!("not met by {}", card.check[at("panel_flatness")].failed));
     let lean = &words.check[at("lean")];
     assert!(lean.value.ends_with('°') && lean.limit.ends_with('°'), "{lean:?}");
-    let PanelRemedy { constraint, .. } = card.tighten.remedies[0];
+    let PanelSuggestion { constraint, .. } = card.tighten.suggestions[0];
     let adjective = if constraint == "circle" { "circular" } else { "flat" };
-    let remedy = format!("Makes all panels {adjective} within ");
-    assert!(words.remedies[0].starts_with(&remedy), "{words:?}");
+    let suggestion = format!("Makes all panels {adjective} within ");
+    assert!(words.suggestions[0].starts_with(&suggestion), "{words:?}");
 }
 
 #[test]

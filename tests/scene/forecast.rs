@@ -154,16 +154,16 @@ fn diagonal_quads_are_named_where_they_follow_the_lines_of_curvature() {
          average. Diagonal quads follow them: the mesh will then move a little for circular panels and not at all \
          for flat ones."
     );
-    let remedy = found.remedy().unwrap();
-    assert_eq!((remedy.operation, remedy.label), ("diagonal", "Diagonal quads"));
+    let suggestion = found.suggestion().unwrap();
+    assert_eq!((suggestion.operation, suggestion.label), ("diagonal", "Diagonal quads"));
     // What is said is what becomes of it.
-    let operation = MESH_OPERATIONS.iter().find(|one| one.id == remedy.operation).unwrap();
+    let operation = MESH_OPERATIONS.iter().find(|one| one.id == suggestion.operation).unwrap();
     let (mesh, up) = (hypar(), [0.0, 0.0, 1.0]);
     let topology = &Topology::new(&mesh);
     let task = Task { mesh: &mesh, topology, up, sizes: &[], vertices: &[], faces: &[] };
     let turned = operation.apply(&task).unwrap().mesh;
     let now = forecast(&turned);
-    assert_eq!(now.remedy(), None);
+    assert_eq!(now.suggestion(), None);
     assert_eq!(Some(now.kinds), found.diagonal);
     for (kind, most) in [("plane", 1e-9), ("circle", 0.2)] {
         let (moved, ..) = moved_and_forecast(&turned, kind);
@@ -182,12 +182,12 @@ fn diagonal_quads_are_not_named_where_they_would_move_as_far() {
     });
     let found = forecast(&wave);
     assert!(found.off_curvature_lines.unwrap() > 22.5, "{found:?}");
-    assert_eq!((found.remedy(), &found.diagonal), (None, &None));
+    assert_eq!((found.suggestion(), &found.diagonal), (None, &None));
     assert!(
         found.words("m").ends_with("Edges along them, or a larger tolerance, would reduce this.")
     );
     // Nor where the edges follow them.
-    assert_eq!(forecast(&vault(0.1)).remedy(), None);
+    assert_eq!(forecast(&vault(0.1)).suggestion(), None);
 }
 
 /// Quad meshes of `../shared/meshes` that are solved within a second.
@@ -225,7 +225,7 @@ fn what_is_said_of_real_meshes_is_what_becomes_of_them() {
             let near = if moved < 0.2 && least_move < 0.2 { 0.65..1.2 } else { 0.8..4.6 };
             assert!(moved < 1e-4 || near.contains(&ratio), "{file} {kind}: {least_move} {moved}");
             let is_diagonal = ["cmc1.obj", "compas_hypar.obj", "pillow_1.obj"].contains(&file);
-            assert_eq!(forecast.remedy().is_some(), is_diagonal, "{file}");
+            assert_eq!(forecast.suggestion().is_some(), is_diagonal, "{file}");
             let words = forecast.words("m");
             let named = words.contains("off the lines of curvature");
             let far = forecast.kinds.iter().any(|kind| kind.how_far == HowFar::Lot);

@@ -4,7 +4,7 @@
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Topology};
 use shape_up::scene::{
-    MeshRemedy, Scene, UnitsAndUp, Up, offers_new_panels, panel_offers, panel_remedy,
+    MeshSuggestion, Scene, UnitsAndUp, Up, offers_new_panels, panel_offers, panel_suggestion,
 };
 use shape_up::session::{Edit, PanelStart, Remeshing, Session};
 use shape_up::solve::Require;
@@ -128,7 +128,7 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
         assert!(offer.reason.as_ref().unwrap().contains(words), "{offer:?}");
     }
     // Nothing can be joined to a single triangle.
-    assert_eq!(remedy_of(&triangles), None);
+    assert_eq!(suggestion_of(&triangles), None);
     let mut scene = Scene::opened("own.obj");
     for (kind, mesh, words) in [
         ("circle", &triangles, "All panels are triangles, which are always circular."),
@@ -145,8 +145,8 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
     );
 }
 
-fn remedy_of(mesh: &Mesh) -> Option<MeshRemedy> {
-    panel_remedy(mesh, &Topology::new(mesh))
+fn suggestion_of(mesh: &Mesh) -> Option<MeshSuggestion> {
+    panel_suggestion(mesh, &Topology::new(mesh))
 }
 
 #[test]
@@ -163,7 +163,7 @@ fn new_panels_are_offered_for_curved_surfaces_of_triangles() {
             mesh.faces.push(&[a + 1, a + 2, a + 3]);
         }
         let offered = offers_new_panels(&mesh, &Topology::new(&mesh));
-        let words = remedy_of(&mesh).unwrap().words;
+        let words = suggestion_of(&mesh).unwrap().words;
         assert_eq!(offered, words.contains("New panels"), "{words}");
         offered
     };
@@ -177,16 +177,19 @@ fn new_panels_are_offered_for_curved_surfaces_of_triangles() {
 #[test]
 fn triangles_can_be_joined_to_quads_for_which_panels_are_offered() {
     let quads = crate::support::grid::bumpy(4);
-    assert_eq!(remedy_of(&quads), None);
+    assert_eq!(suggestion_of(&quads), None);
     let remesh = |operation: &str, sizes: &[f64]| {
         let (operation, sizes) = (operation.to_owned(), sizes.to_vec());
         Edit::Remesh(Remeshing { operation, sizes, ..Remeshing::default() })
     };
     let mut session = Session::open(Scene::opened("own.obj"), quads).unwrap();
     session.edit(remesh("triangles", &[])).unwrap();
-    let remedy = remedy_of(session.mesh()).unwrap();
-    assert!(remedy.words.contains("triangles, which are always flat and circular"), "{remedy:?}");
-    session.edit(remesh(remedy.operation, &[160.0])).unwrap();
+    let suggestion = suggestion_of(session.mesh()).unwrap();
+    assert!(
+        suggestion.words.contains("triangles, which are always flat and circular"),
+        "{suggestion:?}"
+    );
+    session.edit(remesh(suggestion.operation, &[160.0])).unwrap();
     assert!(panel_offers(session.mesh()).iter().all(|offer| offer.reason.is_none()));
 }
 

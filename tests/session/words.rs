@@ -54,7 +54,7 @@ fn an_exact_shape_is_said_to_be_so_with_and_without_how_far_it_moved() {
     let within = solved(&planes(json!({ "within": 0.02 })), &json!([]));
     let words = within.exact_words().expect("it was met");
     assert_eq!([&*words.brief, &words.full], ["", "All constraints are met within 20 mm."]);
-    assert!(words.remedies.is_empty());
+    assert!(words.suggestions.is_empty());
 }
 
 #[test]
@@ -70,13 +70,13 @@ fn what_contradicts_is_named_with_weaker_requirements_that_can_be_met() {
     assert!(words.full.starts_with(start), "{}", words.full);
     assert!(words.full.contains(" The smallest miss is "), "{}", words.full);
     assert_eq!(words.brief, words.full);
-    let found: Vec<_> = words.remedies.iter().map(|one| (one.index, one.within)).collect();
+    let found: Vec<_> = words.suggestions.iter().map(|one| (one.index, one.within)).collect();
     let [(0, None), (0, Some(wide)), (1, None), (1, Some(_))] = found[..] else {
         panic!("{found:?}")
     };
     assert!(wide >= session.exact().expect("it was tried").max_distance);
-    assert_eq!(words.remedies[0].label, "Make Length 1 soft");
-    assert!(words.remedies[1].label.starts_with("Length 1 within "), "{words:?}");
+    assert_eq!(words.suggestions[0].label, "Make Length 1 soft");
+    assert!(words.suggestions[1].label.starts_with("Length 1 within "), "{words:?}");
 }
 
 #[test]

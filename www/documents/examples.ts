@@ -58,10 +58,3 @@ function entry(title: string, text: string) {
 
 /** Returns the permanent fragment of an example, see `share-link.ts`. */
 export const linkToExample = (id: string) => `#example=${id}`;
-
-/** Sets `e_c` and `e_p` in a text as in the paper. */
-export function withSymbols(text: string): (Node | string)[] {
-  return text
-    .split(/\be_([cp])\b/)
-    .map((part, k) => (k % 2 === 0 ? part : element('var', 'e', element('sub', part))));
-}

@@ -1,7 +1,7 @@
 /** Note on the open example: its figure, what to look for, and links to its neighbours. */
 
 import { element } from '../ui/dom.ts';
-import { linkToExample, withSymbols } from '../documents/examples.ts';
+import { linkToExample } from '../documents/examples.ts';
 import type { Example } from '../solver/examples.ts';
 import type { AppContext } from '../app/context.ts';
 
@@ -27,15 +27,15 @@ export function exampleNote(
     const { example } = files.origin;
     place.hidden = !example;
     if (!example) return;
-    const { figure, summary, statement, suggestions } = example;
+    const { figure, summary, statement, plots } = example;
     const all = await files.examples();
     const at = all.findIndex(({ id }) => id === example.id);
     const title = figure === null ? 'Example' : `Figure ${figure} of the paper`;
     place.replaceChildren(
       element('h2', { id: 'heading-example' }, title),
       element('p', summary),
-      element('p.quiet', 'Once solved: ', ...withSymbols(statement)),
-      ...suggestions.map(({ label, plot }) =>
+      element('p.quiet', 'Once solved: ', statement),
+      ...plots.map(({ label, plot }) =>
         element('button.bordered.small', { onclick: () => show(plot) }, label),
       ),
       element(

@@ -6,7 +6,7 @@ import { count, groupDigits } from '../ui/format.ts';
 import { meshActions } from '../store/mesh-actions.ts';
 import { frameFields } from '../documents/units-prompt.ts';
 import type { AppContext } from '../app/context.ts';
-import type { Loaded, MeshRemedy } from '../solver/types.ts';
+import type { Loaded, MeshSuggestion } from '../solver/types.ts';
 
 /** @param showLog opens the log, with the details of each problem */
 export function modelPanel(place: HTMLElement, app: AppContext, showLog: () => void) {
@@ -30,7 +30,7 @@ export function modelPanel(place: HTMLElement, app: AppContext, showLog: () => v
     );
   });
 
-  function mend({ label, words, operation }: MeshRemedy) {
+  function mend({ label, words, operation }: MeshSuggestion) {
     const change = () => actions.reportErrors(mesh.remesh({ operation }, label));
     return button(label, change, { class: 'small bordered', title: words });
   }
@@ -64,10 +64,10 @@ function groups(model: Loaded) {
 function report(
   model: Loaded,
   showLog: () => void,
-  mend: (remedy: MeshRemedy) => HTMLButtonElement,
+  mend: (suggestion: MeshSuggestion) => HTMLButtonElement,
 ) {
-  const problems = model.problems.map(({ message, remedy }) =>
-    element('li', message, remedy && ' ', remedy && mend(remedy)),
+  const problems = model.problems.map(({ message, suggestion }) =>
+    element('li', message, suggestion && ' ', suggestion && mend(suggestion)),
   );
   const notes = model.notes.map((note) => element('li.quiet', note));
   if (problems.length + notes.length === 0) return [];

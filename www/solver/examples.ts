@@ -22,7 +22,7 @@ export interface Example {
   kinds: { id: string; label: string }[];
   /** shape, close, smooth */
   weights: [number, number, number];
-  suggestions: Suggestion[];
+  plots: Plot[];
   /** goals of a lesson */
   goals?: LessonWords['goals'];
   /** of the mesh */
@@ -30,7 +30,7 @@ export interface Example {
 }
 
 /** A plot worth looking at: the label of its button, and the id of its tab. */
-type Suggestion = { label: string; plot: string };
+type Plot = { label: string; plot: string };
 
 const LIST = new URL(/* @vite-ignore */ 'examples/index.json', document.baseURI);
 

@@ -6,7 +6,8 @@
 import { Emitter } from './emitter.ts';
 import { Cancelled } from './errors.ts';
 import { calling, Waiting, type Answer, type Remote } from './remote.ts';
-import type { Jobs } from '../worker/jobs-worker.ts';
+import type { JobCall, Jobs, OnCopy } from '../worker/jobs-worker.ts';
+import type { Snapshot } from './types.ts';
 
 /** Time after which the user may want to cancel a job, in milliseconds. */
 const LONG_MS = 1500;
@@ -26,7 +27,7 @@ export class JobsClient extends Emitter<{
   /** Raised when the worker ends: what it had made is lost. */
   generation = 0;
 
-  /** The methods of the worker. */
+  /** The methods of the worker, and those of the copy that it has of a model. */
   readonly ask: Remote<Jobs> = calling((name, given) => this.#call(name, given));
 
   /** @param module the compiled engine */
@@ -35,16 +36,22 @@ export class JobsClient extends Emitter<{
     this.#module = module;
   }
 
+  /** The methods of a copy of a model, which is made first unless the worker has it. */
+  copy = (model: Snapshot): Remote<OnCopy> =>
+    calling((name, given) => this.#call(name, given, model));
+
   /** Ends the current job and those that wait. */
   cancel() {
     this.#end(new Cancelled());
   }
 
-  async #call(name: string, given: unknown[]) {
+  async #call(name: string, given: unknown[], model?: Snapshot) {
     const started = (this.#worker ??= this.#start());
     const worker = await started;
     if (this.#worker !== started) throw new Cancelled();
-    const answer = this.#waiting.call(name, given, (call) => worker.postMessage(call));
+    const answer = this.#waiting.call(name, given, (call) =>
+      worker.postMessage({ ...call, model } satisfies JobCall),
+    );
     if (this.#waiting.size === 1) this.#follow();
     return answer;
   }

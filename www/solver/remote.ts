@@ -37,11 +37,11 @@ export interface Call {
 export type Answer =
   { id: number; value: unknown } | { id: number; refused: string; isDead: boolean };
 
-/** Calls one of the methods of a worker. */
-export async function answerTo(methods: object, { id = 0, name, given }: Call): Promise<Answer> {
+/** Calls one of the methods of an object in a worker, which is returned by `host`. */
+export async function answerTo(host: () => object, { id = 0, name, given }: Call): Promise<Answer> {
   try {
-    const method = (methods as Record<string, (...given: unknown[]) => unknown>)[name];
-    return { id, value: await method(...given) };
+    const methods = host() as Record<string, (...given: unknown[]) => unknown>;
+    return { id, value: await methods[name](...given) };
   } catch (thrown) {
     return { id, refused: messageOf(thrown), isDead: isTrap(thrown) };
   }
@@ -74,7 +74,7 @@ export class Waiting {
   }
 
   /** Sends a call, numbered, by `send`. */
-  call(name: string, given: unknown[], send: (call: Call) => void): Promise<unknown> {
+  call(name: string, given: unknown[], send: (call: Required<Call>) => void): Promise<unknown> {
     const id = this.#nextId++;
     return new Promise((resolve, reject) => {
       // It may be answered at once.

@@ -42,8 +42,9 @@ export type {
   ParamValue,
   PresetOffer as Preset,
   BetterPress,
-  MeshRemedy,
-  Remedy,
+  ExactOffer,
+  MeshSuggestion,
+  Suggestion,
   Require,
   SelectRequest,
   Setting as SettingInfo,
@@ -57,9 +58,9 @@ export type {
   WorstRow,
 } from '../pkg/engine/shape_up.js';
 
+export type { OnCopy } from '../worker/jobs-worker.ts';
 export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
 export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
-export type { ExactFound } from '../worker/jobs/model-copy.ts';
 
 /**
  * An opened model: `files` are those it was opened from; `undoLost` is the reason why its saved

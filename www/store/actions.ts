@@ -5,9 +5,9 @@
 
 import { count } from '../ui/format.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
-import { createTrials } from './trials.ts';
+import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
-import type { Edit, ExactFound, Handle, PanelStart, Require } from '../solver/types.ts';
+import type { Edit, Handle, PanelStart, Require } from '../solver/types.ts';
 import { verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
 import { createViewActions } from './view-actions.ts';

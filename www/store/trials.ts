@@ -7,14 +7,23 @@
 import { Cancelled } from '../solver/errors.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { BetterPress, ExactFound, Remedy, Snapshot } from '../solver/types.ts';
+import type { Remote } from '../solver/remote.ts';
+import type { BetterPress, ExactOffer, ExactShape, OnCopy, Suggestion } from '../solver/types.ts';
 
 /** Time limit of the search for better presses, in milliseconds. */
 const MOST_PRESSES_MS = 20_000;
-/** Time limit of the search for remedies, in milliseconds. */
-const MOST_REMEDIES_MS = 4000;
+/** Time limit of the search for suggestions, in milliseconds. */
+const MOST_SUGGESTIONS_MS = 4000;
 
-export function createTrials(solver: SolverClient, { ask }: JobsClient) {
+/** An exact shape with its cost. */
+export interface ExactFound {
+  offer: ExactOffer;
+  shape: ExactShape;
+  /** `#V by 3` */
+  positions: Float64Array;
+}
+
+export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
   /** Number of the current trial, and of changes that end every trial. */
   let [turn, changes] = [0, 0];
   /** Settled when the last trial has ended. */
@@ -44,7 +53,7 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
    * @returns whether it is still the current trial; null without a model
    */
   async function run(
-    begin: (model: Snapshot) => Promise<unknown>,
+    begin: (copy: Remote<OnCopy>) => Promise<unknown>,
     goesOn: () => boolean = () => true,
     after: () => Promise<unknown> = () => Promise.resolve(),
   ): Promise<boolean | null> {
@@ -53,7 +62,7 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
     turn += 1;
     const mine = turn;
     const trial = (async () => {
-      await begin(model);
+      await begin(copy(model));
       let more = true;
       while (more && mine === turn && goesOn()) {
         more = await ask.advance();
@@ -65,18 +74,27 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
     return trial;
   }
 
+  /** The exact shape found so far; null if there is nothing to make exact. */
+  async function found(): Promise<ExactFound | null> {
+    const answers = [ask.offer(), ask.shape(), ask.positions()] as const;
+    const [offer, shape, positions] = await Promise.all(answers);
+    return offer && shape ? { offer, shape, positions } : null;
+  }
+
   return {
     /** How far making panels of one shape will move the mesh, in words; null if none is offered. */
     async forecast() {
       // That of a model just opened has not come yet.
       if (!solver.copy()) await new Promise((come) => solver.once('scene', come));
       const model = solver.copy();
+      if (!model) return null;
+      const forecast = async () => (await copy(model).forecast()) ?? null;
       // It may be cancelled with another job.
       const again = (error: unknown) => {
-        if (error instanceof Cancelled && model) return ask.forecast(model);
+        if (error instanceof Cancelled) return forecast();
         throw error;
       };
-      return model && ask.forecast(model).catch(again);
+      return forecast().catch(again);
     },
 
     /**
@@ -85,7 +103,7 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
      * @param goesOn whether somebody waits for it
      */
     exactOffer: async (goesOn: () => boolean): Promise<ExactFound | null> =>
-      (await run(ask.tryExact, goesOn)) ? ask.found() : null,
+      (await run((copy) => copy.tryExact(), goesOn)) ? found() : null,
 
     /**
      * Searches for lower energy among equally exact shapes; returns how far it came, or null if
@@ -93,7 +111,7 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
      * @param goesOn whether to search on
      */
     improvement: async (goesOn: () => boolean): Promise<ExactFound | null> =>
-      (await run(ask.tryImprovement, goesOn)) ? ask.found() : null,
+      (await run((copy) => copy.tryImprovement(), goesOn)) ? found() : null,
 
     /**
      * Presses for panels that end better than the last one. Other trials go first.
@@ -113,16 +131,23 @@ export function createTrials(solver: SolverClient, { ask }: JobsClient) {
         await before;
         if (asked !== changes) return false;
         if (last !== before) continue;
-        const done = await run(ask.tryPresses, () => performance.now() < until, tell);
+        const done = await run(
+          (copy) => copy.tryPresses(),
+          () => performance.now() < until,
+          tell,
+        );
         if (done !== false || asked !== changes) return done;
       }
     },
 
     /** Changes that lower the worst distance; those found before something changes. */
-    async remedies(): Promise<Remedy[]> {
-      const until = performance.now() + MOST_REMEDIES_MS;
-      const done = await run(ask.tryRemedies, () => performance.now() < until);
-      return done === null ? [] : ask.remedies();
+    async suggestions(): Promise<Suggestion[]> {
+      const until = performance.now() + MOST_SUGGESTIONS_MS;
+      const done = await run(
+        (copy) => copy.trySuggestions(),
+        () => performance.now() < until,
+      );
+      return done === null ? [] : ask.suggestions();
     },
   };
 }

@@ -45,17 +45,17 @@ impl Example {
 
 /// A suggested plot of an example.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Suggestion {
+pub struct SuggestedPlot {
     /// The label of the button.
     pub label: &'static str,
     /// The id of the plot that the button opens.
     pub plot: &'static str,
 }
 
-const ANGLES: Suggestion = Suggestion { label: "Angles before and after", plot: "angles" };
+const ANGLES: SuggestedPlot = SuggestedPlot { label: "Angles before and after", plot: "angles" };
 
-/// The suggestions for the example `id`.
-pub fn suggestions(id: &str) -> &'static [Suggestion] {
+/// The plots suggested for the example `id`.
+pub fn suggested_plots(id: &str) -> &'static [SuggestedPlot] {
     match id {
         "fig-07-quality" => &[ANGLES],
         _ => &[],
@@ -68,8 +68,9 @@ mod tests {
     use crate::generate::example::EXAMPLES;
 
     #[test]
-    fn every_suggestion_is_of_an_example() {
-        let offered = EXAMPLES.iter().map(|example| suggestions(example.id).len()).sum::<usize>();
+    fn every_suggested_plot_is_of_an_example() {
+        let offered =
+            EXAMPLES.iter().map(|example| suggested_plots(example.id).len()).sum::<usize>();
         assert_eq!(offered, 1);
     }
 }

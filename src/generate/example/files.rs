@@ -2,7 +2,7 @@
 //! engine of the page makes again: their scenes and meshes, and the list from which the page builds
 //! its menu and the gallery its cards.
 
-use super::declaration::{Example, Suggestion, suggestions};
+use super::declaration::{Example, SuggestedPlot, suggested_plots};
 use super::scene::EXAMPLES;
 use crate::constraint::Info;
 use crate::mesh::{Mesh, write_medit, write_obj};
@@ -32,7 +32,7 @@ struct Entry<'a> {
     /// `lambda_shape`, `lambda_close` and `lambda_smooth` of Eq. 13.
     weights: [f64; 3],
     /// Plots that hosts offer.
-    suggestions: &'static [Suggestion],
+    plots: &'static [SuggestedPlot],
     /// The task of a lesson.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     goals: Vec<GoalWords<'a>>,
@@ -70,7 +70,7 @@ impl<'a> Entry<'a> {
             units: &scene.units,
             kinds,
             weights: [scene.weights.shape, scene.weights.close, scene.weights.smooth],
-            suggestions: suggestions(example.id),
+            plots: suggested_plots(example.id),
             goals: lesson.map(|lesson| goals_in_words(lesson, &scene.units)).unwrap_or_default(),
         }
     }

@@ -11,6 +11,6 @@ mod declaration;
 mod files;
 mod scene;
 
-pub use declaration::{Example, Suggestion, suggestions};
+pub use declaration::{Example, SuggestedPlot, suggested_plots};
 pub use files::{example_file, example_files};
 pub use scene::EXAMPLES;

@@ -243,7 +243,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(
         Limits,
         "limits.warp",
-        "Beam warp",
+        "Beam twist",
         number(Mm, FROM_0, |own| Some(own.limits.warp)),
         "Corners of a beam from its plane, at full size.",
     ),
@@ -257,7 +257,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(
         Limits,
         "limits.lean",
-        "Lean",
+        "Node tilt",
         number(Degrees, FROM_0, |own| Some(own.limits.lean)),
         "Axis of a node from the normal of the surface.",
     ),

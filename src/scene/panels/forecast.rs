@@ -1,6 +1,6 @@
 //! Forecast, before solving, of how far a mesh will move for panels of one shape, and why.
 
-use super::request::{MeshRemedy, panel_offers};
+use super::request::{MeshSuggestion, panel_offers};
 use crate::constraint::{KINDS, Kind};
 use crate::mesh::{
     Curvature, CurvatureLines, MESH_OPERATIONS, Mesh, Ragged, Task, Topology, face_curvatures,
@@ -108,7 +108,7 @@ impl Forecast {
     }
 
     /// Returns the change of the mesh that would reduce the move, if one is known.
-    pub fn remedy(&self) -> Option<MeshRemedy> {
+    pub fn suggestion(&self) -> Option<MeshSuggestion> {
         let kinds = self.diagonal.as_ref()?;
         let is_near = kinds.iter().any(|kind| kind.how_far != HowFar::Lot);
         let words = match is_near {
@@ -120,7 +120,7 @@ impl Forecast {
                     .to_owned()
             }
         };
-        MeshRemedy::new("diagonal", words)
+        MeshSuggestion::new("diagonal", words)
     }
 
     /// Returns the id of the kind to recommend: the strongest one for which the mesh does not move a
@@ -148,19 +148,19 @@ impl Forecast {
         moves(&self.kinds, Some(&far))
     }
 
-    /// Describes the forecast in a few sentences: the move for each kind, its cause, and a remedy.
+    /// Describes the forecast in a few sentences: the move for each kind, its cause, and a suggestion.
     /// `units` is the symbol of the unit of the mesh, empty if not known.
     pub fn words(&self, units: &str) -> String {
         let mut words = format!("This mesh will {}", self.moves(units));
         let is_far = self.kinds.iter().any(|kind| kind.how_far == HowFar::Lot);
         words += &match self.off_curvature_lines.filter(|&angle| angle >= OFF) {
             Some(angle) if is_far => {
-                let remedy = self.remedy().map_or_else(
+                let suggestion = self.suggestion().map_or_else(
                     || "Edges along them, or a larger tolerance, would reduce this.".to_owned(),
-                    |remedy| remedy.words,
+                    |suggestion| suggestion.words,
                 );
                 format!(
-                    ": its edges are {} off the lines of curvature on average. {remedy}",
+                    ": its edges are {} off the lines of curvature on average. {suggestion}",
                     words::rough_degrees(angle)
                 )
             }

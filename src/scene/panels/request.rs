@@ -142,7 +142,7 @@ fn known() -> String {
 /// A change of the mesh, for panels of one shape or to mend a problem.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct MeshRemedy {
+pub struct MeshSuggestion {
     /// Why it helps.
     pub words: String,
     /// The id of one of the [`MESH_OPERATIONS`].
@@ -151,11 +151,11 @@ pub struct MeshRemedy {
     pub label: &'static str,
 }
 
-impl MeshRemedy {
-    /// Creates a remedy from the id of an operation; none if there is no such operation.
-    pub(super) fn new(operation: &str, words: String) -> Option<MeshRemedy> {
+impl MeshSuggestion {
+    /// Creates a suggestion from the id of an operation; none if there is no such operation.
+    pub(super) fn new(operation: &str, words: String) -> Option<MeshSuggestion> {
         let operation = MESH_OPERATIONS.iter().find(|one| one.id == operation)?;
-        Some(MeshRemedy { words, operation: operation.id, label: operation.label })
+        Some(MeshSuggestion { words, operation: operation.id, label: operation.label })
     }
 }
 
@@ -172,11 +172,11 @@ pub fn offers_new_panels(mesh: &Mesh, topology: &Topology) -> bool {
 }
 
 /// Returns the change of the mesh that mends a problem of it, if there is one.
-pub fn problem_remedy(kind: ProblemKind) -> Option<MeshRemedy> {
+pub fn problem_suggestion(kind: ProblemKind) -> Option<MeshSuggestion> {
     match kind {
         ProblemKind::UnjoinedVertex => {
             let words = "Nothing keeps the patches together at the seam.".to_owned();
-            Some(MeshRemedy { label: "Join them", ..MeshRemedy::new("join", words)? })
+            Some(MeshSuggestion { label: "Join them", ..MeshSuggestion::new("join", words)? })
         }
         _ => None,
     }
@@ -184,7 +184,7 @@ pub fn problem_remedy(kind: ProblemKind) -> Option<MeshRemedy> {
 
 /// Returns the change of the mesh after which the offered kinds apply, if there is one: none applies
 /// to triangles, which can be joined to quads.
-pub fn panel_remedy(mesh: &Mesh, topology: &Topology) -> Option<MeshRemedy> {
+pub fn panel_suggestion(mesh: &Mesh, topology: &Topology) -> Option<MeshSuggestion> {
     let can_join = mesh.faces.len() > 1 && mesh.tets.is_empty() && is_of_triangles(mesh);
     let adjectives: Vec<&str> = KINDS.iter().filter_map(|info| info.panels).collect();
     let ways = match offers_new_panels(mesh, topology) {
@@ -195,5 +195,5 @@ pub fn panel_remedy(mesh: &Mesh, topology: &Topology) -> Option<MeshRemedy> {
         "All panels are triangles, which are always {}. {ways} be joined to quads.",
         adjectives.join(" and ")
     );
-    can_join.then(|| MeshRemedy::new("quads", words)).flatten()
+    can_join.then(|| MeshSuggestion::new("quads", words)).flatten()
 }

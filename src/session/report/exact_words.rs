@@ -8,7 +8,7 @@ use crate::solve::{Moved, Require};
 use crate::words;
 use serde::Serialize;
 
-/// The most rows of constraints for which remedies are offered.
+/// The most rows of constraints for which suggestions are offered.
 const MOST_ROWS: usize = 2;
 /// A tolerance that is offered, relative to the distance that was reached.
 const WIDER: f64 = 1.1;
@@ -22,7 +22,7 @@ pub struct ExactWords {
     /// The whole verdict.
     pub full: String,
     /// Weaker requirements, after which the others can be met; empty if all are met.
-    pub remedies: Vec<WeakerRequirement>,
+    pub suggestions: Vec<WeakerRequirement>,
 }
 
 /// A weaker requirement on a row of constraints.
@@ -90,7 +90,7 @@ impl ExactWords {
         if !hard.all(|row| row.require == Require::Exact) {
             let within = words::limit(report.tolerance, units);
             let full = format!("All constraints are met within {within}.");
-            return ExactWords { brief: String::new(), full, remedies: Vec::new() };
+            return ExactWords { brief: String::new(), full, suggestions: Vec::new() };
         }
         let exact = format!("Exact: worst {}.", words::length(report.max_distance, units));
         let moved = moved_in_words(rest.moved_by(scene.positions()), units, rest.diameter());
@@ -105,7 +105,7 @@ impl ExactWords {
         ExactWords {
             brief: format!("{exact}{guarded}"),
             full: format!("{exact} {moved}{guarded}"),
-            remedies: Vec::new(),
+            suggestions: Vec::new(),
         }
     }
 
@@ -137,7 +137,7 @@ impl ExactWords {
             words::length_like(report.max_distance, units, report.tolerance)
         );
         let within = words::rounded(WIDER * report.max_distance, 2);
-        let remedies = rows().take(MOST_ROWS).flat_map(|(index, row)| {
+        let suggestions = rows().take(MOST_ROWS).flat_map(|(index, row)| {
             let label = row.label();
             [
                 WeakerRequirement { label: format!("Make {label} soft"), index, within: None },
@@ -148,7 +148,7 @@ impl ExactWords {
                 },
             ]
         });
-        ExactWords { brief: full.clone(), full, remedies: remedies.collect() }
+        ExactWords { brief: full.clone(), full, suggestions: suggestions.collect() }
     }
 }
 

@@ -3,13 +3,13 @@
 //! | file | holds |
 //! |---|---|
 //! | `exact_trial` | the cost of exactness |
-//! | `remedies` | edits that help if constraints are not met |
+//! | `suggestions` | edits that help if constraints are not met |
 //! | `better_press` | presses for panels that end better |
 
 mod better_press;
 mod exact_trial;
-mod remedies;
+mod suggestions;
 
 pub use better_press::{BetterPress, BetterPresses, VerdictReport};
 pub use exact_trial::{Cost, ExactOffer, ExactShape, ExactTrial};
-pub use remedies::{Remedies, Remedy};
+pub use suggestions::{Suggestion, Suggestions};

@@ -207,17 +207,17 @@ impl BlockSystem {
     }
 
     /// For every constraint, whether it was not held at the last linearisation.
-    pub(in crate::solve) fn unheld(&self) -> Vec<bool> {
-        let unheld = |batch: &LinearBatch| {
+    pub(in crate::solve) fn inactive(&self) -> Vec<bool> {
+        let inactive = |batch: &LinearBatch| {
             let normals = batch.normals.chunks_exact(9 * batch.points * batch.points);
             normals.map(is_zero).collect::<Vec<_>>()
         };
-        self.batches.iter().flat_map(unheld).collect()
+        self.batches.iter().flat_map(inactive).collect()
     }
 
     /// The fraction of the current squared residuals that is of constraints that are not held.
-    pub(in crate::solve) fn unheld_fraction(&self) -> f64 {
-        let (mut unheld, mut all) = (0.0, 0.0);
+    pub(in crate::solve) fn inactive_fraction(&self) -> f64 {
+        let (mut inactive, mut all) = (0.0, 0.0);
         for batch in &self.batches {
             let size = 3 * batch.points;
             let each =
@@ -225,10 +225,10 @@ impl BlockSystem {
             for (residual, normal) in each {
                 let squares: f64 = residual.iter().map(|r| r * r).sum();
                 all += squares;
-                unheld += if squares > 0.0 && is_zero(normal) { squares } else { 0.0 };
+                inactive += if squares > 0.0 && is_zero(normal) { squares } else { 0.0 };
             }
         }
-        if all > 0.0 { unheld / all } else { 0.0 }
+        if all > 0.0 { inactive / all } else { 0.0 }
     }
 
     /// Whether any of the constraints marked by `of` is violated at positions `x` of the model.

@@ -154,7 +154,9 @@ impl Polish {
             self.taken.clear();
         }
         let before = self.system.residuals(model, &model.x);
-        if !fresh && self.system.unheld_fraction() > LOOSE && self.factors - factors < MOST_FACTORS
+        if !fresh
+            && self.system.inactive_fraction() > LOOSE
+            && self.factors - factors < MOST_FACTORS
         {
             self.system.hold_more(model, true)?;
             self.factors += 1;

@@ -61,7 +61,7 @@ pub struct ShapeSpace {
     /// Whether the current factor is that of the shape.
     is_at_shape: bool,
     /// The constraints that are not held at the shape: edges that are longer than required.
-    unheld: Vec<bool>,
+    inactive: Vec<bool>,
     /// Whether nothing is required within a distance: the factor of the shape then serves steps
     /// from it.
     is_exact: bool,
@@ -140,7 +140,7 @@ impl ShapeSpace {
         Ok(ShapeSpace {
             normals: normals(problem.mesh, shape),
             shape: shape.to_vec(),
-            unheld: system.unheld(),
+            inactive: system.inactive(),
             subspace: Some((subspace, system)),
             modes: Vec::new(),
             untried: VecDeque::new(),
@@ -283,7 +283,7 @@ impl ShapeSpace {
         polish.restart(false);
         if from_shape {
             // Checked before computing a factor that would not serve.
-            if polish.system.is_violated(model, &there, &self.unheld) {
+            if polish.system.is_violated(model, &there, &self.inactive) {
                 return Ok(false);
             }
             if !self.is_at_shape {

@@ -21,3 +21,6 @@ mod panel_layout;
 mod variations;
 
 pub use model_copy::ModelCopy;
+
+/// Duration of a slice of what takes long, in seconds: other calls wait no longer.
+const SLICE: f64 = 0.025;

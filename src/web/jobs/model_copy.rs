@@ -2,15 +2,16 @@
 //! exactness, improvements, edits that may help if constraints are not met, and presses for panels that
 //! end better.
 
-use crate::scene::{Forecast, MeshRemedy};
+use super::SLICE;
+use crate::scene::{Forecast, MeshSuggestion};
 use crate::session::{
     BetterPress, BetterPresses, Error, ExactOffer, ExactShape, ExactTrial, FileReader, OpenedFile,
-    PanelLayouts, Remedies, Remedy, Session, Variations,
+    PanelLayouts, Session, Suggestion, Suggestions, Variations,
 };
 use crate::solve::clock;
 use crate::web::values::{Js, flat, plain, plains};
 use crate::web::{log_panics, thrown};
-use js_sys::Float64Array;
+use js_sys::{Float64Array, Function};
 use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
@@ -23,12 +24,14 @@ pub struct ModelCopy {
     pub(super) variations: Option<Variations>,
     /// New panels on the copied shape, from the first question for them on.
     pub(super) layouts: Option<PanelLayouts>,
+    /// Called with what is being done, in words.
+    pub(super) told: Function,
 }
 
 /// What is being tried.
 enum Trial {
     Exact(Box<ExactTrial>),
-    Remedies(Box<Remedies>),
+    Suggestions(Box<Suggestions>),
     Presses(Box<BetterPresses>),
 }
 
@@ -43,7 +46,7 @@ pub struct ForecastWords {
     /// Whether new panels along the lines of curvature are the better choice.
     new_panels: bool,
     /// A change of the mesh that would reduce the move.
-    remedy: Option<MeshRemedy>,
+    suggestion: Option<MeshSuggestion>,
 }
 
 impl ForecastWords {
@@ -52,7 +55,7 @@ impl ForecastWords {
             words: forecast.words(&session.document().units),
             recommended: forecast.recommended(),
             new_panels: forecast.recommends_new_panels(),
-            remedy: forecast.remedy(),
+            suggestion: forecast.suggestion(),
         }
     }
 }
@@ -60,16 +63,17 @@ impl ForecastWords {
 #[wasm_bindgen]
 impl ModelCopy {
     /// Opens the text of a scene with its mesh, which the solver has at this generation.
+    /// What takes long calls `told` with what is being done, in words.
     ///
     /// # Errors
     /// As opening the scene; not expected, since it is open in the solver.
     #[wasm_bindgen(constructor)]
-    pub fn new(scene: &str, generation: u32) -> Result<ModelCopy, JsValue> {
+    pub fn new(scene: &str, generation: u32, told: Function) -> Result<ModelCopy, JsValue> {
         log_panics();
         let file = FileReader::default().read("copy.json", scene.as_bytes()).map_err(thrown)?;
         let OpenedFile { scene, mesh, .. } = file;
         let session = Session::open_copy(scene, mesh, generation).map_err(thrown)?;
-        Ok(ModelCopy { session, trial: None, variations: None, layouts: None })
+        Ok(ModelCopy { session, trial: None, variations: None, layouts: None, told })
     }
 
     /// Returns in words how far making panels of one shape will move the mesh, and a change of the
@@ -98,10 +102,10 @@ impl ModelCopy {
     }
 
     /// Begins to try edits that may help if constraints are not met.
-    #[wasm_bindgen(js_name = tryRemedies)]
-    pub fn try_remedies(&mut self) -> Result<(), JsValue> {
-        let remedies = Remedies::new(&self.session).map_err(thrown)?;
-        self.trial = Some(Trial::Remedies(Box::new(remedies)));
+    #[wasm_bindgen(js_name = trySuggestions)]
+    pub fn try_suggestions(&mut self) -> Result<(), JsValue> {
+        let suggestions = Suggestions::new(&self.session).map_err(thrown)?;
+        self.trial = Some(Trial::Suggestions(Box::new(suggestions)));
         Ok(())
     }
 
@@ -113,18 +117,18 @@ impl ModelCopy {
         self.trial = presses.map(|presses| Trial::Presses(Box::new(presses)));
     }
 
-    /// Continues the trial for about the given time; returns whether there is more to do.
-    pub fn advance(&mut self, milliseconds: f64) -> Result<bool, JsValue> {
+    /// Continues the trial for a slice; returns whether there is more to do.
+    pub fn advance(&mut self) -> Result<bool, JsValue> {
         let ModelCopy { session, trial, .. } = self;
         let step = || -> Result<bool, Error> {
             match trial {
                 Some(Trial::Exact(trial)) => trial.step(session),
-                Some(Trial::Remedies(remedies)) => remedies.step(),
+                Some(Trial::Suggestions(suggestions)) => suggestions.step(),
                 Some(Trial::Presses(presses)) => presses.step(),
                 None => Ok(false),
             }
         };
-        clock::repeat(1e-3 * milliseconds, step).map_err(thrown)
+        clock::repeat(SLICE, step).map_err(thrown)
     }
 
     /// Returns the cost of the exact shape found so far; undefined if there is nothing to make exact.
@@ -157,9 +161,9 @@ impl ModelCopy {
     }
 
     /// Returns the edits that help, the most effective first.
-    pub fn remedies(&self) -> Result<Vec<Js<Remedy>>, JsValue> {
+    pub fn suggestions(&self) -> Result<Vec<Js<Suggestion>>, JsValue> {
         match &self.trial {
-            Some(Trial::Remedies(remedies)) => plains(remedies.found()),
+            Some(Trial::Suggestions(suggestions)) => plains(suggestions.found()),
             _ => Ok(Vec::new()),
         }
     }

@@ -40,19 +40,18 @@ pub struct RefusedAt {
 
 #[wasm_bindgen]
 impl ModelCopy {
-    /// Lays out panels along the lines of curvature beside the faces `kept`, which stay as they are;
-    /// `told` is called with what is being done, in words. Curvature, fields and maps are kept with
-    /// the copy.
+    /// Lays out panels along the lines of curvature beside the faces `kept`, which stay as they are, and
+    /// tells what is being done. Curvature, fields and maps are kept with the copy.
     #[wasm_bindgen(js_name = layOutPanels)]
     pub fn lay_out_panels(
         &mut self,
         settings: Js<LayoutSettings>,
         kept: &[u32],
-        told: &Function,
     ) -> Result<Js<LaidOut>, JsValue> {
         let settings = read(settings)?;
+        let told = self.told.clone();
         let layouts = self.panel_layouts(kept)?;
-        let layout = layouts.lay_out(&settings, &mut telling(told)).map_err(thrown)?;
+        let layout = layouts.lay_out(&settings, &mut telling(&told)).map_err(thrown)?;
         plain(&LaidOut::of(&layout))
     }
 
@@ -62,11 +61,11 @@ impl ModelCopy {
         &mut self,
         settings: Js<LayoutSettings>,
         kept: &[u32],
-        told: &Function,
     ) -> Result<Vec<Js<BoundaryForecast>>, JsValue> {
         let settings = read(settings)?;
+        let told = self.told.clone();
         let layouts = self.panel_layouts(kept)?;
-        plains(&layouts.at_boundaries(&settings, &mut telling(told)).map_err(thrown)?)
+        plains(&layouts.at_boundaries(&settings, &mut telling(&told)).map_err(thrown)?)
     }
 
     /// The place of the last refusal of panels; undefined if it has none.

@@ -1,6 +1,7 @@
 //! The search for variations of the shape of the copy, and varied shapes, for
 //! [`crate::web::worker::Solver::show_variation`].
 
+use super::SLICE;
 use super::model_copy::ModelCopy;
 use crate::session::{ExactReport, Variations};
 use crate::solve::{SLIDE, clock};
@@ -44,14 +45,11 @@ impl ModelCopy {
         Ok(self.variations.is_some())
     }
 
-    /// Continues the search for about the given time.
+    /// Continues the search for a slice.
     #[wasm_bindgen(js_name = advanceVariations)]
-    pub fn advance_variations(
-        &mut self,
-        milliseconds: f64,
-    ) -> Result<Js<VariationProgress>, JsValue> {
+    pub fn advance_variations(&mut self) -> Result<Js<VariationProgress>, JsValue> {
         let variations = self.varied()?;
-        let more = clock::repeat(1e-3 * milliseconds, || variations.step()).map_err(thrown)?;
+        let more = clock::repeat(SLICE, || variations.step()).map_err(thrown)?;
         plain(&VariationProgress {
             found: variations.are_found().then(|| variations.modes().len()),
             ranges: variations.modes().iter().map(|mode| mode.range).collect(),

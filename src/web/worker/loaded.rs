@@ -2,7 +2,8 @@
 
 use crate::mesh::{Read, Weld, diagonal};
 use crate::scene::{
-    MeshRemedy, PanelOffer, Up, offers_new_panels, panel_offers, panel_remedy, problem_remedy,
+    MeshSuggestion, PanelOffer, Up, offers_new_panels, panel_offers, panel_suggestion,
+    problem_suggestion,
 };
 use crate::session::{FACE_MEASURES, Guessed, Session, flaw_of};
 use serde::Serialize;
@@ -35,8 +36,8 @@ pub struct Loaded {
     /// The kinds that are offered for making all panels.
     panels: Vec<PanelOffer>,
     /// A change of the mesh after which they apply.
-    #[serde(rename = "panelRemedy")]
-    panel_remedy: Option<MeshRemedy>,
+    #[serde(rename = "panelSuggestion")]
+    panel_suggestion: Option<MeshSuggestion>,
     /// Whether new panels along the lines of curvature are offered for it at once.
     #[serde(rename = "newPanels")]
     new_panels: bool,
@@ -74,7 +75,7 @@ struct Problem {
     /// The name for querying the elements with this problem; none if they are not in the mesh.
     flaw: Option<&'static str>,
     /// A change of the mesh that mends it.
-    remedy: Option<MeshRemedy>,
+    suggestion: Option<MeshSuggestion>,
 }
 
 impl Loaded {
@@ -110,7 +111,7 @@ impl Loaded {
                 .collect(),
             mean_edge: session.mean_edge(),
             panels: panel_offers(mesh),
-            panel_remedy: panel_remedy(mesh, session.topology()),
+            panel_suggestion: panel_suggestion(mesh, session.topology()),
             new_panels: offers_new_panels(mesh, session.topology()),
             welded: weld.map(|weld| Welded {
                 before: weld.to.len(),
@@ -123,7 +124,7 @@ impl Loaded {
                     count: p.count,
                     line: p.line,
                     flaw: flaw_of(p.kind),
-                    remedy: problem_remedy(p.kind),
+                    suggestion: problem_suggestion(p.kind),
                 })
                 .collect(),
             notes: read.notes.clone(),

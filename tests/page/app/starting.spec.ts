@@ -1,32 +1,32 @@
-// If a part of the page cannot be loaded, one plain message gives the reason and the remedy, and no
+// If a part of the page cannot be loaded, one plain message gives the reason and the suggestion, and no
 // later error covers it.
 
 import { expect, test } from '../support.ts';
 
 test.use({ fresh: true });
 
-const REMEDY = 'Check the network, then reload the page.';
+const SUGGESTION = 'Check the network, then reload the page.';
 
 /** What is missing, how it fails, and the message shown. */
 const FAILURES: Record<string, { missing: string; status?: number; words: string }> = {
   'the script of the page is not there': {
     missing: '**/assets/workbench-*.js',
     status: 404,
-    words: `Shape-Up could not be started (a part of the page could not be fetched). ${REMEDY}`,
+    words: `Shape-Up could not be started (a part of the page could not be fetched). ${SUGGESTION}`,
   },
   "the solver's module is not there": {
     missing: '**/assets/engine-*.wasm',
     status: 404,
-    words: `The solver could not be started (its module could not be fetched: 404). ${REMEDY}`,
+    words: `The solver could not be started (its module could not be fetched: 404). ${SUGGESTION}`,
   },
   "the network fails at the solver's module": {
     missing: '**/assets/engine-*.wasm',
-    words: `The solver could not be started (its module could not be fetched). ${REMEDY}`,
+    words: `The solver could not be started (its module could not be fetched). ${SUGGESTION}`,
   },
   "the solver's worker is not there": {
     missing: '**/assets/solver-worker-*.js',
     status: 404,
-    words: `The solver could not be started (its worker could not be fetched). ${REMEDY}`,
+    words: `The solver could not be started (its worker could not be fetched). ${SUGGESTION}`,
   },
 };
 
@@ -60,7 +60,7 @@ test('a view that could not be fetched is not reported as missing graphics suppo
   await page.route('**/assets/view-web*.wasm', (route) => route.fulfill({ status: 404 }));
   await page.goto('./');
   await expect(page.getByText('the drawing module could not be loaded')).toBeVisible();
-  await expect(page.getByText(REMEDY)).toBeVisible();
+  await expect(page.getByText(SUGGESTION)).toBeVisible();
   expect(complaints.filter((text) => !/404/.test(text))).toEqual([]);
   complaints.length = 0;
 });

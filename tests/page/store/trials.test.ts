@@ -10,6 +10,9 @@ import type { SolverClient } from '../../../www/solver/solver-client.ts';
 type Heard = { frame: object; scene: { generation: number } };
 type Fake = Emitter<Heard> & { geometry: { generation: number } };
 
+/** What each trial finds. */
+const FOUND = { offer: 'the cost', shape: 'the shape', positions: [] };
+
 /** Trials of many steps; `during` is called after the first. */
 function trials(during: (solver: Fake) => void) {
   const solver = Object.assign(new Emitter<Heard>(), {
@@ -18,18 +21,25 @@ function trials(during: (solver: Fake) => void) {
   });
   let steps = 0;
   const begun: unknown[] = [];
-  const begin = async (model: unknown) => void begun.push(model);
+  const copy = (model: unknown) => {
+    const begin = async () => void begun.push(model);
+    return { tryExact: begin, tryImprovement: begin, trySuggestions: begin, tryPresses: begin };
+  };
   const ask = {
-    ...{ tryExact: begin, tryImprovement: begin, tryRemedies: begin, tryPresses: begin },
     async advance() {
       if (++steps === 1) during(solver);
       return steps < 9;
     },
-    found: async () => 'the shape',
-    remedies: async () => ['smooth less'],
+    offer: async () => FOUND.offer,
+    shape: async () => FOUND.shape,
+    positions: async () => FOUND.positions,
+    suggestions: async () => ['smooth less'],
     betterPresses: async () => (steps > 3 ? ['within 50 mm'] : []),
   };
-  const made = createTrials(solver as unknown as SolverClient, { ask } as unknown as JobsClient);
+  const made = createTrials(
+    solver as unknown as SolverClient,
+    { ask, copy } as unknown as JobsClient,
+  );
   solver.emit('scene', { generation: 5 });
   solver.emit('frame', {});
   return { made, begun, steps: () => steps };
@@ -40,7 +50,7 @@ test('a trial runs to its end on a copy of the model', async () => {
     solver.emit('scene', { generation: 5 });
     solver.emit('frame', {});
   });
-  assert.equal(await made.exactOffer(() => true), 'the shape');
+  assert.deepEqual(await made.exactOffer(() => true), FOUND);
   assert.deepEqual(begun, [{ text: 'the scene', generation: 5 }]);
   assert.equal(steps(), 9, 'a setting of the build changes neither problem nor shape');
 });
@@ -62,20 +72,20 @@ for (const [what, during] of [
     const improving = trials(during);
     assert.equal(await improving.made.improvement(() => true), null);
     const helping = trials(during);
-    assert.deepEqual(await helping.made.remedies(), ['smooth less'], 'those found before it');
+    assert.deepEqual(await helping.made.suggestions(), ['smooth less'], 'those found before it');
   });
 
 test('another trial ends the one before', async () => {
   const { made } = trials(() => {});
   const first = made.exactOffer(() => true);
   const second = made.improvement(() => true);
-  assert.deepEqual([await first, await second], [null, 'the shape']);
+  assert.deepEqual([await first, await second], [null, FOUND]);
 });
 
 test('an improvement that is stopped keeps what it has', async () => {
   let isStopped = false;
   const { made, steps } = trials(() => (isStopped = true));
-  assert.equal(await made.improvement(() => !isStopped), 'the shape');
+  assert.deepEqual(await made.improvement(() => !isStopped), FOUND);
   assert.equal(steps(), 1);
 });
 
@@ -83,7 +93,7 @@ test('better presses let other trials go first, and begin again after them', asy
   const { made, begun, steps } = trials(() => {});
   const heard: unknown[] = [];
   const pressed = made.betterPresses((presses) => heard.push(...presses));
-  assert.equal(await made.exactOffer(() => true), 'the shape');
+  assert.deepEqual(await made.exactOffer(() => true), FOUND);
   assert.equal(await pressed, true);
   assert.ok(begun.length >= 2 && steps() >= 9);
   assert.deepEqual(new Set(heard), new Set(['within 50 mm']));

@@ -18,4 +18,5 @@ const methods = {
 };
 export type Rhino = typeof methods;
 
-onmessage = async ({ data }: MessageEvent<Call>) => postMessage(await answerTo(methods, data));
+onmessage = async ({ data }: MessageEvent<Call>) =>
+  postMessage(await answerTo(() => methods, data));

@@ -153,7 +153,7 @@ async function buildPanel(app: AppContext) {
     else showElements(app, { vertices: 'edge' in worst ? worst.edge : [worst.vertex], faces: [] });
   }
 
-  function tighten({ constraint, within }: BuildReport['tighten']['remedies'][number]) {
+  function tighten({ constraint, within }: BuildReport['tighten']['suggestions'][number]) {
     return actions.makePanels(constraint, within);
   }
 

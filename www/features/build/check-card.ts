@@ -11,20 +11,20 @@ import type {
 } from '../../solver/types.ts';
 import type { State } from '../../store/state.ts';
 
-type Remedy = BuildReport['tighten']['remedies'][number];
+type Suggestion = BuildReport['tighten']['suggestions'][number];
 
 /** @param show shows an element of the mesh */
 export function checkCard(
   show: (worst: CheckRow['worst']) => void,
-  tighten: (remedy: Remedy) => void,
+  tighten: (suggestion: Suggestion) => void,
 ) {
   const words = element('p.quiet');
   const list = element('ul.check-rows');
   const problems = element('div');
-  /** The remedy on offer. */
-  let remedy: Remedy | undefined;
+  /** The suggestion on offer. */
+  let suggestion: Suggestion | undefined;
   const reason = element('p.quiet', { id: 'tighten-reason' });
-  const press = button('Tighten', () => remedy && tighten(remedy), {
+  const press = button('Tighten', () => suggestion && tighten(suggestion), {
     'aria-describedby': 'tighten-reason',
   });
   const card = element(
@@ -40,13 +40,13 @@ export function checkCard(
       { report, words: said }: { report: BuildCard; words: CardWords },
       { model }: Pick<State, 'model'>,
     ) {
-      const { remedies, otherwise } = report.tighten;
-      const at = remedies.findIndex(({ constraint }) =>
+      const { suggestions, otherwise } = report.tighten;
+      const at = suggestions.findIndex(({ constraint }) =>
         model?.panels.some(({ kind, reason }) => kind === constraint && !reason),
       );
-      remedy = remedies[at];
-      press.disabled = !remedy;
-      setText(reason, said.remedies[at] ?? otherwise);
+      suggestion = suggestions[at];
+      press.disabled = !suggestion;
+      setText(reason, said.suggestions[at] ?? otherwise);
       list.replaceChildren(...report.check.map((row, k) => checkRow(row, said.check[k], show)));
       words.textContent = said.offset;
       problems.replaceChildren(...report.problems.map((problem) => element('p.notice', problem)));

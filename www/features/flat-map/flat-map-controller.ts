@@ -81,7 +81,7 @@ export class FlatMapController {
     const search = async () => {
       try {
         const model = await this.#actions.rest();
-        show((await this.#jobs.ask.fewerFlips(model, found.flipped)) ?? 'none');
+        show((await this.#jobs.copy(model).fewerFlips(found.flipped)) ?? 'none');
       } catch (error) {
         show(null);
         throw error;
@@ -93,7 +93,7 @@ export class FlatMapController {
   async #map(weights: MapWeights, norm: MapNorm) {
     const model = await this.#actions.rest();
     const { iteration = 0 } = this.#store.get().numbers ?? {};
-    return { found: await this.#jobs.ask.parametrize(model, weights, norm), iteration };
+    return { found: await this.#jobs.copy(model).parametrize(weights, norm), iteration };
   }
 
   /** Shows the map of the current shape. */

@@ -28,15 +28,15 @@ export function panelButtons(
   change: (operation: string) => void,
 ): { buttons: HTMLButtonElement[]; reasons: HTMLElement[] } {
   const { kinds, model } = state;
-  const remedy = model?.panelRemedy;
-  if (remedy) {
-    const act = () => change(remedy.operation);
+  const suggestion = model?.panelSuggestion;
+  if (suggestion) {
+    const act = () => change(suggestion.operation);
     const disabled = isMeshLocked(state);
     const title = disabled ? 'Locked by the lesson' : '';
     const dialog = { 'aria-haspopup': 'dialog', 'aria-describedby': id };
     return {
-      buttons: [button(remedy.label, act, { ...dialog, disabled, title })],
-      reasons: [element('p.quiet', { id }, remedy.words)],
+      buttons: [button(suggestion.label, act, { ...dialog, disabled, title })],
+      reasons: [element('p.quiet', { id }, suggestion.words)],
     };
   }
   const reasonOf: Map<string, string | null> = new Map(

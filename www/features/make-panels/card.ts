@@ -14,7 +14,7 @@ import { isMeshLocked, panelButtons, addButtons } from './buttons.ts';
 import { openNewPanels } from './new-panels.ts';
 import { openEdit } from './refine-operation.ts';
 import type { BetterPress, KindInfo, PanelStart, PanelVerdict } from '../../solver/types.ts';
-import type { MeshRemedy } from '../../pkg/engine/shape_up.js';
+import type { MeshSuggestion } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
 /** Minimum duration of the transition: a jump would not show what changes. */
@@ -42,16 +42,16 @@ export class MakePanels {
   #newPanels = button(
     'New panels along the curvature',
     () => this.#app.actions.reportErrors(this.#layOut()),
-    { class: 'bordered remedy' },
+    { class: 'bordered suggestion' },
   );
   /** The model for which they help. */
   #helped: unknown = null;
   /** The model of the forecast. */
   #forecastOf: unknown = null;
   /** A change of the mesh that would reduce the move. */
-  #remedy: MeshRemedy | null = null;
-  #remedyButton = button('', () => this.#applyRemedy(), {
-    class: 'bordered remedy',
+  #suggestion: MeshSuggestion | null = null;
+  #suggestionButton = button('', () => this.#applySuggestion(), {
+    class: 'bordered suggestion',
     'aria-haspopup': 'dialog',
   });
   #showFolds = button('Show the folds', () => this.#app.actions.begin(this.#showFolded()));
@@ -96,7 +96,7 @@ export class MakePanels {
     const updateSoon = throttled(RENEW_MS, () => this.#showVerdict(false));
     solver.on('frame', updateSoon);
     store.subscribe(['document'], updateSoon);
-    // The card grows when remedies are added later.
+    // The card grows when suggestions are added later.
     new ResizeObserver(() => this.#cover()).observe(this.#card);
     // A docked panel hides the card. Noticed here, before the smaller view is framed anew.
     const { body } = document;
@@ -183,7 +183,7 @@ export class MakePanels {
     this.#panel.hidden = !offers || here !== this.#panel;
     if (here === this.#panel) renew(here, element('div', ...buttons), ...reasons);
     else {
-      const others = [...buttons, this.#remedyButton, this.#somethingElse()];
+      const others = [...buttons, this.#suggestionButton, this.#somethingElse()];
       if (model?.newPanels) this.#helped = model;
       this.#newPanels.hidden = !this.#newPanelsHelp();
       const press = element('div', this.#newPanels, ...others);
@@ -204,8 +204,8 @@ export class MakePanels {
     const { model } = store.get();
     if (this.#forecastOf === model) return;
     this.#forecastOf = model;
-    this.#remedy = null;
-    this.#remedyButton.hidden = true;
+    this.#suggestion = null;
+    this.#suggestionButton.hidden = true;
     // It has its place at once: a card that grows moves the model, and what the user does with it.
     this.#forecast.hidden = false;
     setText(this.#forecast, 'Estimating how far the mesh will move …');
@@ -213,11 +213,11 @@ export class MakePanels {
     if (forecast === undefined) return;
     setText(this.#forecast, forecast?.words ?? '');
     this.#forecast.hidden = !forecast;
-    this.#remedy = forecast?.remedy ?? null;
+    this.#suggestion = forecast?.suggestion ?? null;
     if (forecast?.newPanels) this.#helped = model;
     this.#newPanels.hidden = !this.#newPanelsHelp();
-    this.#remedyButton.hidden = !this.#canChangeMesh();
-    setText(this.#remedyButton, this.#remedy?.label ?? '');
+    this.#suggestionButton.hidden = !this.#canChangeMesh();
+    setText(this.#suggestionButton, this.#suggestion?.label ?? '');
     for (const one of this.#card.querySelectorAll<HTMLElement>('[data-kind]')) {
       one.classList.toggle('recommended', one.dataset.kind === forecast?.recommended);
     }
@@ -232,7 +232,7 @@ export class MakePanels {
   /** Whether a simple change of this mesh reduces the move, and new panels are not the better choice. */
   #canChangeMesh() {
     const state = this.#app.store.get();
-    const isOfModel = this.#remedy !== null && this.#forecastOf === state.model;
+    const isOfModel = this.#suggestion !== null && this.#forecastOf === state.model;
     return isOfModel && !this.#newPanelsHelp() && !isMeshLocked(state);
   }
 
@@ -244,11 +244,11 @@ export class MakePanels {
   }
 
   /** Opens the operation that reduces the move, on the original shape. */
-  async #applyRemedy() {
+  async #applySuggestion() {
     const { store, actions } = this.#app;
-    if (!this.#remedy) return;
+    if (!this.#suggestion) return;
     if (store.get().document?.constraints.length) await actions.reset();
-    this.#change(this.#remedy.operation);
+    this.#change(this.#suggestion.operation);
   }
 
   #turnTo(what: 'nothing' | 'offer' | 'verdict') {
@@ -266,7 +266,7 @@ export class MakePanels {
     const hold = button('Hold to see the original', () => {});
     this.#app.hold.bind(hold);
     this.#changes.hidden = true;
-    this.#changes.append(this.#newPanels, this.#remedyButton);
+    this.#changes.append(this.#newPanels, this.#suggestionButton);
     this.#card.append(this.#text, hold, this.#closeButton(), this.#changes);
     void this.#showVerdict(false);
   }
@@ -335,7 +335,7 @@ export class MakePanels {
     const again = verdict?.again ?? null;
     this.#again.hidden = again === null;
     setText(this.#again, again ?? '');
-    this.#remedyButton.hidden = isGood || !this.#canChangeMesh();
+    this.#suggestionButton.hidden = isGood || !this.#canChangeMesh();
     this.#newPanels.hidden = isGood || !this.#newPanelsHelp();
     if (isGood) this.#better.clear();
     else void this.#better.find(verdict);

@@ -157,17 +157,17 @@ function newPanelsCard(
     };
     const kept = keeps.box.checked ? selected : new Uint32Array(0);
     try {
-      const panels = await jobs.ask.layOutPanels(model, settings, kept);
+      const panels = await jobs.copy(model).layOutPanels(settings, kept);
       // Another wish, or another shape, has come meanwhile.
       if (card.hidden || layouts.hasNext()) return;
       laidOut = { panels, generation: model.generation, shape };
       refused = null;
       show(panels);
-      if (panels.boundary) void foretell(() => jobs.ask.panelsAtBoundaries(model, settings, kept));
+      if (panels.boundary) void foretell(() => jobs.copy(model).panelsAtBoundaries(settings, kept));
     } catch (error) {
       if (card.hidden) return;
       if (error instanceof Cancelled) return laidOut ? show(laidOut.panels) : close();
-      refused = await jobs.ask.panelsRefusedAt().catch(() => null);
+      refused = (await jobs.ask.panelsRefusedAt().catch(() => null)) ?? null;
       if (layouts.hasNext()) return;
       laidOut = forecast = null;
       take.disabled = true;

@@ -91,7 +91,7 @@ function variationsPanel(app: AppContext) {
     searched = [store.get().document, store.get().dark];
     await variations.leave();
     const model = await actions.rest();
-    if (!connectivity || !(await ask.findVariations(model))) {
+    if (!connectivity || !(await jobs.copy(model).findVariations())) {
       if (mine === search) setText(words, NONE);
       return;
     }

@@ -131,7 +131,7 @@ function table(words: TrialWords, then: string) {
   );
 }
 
-/** Selects and colours the constraints that cannot be met together, and offers remedies. */
+/** Selects and colours the constraints that cannot be met together, and offers suggestions. */
 function showUnmet(app: App, output: Output, { worst }: ExactReport, words: ExactWords) {
   const { actions } = app;
   const elements = elementsOf(
@@ -142,10 +142,10 @@ function showUnmet(app: App, output: Output, { worst }: ExactReport, words: Exac
     showElements(app, elements);
     actions.tint({ ...elements, colour: UNMET });
   };
-  const remedies = words.remedies.map(({ label, index, within }) =>
+  const suggestions = words.suggestions.map(({ label, index, within }) =>
     output.offer(label, () => actions.exact.require(index, within === null ? 'soft' : { within })),
   );
-  output.showMessage(saidIn(words, output), output.offer('Show them', show), ...remedies);
+  output.showMessage(saidIn(words, output), output.offer('Show them', show), ...suggestions);
   show();
 }
 

@@ -1,7 +1,7 @@
 /**
  * Messages about a shape beyond its numbers: problems of its file if the Model panel is hidden,
  * faces of zero area, and the verdict on a run: within the tolerance, or solved as far as possible,
- * with remedies. Each is shown once, among the messages or on the card of the panels.
+ * with suggestions. Each is shown once, among the messages or on the card of the panels.
  */
 
 import '../../ui/styles/lists.css';
@@ -16,8 +16,8 @@ import type { AppContext } from '../../app/context.ts';
 import type { Edit } from '../../solver/types.ts';
 
 const ZERO_SIZE = 'zero-size-faces';
-/** Maximum number of remedies offered. */
-const MOST_REMEDIES = 3;
+/** Maximum number of suggestions offered. */
+const MOST_SUGGESTIONS = 3;
 
 export function watchConditions(app: AppContext) {
   const { store, solver, files, alerts, actions } = app;
@@ -34,11 +34,11 @@ export function watchConditions(app: AppContext) {
     const { problems = [] } = store.get().model ?? {};
     const isListed = document.getElementById('model')?.checkVisibility();
     if (problems.length === 0 || isListed) return void lookForFlatFaces();
-    const { message, remedy } = problems.find((problem) => problem.remedy) ?? problems[0];
-    const mend = remedy && {
-      label: remedy.label,
+    const { message, suggestion } = problems.find((problem) => problem.suggestion) ?? problems[0];
+    const mend = suggestion && {
+      label: suggestion.label,
       action: () =>
-        actions.reportErrors(mesh.remesh({ operation: remedy.operation }, remedy.label)),
+        actions.reportErrors(mesh.remesh({ operation: suggestion.operation }, suggestion.label)),
     };
     const words = `${count(problems.length, 'problem')}, see Model: ${message}`;
     alerts.notice(words, ...(mend ? [mend] : []));
@@ -60,7 +60,7 @@ export function watchConditions(app: AppContext) {
   /** Whether a hint is shown: a first-time user should read one message at a time. */
   const hasHint = () => document.getElementById('hint-card')?.hidden === false;
 
-  /** Reports the result of a run: all within the tolerance, or the worst element and remedies. */
+  /** Reports the result of a run: all within the tolerance, or the worst element and suggestions. */
   async function showVerdict() {
     const { document: scene, numbers } = store.get();
     if (!scene || !numbers) return;
@@ -88,10 +88,10 @@ export function watchConditions(app: AppContext) {
     );
     const waiting = element('p.quiet', 'Looking for changes that help …');
     group.append(waiting);
-    const remedies = await actions.trials.remedies().catch(() => null);
-    if (!remedies) return waiting.remove();
-    const helping = remedies
-      .slice(0, MOST_REMEDIES)
+    const suggestions = await actions.trials.suggestions().catch(() => null);
+    if (!suggestions) return waiting.remove();
+    const helping = suggestions
+      .slice(0, MOST_SUGGESTIONS)
       .map(({ label, edit, worst }) =>
         offer(
           `${label}: ${length(worst, scene.units, scene.tolerance)}`,
@@ -118,7 +118,7 @@ export function watchConditions(app: AppContext) {
   /** @returns to which more can be appended */
   function showMessage(text: string, ...buttons: HTMLElement[]): HTMLElement {
     const group = element(
-      'div.remedies',
+      'div.suggestions',
       { role: 'group', 'aria-label': 'Verdict' },
       element('p', text),
       ...buttons,
@@ -141,7 +141,7 @@ export function watchConditions(app: AppContext) {
     shown = null;
   }
 
-  /** Applies a remedy and runs on. */
+  /** Applies a suggestion and runs on. */
   async function take(edit: Edit) {
     if ((await actions.edit(edit)) !== undefined) actions.run();
   }

@@ -1,7 +1,7 @@
 /** A card of the gallery: pictures of start and end, a summary, and the measured results. */
 
 import { element } from '../../ui/dom.ts';
-import { linkToExample, withSymbols } from '../../documents/examples.ts';
+import { linkToExample } from '../../documents/examples.ts';
 import { number as energyInWords } from '../../ui/format.ts';
 import { svgElement } from '../../ui/svg.ts';
 import type { Example } from '../../solver/examples.ts';
@@ -44,7 +44,7 @@ export function card(example: Example, result: Result | undefined) {
     ),
     element('h3', { id: `${id}-title` }, element('a', { href: `./${linkToExample(id)}` }, title)),
     element('p', summary),
-    element('p.statement', element('strong', 'Measured: '), ...withSymbols(statement)),
+    element('p.statement', element('strong', 'Measured: '), statement),
     result?.angles && angleHistogram(result.angles),
     element(
       'dl',

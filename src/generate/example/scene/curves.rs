@@ -12,7 +12,7 @@ pub(super) const LANTERN: Example = Example {
     id: "fig-06-exploration",
     title: "Lantern, pulled out of the round",
     summary: "The rim is lifted, widened and tilted: the panels change in size and position, but their corners stay on circles.",
-    statement: "All corners stay within 2 cm of the circles of their panels, with a mean circularity error e_c of less than 5e-8.",
+    statement: "All corners stay within 2 cm of the circles of their panels, and the panels are less than 4 mm from circular on average.",
     ending: "obj",
     make: lantern,
 };

@@ -1,9 +1,9 @@
-//! Remedies that are offered for unmet constraints: each lowers the worst distance.
+//! Suggestions that are offered for unmet constraints: each lowers the worst distance.
 
 use crate::support::grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
-use shape_up::session::{Edit, Remedies, Remedy, Session};
+use shape_up::session::{Edit, Session, Suggestion, Suggestions};
 
 /// A session with the weights of an opened mesh and the scene keys `more`.
 fn session(mesh: Mesh, more: &str) -> Session {
@@ -24,16 +24,16 @@ fn run(session: &mut Session, most: u32) {
     }
 }
 
-fn remedies(session: &Session) -> Vec<Remedy> {
-    let mut remedies = Remedies::new(session).expect("it could be solved before");
-    while remedies.step().expect("it could be solved before") {}
-    remedies.found().to_vec()
+fn suggestions(session: &Session) -> Vec<Suggestion> {
+    let mut suggestions = Suggestions::new(session).expect("it could be solved before");
+    while suggestions.step().expect("it could be solved before") {}
+    suggestions.found().to_vec()
 }
 
-/// Applies each remedy as the page does, starting at the shape of the run.
-fn each_helps(session: &mut Session, remedies: &[Remedy]) {
+/// Applies each suggestion as the page does, starting at the shape of the run.
+fn each_helps(session: &mut Session, suggestions: &[Suggestion]) {
     let before = session.worst_distance();
-    for Remedy { label, edit, worst } in remedies {
+    for Suggestion { label, edit, worst } in suggestions {
         let edit = Edit::from_json(&edit.to_string()).expect("it is an edit");
         session.edit(edit).expect("it was tried");
         // Convergence takes long; 250 iterations already lower the error.
@@ -51,10 +51,10 @@ fn on_real_mesh(file: &str) {
     let Some(mesh) = crate::support::shared::mesh(file) else { return };
     let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
     run(&mut session, 3000);
-    let remedies = remedies(&session);
+    let suggestions = suggestions(&session);
     println!("{file}");
-    assert!(!remedies.is_empty(), "{file}: nothing is offered");
-    each_helps(&mut session, &remedies);
+    assert!(!suggestions.is_empty(), "{file}: nothing is offered");
+    each_helps(&mut session, &suggestions);
 }
 
 #[test]
@@ -92,9 +92,9 @@ fn handles_that_are_in_the_way_can_be_released() {
                     { "vertices": [8], "targets": [[1, 1, 0.5]], "fixed": true }]"#;
     let mut session = session(flat, lifted);
     run(&mut session, 3000);
-    let remedies = remedies(&session);
-    assert_eq!(remedies[0].label, "Release the handles");
-    each_helps(&mut session, &remedies);
+    let suggestions = suggestions(&session);
+    assert_eq!(suggestions[0].label, "Release the handles");
+    each_helps(&mut session, &suggestions);
 }
 
 #[test]
@@ -107,7 +107,7 @@ fn where_nothing_helps_nothing_is_offered() {
         "handles": [{ "vertices": [0, 1, 2, 3], "fixed": true }]"#,
     );
     run(&mut session, 3000);
-    assert_eq!(remedies(&session), []);
+    assert_eq!(suggestions(&session), []);
 }
 
 #[test]
@@ -116,8 +116,8 @@ fn weighing_constraints_more_brings_all_panels_within_the_tolerance() {
     let Some(mesh) = crate::support::shared::mesh("M2_eq_quad2.obj") else { return };
     let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
     run(&mut session, 3000);
-    let remedies = remedies(&session);
-    let more = remedies.iter().find(|remedy| remedy.label == "Weigh constraints more");
+    let suggestions = suggestions(&session);
+    let more = suggestions.iter().find(|suggestion| suggestion.label == "Weigh constraints more");
     let edit = more.expect("it helps").edit.to_string();
     session.edit(Edit::from_json(&edit).expect("it is an edit")).expect("fits");
     run(&mut session, 3000);

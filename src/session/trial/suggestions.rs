@@ -23,7 +23,7 @@ const MOST_FACTOR: f64 = 1000.0;
 /// An edit that reduces the worst distance.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct Remedy {
+pub struct Suggestion {
     /// The label of the edit.
     pub label: String,
     /// The edit in JSON, for [`Edit::from_json`].
@@ -34,14 +34,14 @@ pub struct Remedy {
 }
 
 /// The trials, run iteration by iteration.
-pub struct Remedies {
+pub struct Suggestions {
     /// The copy on which edits are tried.
     session: Session,
     before: f64,
     /// Edits still to be tried, the next one last.
     untried: Vec<(String, Value)>,
     current: Option<Trial>,
-    found: Vec<Remedy>,
+    found: Vec<Suggestion>,
 }
 
 struct Trial {
@@ -50,17 +50,17 @@ struct Trial {
     iterations: u32,
 }
 
-impl Remedies {
+impl Suggestions {
     /// Prepares the trials for a session whose run has ended.
     ///
     /// # Errors
     /// As [`Session::open`]; not expected, because the scene could be solved before.
-    pub fn new(session: &Session) -> Result<Remedies, Error> {
+    pub fn new(session: &Session) -> Result<Suggestions, Error> {
         let mut untried = candidates(session);
         untried.reverse();
         let copy = Session::open(session.scene(), session.mesh().clone())?;
         let before = session.worst_distance();
-        Ok(Remedies { session: copy, before, untried, current: None, found: Vec::new() })
+        Ok(Suggestions { session: copy, before, untried, current: None, found: Vec::new() })
     }
 
     /// Runs one iteration; returns whether there is more to try.
@@ -80,8 +80,8 @@ impl Remedies {
         Ok(self.current.is_some() || !self.untried.is_empty())
     }
 
-    /// The remedies found so far, the most effective first.
-    pub fn found(&self) -> &[Remedy] {
+    /// The suggestions found so far, the most effective first.
+    pub fn found(&self) -> &[Suggestion] {
         &self.found
     }
 
@@ -100,7 +100,7 @@ impl Remedies {
         let worst = self.session.worst_distance();
         if worst < HELPS * self.before && self.session.moved().max < self.far() {
             let place = self.found.partition_point(|other| other.worst <= worst);
-            self.found.insert(place, Remedy { label, edit, worst });
+            self.found.insert(place, Suggestion { label, edit, worst });
         }
         self.session.undo()?;
         Ok(())
