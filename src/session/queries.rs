@@ -160,7 +160,7 @@ impl Session {
         tries: bool,
     ) -> Result<Option<VerdictReport>, Error> {
         let Some(numbers) = self.verdict(tolerance) else { return Ok(None) };
-        let words = self.verdict_words(&numbers).full;
+        let words = self.verdict_words(&numbers).full();
         let mut suggestions = Vec::new();
         let trials = if tries { BetterPresses::new(self, tolerance) } else { None };
         if let Some(mut trials) = trials {

@@ -108,7 +108,7 @@ fn circular_panels_after_them_stay_near_the_surface_before_them() {
     let farthest = session.positions().iter().map(far).fold(0.0, f64::max);
     assert!(farthest > 0.0 && verdict.surface.max >= farthest, "{farthest} {verdict:?}");
     assert!(verdict.surface.max < 0.1 * layout.size, "{verdict:?}");
-    let words = session.verdict_words(&verdict).full;
+    let words = session.verdict_words(&verdict).full();
     assert!(words.contains("of the surface that they were laid out on"), "{words}");
 
     // A scene that is saved and opened again has it too.

@@ -5,6 +5,7 @@
  */
 
 import './next-step.css';
+import { NEXT_STEP_KEYS, nextStep } from '../store/next-step.ts';
 import { setItem, removeItem } from '../ui/safe-storage.ts';
 import type { Store } from '../store/state.ts';
 
@@ -55,17 +56,10 @@ export function followAdvanced(store: Store) {
 /** `data-next` and `data-moves` of the body. */
 export function followNextStep(store: Store) {
   const { dataset } = document.body;
-  store.subscribe(
-    ['document', 'model', 'running', 'converged', 'numbers', 'dragged'],
-    ({ document: scene, model, running, converged, numbers, dragged }) => {
-      const moves = String(running || dragged.length > 0);
-      if (dataset.moves !== moves) dataset.moves = moves;
-      const isConstrained = scene?.constraints.some(({ enabled }) => enabled) ?? false;
-      const isMet = converged && numbers?.exact?.met !== false;
-      let next = 'run';
-      if (!isConstrained && model?.panels.some(({ reason }) => !reason)) next = 'shape';
-      else if (!running && isConstrained && isMet && model?.faces) next = 'build';
-      if (dataset.next !== next) dataset.next = next;
-    },
-  );
+  store.subscribe([...NEXT_STEP_KEYS, 'dragged'], (state) => {
+    const moves = String(state.running || state.dragged.length > 0);
+    if (dataset.moves !== moves) dataset.moves = moves;
+    const next = nextStep(state);
+    if (dataset.next !== next) dataset.next = next;
+  });
 }

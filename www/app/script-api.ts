@@ -63,11 +63,7 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
         circularity: numbers?.circularity ?? null,
         moved: numbers?.moved ?? null,
         exact: numbers?.exact ?? null,
-        // That on another shape is out of date.
-        verdict:
-          !running && state.verdict?.shape === solver.geometry?.generation
-            ? (state.verdict?.report ?? null)
-            : null,
+        verdict: (!running && state.verdict?.report) || null,
         constraints,
         handles: handlesNow(state),
         selection: {

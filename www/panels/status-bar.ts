@@ -10,6 +10,7 @@ import {
   worstOf,
 } from '../store/colours/measures.ts';
 import { areHandlesLocked, draggableInWords } from '../store/handles.ts';
+import { nextStep } from '../store/next-step.ts';
 import { energyOrZero } from '../ui/rounding.ts';
 import { sizeOfSelection } from '../store/selection.ts';
 import { isDrawn, type State } from '../store/state.ts';
@@ -27,8 +28,8 @@ export function statusBar(
   for (const [key, name, style] of [
     ['iteration', 'iteration', 'narrow-hidden advanced'],
     ['energy', 'energy', 'wide narrow-hidden advanced'],
-    ['worst', 'worst panel', ''],
-    ['moved', 'moved', 'narrow-hidden'],
+    ['worst', 'worst panel', 'in-legend'],
+    ['moved', 'moved', 'narrow-hidden in-legend'],
     ['step', '', 'narrow-hidden'],
     ['drag', 'drag', 'narrow-hidden'],
     ['units', '', 'wide narrow-hidden advanced'],
@@ -104,6 +105,7 @@ export function statusBar(
       'selection',
       'dragged',
       'renderer',
+      'verdict',
     ],
     (state) => setText(places.hint, hintOf(state)),
   );
@@ -115,12 +117,12 @@ const SHAPES = { box: 'Drag a box', lasso: 'Draw a lasso', paint: 'Brush' };
 
 /** Returns the hint for the next action. */
 function hintOf(state: State) {
-  const { model, document, tool, shape, mode, running, converged, selection, dragged, renderer } =
-    state;
+  const { model, document, tool, shape, mode, selection, dragged, renderer } = state;
   if (!model || !document) return '';
   if (dragged.length > 0) return 'Release to place it · Esc cancels';
+  const next = nextStep(state);
   if (document.constraints.length === 0)
-    return model.panels.some(({ reason }) => !reason)
+    return next === 'shape'
       ? 'Next: make its panels circular or flat, or add another constraint'
       : 'Next: add a constraint to say what shape its parts should have';
   const isLocked = areHandlesLocked(document);
@@ -133,6 +135,8 @@ function hintOf(state: State) {
   if (renderer === 'none') return 'Run, Export and the panels work without the 3D view';
   if (tool === 'select')
     return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
+  if (next === 'choose') return 'Next: see the verdict in the view · drag elsewhere to orbit';
+  const { running, converged } = state;
   const one = draggableInWords(document);
   if (!running && !converged)
     return one

@@ -23,6 +23,12 @@ export function createActions(
 ) {
   const view = createViewActions(store);
   const { setStatus } = view;
+  // A verdict on another shape is out of date.
+  const forget = () => {
+    if (store.get().verdict?.shape !== solver.geometry?.generation) store.set({ verdict: null });
+  };
+  solver.on('frame', forget);
+  solver.on('model', () => store.set({ verdict: null }));
 
   /** Reports an error in an alert; the result is undefined then. */
   async function reportErrors<T>(promise: Promise<T> | T): Promise<T | undefined> {

@@ -120,8 +120,8 @@ export interface State {
   tape: number[] | null;
   /** shown beside the model */
   flatMap: FlatMap | null;
-  /** on the panels, and the generation of the shape that it is on */
-  verdict: { shape: number | undefined; report: PanelVerdict } | null;
+  /** on the panels, the generation of the shape that it is on, and whether the user closed it */
+  verdict: { shape: number | undefined; report: PanelVerdict; isClosed?: boolean } | null;
   /** null without fabrication panel */
   build: BuildReport | null;
   /** shown instead of the current shape, on request */

@@ -87,7 +87,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
 
 fn level_of(session: &mut Session, start: Instant) -> Level {
     let verdict = session.verdict(session.tolerance());
-    let words = verdict.as_ref().map(|verdict| session.verdict_words(verdict).full);
+    let words = verdict.as_ref().map(|verdict| session.verdict_words(verdict).full());
     Level {
         vertices: session.mesh().positions.len(),
         faces: session.mesh().faces.len(),

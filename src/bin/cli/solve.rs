@@ -138,7 +138,7 @@ struct Told {
 /// Returns the verdict in the words of the page: on the panels, on hard constraints, or on all
 /// constraints.
 fn verdict(session: &mut Session, tolerance: f64) -> Vec<String> {
-    let panels = session.verdict(tolerance).map(|verdict| session.verdict_words(&verdict).full);
+    let panels = session.verdict(tolerance).map(|verdict| session.verdict_words(&verdict).full());
     match (panels, session.exact_words()) {
         (Some(panels), Some(exact)) if exact.brief.is_empty() => vec![panels],
         (Some(panels), Some(exact)) => vec![panels, exact.brief],

@@ -18,11 +18,20 @@ const MANY_EDGES: f64 = 1.5;
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct VerdictWords {
-    /// All of it, with the worst panel and how far the mesh moved.
-    pub full: String,
+    /// What became of the panels and of the design.
+    pub brief: String,
+    /// The worst panel, unless the verdict says it, and how far the mesh moved.
+    pub numbers: String,
     /// The label of a button that makes the panels again, within the tolerance of the verdict, if they
     /// were made within another one.
     pub again: Option<String>,
+}
+
+impl VerdictWords {
+    /// All of it.
+    pub fn full(&self) -> String {
+        format!("{} {}", self.brief, self.numbers)
+    }
 }
 
 /// The quantities of the design: the symbol of the unit of the mesh, empty if not known; the size of
@@ -59,7 +68,6 @@ impl Verdict {
             self.reached(units),
             second,
             after,
-            if is_told { String::new() } else { format!("Worst {worst}.") },
             match self.is_on_other {
                 true => {
                     let far = length(self.surface.max, units);
@@ -67,16 +75,18 @@ impl Verdict {
                 }
                 false => String::new(),
             },
+        ];
+        let numbers = [
+            if is_told { String::new() } else { format!("Worst {worst}.") },
             match moved(self.moved.max, self.moved.mean, units, scale.size) {
                 Some(far) => format!("Your mesh moved by {far}."),
                 None => "Your mesh did not move.".to_owned(),
             },
         ];
-        let told: Vec<String> = sentences.into_iter().filter(|words| !words.is_empty()).collect();
         let again = self.required.filter(|&required| required != self.tolerance);
         let label =
             |_| format!("Solve again within {}", limit_like(self.tolerance, units, self.tolerance));
-        VerdictWords { full: told.join(" "), again: again.map(label) }
+        VerdictWords { brief: text(&sentences), numbers: text(&numbers), again: again.map(label) }
     }
 
     /// Says what is not good about the shape; empty if the rest of the verdict says it.
@@ -143,6 +153,13 @@ impl Verdict {
     }
 }
 
+/// Returns the sentences that are not empty as one text.
+fn text(sentences: &[String]) -> String {
+    let told: Vec<&str> =
+        sentences.iter().map(String::as_str).filter(|words| !words.is_empty()).collect();
+    told.join(" ")
+}
+
 /// Says a length relative to the mean edge.
 fn edges(far: f64) -> String {
     match far < MANY_EDGES {
@@ -202,7 +219,7 @@ mod tests {
     }
 
     fn full(verdict: &Verdict) -> String {
-        verdict.words("m", 10.0, 0.5).full
+        verdict.words("m", 10.0, 0.5).full()
     }
 
     #[test]

@@ -22,18 +22,19 @@ pub struct WholeReport(Report);
 
 /// The verdict on the panels, in numbers and in words.
 #[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
 pub struct PanelVerdict {
     /// As in the report of the command line; better choices are tried elsewhere.
     #[serde(flatten)]
     report: VerdictReport,
-    /// The label of a button that makes the panels again; see [`VerdictWords::again`].
-    again: Option<String>,
+    #[serde(flatten)]
+    said: VerdictWords,
 }
 
 impl PanelVerdict {
     fn of(session: &Session, numbers: Verdict) -> PanelVerdict {
-        let VerdictWords { full, again } = session.verdict_words(&numbers);
-        PanelVerdict { report: VerdictReport::new(numbers, full, Vec::new()), again }
+        let said = session.verdict_words(&numbers);
+        PanelVerdict { report: VerdictReport::new(numbers, said.full(), Vec::new()), said }
     }
 }
 

@@ -62,7 +62,7 @@ test('the example appears solved, and then the page is idle', looks, async ({ pa
     'title',
     new RegExp(`^Undo: Run, ${iteration} iterations`),
   );
-  await expect(page.getByText('worst panel0 mm')).toBeVisible();
+  await expect(page.locator('#legend').getByText('Worst 0 mm')).toBeVisible();
 
   const { renderer } = await waitForState(page, (now) => now.renderer.startsWith('web'));
   expect(['webgpu', 'webgl2']).toContain(renderer);
@@ -132,10 +132,10 @@ test("the first minute: drag, Reset and Run, then a model of one's own, and no m
     /^The corners of each panel lie on a circle, exactly\. Drag a blue handle/,
   );
   expect(before.exact?.met).toBe(true);
-  // During a drag the hint states the error, which is that of the status bar.
+  // During a drag the hint states the error, which is that of the legend.
   const claimed = /^The corners of each panel lie on a circle, within ([\d.]+ mm)\./;
   const said = async () => claimed.exec(await hint.innerText())?.[1];
-  const worst = page.getByTitle(/^Circularity/).locator('dd');
+  const worst = async () => /Worst (.+)/.exec(await page.locator('#legend').innerText())?.[1];
   const solvedAfter = Date.now() - began;
 
   const [soft] = before.handles.filter((handle) => !handle.fixed);
@@ -147,7 +147,7 @@ test("the first minute: drag, Reset and Run, then a model of one's own, and no m
   const followed = (now: PageState, { iteration }: PageState) =>
     now.iteration > iteration && (now.circularity?.max_distance ?? NaN) < 0.01;
   await waitForState(page, followed, before);
-  await expect.poll(async () => (await said()) === (await worst.textContent())).toBe(true);
+  await expect.poll(async () => (await said()) === (await worst())).toBe(true);
   await page.mouse.up();
   // After the drag it is exact again.
   const held = await waitForState(page, (now) => !now.running && now.exact?.met === true);

@@ -11,8 +11,7 @@ const N = 6;
 const VERTICES = (N + 1) ** 2;
 const VERDICT = (adjective: string) =>
   new RegExp(
-    `^(The surface moved .+ edge\\. )?(All|\\d+ of) ${N * N} panels are ${adjective} within 1 mm\\. Worst .+\\. ` +
-      'Your mesh moved by at most .+, .+ on average\\.$',
+    `^(The surface moved .+ edge\\. )?(All|\\d+ of) ${N * N} panels are ${adjective} within 1 mm\\.$`,
   );
 
 const offer = (page: Page) => page.getByRole('group', { name: 'Panels', exact: true });
@@ -30,11 +29,14 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   await expect(offer(page).getByText(forecast)).toBeVisible();
   // Each button exists only once.
   await press(page, 'circular').click();
-  const status = page.getByRole('status');
-  await expect(status).toHaveText(VERDICT('circular'));
+  const verdict = (adjective: string) => offer(page).getByText(VERDICT(adjective));
+  await expect(verdict('circular')).toBeVisible();
   const solved = await waitForState(page, (now) => !now.running && now.iteration > 0);
   expect(solved.constraints).toEqual({ circle: N * N });
-  await expect(offer(page).getByText(VERDICT('circular'))).toBeVisible();
+  // The numbers are in the legend, once.
+  await expect(page.getByText(/^Worst [\d.]+ mm\s+Moved [\d.]+ m+, mean/)).toBeVisible();
+  await expect(offer(page).getByText('Your mesh moved')).toBeHidden();
+  await expect(page.getByRole('status')).toHaveText(/^Converged after \d+ iterations/);
 
   // The circles are drawn once the mesh is there.
   await showPanel(page, 'Energies and display');
@@ -43,7 +45,7 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   // The other button is in the panel by now; it replaces the first constraint.
   await showPanel(page, 'Model');
   await press(page, 'flat').click();
-  await expect(status).toHaveText(VERDICT('flat'));
+  await expect(verdict('flat')).toBeVisible();
   const flat = await waitForState(page, (now) => !now.running);
   expect(flat.constraints).toEqual({ plane: N * N });
   expect(flat.planarity?.max_distance).toBeLessThan(0.01);
@@ -53,14 +55,9 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   await expect(page.getByRole('combobox', { name: 'Colour by' })).toHaveValue('planarity');
   await showPanel(page, 'Model');
 
-  // The verdict in the status line is that on the card.
-  const said = async () => (await status.textContent()) ?? '';
-  const before = await said();
-  await expect(offer(page)).toContainText(before);
   await page.getByLabel('Tolerance').fill('0.00001');
   await page.getByLabel('Tolerance').press('Enter');
-  await expect.poll(said).not.toBe(before);
-  await expect(offer(page)).toContainText(await said());
+  await expect(offer(page).getByText(/panels are flat within (?!1 mm)/)).toBeVisible();
   await offer(page).getByRole('button', { name: 'Close', exact: true }).click();
   await expect(offer(page)).toBeHidden();
 });
@@ -81,7 +78,6 @@ test.describe('with every row closed', () => {
     const words =
       /^(\d+) of 144 panels are flat within 1 mm, the other (\d+) within [\d.]+ m+, so that none folds\./;
     await expect(offer(page).getByText(words)).toBeVisible();
-    await expect(page.getByRole('status')).toHaveText(words);
     await expect(offer(page).getByText(/folded or dented/)).toBeHidden();
     await expect(offer(page).getByRole('button', { name: 'Show the folds' })).toBeHidden();
     // The row shows it, too.

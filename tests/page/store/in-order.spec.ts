@@ -217,7 +217,7 @@ test.describe('with slow answers', () => {
       await tolerance.fill(value);
       await tolerance.press('Enter');
     };
-    await expect(page.getByRole('status')).toContainText('Your mesh moved');
+    await expect(card).toContainText('Your mesh moved');
     // Nothing is asked any more.
     await page.waitForTimeout(2 * SLOWLY);
     await set('2');

@@ -7,7 +7,15 @@ import './make-panels.css';
 import { button, closeButton } from '../../ui/controls/fields.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import { newestOnly } from '../../store/newest-only.ts';
-import { RENEW_MS, byId, element, removeKeepingFocus, setText, throttled } from '../../ui/dom.ts';
+import {
+  RENEW_MS,
+  byId,
+  element,
+  removeKeepingFocus,
+  setAttribute,
+  setText,
+  throttled,
+} from '../../ui/dom.ts';
 import { cover, showElements } from '../../viewport/camera.ts';
 import { BetterChoices } from './better-choices.ts';
 import { isMeshLocked, panelButtons, addButtons } from './buttons.ts';
@@ -35,7 +43,10 @@ export class MakePanels {
   #underWay: unknown = null;
   /** The model for which a press has switched the fitted shapes on. */
   #shown: unknown = null;
-  #text = element('p');
+  #text = element('span');
+  /** Numbers of the verdict, shown where the legend gives way to it. */
+  #numbers = element('span.numbers');
+  #verdict = element('p', this.#text, ' ', this.#numbers);
   /** How far the mesh will move, and why. */
   #forecast = element('p.quiet.forecast');
   /** Lays out panels along the lines of curvature; not offered where they would help little. */
@@ -67,8 +78,6 @@ export class MakePanels {
   /** Whether the next verdict is that on an ended run. */
   #isAtEnd = false;
   #newestForecast = newestOnly(() => this.#app.store.get().model);
-  /** The verdict that was put into the status line last. */
-  #said = '';
 
   constructor(app: AppContext) {
     this.#app = app;
@@ -263,11 +272,12 @@ export class MakePanels {
     removeKeepingFocus(this.#card, show);
     if (what !== 'verdict') return;
     setText(this.#text, '');
+    setText(this.#numbers, '');
     const hold = button('Hold to see the original', () => {});
     this.#app.hold.bind(hold);
     this.#changes.hidden = true;
     this.#changes.append(this.#newPanels, this.#suggestionButton);
-    this.#card.append(this.#text, hold, this.#closeButton(), this.#changes);
+    this.#card.append(this.#verdict, hold, this.#closeButton(), this.#changes);
     void this.#showVerdict(false);
   }
 
@@ -278,13 +288,15 @@ export class MakePanels {
 
   #closeButton() {
     const close = () => {
-      this.#closed = this.#app.store.get().model;
+      const { model, verdict } = this.#app.store.get();
+      this.#closed = model;
+      if (verdict) this.#app.actions.judge({ ...verdict, isClosed: true });
       this.#show();
     };
     return closeButton('Close', close);
   }
 
-  /** Shows the verdict, and announces it at the end of a run. */
+  /** Shows the verdict, after the end of a run or of a change. */
   async #showVerdict(atEnd: boolean) {
     if (this.#shows !== 'verdict') return;
     this.#isAtEnd ||= atEnd;
@@ -299,7 +311,9 @@ export class MakePanels {
     if (goesOn()) {
       const progress = await actions.ask.panelProgress().catch(() => '');
       if (!progress || !isShown() || !goesOn()) return;
+      setAttribute(this.#verdict, 'aria-live', 'off');
       setText(this.#text, `${store.get().numbers?.attempt ?? ''} ${progress}`.trim());
+      setText(this.#numbers, '');
       return this.#showChanges(null);
     }
     const atEnd = this.#isAtEnd;
@@ -307,17 +321,12 @@ export class MakePanels {
     const verdict = await actions.ask.verdict().catch(() => null);
     // Where a run has begun meanwhile, its progress comes next.
     if (!verdict || !isShown() || goesOn()) return;
-    const { running, numbers } = store.get();
-    const text = `${this.#chosen(atEnd)}${verdict.words}`;
     actions.judge({ shape: this.#app.solver.geometry?.generation, report: verdict });
-    setText(this.#text, text);
+    setAttribute(this.#verdict, 'aria-live', 'polite');
+    setText(this.#text, `${this.#chosen(atEnd)}${verdict.brief}`);
+    setText(this.#numbers, verdict.numbers);
     this.#kind = verdict.kind;
     this.#showChanges(verdict);
-    // A verdict in the status line is renewed with that on the card.
-    const isSaid = this.#said !== '' && store.get().status === this.#said;
-    if (running || numbers?.collapse || !(atEnd || isSaid)) return;
-    this.#said = text;
-    actions.setStatus(text);
   }
 
   /** The better choice that led to the shape, to begin a verdict with; empty for another shape. */

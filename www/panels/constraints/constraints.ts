@@ -6,7 +6,6 @@
 import { amountField, closeButton } from '../../ui/controls/fields.ts';
 import { RENEW_MS, element, icon, setAttribute, setText, throttled } from '../../ui/dom.ts';
 import { groupDigits, length, limit, part } from '../../ui/format.ts';
-import { movedInWords } from '../../store/colours/measures.ts';
 import { valueInWords } from '../../ui/kinds/parameter-forms.ts';
 import { energyOrZero, lengthOrZero } from '../../ui/rounding.ts';
 import { detailsOf, editName } from './details.ts';
@@ -18,9 +17,6 @@ const NONE = new Uint32Array(0);
 export function constraintsPanel(place: HTMLElement, { store, actions }: AppContext) {
   /** Cells with values of the iteration, per row. */
   let cells: { worst: HTMLElement; within: HTMLElement; share: HTMLElement }[] = [];
-  const moved = element('p.quiet', {
-    title: 'Distance of the vertices from their original positions',
-  });
   /** The row that was just renamed and gets the focus back. */
   let renamed: number | null = null;
   /** The displayed rows, serialised. */
@@ -151,9 +147,6 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
     if (!document) return;
     const { tolerance } = document;
     const size = model?.size ?? 0;
-    const movedText = movedInWords(store.get());
-    setText(moved, movedText && `Moved ${movedText}`);
-    moved.hidden = !movedText;
     document.constraints.forEach((row, i) => {
       const value = numbers?.worst[i];
       if (!cells[i]) return;
@@ -161,10 +154,13 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
       const known = row.enabled && value !== undefined;
       const words = (far: number) => length(far, document.units, tolerance);
       setText(worst, known ? `worst ${words(lengthOrZero(value, size))}` : '');
-      const isWithin = known && value <= tolerance;
-      const allowed = limit(tolerance, document.units);
-      const side = isWithin ? 'within' : 'beyond';
-      setText(within, known ? `${side} ${allowed}` : '');
+      // The row says what it requires.
+      const required = typeof row.require === 'object' ? row.require.within : null;
+      const allowed = required ?? tolerance;
+      const isWithin = known && value <= allowed;
+      const isMet = isWithin && required !== null;
+      const side = `${isWithin ? 'within' : 'beyond'} ${limit(allowed, document.units)}`;
+      setText(within, known ? (isMet ? 'met' : side) : '');
       setAttribute(within, 'class', isWithin ? 'within met' : 'within');
       const some = known && numbers && energyOrZero(numbers.energy.total, size) > 0;
       setText(share, some ? `${part(numbers.shares[i])} of energy` : '');
@@ -183,7 +179,6 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
       document.constraints.length > 0
         ? element('ul', { 'aria-label': 'Constraints' }, ...document.constraints.map(keyedRow))
         : element('p.quiet', 'No constraints yet. Add one, then press Run.'),
-      moved,
     );
     if (focused) {
       const name: HTMLElement | null = place.querySelector(`[data-index="${renamed}"] .name`);

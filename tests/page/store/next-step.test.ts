@@ -1,0 +1,44 @@
+// The next step, which one button and the hint in the status bar propose.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { nextStep } from '../../../www/store/next-step.ts';
+
+type Known = Parameters<typeof nextStep>[0];
+
+/** A made model with a good verdict, and what differs. */
+function after(change: object = {}) {
+  const known = {
+    document: { constraints: [{ enabled: true }] },
+    model: { faces: 4, panels: [{ reason: '' }] },
+    running: false,
+    converged: true,
+    numbers: { exact: { met: true } },
+    verdict: { shape: 3, report: { level: 'good' } },
+    ...change,
+  };
+  return nextStep(known as unknown as Known);
+}
+
+test('the next step is the first that is missing', () => {
+  const bare = { constraints: [] };
+  assert.equal(after({ document: bare }), 'shape');
+  // A constraint has to be added: no button can know which.
+  assert.equal(
+    after({ document: bare, model: { faces: 4, panels: [{ reason: 'mixed' }] } }),
+    'run',
+  );
+  assert.equal(after({ converged: false }), 'run');
+  assert.equal(after({ running: true }), 'run');
+  assert.equal(after({ numbers: { exact: { met: false } } }), 'run');
+  assert.equal(after({ model: { faces: 0, panels: [] } }), 'run');
+  assert.equal(after(), 'build');
+});
+
+test('what is not good is not to be built, unless its verdict was closed', () => {
+  // It used to be "Next: Build" beside the words that half of the roof is lost.
+  const poor = { shape: 3, report: { level: 'poor' } };
+  assert.equal(after({ verdict: poor }), 'choose');
+  assert.equal(after({ verdict: { ...poor, isClosed: true } }), 'build');
+  assert.equal(after({ verdict: null }), 'build');
+});

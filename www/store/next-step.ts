@@ -1,0 +1,37 @@
+/** The next step that the page proposes: its button is filled, and the status bar names it. */
+
+import type { State } from './state.ts';
+
+/** What is needed to know it. */
+export const NEXT_STEP_KEYS = [
+  'document',
+  'model',
+  'running',
+  'converged',
+  'numbers',
+  'verdict',
+] as const;
+
+/**
+ * - `shape`: nothing is constrained yet, and there are panels
+ * - `run`: constraints are not met, or nothing can be built
+ * - `choose`: the panels are made, but a better shape may be had
+ * - `build`: all is met
+ */
+export type NextStep = 'shape' | 'run' | 'choose' | 'build';
+
+type Known = Pick<State, (typeof NEXT_STEP_KEYS)[number]>;
+
+export function nextStep({
+  document,
+  model,
+  running,
+  converged,
+  numbers,
+  verdict,
+}: Known): NextStep {
+  if (!document?.constraints.some(({ enabled }) => enabled))
+    return model?.panels.some(({ reason }) => !reason) ? 'shape' : 'run';
+  if (running || !converged || numbers?.exact?.met === false || !model?.faces) return 'run';
+  return verdict && !verdict.isClosed && verdict.report.level !== 'good' ? 'choose' : 'build';
+}
