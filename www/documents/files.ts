@@ -61,7 +61,7 @@ export class Files extends Emitter<{ opened: void }> {
   /** Text of its scene when opened; null for resumed work. */
   original: string | null = null;
   /** All openings of models: commands given meanwhile apply to the model that is coming. */
-  readonly openings = new Openings();
+  readonly openings = new Openings(() => this.#alerts.clear());
   #examples: Promise<Example[]> | null = null;
   #store;
   #solver;
@@ -114,8 +114,6 @@ export class Files extends Emitter<{ opened: void }> {
     opening: Opening,
     cancelled?: AbortSignal,
   ): Promise<Loaded | null> {
-    // Before it, not after: the message of a link that was refused meanwhile stays.
-    this.#alerts.clear();
     try {
       const hidden = origin.hidden ?? false;
       const files = await Promise.all(given.map((file) => asMesh(file, hidden, cancelled)));

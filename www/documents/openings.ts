@@ -21,6 +21,12 @@ export class Openings {
   #opened = 0;
   /** When those end that have not opened their models yet, by number. */
   #ends: Map<number, Promise<unknown>> = new Map();
+  #begins;
+
+  /** @param begins called when one begins; what it says stays until the next one */
+  constructor(begins: () => void = () => {}) {
+    this.#begins = begins;
+  }
 
   /**
    * Begins an opening.
@@ -29,6 +35,7 @@ export class Openings {
    */
   begin<T>(open: (opening: Opening) => Promise<T>): Promise<T | null> {
     const number = ++this.#begun;
+    this.#begins();
     const opening = {
       isWanted: () => this.#isWanted(number),
       opened: () => {

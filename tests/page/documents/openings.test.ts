@@ -57,3 +57,17 @@ test('the failure of an earlier opening is dropped once a later one has opened i
   assert.equal(await example.done, null);
   assert.deepEqual(opened, ['own']);
 });
+
+test('messages are cleared as an opening begins, never later', async () => {
+  // A refused link's message was lost when the first example, begun before it, came after it.
+  let cleared = 0;
+  const openings = new Openings(() => (cleared += 1));
+  let arrive = () => {};
+  const example = openings.begin(() => new Promise<void>((done) => (arrive = done)));
+  const link = openings.begin(() => Promise.reject(new Error('truncated')));
+  await assert.rejects(link, /truncated/);
+  assert.equal(cleared, 2);
+  arrive();
+  await example;
+  assert.equal(cleared, 2);
+});
