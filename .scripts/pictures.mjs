@@ -2,6 +2,7 @@
 // those of the gallery and those of the first screen, and writes the results shown beside them. The
 // pictures are kept in the repository, and the next build puts them into the site.
 // npm run pictures -- first: takes those of the first screen only; the gallery takes some minutes.
+// npm run pictures -- readme: takes those of the README, in .github.
 
 import { chromium } from '@playwright/test';
 import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -10,6 +11,7 @@ import { findBrowser, webgl2Flags } from './browser.mjs';
 import { at } from './project.mjs';
 import { main, Problem, run, say } from './run.mjs';
 import { serve } from './serve.mjs';
+import { takeReadme } from './readme-pictures.mjs';
 
 const folder = at('www', 'pictures');
 /** Limit of all pictures together, in bytes. */
@@ -220,8 +222,8 @@ const solveExamples = () =>
   );
 
 await main(async () => {
-  const onlyFirst = process.argv.includes('first');
-  if (!onlyFirst) {
+  const [onlyFirst, onlyReadme] = ['first', 'readme'].map((word) => process.argv.includes(word));
+  if (!onlyFirst && !onlyReadme) {
     rmSync(folder, { recursive: true, force: true });
     mkdirSync(folder);
     say('solving the examples for their results');
@@ -233,6 +235,7 @@ await main(async () => {
     args: webgl2Flags,
   });
   try {
+    if (onlyReadme) return await takeReadme(browser, address);
     say('taking pictures of the first screen');
     await takeFirst(browser, address);
     if (onlyFirst) return;
