@@ -2,7 +2,9 @@
 // a vault of triangles, circular panels along its lines of curvature, and a sheet of them.
 
 import { writeFileSync } from 'node:fs';
+import { objText } from './bench/problems.mjs';
 import { at } from './project.mjs';
+import { trianglesOn, vault } from './surfaces.mjs';
 
 const VIEW = { width: 1440, height: 900 };
 /** The size of each of the three pictures, in CSS pixels. */
@@ -12,43 +14,6 @@ const CAPTIONS = [
   'Circular panels along its lines of curvature',
   'Sheets to cut',
 ];
-
-/** Returns numbers from -1/2 to 1/2, the same in every run. */
-function random() {
-  let state = 7;
-  return () => {
-    state = (state * 16807) % 2147483647;
-    return state / 2147483647 - 0.5;
-  };
-}
-
-/** The text of an OBJ file of a vault over a bent axis, wide at its ends, of irregular triangles. */
-export function vaultOfTriangles(along = 44, across = 26) {
-  const next = random();
-  const point = (u, v) => {
-    const [turn, flare] = [0.9 * (u - 0.5), (2 * u - 1) ** 2];
-    const [half, rise] = [5.2 + 2.6 * flare, 4.2 + 1.6 * flare - 0.8 * u];
-    const [side, height] = [half * Math.sin(1.5 * v), rise * Math.cos(1.5 * v)];
-    const radius = 30 / 0.9;
-    return [(radius - side) * Math.sin(turn), radius - (radius - side) * Math.cos(turn), height];
-  };
-  const lines = [];
-  for (let i = 0; i <= along; i++)
-    for (let j = 0; j <= across; j++) {
-      // Those of the boundary stay on it.
-      const shift = (k, most) => (k === 0 || k === most ? k : k + 0.6 * next()) / most;
-      const place = point(shift(i, along), 2 * shift(j, across) - 1);
-      lines.push(`v ${place.map((x) => x.toFixed(4)).join(' ')}`);
-    }
-  for (let i = 0; i < along; i++)
-    for (let j = 0; j < across; j++) {
-      const a = i * (across + 1) + j + 1;
-      const [b, c, d] = [a + across + 1, a + across + 2, a + 1];
-      if (next() < 0) lines.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
-      else lines.push(`f ${a} ${b} ${d}`, `f ${b} ${c} ${d}`);
-    }
-  return `${lines.join('\n')}\n`;
-}
 
 /** A picture of the view in a page, as a data URL. */
 async function pictureOf(page) {
@@ -65,9 +30,11 @@ async function pictureOf(page) {
 
 /** Makes panels of the vault and a sheet as a user does; returns the three pictures as data URLs. */
 async function walk(page, address) {
+  const { points, faces } = trianglesOn(vault);
+  const obj = objText(points, faces);
   await page.goto(address);
   await page.waitForFunction(() => window.shapeUp?.state().converged);
-  await page.evaluate((text) => window.shapeUp.open(text, 'vault.obj'), vaultOfTriangles());
+  await page.evaluate((text) => window.shapeUp.open(text, 'vault.obj'), obj);
   // The proportions of a picture are those of the view.
   const pictures = [await pictureOf(page)];
   const camera = await page.evaluate(() => window.shapeUp.camera());

@@ -151,11 +151,20 @@ export function exact(problem) {
   return { seconds, distance, misses, megabytes: memory.buffer.byteLength / 1e6 };
 }
 
+/** Panels along the lines of curvature of a mesh, in a module that has run nothing yet. */
+export function remesh({ mesh, panels: count, boundary }) {
+  const solver = new Solver();
+  solver.load('problem.obj', encoder.encode(mesh));
+  const copy = new ModelCopy(solver.scene(), solver.generation(), () => {});
+  const settings = { count, follow: 0.67, even: 0.25, boundary };
+  return { seconds: timed(() => copy.layOutPanels(settings, new Uint32Array(0))) / 1e3 };
+}
+
 /** Flat maps: the first one, in a module that has run nothing yet, and three more. */
 export function maps(problem) {
   const solver = new Solver();
   solver.load('problem.obj', encoder.encode(problem.mesh));
-  const copy = new ModelCopy(solver.scene(), solver.generation());
+  const copy = new ModelCopy(solver.scene(), solver.generation(), () => {});
   let eigenvalue;
   const once = () => timed(() => ({ eigenvalue } = copy.parametrize(problem.map, 'boundary')));
   const [cold, ...others] = times(4, once);

@@ -57,6 +57,19 @@ export async function startNative(trial) {
       const { seconds, eigenvalue } = reportOn('parametrize', meshFile, '--weights', map);
       return { cold: 1e3 * seconds.total, eigenvalue };
     },
+    /** Panels along the lines of curvature of a mesh: the seconds. */
+    remesh({ from, to, panels, boundary }) {
+      const wishes = ['--quads', String(panels), '--boundary', boundary];
+      const { seconds } = reportOn('remesh', from, ...wishes, '--out', to);
+      return { seconds: seconds.total };
+    },
+    /** How quads lie, and what becomes of them when they are made circular. */
+    circular({ meshFile }) {
+      const { faces, curvature } = reportOn('check', meshFile);
+      const press = ['solve', meshFile, '--panels', 'circle', '--within', 'auto'];
+      const { moved, folded, level } = reportOn(...press).verdict;
+      return { made: faces, degrees: curvature.mean_degrees, moved, folded, level };
+    },
     /** How far corners are from their circle or plane in a mesh of another library. */
     distance({ meshFile, kind, size }) {
       const { circularity, planarity } = reportOn('check', meshFile);

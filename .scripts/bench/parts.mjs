@@ -2,6 +2,7 @@
 
 import { measurePeer, peers } from './peers.mjs';
 import { letters, problemOf } from './problems.mjs';
+import { measureQuads, quadCases } from './quads.mjs';
 import { measureStart } from './start.mjs';
 
 const SIZES = { sizes: [2500, 10_000], more: [30_000, 100_000] };
@@ -97,6 +98,18 @@ export const parts = {
     },
   },
 
+  quads: {
+    cases: (options) => (options.where.includes('native') ? quadCases(options) : []),
+    measure: measureQuads,
+    tables: {
+      'Quads on triangulated roofs, and the same made circular; moves are in mean edges of the panels:': `
+        surface | triangles | by = library | panels = quads.made | irregular = quads.irregular |
+        degrees off the lines of curvature = quads.degrees | mean move = quads.mean |
+        largest = quads.max | folded = quads.folded | verdict = quads.level |
+        s, natively = seconds.native | s, in the browser = seconds.browser`,
+    },
+  },
+
   peers: {
     cases: ({ sizes, where }) =>
       peers
@@ -144,7 +157,7 @@ export function casesOf(name, options) {
 /** Measures a case; returns a row or several. `on` performs a measurement in a place. */
 export async function measured(name, one, where, on) {
   const { measure, places = ['native', 'browser'] } = parts[name];
-  if (measure) return measure(one, on);
+  if (measure) return measure(one, on, where);
   const problem = problemOf(one.problem, one.size);
   const row = rowOf(problem);
   for (const place of places.filter((each) => where.includes(each)))

@@ -76,20 +76,35 @@ function setUp(library) {
   spawnSync(python, ['-m', 'pip', 'install', '--only-binary', ':all:', 'numpy', library]);
 }
 
+/** Performs a task in Python; returns its result, or { failed } with the last line of the error. */
+function performed(library, call, task) {
+  setUp(library);
+  writeFileSync(taskFile, JSON.stringify({ library, call, ...task }));
+  const words = [at('tests', 'bench', 'peers.py'), taskFile, resultFile];
+  // One core each, as ours.
+  const env = { ...process.env, OMP_NUM_THREADS: '1', OPENBLAS_NUM_THREADS: '1' };
+  const { status, stderr } = spawnSync(python, words, { encoding: 'utf8', env });
+  if (status !== 0) return { failed: stderr?.trim().split('\n').at(-1) || 'it fails' };
+  return JSON.parse(readFileSync(resultFile, 'utf8'));
+}
+
+/** Covers triangles with about as many quads by another library, into a file; returns { ms, version }. */
+export function quadsOf(library, task, path) {
+  const { failed, version, ms, points, faces } = performed(library, library, task);
+  if (failed) return { failed };
+  writeFileSync(path, objText(points, faces));
+  return { ms, version: `${library} ${version}` };
+}
+
 /**
  * Measures a peer on a problem: milliseconds per iteration; or the seconds, and the distance of the
  * corners to their circle or plane, of its way that comes closest. `distance` measures a problem.
  */
 export async function measurePeer({ library, call }, problem, distance) {
-  setUp(library);
   const { points, faces, handles, kind } = problem;
-  writeFileSync(taskFile, JSON.stringify({ library, call, kind, handles, points, faces }));
-  const words = [at('tests', 'bench', 'peers.py'), taskFile, resultFile];
-  // One core each, as ours.
-  const env = { ...process.env, OMP_NUM_THREADS: '1', OPENBLAS_NUM_THREADS: '1' };
-  const { status, stderr } = spawnSync(python, words, { encoding: 'utf8', env });
-  if (status !== 0) return { library, its: stderr?.trim().split('\n').at(-1) || 'it fails' };
-  const { version, steps, ways } = JSON.parse(readFileSync(resultFile, 'utf8'));
+  const task = { kind, handles, points, faces };
+  const { failed, version, steps, ways } = performed(library, call, task);
+  if (failed) return { library, its: failed };
   const named = { library: `${library} ${version}` };
   if (steps) return { ...named, its: median(steps) };
   const meshFile = join(benchFolder, 'peer.obj');

@@ -131,6 +131,25 @@ def libigl_exact(points, faces, task):
     return {"ways": [{"way": "planarize_quad_mesh, 100 iterations", "ms": ms, "shape": shape.tolist()}]}
 
 
+def pynanoinstantmeshes(points, faces, task):
+    """Quads in four directions; it divides each into four at last."""
+    from pynanoinstantmeshes import remesh
+
+    given = points.astype(numpy.float32), faces.astype(numpy.uint32)
+    count = task["panels"] // 4
+    (points, faces), ms = timed(lambda: remesh(*given, count, align_to_boundaries=True, deterministic=True))
+    return {"ms": ms, "points": points.tolist(), "faces": faces.tolist()}
+
+
+def pyQuadriFlow(points, faces, task):
+    """Quads, the boundary kept."""
+    from pyQuadriFlow.pyQuadriFlow import pyquadriflow
+
+    given = points.tolist(), faces.tolist()
+    made, ms = timed(lambda: pyquadriflow(task["panels"], 0, *given, False, True, False, False, False))
+    return {"ms": ms, "points": made["vertices"], "faces": made["faces"]}
+
+
 if __name__ == "__main__":
     with open(sys.argv[1], encoding="utf-8") as file:
         asked = json.load(file)

@@ -13,6 +13,7 @@ mod fuzzed;
 mod measure;
 mod new_kinds;
 mod operation_cost;
+mod operation_refusals;
 mod operations;
 mod plan;
 mod polygon_laplacian;
