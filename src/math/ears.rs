@@ -29,13 +29,20 @@ pub fn ears(polygon: &[Point2]) -> Vec<[usize; 3]> {
                     |&[p0, p1]: &[Point2; 2]| turn(p0, p1, p) >= -least * distance(p0, p1);
                 [[a, b], [b, c], [c, a]].iter().all(is_left)
             };
-            let is_other = |corner: &&usize| !own.contains(corner);
-            turn(a, b, c) > least * distance(a, c)
-                && !left.iter().filter(is_other).any(|&corner| holds(polygon[corner]))
+            // Another corner at the same point, as at the ends of a slit, is not in the ear.
+            let is_other = |&p: &Point2| p != a && p != b && p != c;
+            !left.iter().map(|&corner| polygon[corner]).filter(is_other).any(holds)
         };
-        let shortest = |a: &usize, b: &usize| diagonal(*a).total_cmp(&diagonal(*b)).then(a.cmp(b));
+        let turns_left = |&k: &usize| {
+            let [a, b, c] = ear(k).map(|corner| polygon[corner]);
+            turn(a, b, c) > least * distance(a, c)
+        };
+        // Most of the first ones are whole; to test all would take the cube of their number.
+        let mut all: Vec<(f64, usize)> =
+            (0..n).filter(turns_left).map(|k| (diagonal(k), k)).collect();
+        all.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         // A polygon that crosses itself may have no ear: cut off any triangle.
-        let k = (0..n).filter(is_whole).min_by(shortest).unwrap_or(0);
+        let k = all.into_iter().map(|(_, k)| k).find(is_whole).unwrap_or(0);
         found.push(ear(k));
         left.remove(k);
     }
@@ -93,6 +100,17 @@ mod tests {
         let areas: Vec<f64> = areas.collect();
         assert!(areas.iter().all(|twice| *twice > 0.0));
         assert_eq!(areas.iter().sum::<f64>(), 16.0);
+    }
+
+    #[test]
+    fn corners_at_one_point_do_not_block_each_other() {
+        // A notched polygon with its tip and another corner twice.
+        let notched =
+            [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [4.0, 3.0], [2.0, 1.0], [2.0, 1.0], [0.0, 3.0]];
+        let found = ears(&notched);
+        let areas = || found.iter().map(|&[a, b, c]| turn(notched[a], notched[b], notched[c]));
+        assert!(areas().all(|twice| twice >= 0.0), "{found:?}");
+        assert_eq!((found.len(), areas().sum::<f64>()), (5, 16.0));
     }
 
     #[test]
