@@ -4,13 +4,24 @@
 use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, beam_name, node_name};
 use super::fault::Fault;
-use super::panel::{inset, is_simple, smallest_box};
+use super::panel::{check_size, inset, is_simple, smallest_box};
 use super::paper::{MissingNames, PaperModel, PaperSize, drawn, write_names};
 use super::sheet::{
     CutPart, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
 use crate::math::plane::{Point2, rotated};
 use crate::scene::{BuildSettings, Product};
+
+/// Why a panel has no outline whose sides are moved inwards by `by`.
+fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
+    if inset(panel, 0.0).is_none() {
+        "two of its sides lie on each other"
+    } else if by < 0.0 {
+        "a notch in it is too narrow for the kerf"
+    } else {
+        "it is too small for the joint"
+    }
+}
 
 /// The name of what lies beyond each side of a part.
 type Beside = Vec<Option<String>>;
@@ -60,10 +71,12 @@ impl Build {
         let flat = self.flat[f].as_ref().ok_or("it has no area")?;
         let scaled: Vec<Point2> =
             flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
+        check_size(&scaled)?;
         if !is_simple(&scaled) {
             return Err("laid flat it crosses itself");
         }
-        let outline = inset(&scaled, by).ok_or("it is too small for the joint")?;
+        let outline = inset(&scaled, by).ok_or_else(|| why_no_outline(&scaled, by))?;
+        check_size(&outline)?;
         let (turn, size) = smallest_box(&outline);
         let turned =
             |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
@@ -103,7 +116,9 @@ impl Build {
                 let scaled = fin.outline.map(|corner| corner.map(|x| x * model));
                 let outline =
                     if kerf > 0.0 { inset(&scaled, -0.5 * kerf) } else { Some(scaled.into()) };
-                Ok((fin, outline.ok_or("it is too small for the kerf")?))
+                let outline = outline.ok_or("it is too small for the kerf")?;
+                check_size(&outline)?;
+                Ok((fin, outline))
             });
             match fin {
                 Ok((fin, outline)) => {
@@ -162,7 +177,9 @@ impl Build {
                     };
                     let Labels { lines, texts, dropped, small } = label(own);
                     part.engraved = lines;
-                    MissingNames { dropped, small: usize::from(small), piece: texts.is_empty() }
+                    // Without room there is no small name either.
+                    let small = usize::from(small && !texts.is_empty());
+                    MissingNames { dropped, small, piece: texts.is_empty() }
                 }
             };
             part.named = if missing.piece { NamePlace::Nowhere } else { NamePlace::OnPart };

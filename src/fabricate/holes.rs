@@ -1,5 +1,5 @@
 //! Holes for dowels, bolts or ties: two on each side of every edge between panels, opposite each
-//! other, or one at each end of a fin.
+//! other, or one at each end of a fin. An edge without length, where panels only touch, has none.
 
 use super::build::Build;
 use super::panel::{direction_of, distance_to_outline};
@@ -41,6 +41,14 @@ impl Build {
             let [Some(f), Some(g)] = edge.panels else { continue };
             let cut = [f, g].map(|f| self.cut[f as usize].as_ref().map(|cut| (f, cut)));
             let [Some(one), Some(other)] = cut else { continue };
+            match self.surface.length(edge) * self.mm_of_sheet() {
+                0.0 => continue,
+                short if short < diameter => {
+                    self.dropped_holes += 2 * ALONG.len();
+                    continue;
+                }
+                _ => {}
+            }
             for share in ALONG {
                 // The panels traverse the edge in opposite directions: hence `1 - share`.
                 let at = |(f, cut): (u32, &super::build::CutPanel), share: f64| {

@@ -204,6 +204,20 @@ fn what_is_no_fin_is_named_and_the_rest_is_cut() {
 }
 
 #[test]
+fn fins_beyond_the_crossing_of_their_axes_are_not_said_to_be_cut_away_at_their_nodes() {
+    // All axes of a cube with sides of 2 meet at its centre, and plates without thickness need no room.
+    let own = BuildSettings { thickness: 0.0, ..settings() };
+    let why = |distance| {
+        let made = build(&cube(), &BuildSettings { distance: Some(distance), ..own.clone() });
+        made.not_cut.iter().map(|not| not.why).collect::<Vec<_>>()
+    };
+    assert_eq!(why(-1.2), ["the axes of its nodes cross within its height"; 12]);
+    assert_eq!(why(-0.9), [""; 0]);
+    let thick = build(&cube(), &BuildSettings { thickness: 400.0, ..settings() });
+    assert!(thick.not_cut[0].why.contains("cut away at its nodes"), "{:?}", thick.not_cut[0]);
+}
+
+#[test]
 fn without_an_outside_there_are_no_fins_and_it_says_so() {
     let positions = [[0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [-1.0, 0.1, 0.0], [0.1, 1.0, 0.0]];
     let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };

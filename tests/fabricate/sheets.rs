@@ -66,8 +66,14 @@ fn holes_are_narrower_by_the_kerf_and_are_cuts_too() {
     let without = build(&mesh, &plain).report().cut_length_mm;
     assert!((made.report().cut_length_mm - without - around).abs() < 1e-9);
     // Holes narrower than the kerf cannot be cut.
-    let narrow = build(&mesh, &BuildSettings { hole: 0.5, ..plain }).report();
-    assert_eq!((narrow.holes, narrow.dropped_holes), (0, 4));
+    let narrow = build(&mesh, &BuildSettings { hole: 0.5, ..plain });
+    let report = narrow.report();
+    assert_eq!((report.holes, report.dropped_holes), (0, 4));
+    let words = narrow.words(&report).warnings;
+    assert!(
+        words.contains(&"4 holes are left out: no wider than the kerf.".to_owned()),
+        "{words:?}"
+    );
 }
 
 #[test]
@@ -91,4 +97,19 @@ fn parts_in_the_order_of_names_are_in_rows_and_columns_where_names_are() {
         .map(|name| (name.find('-').unwrap(), name))
         .collect();
     assert!(found.len() == 756 && found.is_sorted(), "{found:?}");
+}
+
+#[test]
+fn a_part_that_fits_only_on_the_diagonal_of_the_sheet_is_laid_there() {
+    // 460 by 20 mm on a sheet of 420 by 297 mm.
+    let positions = vec![[0.0; 3], [0.46, 0.0, 0.0], [0.46, 0.02, 0.0], [0.0, 0.02, 0.0]];
+    let mut mesh = Mesh { positions, ..Mesh::default() };
+    mesh.faces.push(&[0, 1, 2, 3]);
+    let own = BuildSettings { scale: 1.0, ..BuildSettings::default() };
+    let made = build(&mesh, &own);
+    assert!(made.layout.too_large.is_empty());
+    let place = &made.layout.sheets[0].places[0];
+    for [x, y] in made.parts[0].outline.iter().map(|&point| place.to_sheet(point)) {
+        assert!(x >= 5.0 - 1e-6 && y >= 5.0 - 1e-6 && x <= 415.0 + 1e-6 && y <= 292.0 + 1e-6);
+    }
 }

@@ -62,6 +62,9 @@ pub fn fin(
     }
     // Each axis in the plane of the fin.
     let flat = tilted.map(|n| [n.dot(t), n.dot(b)]);
+    if length + height * (flat[1][0] - flat[0][0]) <= 0.0 {
+        return Err("the axes of its nodes cross within its height");
+    }
     let mut back = [0.0; 2];
     for k in 0..2 {
         let place = nodes[k].spoke_index(edge).ok_or("its edge has no length")?;

@@ -10,7 +10,9 @@ pub(super) use crate::math::{ears as triangles, triangles_in_space, turn};
 pub use alike::panel_types;
 pub use inset::inset;
 pub use name::panel_names;
-pub(super) use polygon::{direction_of, distance_to_outline, sides, smallest_box_within};
+pub(super) use polygon::{
+    check_size, direction_of, distance_to_outline, sides, smallest_box_within,
+};
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};
 
 use crate::fabricate::surface::PanelSurface;
@@ -33,8 +35,8 @@ pub struct FlatPanel {
     pub flattening_error: f64,
 }
 
-/// With more corners than this, only neighbouring and opposite corners are compared.
-const MOST_CORNERS: usize = 200;
+/// With more pairs of corners than this, only some of the distances around the panel are compared.
+const MOST_PAIRS: usize = 1_000_000;
 
 /// Lays a panel flat; none if it has no area.
 pub fn lay_flat(surface: &PanelSurface, panel: u32) -> Option<FlatPanel> {
@@ -71,15 +73,10 @@ fn largest_change(points: &[Vec3<f64>], corners: &[Point2]) -> f64 {
         let [x, y] = [corners[i][0] - corners[j][0], corners[i][1] - corners[j][1]];
         ((points[i] - points[j]).length() - (x * x + y * y).sqrt()).abs()
     };
-    let mut largest: f64 = 0.0;
-    for i in 0..n {
-        if n > MOST_CORNERS {
-            largest = largest.max(change(i, (i + 1) % n)).max(change(i, (i + n / 2) % n));
-        } else {
-            (i + 1..n).for_each(|j| largest = largest.max(change(i, j)));
-        }
-    }
-    largest
+    let step = (n * (n / 2)).div_ceil(MOST_PAIRS).max(1);
+    let around = (1..=n / 2).step_by(step);
+    let pairs = around.flat_map(|apart| (0..n).map(move |i| (i, (i + apart) % n)));
+    pairs.map(|(i, j)| change(i, j)).fold(0.0, f64::max)
 }
 
 /// The least-squares plane of some points.

@@ -1,7 +1,7 @@
 //! Polygons in the plane, counterclockwise.
 
 use crate::math::plane::{Point2, bounds, cross, distance, dot, is_inside, length, minus, rotated};
-use crate::math::{key_of_number, sort_by_number};
+use crate::math::{cosine, key_of_number, sine, sort_by_number};
 
 /// The sides of a polygon.
 pub(in crate::fabricate) fn sides(polygon: &[Point2]) -> impl Iterator<Item = [Point2; 2]> + '_ {
@@ -96,15 +96,29 @@ pub fn smallest_box(polygon: &[Point2]) -> (Point2, [f64; 2]) {
     smallest_box_within(polygon, [f64::INFINITY; 2])
 }
 
-/// As [`smallest_box`], but of the boxes at most as wide and as high as `most`, if there are any.
+/// As [`smallest_box`], but of the boxes at most as wide and as high as `most`, if there are any. If
+/// none of those along an edge of the hull is, boxes at other angles are tried: a slender part may
+/// fit on the diagonal.
 pub(in crate::fabricate) fn smallest_box_within(
     polygon: &[Point2],
     most: [f64; 2],
 ) -> (Point2, [f64; 2]) {
+    /// Number of other angles in a quarter turn.
+    const ANGLES: u32 = 360;
     let hull = hull(polygon);
     let mut best: Option<((bool, f64), Point2, [f64; 2])> = None;
-    for [p, q] in sides(&hull) {
-        let [c, s] = direction_of(p, q);
+    let at_angle = |k: u32| {
+        let turns = 0.25 * f64::from(k) / f64::from(ANGLES);
+        [cosine(turns), sine(turns)]
+    };
+    let along_edges = sides(&hull).map(|[p, q]| direction_of(p, q));
+    let others = (0..ANGLES).map(at_angle);
+    for ([c, s], is_other) in
+        along_edges.map(|own| (own, false)).chain(others.map(|own| (own, true)))
+    {
+        if is_other && best.is_some_and(|((fits, _), ..)| fits) {
+            break;
+        }
         let turn = [c, -s];
         let [low, high] = bounds(hull.iter().map(|&point| rotated(point, turn)));
         let [width, height] = minus(high, low);
@@ -122,6 +136,17 @@ pub(in crate::fabricate) fn smallest_box_within(
         }
     }
     best.map_or(([1.0, 0.0], [0.0; 2]), |(_, turn, size)| (turn, size))
+}
+
+/// Checks that a part, in mm, is not so small that no machine can cut it, and files have no digits
+/// for it.
+///
+/// # Errors
+/// If it is, in words.
+pub(in crate::fabricate) fn check_size(part: &[Point2]) -> Result<(), &'static str> {
+    const LEAST: f64 = 0.1;
+    let [low, high] = bounds(part.iter().copied());
+    if distance(low, high) < LEAST { Err("it is smaller than 0.1 mm on the sheet") } else { Ok(()) }
 }
 
 /// The distance of a point from the outline.

@@ -40,7 +40,7 @@ pub struct Labels {
     pub texts: Vec<String>,
     /// Neighbours' names without room.
     pub dropped: usize,
-    /// Whether its own name is too small to be read well.
+    /// Whether its own name is too small to be read well, or not written for lack of room.
     pub small: bool,
 }
 
@@ -89,9 +89,13 @@ fn label_of_height(
     own: f64,
 ) -> (Labels, bool) {
     let mut labels = Labels::default();
+    let nothing = || Labels {
+        dropped: neighbours.iter().flatten().count(),
+        small: true,
+        ..Labels::default()
+    };
     if radius <= 0.0 {
-        labels.small = true;
-        return (labels, false);
+        return (nothing(), false);
     }
     let n = outline.len();
     let longest = (0..n).max_by(|&a, &b| {
@@ -116,10 +120,7 @@ fn label_of_height(
             height *= 0.85;
         }
     }
-    let Some(own) = own else {
-        labels.small = true;
-        return (labels, false);
-    };
+    let Some(own) = own else { return (nothing(), false) };
     labels.small = height < LEAST;
     labels.lines.extend(strokes(name, height, own.centre, own.along));
     labels.texts.push(name.to_owned());
