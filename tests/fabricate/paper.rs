@@ -381,3 +381,80 @@ fn strips_that_are_longer_than_the_sheet_are_cut_evenly() {
     lengths.sort_unstable();
     assert_eq!(lengths, [11, 11, 11, 12, 12, 12]);
 }
+
+#[test]
+fn a_panel_with_coincident_corners_is_creased_and_joined_as_what_it_is() {
+    // Warped, with a notch, and a warped quad below.
+    let corners = [
+        [0.0, 0.0, 0.0],
+        [3.0, 0.0, 0.1],
+        [3.0, 1.0, 0.0],
+        [1.0, 1.0, 0.3],
+        [1.0, 3.0, 0.0],
+        [0.0, 3.0, 0.2],
+        [3.0, -2.0, 0.1],
+        [0.0, -2.0, 0.4],
+    ];
+    let joins = |positions: &[[f64; 3]], face: &[u32], below: &[u32]| {
+        let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };
+        mesh.faces.push(face);
+        mesh.faces.push(below);
+        let made = build(&mesh, &settings(Pieces::Nets));
+        let net = &model(&made).net;
+        let edges = net.joints.iter().filter(|joint| joint.edge.is_some()).count();
+        let area: f64 = net.facets.iter().map(|facet| area(&facet.corners)).sum();
+        (edges, net.joints.len(), area)
+    };
+    let plain = joins(&corners, &[0, 1, 2, 3, 4, 5], &[0, 7, 6, 1]);
+    for twice in 0..6_u32 {
+        let positions = [&corners[..], &[corners[twice as usize]]].concat();
+        for after in [0, 1] {
+            let mut face = vec![0, 1, 2, 3, 4, 5];
+            face.insert(twice as usize + after, 8);
+            // The edge between both panels has the ends that face each other.
+            let ends = match (twice, after) {
+                (0, 1) => [8, 1],
+                (1, 0) => [0, 8],
+                _ => [0, 1],
+            };
+            let found = joins(&positions, &face, &[ends[0], 7, 6, ends[1]]);
+            assert_eq!((found.0, found.1), (plain.0, plain.1), "{twice} {after}");
+            assert!((found.2 - plain.2).abs() < 0.01 * plain.2, "{twice} {after}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn no_piece_hangs_together_by_an_edge_too_short_to_hold_it() {
+    // Two squares that share an edge of a hundredth of a millimetre on the sheet, and no other.
+    let e = 0.0002;
+    let positions = vec![
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [1.0, e, 0.0],
+        [1.0, 1.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [2.0, -1.0, 0.0],
+    ];
+    let mut mesh = Mesh { positions, ..Mesh::default() };
+    mesh.faces.push(&[0, 1, 2, 3, 4]);
+    mesh.faces.push(&[2, 1, 6, 5]);
+    assert_eq!(build(&mesh, &settings(Pieces::Nets)).parts.len(), 2);
+    // As many panels around a short edge between them are one piece.
+    let whole = grid(2, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    assert_eq!(build(&whole, &settings(Pieces::Nets)).parts.len(), 1);
+}
+
+#[test]
+fn a_panel_that_fits_without_its_tabs_is_laid_without_the_tab_that_would_not_fit() {
+    // Two squares of 188 mm on sheets with room for 190.
+    let mesh = grid(2, 1, |i, j| [9.4 * f64::from(i), 9.4 * f64::from(j), 0.1 * f64::from(i * i)]);
+    let own = BuildSettings { scale: 50.0, sheet: [200.0; 2], ..settings(Pieces::Nets) };
+    let report = build(&mesh, &own).report();
+    assert_eq!((report.placed, report.too_large), (2, Vec::new()));
+    assert_eq!(report.paper.unwrap().without_tab, ["P0/P1"]);
+    // With a little more room one of both has it.
+    let report = build(&mesh, &BuildSettings { sheet: [210.0; 2], ..own }).report();
+    assert_eq!((report.placed, report.paper.unwrap().tabs), (2, 1));
+}

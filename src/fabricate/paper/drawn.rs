@@ -48,6 +48,9 @@ fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
         points.reverse();
     }
     points.dedup();
+    if points.len() > 1 && points.first() == points.last() {
+        points.pop();
+    }
     let (turn, _) = smallest_box(&points);
     (points.into_iter().map(|point| rotated(point, turn)).collect(), Put { inside, turn })
 }
@@ -143,7 +146,7 @@ pub fn write_names(
             }
             part.engraved.extend(labels.lines);
             dropped += labels.dropped;
-            small += usize::from(labels.small);
+            small += usize::from(labels.small && !labels.texts.is_empty());
         }
     }
     for tab in model.tabs(piece) {

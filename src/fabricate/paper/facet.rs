@@ -1,7 +1,7 @@
 //! Facets: flat polygons in mm. A flat panel is one facet; other panels are creased into triangles,
 //! which preserves all lengths. Facets are connected by joints, which are folded or glued.
 
-use crate::fabricate::panel::{FlatPanel, is_simple, triangles, turn};
+use crate::fabricate::panel::{FlatPanel, check_size, is_simple, triangles, turn};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 use crate::math::plane::Point2;
@@ -55,15 +55,12 @@ pub(super) fn facets(
     let mut of_panels = vec![0..0; flat.len()];
     for (panel, f) in flat.iter().zip(0..) {
         let first = facets.len();
-        match panel {
-            None => without.push((f, "it has no area")),
-            Some(panel) if !is_simple(&distinct(&panel.corners)) => {
-                without.push((f, "laid flat it crosses itself"));
-            }
-            Some(panel) if panel.flattening_error * model <= FLAT => {
+        match panel.as_ref().ok_or("it has no area").and_then(|panel| usable(panel, model)) {
+            Err(why) => without.push((f, why)),
+            Ok(panel) if panel.flattening_error * model <= FLAT => {
                 facets.push(whole(surface, f, panel, model));
             }
-            Some(panel) => creased(&mut facets, surface, f, panel, model),
+            Ok(panel) => creased(&mut facets, surface, f, panel, model),
         }
         of_panels[f as usize] = first..facets.len();
         for (a, b) in pairs(first..facets.len()) {
@@ -77,24 +74,34 @@ pub(super) fn facets(
         if left == right || surface.length(edge) == 0.0 {
             continue;
         }
-        let side = |panel: u32, from: u32, to: u32| {
-            of_panels[panel as usize].clone().find_map(|f| {
-                let own = &facets[f];
-                let n = own.vertices.len();
-                let is_it = |&k: &usize| {
-                    own.panel_sides[k].is_some()
-                        && own.vertices[k] == from
-                        && own.vertices[(k + 1) % n] == to
-                };
-                Some((f, (0..n).find(is_it)?))
-            })
+        let side = |panel: u32| {
+            let sides = surface.sides.row(panel as usize);
+            let own = Some(sides.iter().position(|&side| side == e)? as u32);
+            let mut all = of_panels[panel as usize].clone();
+            all.find_map(|f| Some((f, facets[f].panel_sides.iter().position(|&k| k == own)?)))
         };
-        let [i, j] = edge.ends;
-        if let (Some(a), Some(b)) = (side(left, i, j), side(right, j, i)) {
+        if let (Some(a), Some(b)) = (side(left), side(right)) {
             add(&mut facets, &mut joints, surface, [a, b], Some(e));
         }
     }
     (facets, joints, without)
+}
+
+/// The panel, if it can be folded.
+///
+/// # Errors
+/// If it cannot, in words.
+fn usable(panel: &FlatPanel, model: f64) -> Result<&FlatPanel, &'static str> {
+    check_size(&scaled(panel, model))?;
+    match is_simple(&distinct(&panel.corners)) {
+        true => Ok(panel),
+        false => Err("laid flat it crosses itself"),
+    }
+}
+
+/// The corners of a panel in mm.
+fn scaled(panel: &FlatPanel, model: f64) -> Vec<Point2> {
+    panel.corners.iter().map(|corner| corner.map(|x| x * model)).collect()
 }
 
 /// Corners that differ from the next one.
@@ -108,14 +115,14 @@ fn pairs(range: std::ops::Range<usize>) -> impl Iterator<Item = (usize, usize)> 
 }
 
 fn whole(surface: &PanelSurface, f: u32, panel: &FlatPanel, model: f64) -> Facet {
-    let corners: Vec<Point2> =
-        panel.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
+    let corners = scaled(panel, model);
     let n = corners.len();
     let is_convex =
         (0..n).all(|k| turn(corners[k], corners[(k + 1) % n], corners[(k + 2) % n]) >= 0.0);
     let convex = match is_convex {
         true => vec![corners.clone()],
         false => {
+            let corners = distinct(&corners);
             triangles(&corners).into_iter().map(|own| own.map(|k| corners[k]).into()).collect()
         }
     };
@@ -132,9 +139,13 @@ fn whole(surface: &PanelSurface, f: u32, panel: &FlatPanel, model: f64) -> Facet
 
 fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &FlatPanel, model: f64) {
     let face = surface.faces.row(f as usize);
+    // Of coincident corners only the last one, which its side of the panel starts from.
     let n = face.len();
-    for own in triangles(&panel.corners) {
-        let at = own.map(|k| surface.at(face[k]));
+    let at = |k: usize| surface.at(face[k % n]);
+    let kept: Vec<usize> = (0..n).filter(|&k| at(k) != at(k + 1)).collect();
+    let corners: Vec<Point2> = kept.iter().map(|&k| panel.corners[k]).collect();
+    for own in triangles(&corners) {
+        let at = own.map(|k| surface.at(face[kept[k]]));
         let (b, c) = (at[1] - at[0], at[2] - at[0]);
         let (length, along) = (b.length(), unit(b));
         let across = c - along * c.dot(along);
@@ -151,11 +162,11 @@ fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &Flat
         ];
         let side = |k: usize| {
             let (from, to) = (own[k], own[(k + 1) % 3]);
-            ((from + 1) % n == to).then_some(from as u32)
+            ((from + 1) % kept.len() == to).then_some(kept[from] as u32)
         };
         facets.push(Facet {
             panel: f,
-            vertices: own.map(|k| face[k]).into(),
+            vertices: own.map(|k| face[kept[k]]).into(),
             panel_sides: (0..3).map(side).collect(),
             joints: vec![None; 3],
             convex: vec![corners.clone()],

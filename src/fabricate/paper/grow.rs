@@ -5,8 +5,11 @@ use super::net::{OutlineSide, PaperNet};
 use super::plane::{Motion, is_near, is_same_corner, overlaps};
 use super::tab::tab;
 use crate::fabricate::panel::{hull, smallest_box};
-use crate::math::plane::{Point2, bounds};
+use crate::math::plane::{Point2, bounds, distance};
 use std::cell::LazyCell;
+
+/// The least length of an edge that holds two pieces together, in mm: a shorter one tears.
+const LEAST_HINGE: f64 = 0.5;
 
 impl PaperNet {
     /// Folds a joint if possible: the pieces on its two sides become one. `room` is the largest
@@ -24,6 +27,9 @@ impl PaperNet {
         }
         let [a, b] = [still, moving].map(|side| self.piece_of[side.0 as usize]);
         let [p, q] = self.ends(still);
+        if distance(p, q) < LEAST_HINGE {
+            return false;
+        }
         let motion = Motion::between(self.ends(moving), [q, p]);
         let moved = self.pieces[b as usize].clone();
         let before: Vec<Motion> = moved.iter().map(|&f| self.places[f as usize]).collect();

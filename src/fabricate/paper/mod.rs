@@ -17,7 +17,7 @@ pub use net::{OutlineSide, PaperNet};
 pub use plane::Motion;
 pub use tab::Tab;
 
-use crate::fabricate::panel::FlatPanel;
+use crate::fabricate::panel::{FlatPanel, smallest_box_within};
 use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::Point2;
 use crate::math::sort_by_number;
@@ -87,7 +87,7 @@ impl PaperModel {
             (0..net.pieces.len() as u32).filter(|&p| !net.pieces[p as usize].is_empty()).collect();
         net.pieces.iter_mut().for_each(|own| own.sort_unstable());
         sort_by_number(&mut pieces, |&piece| u64::from(net.pieces[piece as usize][0]));
-        let joint_kinds = joint_kinds(&net, &pieces, size.tab);
+        let joint_kinds = joint_kinds(&net, &pieces, size);
         PaperModel { net, joint_kinds, pieces, unpaired, without, is_without_quads }
     }
 
@@ -148,13 +148,21 @@ fn folded(unfolded: &PaperNet, order: &Foldable, size: PaperSize) -> PaperNet {
     if count(&even) <= count(&longest) { even } else { longest }
 }
 
-/// Chooses tabs: on the piece that comes first, or else on the other side.
-fn joint_kinds(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<JointKind> {
+/// Chooses tabs: on the piece that comes first, or else on the other side. A piece that fits on the
+/// sheet has none that keeps it from fitting.
+fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind> {
     let mut place = vec![0; net.pieces.len()];
     pieces.iter().enumerate().for_each(|(k, &piece)| place[piece as usize] = k);
     let outlines: Vec<_> =
         pieces.iter().map(|&piece| net.outline(piece).unwrap_or_default()).collect();
     let mut taken: Vec<Vec<Vec<Point2>>> = pieces.iter().map(|&piece| net.convex(piece)).collect();
+    // The corners of pieces that fit, but need not with tabs. Those of several facets always do.
+    let with_tabs = size.room.map(|side| side - 2.0 * size.tab);
+    let tight = |&piece: &u32| {
+        let corners = &net.hulls[piece as usize];
+        (!lies_on(corners, with_tabs) && lies_on(corners, size.room)).then(|| corners.clone())
+    };
+    let mut tight: Vec<Option<Vec<Point2>>> = pieces.iter().map(tight).collect();
     let mut found = Vec::new();
     for (joint, &folded) in net.joints.iter().zip(&net.folded) {
         if folded {
@@ -168,18 +176,28 @@ fn joint_kinds(net: &PaperNet, pieces: &[u32], tab_height: f64) -> Vec<JointKind
             sides.swap(0, 1);
         }
         let own =
-            sides.into_iter().filter(|_| tab_height > 0.0).find_map(|(piece, (facet, side))| {
+            sides.into_iter().filter(|_| size.tab > 0.0).find_map(|(piece, (facet, side))| {
                 let outline = &outlines[piece];
                 let k = outline.iter().position(|own| (own.facet, own.side) == (facet, side))?;
-                Some((piece, tab(net, outline, k, &taken[piece], tab_height)?))
+                let tab = tab(net, outline, k, &taken[piece], size.tab)?;
+                let whole = tight[piece].as_ref().map(|own| [&own[..], &tab.corners].concat());
+                whole.is_none_or(|whole| lies_on(&whole, size.room)).then_some((piece, tab))
             });
         found.push(match own {
             Some((piece, tab)) => {
                 taken[piece].push(tab.corners.into());
+                tight[piece].iter_mut().for_each(|own| own.extend(tab.corners));
                 JointKind::Tab(tab)
             }
             None => JointKind::Bare,
         });
     }
     found
+}
+
+/// Whether points have a box of at most this width and height, or height and width.
+fn lies_on(points: &[Point2], [width, height]: [f64; 2]) -> bool {
+    let [long, short] = [width.max(height), width.min(height)];
+    let (_, size) = smallest_box_within(points, [long, short]);
+    size[0] <= long && size[1] <= short
 }
