@@ -9,18 +9,10 @@ use super::panel::{FlatPanel, lay_flat, panel_names, panel_types};
 use super::paper::PaperModel;
 use super::sheet::{CutPart, Layout};
 use super::surface::PanelSurface;
+use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
-use crate::scene::{BuildSettings, OffsetKind};
-
-/// The unit of the mesh.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LengthInMetres {
-    /// Symbol, such as `m`.
-    pub symbol: String,
-    /// Length in metres.
-    pub metres: f64,
-}
+use crate::scene::{BuildSettings, Names, OffsetKind};
 
 /// A panel as it is cut, in mm of the sheet, rotated so that its smallest box lies along x.
 #[derive(Clone, Debug)]
@@ -112,7 +104,7 @@ impl Build {
     ) -> Result<Build, Fault> {
         settings.check().map_err(|(key, message)| Fault(format!("build.{key}: {message}")))?;
         let surface = PanelSurface::new(mesh)?;
-        let names = panel_names(&surface, settings.names);
+        let (names, are_rows) = panel_names(&surface, settings.names);
         let flat = all_flat(&surface);
         let to_building = 1000.0 * unit.metres;
         let types = panel_types(&flat, settings.alike / to_building, settings.mirror);
@@ -137,6 +129,12 @@ impl Build {
             unit,
         };
         build.make_offset(build.settings.kind);
+        if build.surface.untouched > 0 {
+            build.faults.push(Fault::untouched(build.surface.untouched));
+        }
+        if build.settings.names == Names::Rows && !are_rows {
+            build.faults.push(Fault::no_rows());
+        }
         build.cut();
         Ok(build)
     }
@@ -161,13 +159,14 @@ impl Build {
         self.settings.beam_width.unwrap_or_else(|| 0.05 * self.surface.mean_edge())
     }
 
-    /// Computes the offset of this kind, by default of the kind with the smallest errors. If there
-    /// is none, the reason becomes the first fault.
+    /// Computes the offset of this kind; by default of the kind that meets the limits, or else has the
+    /// smallest errors. If there is none, the reason becomes the first fault.
     pub(super) fn make_offset(&mut self, kind: Option<OffsetKind>) {
         let folded = self.surface.folded_over();
         let fault = match &self.surface.one_sided {
             Some(fault) => Some(fault.clone()),
-            None => (!folded.is_empty()).then(|| Fault::folded_over(&folded)),
+            None => (!folded.is_empty())
+                .then(|| Fault::folded_over(folded.len(), &self.names[folded[0] as usize])),
         };
         if let Some(fault) = fault {
             self.faults.insert(0, fault);
@@ -182,8 +181,27 @@ impl Build {
         let tried = self.offsets_of(kinds);
         let building = self.mm_of_building();
         self.tried = tried.iter().map(|(axes, check)| Choice::of(axes, check, building)).collect();
-        self.offset =
-            tried.into_iter().min_by(|(_, a), (_, b)| a.worst_error().total_cmp(&b.worst_error()));
+        // Errors that count as exact are equal, or rounding would choose. In a tie the first one wins.
+        let exact = self.exact_tolerance();
+        let rank = |check: &OffsetCheck| {
+            let error = check.worst_error();
+            (!self.meets_limits(check), if error <= exact { 0.0 } else { error })
+        };
+        self.offset = tried.into_iter().min_by(|(_, a), (_, b)| {
+            let ((misses, error), (misses_too, other)) = (rank(a), rank(b));
+            misses.cmp(&misses_too).then(error.total_cmp(&other))
+        });
+    }
+
+    /// Whether all numbers of an offset are within the limits of the build check.
+    fn meets_limits(&self, check: &OffsetCheck) -> bool {
+        let (limits, building, distance) =
+            (self.settings.limits, self.mm_of_building(), self.distance());
+        let safe = check.safe_distance[usize::from(distance > 0.0)];
+        check.warp * building <= limits.warp
+            && check.distance_error * building <= limits.distance
+            && check.inner_lean_deg <= limits.lean
+            && safe.is_none_or(|safe| distance.abs() < safe.abs())
     }
 
     /// The axes of some kinds of offset, and their checks.

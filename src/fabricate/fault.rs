@@ -1,5 +1,7 @@
 //! Reasons why something cannot be built, and the products that are still available.
 
+use crate::mesh::untouched_words;
+use crate::scene::UNITS;
 use std::fmt;
 
 /// One sentence: the problem, and what is available nevertheless.
@@ -30,6 +32,27 @@ impl Fault {
         ))
     }
 
+    /// A unit of length that is not known.
+    pub(super) fn unknown_unit(symbol: &str) -> Fault {
+        let known = UNITS.map(|unit| unit.symbol).join(" or ");
+        Fault(format!(
+            "the unit {symbol:?} is not known, so parts would have a wrong size: expected {known}"
+        ))
+    }
+
+    /// Faces of the mesh that are left as they are.
+    pub(super) fn untouched(faces: usize) -> Fault {
+        Fault(untouched_words(faces))
+    }
+
+    /// Names by rows and columns without rows and columns.
+    pub(super) fn no_rows() -> Fault {
+        Fault(
+            "names by rows and columns need one grid of quads, which this is not: panels have numbers instead"
+                .to_owned(),
+        )
+    }
+
     /// The surface has only one side, such as a Moebius strip.
     pub(super) fn one_sided([a, b]: [u32; 2]) -> Fault {
         Fault(format!(
@@ -56,18 +79,15 @@ impl Fault {
         )
     }
 
-    /// Panels that are folded over.
-    pub(super) fn folded_over(panels: &[u32]) -> Fault {
+    /// A number of panels that are folded over, of which the first has this name.
+    pub(super) fn folded_over(panels: usize, first: &str) -> Fault {
         let what = match panels {
-            [one] => {
-                format!("panel {one} is folded over: it faces the opposite way to its neighbours")
+            1 => {
+                format!("panel {first} is folded over: it faces the opposite way to its neighbours")
             }
-            many => {
-                let (count, first) = (many.len(), many[0]);
-                format!(
-                    "{count} panels are folded over (the first is {first}): they face the opposite way to their neighbours"
-                )
-            }
+            many => format!(
+                "{many} panels are folded over (the first is {first}): they face the opposite way to their neighbours"
+            ),
         };
         Fault(format!(
             "{what}, so panels can still be cut and folded; offsets and beams are not available"

@@ -13,6 +13,7 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `fault` | reasons why something cannot be built |
+//! | `unit` | the unit of the mesh |
 //! | `surface` | the panels as an oriented surface, edges with the panels on both sides |
 //! | `alike` | sorting of items into types |
 //! | `panel` | panels laid flat, the joint, names, types |
@@ -59,9 +60,10 @@ mod space;
 mod surface;
 mod tables;
 mod tighten;
+mod unit;
 
 pub use alike::Types;
-pub use build::{Build, CutPanel, LengthInMetres, NotCut};
+pub use build::{Build, CutPanel, NotCut};
 pub use build_words::{BuildWords, CardWords, CheckWords};
 pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};
@@ -74,3 +76,4 @@ pub use report_page::ReportView;
 pub use space::{PRESENTATION, SpatialPart};
 pub use surface::{Edge, PanelSurface};
 pub use tighten::{PanelSuggestion, Tighten};
+pub use unit::LengthInMetres;

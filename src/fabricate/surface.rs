@@ -6,7 +6,7 @@
 
 use super::fault::Fault;
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
-use crate::mesh::{Mesh, Ragged, Topology, components, untouched_words};
+use crate::mesh::{Mesh, Ragged, Topology, components};
 
 /// An edge of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,6 +57,8 @@ pub struct PanelSurface {
     pub rims: Ragged,
     /// Number of connected components.
     pub parts: usize,
+    /// Number of faces of the mesh that are not among its panels: [`Mesh::untouched`].
+    pub untouched: usize,
     /// Panels that were reversed to agree with most of their component.
     pub turned: usize,
     /// Why the surface has no outside; none if it has one.
@@ -73,7 +75,7 @@ impl PanelSurface {
         if mesh.faces.is_empty() {
             return Err(match mesh.untouched.len() {
                 0 => Fault::no_panels(!mesh.curves.is_empty()),
-                faces => Fault(untouched_words(faces)),
+                faces => Fault::untouched(faces),
             });
         }
         let is_unplaced = |v: &&u32| mesh.unplaced.binary_search(v).is_ok();
@@ -121,6 +123,7 @@ impl PanelSurface {
             panels,
             rims: topology.boundary_loops().clone(),
             parts: count_parts(&positions, &faces),
+            untouched: mesh.untouched.len(),
             turned: turned.iter().filter(|&&turned| turned).count(),
             positions,
             centre,

@@ -6,7 +6,6 @@ use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres};
 use crate::mesh::{Mesh, Point};
 use crate::scene::{
     ClosenessTo, ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
-    UNITS,
 };
 use crate::session::Error;
 use serde_json::Value;
@@ -118,8 +117,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
 
 /// The build numbers of a shape, `#V by 3`, with the scene's settings; empty if not buildable.
 fn numbers(positions: &[Point], scene: &Scene, mesh: &Mesh) -> Vec<(String, f64)> {
-    let unit = UNITS.iter().find(|unit| unit.symbol == scene.units).unwrap_or(&UNITS[0]);
-    let unit = LengthInMetres { symbol: unit.symbol.to_owned(), metres: unit.metres };
+    let Ok(unit) = LengthInMetres::of(&scene.units) else { return Vec::new() };
     let mesh = Mesh { positions: positions.to_vec(), ..mesh.clone() };
     let settings = scene.build.as_deref().cloned().unwrap_or_default();
     let Ok(build) = Build::new(&mesh, &settings, unit) else { return Vec::new() };

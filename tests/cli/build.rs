@@ -122,6 +122,37 @@ fn a_mesh_without_a_unit_has_the_one_of_its_size_or_of_the_command_line() {
 }
 
 #[test]
+fn nothing_is_built_in_a_unit_that_is_not_known() {
+    let folder = Folder::new("build-unknown-unit");
+    folder.write("roof.obj", format!("# units: inches\n{ROOF}"));
+    let asked = ["build", "roof.obj", "--scale=10", "--out", "parts"];
+    folder.run(&asked).refused(&["roof.obj", "the unit \"inches\" is not known", "--units"]);
+    assert_eq!(folder.files(), ["roof.obj"]);
+    let words = folder.run(&[&asked[..], &["--units=in"]].concat()).done();
+    assert!(words.contains("unit in"), "{words}");
+}
+
+#[test]
+fn no_files_of_parts_are_written_if_nothing_can_be_cut() {
+    let folder = Folder::new("build-nothing");
+    folder.write("roof.obj", ROOF);
+    let large = ["build", "roof.obj", "--units=m", "--scale=0.1", "--report=r.json"];
+    folder
+        .run(&[&large[..], &["--out=parts"]].concat())
+        .refused(&["nothing can be cut", "Larger than the sheet within its margins: P0"]);
+    assert_eq!(folder.files(), ["roof.obj"]);
+    // The check alone has its numbers.
+    folder.run(&large).done();
+    assert_eq!(folder.json("r.json")["placed"], 0);
+    // Three panels at one edge have no outside, and so no fins.
+    let wall = "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nv 0 -9 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n";
+    folder.write("wall.obj", wall);
+    folder
+        .run(&["build", "wall.obj", "--product=fins", "--out=parts"])
+        .refused(&["nothing can be cut", "more than two panels"]);
+}
+
+#[test]
 fn the_scene_says_what_the_command_line_does_not() {
     let folder = Folder::new("build-scene");
     let scene = r#"{ "format": "shape-up-scene", "version": 1, "units": "mm", "mesh": { "file": "roof.obj" },

@@ -8,7 +8,7 @@ use shape_up::fabricate::Build;
 use shape_up::fabricate::panel::is_simple;
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
-use shape_up::scene::{BuildSettings, OffsetKind, Product};
+use shape_up::scene::{BuildSettings, Names, OffsetKind, Product};
 
 fn faces(faces: &[&[u32]], positions: &[[f64; 3]]) -> Mesh {
     let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };
@@ -82,6 +82,9 @@ fn panels_that_are_folded_over_leave_no_offset() {
     let made = build(&mesh, &BuildSettings::default());
     assert!(made.offset.is_none() && made.faults[0].0.contains("folded over"), "{:?}", made.faults);
     assert_eq!(made.parts.len(), 9);
+    // By the name that it has on the sheets.
+    let rows = build(&mesh, &BuildSettings { names: Names::Rows, ..BuildSettings::default() });
+    assert!(rows.faults[0].0.contains(&rows.names[4]), "{:?} {:?}", rows.faults, rows.names);
 }
 
 #[test]
@@ -305,4 +308,95 @@ fn both_panels_of_a_seam_of_a_one_sided_strip_have_a_name_there() {
     let paper =
         build(&mesh, &BuildSettings { product: Product::Paper, ..BuildSettings::default() });
     assert_eq!(paper.report().paper.unwrap().without_tab.len(), 1);
+}
+
+#[test]
+fn an_edge_without_length_has_no_holes() {
+    // Two triangles of quads with two coincident corners, which share that side only.
+    let positions = [
+        [0.0, 0.0, 0.0],
+        [4.0, 0.0, 0.0],
+        [4.0, 0.0, 0.0],
+        [0.0, 4.0, 0.0],
+        [8.0, 0.0, 0.0],
+        [8.0, 4.0, 0.0],
+    ];
+    let mesh = faces(&[&[0, 1, 2, 3], &[2, 1, 4, 5]], &positions);
+    let made = build(&mesh, &BuildSettings { hole: 3.0, ..BuildSettings::default() });
+    assert_eq!(made.not_cut, []);
+    assert!(made.parts.iter().all(|part| part.holes.is_empty()), "{:?}", made.parts[0].holes);
+    assert_eq!(made.dropped_holes, 0);
+}
+
+#[test]
+fn the_largest_change_by_laying_flat_is_found_on_panels_of_any_number_of_corners() {
+    // The rim of a saddle: neighbours and opposite corners hardly change their distance, corners a
+    // quarter apart do.
+    let saddle = |n: u32| {
+        let corner = |k: u32| {
+            let turns = f64::from(k) / f64::from(n);
+            [cosine(turns), sine(turns), 0.1 * cosine(2.0 * turns)]
+        };
+        let positions: Vec<_> = (0..n).map(corner).collect();
+        let all: Vec<u32> = (0..n).collect();
+        build(&faces(&[&all], &positions), &BuildSettings::default()).report().flattening_error_mm
+    };
+    let expected = saddle(100);
+    assert!(expected > 10.0, "{expected}");
+    for n in [200, 400, 2000] {
+        let found = saddle(n);
+        assert!((found - expected).abs() < 1e-2 * expected, "{n}: {found} {expected}");
+    }
+}
+
+#[test]
+fn a_panel_that_cannot_be_cut_is_not_said_to_be_too_small_for_a_joint_that_is_none() {
+    let mut mesh = Mesh::default();
+    // A slit of half a millimetre.
+    let outline = [
+        [0.0, 0.0],
+        [100.0, 0.0],
+        [100.0, 50.0],
+        [50.5, 50.0],
+        [50.5, 10.0],
+        [50.0, 10.0],
+        [50.0, 50.0],
+        [0.0, 50.0],
+    ];
+    mesh.positions = outline.map(|[x, y]| [0.001 * x, 0.001 * y, 0.0]).into();
+    mesh.faces.push(&[0, 1, 2, 3, 4, 5, 6, 7]);
+    let own = BuildSettings { scale: 1.0, ..BuildSettings::default() };
+    let why = |own: BuildSettings| build(&mesh, &own).not_cut[0].why;
+    let kerf = why(BuildSettings { kerf: 1.0, ..own.clone() });
+    assert!(kerf.contains("kerf") && !kerf.contains("joint"), "{kerf}");
+    let joint = why(BuildSettings { joint: 0.06, ..own.clone() });
+    assert!(joint.contains("joint"), "{joint}");
+    assert_eq!(build(&mesh, &own).not_cut, []);
+}
+
+#[test]
+fn parts_too_small_to_be_cut_are_named_and_not_placed() {
+    let mesh = super::beams::cube();
+    for product in Product::ALL {
+        let own = BuildSettings { product, scale: 1e6, thickness: 0.0, ..BuildSettings::default() };
+        let report = build(&mesh, &own).report();
+        assert_eq!((report.placed, report.sheets), (0, 0), "{product:?}");
+        assert!(!report.not_cut.is_empty(), "{product:?}");
+        assert!(report.not_cut.iter().all(|why| why.contains("small")), "{:?}", report.not_cut);
+        // No sign of a sum of nothing.
+        assert!(report.cut_area_mm2.is_sign_positive() && report.cut_length_mm.is_sign_positive());
+        let larger = BuildSettings { scale: 1e3, ..own };
+        assert_eq!(build(&mesh, &larger).report().not_cut, Vec::<String>::new(), "{product:?}");
+    }
+}
+
+#[test]
+fn faces_that_are_left_as_they_are_are_mentioned() {
+    let mut mesh = grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    mesh.untouched.push(&[0, 1, 2, 0, 3, 1]);
+    let made = build(&mesh, &BuildSettings::default());
+    let report = made.report();
+    assert_eq!((report.panels, report.placed), (1, 1));
+    let said = |words: &[String]| words.iter().any(|words| words.contains("1 face has the same"));
+    assert!(said(&report.problems), "{:?}", report.problems);
 }

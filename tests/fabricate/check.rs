@@ -155,3 +155,23 @@ fn panels_that_are_not_flat_are_the_reason_where_three_planes_touch_a_cone_anywa
     let why = why_not(&wavy(), OffsetKind::Face);
     assert!(why.contains("one point") && !why.contains("not flat"), "{why}");
 }
+
+#[test]
+fn the_kind_that_meets_all_limits_is_the_default_whatever_the_size() {
+    // Both kinds are exact but for rounding; axes of corners lean.
+    for name in ["cases/pavilion.obj", "cases/pavilion_x07.obj"] {
+        let Some(path) = crate::support::shared::path(name) else { return };
+        let bytes = std::fs::read(path).unwrap();
+        let mesh = shape_up::mesh::read(name, &bytes).unwrap().mesh;
+        let report = build(&mesh, &BuildSettings::default()).report();
+        assert_eq!(report.offset.unwrap().kind, OffsetKind::Face, "{name}");
+        assert!(report.check.iter().all(|row| row.met == Some(true)), "{name}");
+    }
+    // Where both meet the limits exactly, it is that of panels at every size.
+    for size in [0.1, 0.3, 0.7, 1.0, 3.0] {
+        let mut mesh = revolution(9, 7);
+        mesh.positions.iter_mut().flatten().for_each(|x| *x *= size);
+        let report = build(&mesh, &BuildSettings::default()).report();
+        assert_eq!(report.offset.unwrap().kind, OffsetKind::Face, "{size}");
+    }
+}

@@ -79,6 +79,10 @@ export interface Connectivity {
   /** `#F + 1` */
   faceOffsets: Uint32Array;
   faceIndices: Uint32Array;
+  /** of faces that are left as they are: their number plus one */
+  untouchedOffsets: Uint32Array;
+  /** vertices whose positions are guesses, since the file has none */
+  unplaced: Uint32Array;
   /** `#curves + 1` */
   curveOffsets: Uint32Array;
   curveIndices: Uint32Array;

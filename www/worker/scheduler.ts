@@ -244,6 +244,8 @@ export class Scheduler {
     const connectivity = {
       faceOffsets: solver.faceOffsets(),
       faceIndices: solver.faceIndices(),
+      untouchedOffsets: solver.untouchedOffsets(),
+      unplaced: solver.unplaced(),
       curveOffsets: solver.curveOffsets(),
       curveIndices: solver.curveIndices(),
       edges: solver.edges(),

@@ -19,17 +19,18 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let settings = settings(asked, &scene).map_err(at)?;
     remarks.extend(without_effect(asked, &settings));
     let mesh = Mesh { positions: scene.start(&mesh).to_vec(), ..mesh };
-    let unit = UNITS.iter().find(|unit| unit.symbol == scene.units).unwrap_or_else(|| {
-        let what = match &*scene.units {
-            "" => "the file has no unit".to_owned(),
-            own => format!("the unit {own:?} is not known"),
-        };
-        remarks.push(format!("{what}: lengths are read as m"));
-        &UNITS[0]
-    });
-    let unit = LengthInMetres { symbol: unit.symbol.to_owned(), metres: unit.metres };
+    let unit = LengthInMetres::of(&scene.units)
+        .map_err(|fault| at(format!("{fault}, such as --units {}", UNITS[0].symbol)))?;
+    if scene.units.is_empty() {
+        remarks.push(format!("the file has no unit: lengths are read as {}", unit.symbol));
+    }
     let build = Build::new(&mesh, &settings, unit).map_err(|fault| at(fault.to_string()))?;
     let report = build.report();
+    let said = build.words(&report);
+    if asked.out.is_some() && report.placed == 0 {
+        let why = report.problems.iter().chain(&said.warnings).cloned().collect::<Vec<_>>();
+        return Err(at(format!("nothing can be cut: {}", why.join(" "))));
+    }
     let _made = asked.out.as_deref().map(MadeFolders::make).transpose()?;
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     if let Some(folder) = &asked.out {
@@ -53,7 +54,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     output::write(&files)?;
     remarks.extend(asked.out.as_deref().and_then(|folder| left_over(folder, &files)));
     let names = files.iter().map(|(path, _)| format!("{}\n", path.display()));
-    output::print(&(words(&report, &build.words(&report), &remarks) + &names.collect::<String>()))
+    output::print(&(words(&report, &said, &remarks) + &names.collect::<String>()))
 }
 
 /// Names the files in a folder that an earlier build wrote and this one did not: they are kept, but

@@ -7,8 +7,8 @@ use crate::fabricate::surface::PanelSurface;
 use crate::math::{argsort, key_of_pair};
 use crate::scene::Names;
 
-/// The names of all panels.
-pub fn panel_names(surface: &PanelSurface, names: Names) -> Vec<String> {
+/// The names of all panels, and whether they are by row and column.
+pub fn panel_names(surface: &PanelSurface, names: Names) -> (Vec<String>, bool) {
     let grid = match names {
         Names::Rows => grid_places(surface),
         Names::Index => None,
@@ -19,9 +19,9 @@ pub fn panel_names(surface: &PanelSurface, names: Names) -> Vec<String> {
             let digits = columns.to_string().len().max(2);
             let name =
                 |&[row, column]: &[u32; 2]| format!("{}-{:0digits$}", letters(row), column + 1);
-            places.iter().map(name).collect()
+            (places.iter().map(name).collect(), true)
         }
-        None => (0..surface.faces.len()).map(|f| format!("P{f}")).collect(),
+        None => ((0..surface.faces.len()).map(|f| format!("P{f}")).collect(), false),
     }
 }
 

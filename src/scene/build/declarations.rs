@@ -151,7 +151,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     )
     .of(FLAT),
     setting(Offset, "kind", "Measured at", KINDS, "What keeps its distance in the offset.")
-        .or("the kind with the smallest errors"),
+        .or("the kind that meets the limits, or has the smallest errors"),
     setting(
         Offset,
         "distance",

@@ -13,8 +13,8 @@ pub struct BuildSettings {
     /// The product.
     #[serde(deserialize_with = "word")]
     pub product: Product,
-    /// The elements that keep their distance in the offset; null chooses the kind with the smallest
-    /// errors.
+    /// The elements that keep their distance in the offset; null chooses the kind that meets
+    /// the limits, or else has the smallest errors.
     #[serde(deserialize_with = "word_or_null")]
     pub kind: Option<OffsetKind>,
     /// Distance of the offset and depth of beams, positive outwards; null for a fifth of the mean

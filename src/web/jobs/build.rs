@@ -5,6 +5,7 @@ use crate::fabricate::{
     BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, LengthInMetres,
     ReportView, SpatialPart,
 };
+use crate::mesh::Mesh;
 use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings};
 use crate::web::values::{Js, plain, plains, read};
 use crate::web::{log_panics, mesh_of, thrown};
@@ -72,23 +73,29 @@ pub struct Builder {
 #[wasm_bindgen]
 impl Builder {
     /// Makes the parts of a mesh of `positions`, `#V by 3`, and faces: face `f` has the corners
-    /// from `offsets[f]` to `offsets[f + 1]` of `indices`. `settings` are those of the key `build`
-    /// of a scene; the unit of the mesh has the symbol `symbol` and is `metres` long.
+    /// from `offsets[f]` to `offsets[f + 1]` of `indices`. `unplaced` are the vertices whose positions
+    /// are guesses, `untouched` is the number of faces that are left as they are. `settings` are those
+    /// of the key `build` of a scene; `symbol` is the unit of the mesh, empty if it has none.
     ///
     /// # Errors
-    /// A mesh without faces, or a setting out of its range, in one sentence.
+    /// A mesh without faces or with guessed corners, a unit that is not known, or a setting out of its
+    /// range, in one sentence.
     #[wasm_bindgen(constructor)]
     pub fn new(
         positions: &[f64],
         offsets: &[u32],
         indices: &[u32],
+        unplaced: Vec<u32>,
+        untouched: usize,
         settings: Js<BuildSettings>,
-        symbol: String,
-        metres: f64,
+        symbol: &str,
     ) -> Result<Builder, JsValue> {
         let settings: BuildSettings = read(settings)?;
-        let mesh = mesh_of(positions, offsets, indices);
-        let build = Build::new(&mesh, &settings, LengthInMetres { symbol, metres });
+        // Only their number counts.
+        let untouched = std::iter::repeat_n([0_u32; 0], untouched).collect();
+        let mesh = Mesh { unplaced, untouched, ..mesh_of(positions, offsets, indices) };
+        let unit = LengthInMetres::of(symbol).map_err(thrown)?;
+        let build = Build::new(&mesh, &settings, unit);
         Ok(Builder { build: build.map_err(thrown)? })
     }
 

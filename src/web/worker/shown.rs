@@ -60,6 +60,17 @@ impl Solver {
         Ok(Uint32Array::from(self.open()?.mesh().faces.indices()))
     }
 
+    /// Returns the vertices, ascending, whose positions are guesses.
+    pub fn unplaced(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(&self.open()?.mesh().unplaced[..]))
+    }
+
+    /// Returns where the corners of each face that is left as it is start: their number plus one.
+    #[wasm_bindgen(js_name = untouchedOffsets)]
+    pub fn untouched_offsets(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().untouched.offsets()))
+    }
+
     /// Returns where the vertices of each polyline start, `#curves + 1`.
     #[wasm_bindgen(js_name = curveOffsets)]
     pub fn curve_offsets(&self) -> Result<Uint32Array, JsValue> {

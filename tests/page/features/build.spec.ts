@@ -445,6 +445,25 @@ const STRANGE: [what: string, text: string, vertices: number, words: RegExp][] =
     5,
     /2 panels on 1 sheet/,
   ],
+  [
+    'a coordinate that is no number',
+    'v 0 0 0\nv x 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n',
+    4,
+    /a coordinate of vertex 1 in the file is no number/,
+  ],
+  [
+    'a unit that is not known',
+    '# units: inches\nv 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nf 1 2 3 4\n',
+    4,
+    /the unit "inches" is not known/,
+  ],
+  [
+    'a face with a hole beside others',
+    `${[0, 4].map((x) => `v ${x} 0 0\nv ${x} 4 0\n`).join('')}v 1 1 0\nv 1 3 0\nv 3 1 0\nv 8 0 0
+v 8 4 0\nf 1 3 4 2 1 5 6 7 5\nf 3 8 9 4\n`,
+    9,
+    /1 face has the same vertex at two corners/,
+  ],
 ];
 for (const [what, text, vertices, words] of STRANGE) {
   test(`${what}: drawings are saved if there are faces, else the reason is shown`, async ({
@@ -456,7 +475,7 @@ for (const [what, text, vertices, words] of STRANGE) {
     await page.getByRole('button', { name: 'Build', exact: true }).click();
     await expect(panel(page)).toContainText(words);
     const save = panel(page).getByRole('button', { name: 'Save drawings' });
-    if (/no faces/.test(words.source)) {
+    if (/no faces|no number|not known/.test(words.source)) {
       await expect(save).toBeDisabled();
       return;
     }

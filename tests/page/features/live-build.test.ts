@@ -17,6 +17,11 @@ const jobsThat = (hear: (name: string, shape: Shape | undefined) => void) => ({
     return new Promise((resolve) => setTimeout(resolve, 0, value));
   }),
 });
+/** A triangle of a file without faces that are left as they are, and without guessed positions. */
+const triangle = {
+  ...{ faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) },
+  ...{ untouchedOffsets: Uint32Array.of(0), unplaced: new Uint32Array(0) },
+};
 /** Nothing is under way. */
 const actions = { settled: async () => {} };
 
@@ -26,8 +31,7 @@ function withTriangle(own: object, refuse: (why: string) => unknown = assert.fai
     ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
     document: { units: 'm', build: {} },
   };
-  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
-  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
+  const geometry = { generation: 1, positions: new Float64Array(9), connectivity: triangle };
   const app = { store: { get: () => state }, solver: { geometry }, actions, ...own };
   const on = { show() {}, showOffset() {}, refuse };
   return { state, live: new LiveBuild(app as unknown as AppContext, 'panel', on) };
@@ -46,6 +50,7 @@ test('faces that change during a build are built, although no vertex has moved',
   const mesh = (generation: number, offsets: number[], indices: number[]) => ({
     ...{ generation, positions },
     connectivity: {
+      ...triangle,
       faceOffsets: Uint32Array.from(offsets),
       faceIndices: Uint32Array.from(indices),
     },
@@ -78,7 +83,7 @@ test('what is saved while a large shape moves is built of its current positions'
   /** The first coordinate of each request, and its type. */
   const asked: (string | number)[] = [];
   const jobs = jobsThat((name, shape) => asked.push(shape?.positions[0] ?? name));
-  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const connectivity = triangle;
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0);
   const state = {
     ...{ model: { faces: 1, vertices: 100_000 }, dragged: [], running: false },
@@ -111,7 +116,7 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
   const jobs = jobsThat((_, shape) => {
     if (shape) built.push(shape.positions[0]);
   });
-  const connectivity = { faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) };
+  const connectivity = triangle;
   const shape = (generation: number, ...positions: number[]) => ({
     ...{ generation, connectivity, positions: Float64Array.from(positions) },
   });
@@ -180,4 +185,23 @@ test('what is saved while its build is cancelled is not saved', async () => {
   await assert.rejects(live.zip(), Cancelled);
   assert.deepEqual(refused, ['Cancelled.']);
   assert.deepEqual(asked, ['buildOffers']);
+});
+
+test('a build is told of guessed positions, of faces left as they are, and of the unit', async () => {
+  const built: Shape[] = [];
+  const jobs = jobsThat((_, shape) => {
+    if (shape) built.push(shape);
+  });
+  const connectivity = {
+    ...triangle,
+    ...{ untouchedOffsets: Uint32Array.of(0, 10, 20), unplaced: Uint32Array.of(1) },
+  };
+  const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
+  const { state, live } = withTriangle({ jobs, solver: { geometry } });
+  // Not taken for metres: the build refuses it.
+  state.document.units = 'inches';
+  await live.offers();
+  await live.update();
+  const [{ symbol, unplaced, untouched }] = built;
+  assert.deepEqual([symbol, [...unplaced], untouched], ['inches', [1], 2]);
 });

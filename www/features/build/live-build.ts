@@ -63,7 +63,7 @@ export class LiveBuild {
     return { ...(this.#defaults as BuildSettings), ...document?.build };
   }
 
-  /** The unit of the mesh; metres if the file has none. */
+  /** The unit of the mesh; metres if the file has none. Nothing is built in one that is not known. */
   unit() {
     const symbol = this.#app.store.get().document?.units ?? '';
     return UNITS.find((unit) => unit.symbol === symbol) ?? UNITS[0];
@@ -86,16 +86,10 @@ export class LiveBuild {
     const { model, document, running, dragged } = store.get();
     const { geometry } = solver;
     if (!model || !document || !geometry || !this.#defaults) return;
-    if (!model.faces) {
-      this.#key = '';
-      return this.#refuse(
-        'The model has no faces: there is nothing to cut. Parts are made of panels.',
-      );
-    }
     const isMoving = running || dragged.length > 0;
     if (isMoving && !isSaved && model.vertices > MOST_LIVE_VERTICES) return;
     const settings = this.settings();
-    const { symbol, metres } = this.unit();
+    const symbol = document.units ?? '';
     const { connectivity: mesh, generation } = geometry;
     const positions = geometry.positions.slice();
     const agreed = [symbol, JSON.stringify(settings)].join();
@@ -112,8 +106,10 @@ export class LiveBuild {
       }
       [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
       this.#generation = generation;
-      const { faceOffsets: offsets, faceIndices: indices } = mesh;
-      const shape = { positions, offsets, indices, settings, symbol, metres };
+      const { faceOffsets: offsets, faceIndices: indices, unplaced } = mesh;
+      const untouched = mesh.untouchedOffsets.length - 1;
+      const faces = { offsets, indices, unplaced, untouched };
+      const shape = { positions, ...faces, settings, symbol };
       const begun = performance.now();
       const built = await jobs.ask.build(this.#asker, shape, MOST_SHEETS);
       this.#milliseconds = performance.now() - begun;

@@ -7,14 +7,17 @@ import type { BuildSettings, OffsetLayer } from '../../solver/types.ts';
 /** The file name of the shape with its offset, the same as on the command line. */
 const PRESENTATION = 'model.glb';
 
-/** A shape (positions `#V by 3`) in a unit of `metres` metres, and what is to be made of it. */
+/** A shape (positions `#V by 3`) in the unit of a symbol, and what is to be made of it. */
 export interface Shape {
   positions: Float64Array;
   offsets: Uint32Array;
   indices: Uint32Array;
+  /** vertices whose positions are guesses */
+  unplaced: Uint32Array;
+  /** number of faces that are left as they are */
+  untouched: number;
   settings: BuildSettings;
   symbol: string;
-  metres: number;
 }
 
 /** The parts of one shape; each user has its own, so that none changes those of another. */
@@ -25,10 +28,10 @@ class Parts {
   #isReshaped = false;
 
   renew(shape: Shape) {
-    const { positions, offsets, indices, settings, symbol, metres } = shape;
+    const { positions, offsets, indices, unplaced, untouched, settings, symbol } = shape;
     this.builder?.free();
     this.builder = this.#shape = null;
-    this.builder = new Builder(positions, offsets, indices, settings, symbol, metres);
+    this.builder = new Builder(positions, offsets, indices, unplaced, untouched, settings, symbol);
     this.#shape = shape;
     this.#isReshaped = false;
     return this.builder;
