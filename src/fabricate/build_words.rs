@@ -7,7 +7,7 @@ use super::check_card::CheckRow;
 use super::offset::Choice;
 use super::report::BuildReport;
 use super::tighten::PanelSuggestion;
-use crate::scene::{OffsetKind, Product, panel_adjective};
+use crate::scene::{BuildSettings, OffsetKind, Product, panel_adjective};
 use crate::words;
 use serde::Serialize;
 
@@ -79,8 +79,10 @@ impl CheckRow {
                 .map_or("not available".to_owned(), |value| self.value_in_words(value)),
             // The limit of the distance is measured; the others are settings.
             limit: match self.limit {
+                // Inwards both are negative.
                 Some(measured) if self.id == "safe_distance" => {
-                    format!("≤ {}", self.value_in_words(measured))
+                    let sign = if measured < 0.0 { "≥" } else { "≤" };
+                    format!("{sign} {}", self.value_in_words(measured))
                 }
                 other => other.map_or("no limit".to_owned(), limit),
             },
@@ -176,7 +178,7 @@ impl BuildReport {
         line.join(", ")
     }
 
-    fn warnings(&self) -> Vec<String> {
+    fn warnings(&self, settings: &BuildSettings) -> Vec<String> {
         let bare = self.paper.as_ref().map_or(&[][..], |paper| &paper.without_tab);
         let creased = self.paper.as_ref().map_or(0, |paper| paper.creased);
         let some = |names: &[String]| words::and_more(names, NAMED);
@@ -185,10 +187,13 @@ impl BuildReport {
         let unnamed = parts(self.unnamed.len(), self.product);
         let has = if self.unnamed.len() == 1 { "has" } else { "have" };
         let (large, uncut) = (some(&self.too_large), some(&self.not_cut));
+        let without_prism = self.frame.as_ref().map_or(0, |frame| frame.without_prism);
         [
             named(
                 &self.too_large,
-                format!("Larger than the sheet: {large}. They are left out, not scaled."),
+                format!(
+                    "Larger than the sheet within its margins: {large}. They are left out, not scaled."
+                ),
             ),
             named(&self.not_cut, format!("Not cut: {uncut}.")),
             counted(
@@ -206,7 +211,18 @@ impl BuildReport {
             ),
             counted(
                 self.dropped_holes,
-                format!("No room for {}.", count(self.dropped_holes, "hole")),
+                match settings.hole > settings.kerf {
+                    true => format!("No room for {}.", count(self.dropped_holes, "hole")),
+                    false => {
+                        let holes = words::count(self.dropped_holes, "hole is", "holes are");
+                        format!("{holes} left out: no wider than the kerf.")
+                    }
+                },
+            ),
+            counted(
+                without_prism,
+                words::count(without_prism, "beam has", "beams have")
+                    + " no solid: the cuts at its ends leave nothing of it.",
             ),
             named(bare, format!("No tab between {}.", some(bare))),
             counted(
@@ -225,6 +241,9 @@ impl BuildReport {
             return String::new();
         }
         let panels = format!("Panels of {}", words::millimetres_limit(thickness));
+        if !self.no_least_joint.is_empty() {
+            return format!("{panels} need a joint that is not known: {}.", self.no_least_joint);
+        }
         let joint = |least: f64| format!("a joint of at least {}", words::millimetres(least));
         match self.least_joint_mm {
             [None, None] => format!("{panels} need no joint."),
@@ -249,7 +268,7 @@ impl Build {
         let BuildReport { check, offset, tighten, .. } = report;
         BuildWords {
             sheets: report.sheets_in_words(),
-            warnings: report.warnings(),
+            warnings: report.warnings(&self.settings),
             joint: report.joint(self.settings.thickness),
             card: CardWords::new(
                 check,

@@ -62,7 +62,8 @@ pub struct PaperReport {
 pub struct BuildReport {
     /// The product.
     pub product: Product,
-    /// Parts to be cut: panels, fins, or pieces of paper.
+    /// Parts to be cut: panels, fins, or pieces of paper. The panels of which no piece is made are in
+    /// `not_cut` only.
     pub parts: usize,
     /// Panels.
     pub panels: usize,
@@ -99,8 +100,10 @@ pub struct BuildReport {
     /// The gap between panels on the sheet.
     pub joint_mm: f64,
     /// The least joint on the sheet that keeps panels of this thickness from colliding, if they are
-    /// laid outside and inside of the surface; null if no edge closes.
+    /// laid outside and inside of the surface; null if no edge closes, or it is not known.
     pub least_joint_mm: [Option<f64>; 2],
+    /// Why the least joint is not known; empty if it is.
+    pub no_least_joint: &'static str,
     /// Neighbours' names without room on their part.
     pub dropped_names: usize,
     /// Parts whose own name is lower than 2 mm.
@@ -168,13 +171,15 @@ impl Build {
             .flat_map(|sheet| sheet.places.iter().map(|place| place.part))
             .collect();
         let sum = |of: fn(&[[f64; 2]]) -> f64| {
-            on_sheets.iter().map(|&part| of(&self.parts[part].outline)).sum::<f64>()
+            // Not `sum`, which is -0 of nothing.
+            on_sheets.iter().map(|&part| of(&self.parts[part].outline)).fold(0.0, |a, b| a + b)
         };
         let is_nameless =
             |part: &&CutPart| part.named == NamePlace::Nowhere && !self.settings.outlines_only;
         let cut_area_mm2 = sum(area);
         let holes = on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
-        let around_holes = holes.map(|hole| std::f64::consts::TAU * hole.radius).sum::<f64>();
+        let around_holes =
+            holes.map(|hole| std::f64::consts::TAU * hole.radius).fold(0.0, |a, b| a + b);
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
         let folds = || self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
@@ -187,7 +192,11 @@ impl Build {
         let nodes = distinct(self.surface.faces.indices().iter().copied());
         BuildReport {
             product: self.settings.product,
-            parts: self.parts.len() + self.not_cut.len(),
+            parts: self.parts.len()
+                + match self.settings.product {
+                    Product::Paper => 0,
+                    Product::Panels | Product::Fins => self.not_cut.len(),
+                },
             panels: self.names.len(),
             edges: self.surface.edges.len(),
             nodes: nodes.len(),
@@ -210,7 +219,8 @@ impl Build {
             cut_area_mm2,
             cut_length_mm: sum(perimeter) + around_holes,
             joint_mm: self.settings.joint * self.mm_of_sheet(),
-            least_joint_mm: [1.0, -1.0].map(|side| self.least_joint(side)),
+            least_joint_mm: [1.0, -1.0].map(|side| self.least_joint(side).ok().flatten()),
+            no_least_joint: self.least_joint(1.0).and(self.least_joint(-1.0)).err().unwrap_or(""),
             dropped_names: self.dropped_names,
             small_names: self.small_names,
             unnamed: (self.layout.places(self.parts.len()).iter().zip(&self.parts))
@@ -254,14 +264,26 @@ impl Build {
     }
 
     /// Panels of thickness `T` on one side collide at an edge of fold `theta` towards that side
-    /// unless the joint is at least `2 T sin(|theta|/2) / cos(theta/2)`.
-    fn least_joint(&self, side: f64) -> Option<f64> {
+    /// unless the joint is at least `2 T sin(|theta|/2) / cos(theta/2)`. None if no edge closes.
+    ///
+    /// # Errors
+    /// Why it is not known.
+    fn least_joint(&self, side: f64) -> Result<Option<f64>, &'static str> {
+        if self.surface.unpaired().any(|(_, panels)| panels.len() > 2) {
+            return Err("more than two panels meet at an edge");
+        }
+        if self.surface.one_sided.is_some() {
+            return Err("the surface has one side only");
+        }
         let folds = self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
         let closing = folds.map(|fold| fold * side).filter(|fold| *fold < 0.0);
         let steepest = closing.fold(0.0, f64::min);
         let half_turns = -steepest / std::f64::consts::TAU * 0.5;
         let (sine, cosine) = (crate::math::sine(half_turns), crate::math::cosine(half_turns));
-        (steepest < 0.0 && cosine > 1e-6).then(|| 2.0 * self.settings.thickness * sine / cosine)
+        match cosine > 1e-6 {
+            true => Ok((steepest < 0.0).then(|| 2.0 * self.settings.thickness * sine / cosine)),
+            false => Err("panels lie on each other"),
+        }
     }
 
     fn frame_report(&self) -> Option<FrameReport> {

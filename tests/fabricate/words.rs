@@ -5,7 +5,7 @@ use super::identities::revolution;
 use crate::support::grid::grid;
 use shape_up::fabricate::{BuildReport, CheckWords, PanelSuggestion};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, OffsetKind, Product};
+use shape_up::scene::{BuildSettings, Names, OffsetKind, Product};
 
 /// Quads that are neither flat nor circular.
 fn wavy() -> Mesh {
@@ -24,8 +24,7 @@ fn parts_on_sheets_are_counted_with_what_is_left_out() {
     let bad = BuildReport { placed: 15, too_large: names(8), unnamed: names(1), ..report };
     let words = made.words(&bad);
     assert!(words.sheets.starts_with("15 of 16 panels on 1 sheet, "), "{}", words.sheets);
-    let large =
-        "Larger than the sheet: P0, P1, P2, P3, P4, P5 and 2 more. They are left out, not scaled.";
+    let large = "Larger than the sheet within its margins: P0, P1, P2, P3, P4, P5 and 2 more. They are left out, not scaled.";
     assert_eq!(words.warnings[0], large);
     assert!(
         words.warnings.contains(&"1 panel has no room for a name: P0.".to_owned()),
@@ -106,4 +105,86 @@ fn an_offset_is_said_to_be_exact_or_why_it_is_not() {
     assert!(words.offset.starts_with(start) && words.offset.ends_with('.'), "{words:?}");
     let errors: Vec<String> = fitted.choices().iter().map(|choice| choice.words()).collect();
     assert!(errors.iter().all(|words| words == "exact" || words.starts_with("± ")), "{errors:?}");
+}
+
+#[test]
+fn a_distance_inwards_is_compared_with_its_limit_as_it_is_met() {
+    let own = |distance| BuildSettings {
+        kind: Some(OffsetKind::Face),
+        distance: Some(distance),
+        ..BuildSettings::default()
+    };
+    for distance in [-0.05, 0.05] {
+        let made = build(&revolution(9, 7), &own(distance));
+        let card = made.card();
+        let at = card.check.iter().position(|row| row.id == "safe_distance").unwrap();
+        let Some(limit) = card.check[at].limit else { continue };
+        assert!(distance > 0.0 || limit < 0.0);
+        let words = &made.card_words(&card).check[at];
+        let sign = if distance > 0.0 { "≤ " } else { "≥ " };
+        assert!(words.limit.starts_with(sign), "{words:?}");
+        assert_eq!(
+            (&*words.value, &*words.state),
+            (if distance > 0.0 { "50.0 mm" } else { "−50.0 mm" }, "met")
+        );
+    }
+}
+
+#[test]
+fn pieces_are_not_counted_with_panels_of_which_none_is_made() {
+    let mut mesh = grid(2, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    mesh.positions.push([0.5, 0.0, 0.0]);
+    mesh.faces.push(&[0, 6, 1]);
+    let own = BuildSettings { product: Product::Paper, ..BuildSettings::default() };
+    let made = build(&mesh, &own);
+    let words = made.words(&made.report());
+    assert!(words.sheets.starts_with("1 piece on 1 sheet"), "{}", words.sheets);
+    assert!(words.warnings.contains(&"Not cut: P2: it has no area.".to_owned()), "{words:?}");
+}
+
+#[test]
+fn no_joint_is_named_where_panels_meet_that_have_no_outside() {
+    let made = build(&crate::support::grid::wall_on_floor(), &BuildSettings::default());
+    let words = made.words(&made.report());
+    assert!(!words.joint.contains("need no joint"), "{}", words.joint);
+    assert!(words.joint.contains("more than two panels"), "{}", words.joint);
+}
+
+#[test]
+fn a_name_beside_a_part_or_nowhere_is_not_a_small_name_on_it() {
+    // Slivers too narrow for any letter.
+    let sliver = grid(3, 1, |i, j| [f64::from(i), 2e-3 * f64::from(j), 0.0]);
+    let own = BuildSettings { scale: 50.0, ..BuildSettings::default() };
+    let made = build(&sliver, &own);
+    let report = made.report();
+    assert_eq!((report.placed, report.small_names), (3, 0));
+    assert_eq!(report.dropped_names, 4);
+}
+
+#[test]
+fn beams_without_a_solid_are_counted_in_words() {
+    let own = BuildSettings {
+        product: Product::Fins,
+        thickness: 0.0,
+        beam_width: Some(3.0),
+        ..BuildSettings::default()
+    };
+    let made = build(&super::beams::cube(), &own);
+    let report = made.report();
+    let without = report.frame.as_ref().unwrap().without_prism;
+    assert!(without > 0);
+    let words = made.words(&report).warnings;
+    assert!(words.iter().any(|words| words.contains(&format!("{without} beams"))), "{words:?}");
+}
+
+#[test]
+fn names_by_rows_where_there_is_no_grid_are_said_to_be_numbers() {
+    let own = |names| BuildSettings { names, ..BuildSettings::default() };
+    let said = |mesh: &Mesh, names| {
+        let report = build(mesh, &own(names)).report();
+        report.problems.iter().any(|words| words.contains("rows"))
+    };
+    assert!(said(&super::beams::cube(), Names::Rows));
+    assert!(!said(&super::beams::cube(), Names::Index));
+    assert!(!said(&wavy(), Names::Rows));
 }

@@ -35,9 +35,13 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
     match report.product {
         Product::Panels => {
             let [outside, inside] = report.least_joint_mm.map(|mm| millimetres(mm.unwrap_or(0.0)));
+            let least = match report.no_least_joint {
+                "" => format!("{outside} outside, {inside} inside"),
+                why => format!("not known: {why}"),
+            };
             lines.extend([
                 ("Joint on the sheet", millimetres(report.joint_mm)),
-                ("Least joint for that thickness", format!("{outside} outside, {inside} inside")),
+                ("Least joint for that thickness", least),
             ]);
         }
         Product::Fins => lines.extend(

@@ -59,7 +59,9 @@ fn summary(build: &Build) -> String {
     row("sheets", Cell::from(report.sheets), "");
     row("area of parts", Cell::from(report.cut_area_mm2), "mm2");
     row("length of cuts", Cell::from(report.cut_length_mm), "mm");
-    row("joint on the sheet", Cell::from(build.settings.joint * build.mm_of_sheet()), "mm");
+    if report.product == Product::Panels {
+        row("joint on the sheet", Cell::from(report.joint_mm), "mm");
+    }
     row("types of panels", Cell::from(report.types), "");
     for check in &report.check {
         row(check.label, Cell::from(check.value), check.unit);
