@@ -73,7 +73,7 @@ pub struct Build {
     pub offset: Option<(Axes, OffsetCheck)>,
     /// The errors of each kind of offset that was tried.
     pub(super) tried: Vec<Choice>,
-    /// Products that are not available, and why.
+    /// What is not available, or not as it seems, and why; first why there is no offset.
     pub faults: Vec<Fault>,
 }
 
@@ -131,6 +131,9 @@ impl Build {
         build.make_offset(build.settings.kind);
         if build.surface.untouched > 0 {
             build.faults.push(Fault::untouched(build.surface.untouched));
+        }
+        if build.surface.is_inside_out() {
+            build.faults.push(Fault::inside_out());
         }
         if build.settings.names == Names::Rows && !are_rows {
             build.faults.push(Fault::no_rows());

@@ -1,6 +1,6 @@
 //! Reasons why something cannot be built, and the products that are still available.
 
-use crate::mesh::untouched_words;
+use crate::mesh::{Mesh, untouched_words};
 use crate::scene::UNITS;
 use std::fmt;
 
@@ -17,9 +17,14 @@ impl fmt::Display for Fault {
 impl std::error::Error for Fault {}
 
 impl Fault {
-    /// Points and curves have nothing to cut.
-    pub(super) fn no_panels(has_curves: bool) -> Fault {
-        let what = if has_curves { "curves" } else { "points" };
+    /// Points, curves and tetrahedra have nothing to cut.
+    pub(super) fn no_panels(mesh: &Mesh) -> Fault {
+        let what = match (mesh.curves.is_empty(), mesh.tets.is_empty()) {
+            (false, true) => "curves",
+            (true, false) => "tetrahedra",
+            (false, false) => "curves and tetrahedra",
+            (true, true) => "points",
+        };
         Fault(format!(
             "the model has {what} but no faces: there is nothing to cut, expected a surface of panels"
         ))
@@ -43,6 +48,14 @@ impl Fault {
     /// Faces of the mesh that are left as they are.
     pub(super) fn untouched(faces: usize) -> Fault {
         Fault(untouched_words(faces))
+    }
+
+    /// A closed surface whose panels face inwards.
+    pub(super) fn inside_out() -> Fault {
+        Fault(
+            "the surface is closed and its panels face inwards, so what is called outside here is its inside: flip all faces"
+                .to_owned(),
+        )
     }
 
     /// Names by rows and columns without rows and columns.

@@ -136,7 +136,7 @@ pub struct BuildReport {
     pub check: Vec<CheckRow>,
     /// Suggestions for the numbers that exceed their limits.
     pub tighten: Tighten,
-    /// Products that are not available, each with the reason.
+    /// What is not available, or not as it seems, each with the reason.
     pub problems: Vec<String>,
 }
 

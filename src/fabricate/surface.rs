@@ -74,7 +74,7 @@ impl PanelSurface {
     pub fn new(mesh: &Mesh) -> Result<PanelSurface, Fault> {
         if mesh.faces.is_empty() {
             return Err(match mesh.untouched.len() {
-                0 => Fault::no_panels(!mesh.curves.is_empty()),
+                0 => Fault::no_panels(mesh),
                 faces => Fault::untouched(faces),
             });
         }
@@ -191,6 +191,19 @@ impl PanelSurface {
         let [Some(left), Some(right)] = edge.panels else { return None };
         let (n, m) = (self.normal(left), self.normal(right));
         Some(libm::atan2(self.direction(edge).dot(n.cross(m)), n.dot(m)))
+    }
+
+    /// Whether it is closed and its panels face inwards: it encloses a negative volume. A hollow solid
+    /// encloses a positive one.
+    pub fn is_inside_out(&self) -> bool {
+        let middle = |face: &[u32]| {
+            let sum = face.iter().fold(Vec3::zero(), |sum, &v| sum + self.at(v));
+            sum * (1.0 / face.len() as f64)
+        };
+        let cones = self.faces.iter().zip(&self.areas).map(|(face, area)| middle(face).dot(*area));
+        self.one_sided.is_none()
+            && self.edges.iter().all(|edge| !edge.is_rim())
+            && cones.sum::<f64>() < 0.0
     }
 
     /// The panels that are folded over: the normals of the panel and of one of its vertices point

@@ -21,7 +21,11 @@ fn points_and_curves_have_no_panels() {
     let points = Mesh { positions: vec![[0.0; 3], [1.0; 3]], ..Mesh::default() };
     let mut curves = points.clone();
     curves.curves.push(&[0, 1]);
-    for (mesh, what) in [(points, "points"), (curves, "curves"), (Mesh::default(), "points")] {
+    let tets = Mesh { positions: vec![[0.0; 3]; 4], tets: vec![[0, 1, 2, 3]], ..Mesh::default() };
+    let none = Mesh::default();
+    for (mesh, what) in
+        [(points, "points"), (curves, "curves"), (tets, "tetrahedra"), (none, "points")]
+    {
         let fault = Build::new(&mesh, &BuildSettings::default(), metres()).unwrap_err();
         assert!(fault.0.contains(what) && fault.0.contains("expected"), "{fault}");
     }
@@ -399,4 +403,26 @@ fn faces_that_are_left_as_they_are_are_mentioned() {
     assert_eq!((report.panels, report.placed), (1, 1));
     let said = |words: &[String]| words.iter().any(|words| words.contains("1 face has the same"));
     assert!(said(&report.problems), "{:?}", report.problems);
+}
+
+#[test]
+fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
+    let cube = super::beams::cube();
+    let mut reversed = Mesh { faces: Ragged::new(), ..cube.clone() };
+    cube.faces.iter().for_each(|face| {
+        reversed.faces.push(&face.iter().rev().copied().collect::<Vec<_>>());
+    });
+    // A hollow cube: the smaller one faces the hole.
+    let mut hollow = cube.clone();
+    let inner = cube.positions.iter().map(|point| point.map(|x| 0.5 * x));
+    hollow.positions.extend(inner);
+    for face in reversed.faces.iter() {
+        hollow.faces.push(&face.iter().map(|v| v + 8).collect::<Vec<_>>());
+    }
+    let mut open = Mesh { faces: Ragged::new(), ..reversed.clone() };
+    reversed.faces.iter().skip(1).for_each(|face| open.faces.push(face));
+    for (mesh, is_inside_out) in [(cube, false), (reversed, true), (hollow, false), (open, false)] {
+        let problems = build(&mesh, &BuildSettings::default()).report().problems;
+        assert_eq!(problems.iter().any(|words| words.contains("inwards")), is_inside_out);
+    }
 }

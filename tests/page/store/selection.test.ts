@@ -23,6 +23,8 @@ test('selected faces and edges stand for their vertices, each listed once', () =
   const square = {
     faceOffsets: Uint32Array.of(0, 4),
     faceIndices: Uint32Array.of(0, 1, 2, 3),
+    untouchedOffsets: Uint32Array.of(0),
+    unplaced: new Uint32Array(0),
     curveOffsets: Uint32Array.of(0),
     curveIndices: Uint32Array.of(),
     edges: Uint32Array.of(2, 9),
