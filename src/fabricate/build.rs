@@ -4,6 +4,7 @@ use super::alike::Types;
 use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
+use super::limit::{ROUNDING, is_within};
 use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
 use super::panel::{FlatPanel, lay_flat, panel_names, panel_types};
 use super::paper::PaperModel;
@@ -201,9 +202,9 @@ impl Build {
         let (limits, building, distance) =
             (self.settings.limits, self.mm_of_building(), self.distance());
         let safe = check.safe_distance[usize::from(distance > 0.0)];
-        check.warp * building <= limits.warp
-            && check.distance_error * building <= limits.distance
-            && check.inner_lean_deg <= limits.lean
+        is_within(check.warp * building, limits.warp)
+            && is_within(check.distance_error * building, limits.distance)
+            && is_within(check.inner_lean_deg, limits.lean)
             && safe.is_none_or(|safe| distance.abs() < safe.abs())
     }
 
@@ -222,7 +223,7 @@ impl Build {
     /// The warp and distance error of an exact offset, in the unit of the mesh.
     pub(super) fn exact_tolerance(&self) -> f64 {
         let limits = self.settings.limits;
-        0.1 * limits.warp.min(limits.distance) / self.mm_of_building()
+        (0.1 * limits.warp.min(limits.distance)).max(ROUNDING) / self.mm_of_building()
     }
 
     /// The sheets as line drawings.

@@ -2,6 +2,7 @@
 //! elements that exceed a limit. Lengths are in mm of the building.
 
 use super::build::Build;
+use super::limit::is_within;
 use super::offset::{BeamCheck, NodeCheck};
 use super::surface::distinct;
 use serde::Serialize;
@@ -65,7 +66,7 @@ struct Checked {
 impl Checked {
     /// The elements that exceed the limit.
     fn failed(&self) -> impl Iterator<Item = u32> + '_ {
-        let failed = |value: &Option<f64>| value.is_some_and(|value| value > self.limit);
+        let failed = |value: &Option<f64>| value.is_some_and(|value| !is_within(value, self.limit));
         (0..).zip(&self.values).filter(move |(_, value)| failed(value)).map(|(k, _)| k)
     }
 
@@ -87,7 +88,7 @@ impl Checked {
             value: worst.map(|(value, _)| value),
             limit: Some(self.limit),
             unit,
-            met: worst.map(|(value, _)| value <= self.limit),
+            met: worst.map(|(value, _)| is_within(value, self.limit)),
             worst: worst.filter(|(value, _)| *value > 0.0).map_or(Worst::None, |(_, k)| element(k)),
             failed: self.failed().count(),
         }

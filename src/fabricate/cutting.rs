@@ -82,8 +82,8 @@ impl Build {
             |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
         let (whole, outline) = (turned(&scaled), turned(&outline));
         let across = |e: u32| {
-            let others = self.surface.others(e, f as u32);
-            let names: Vec<&str> = others.map(|other| &*self.names[other as usize]).collect();
+            let met = self.surface.met(e, f as u32).into_iter();
+            let names: Vec<&str> = met.map(|other| &*self.names[other as usize]).collect();
             (!names.is_empty()).then(|| names.join("/"))
         };
         // A corner that coincides with the next one is dropped.

@@ -141,6 +141,28 @@ impl PanelSurface {
         self.panels.row(edge as usize).iter().copied().filter(move |&other| other != panel)
     }
 
+    /// The panels that a panel meets at an edge: those beyond it, and beyond panels without area, of
+    /// which nothing is made.
+    pub fn met(&self, edge: u32, panel: u32) -> Vec<u32> {
+        let has_area = |f: &u32| self.areas[*f as usize] != Vec3::zero();
+        let mut found = Vec::new();
+        for other in self.others(edge, panel) {
+            if has_area(&other) {
+                found.push(other);
+                continue;
+            }
+            let sides = self.sides.row(other as usize).iter().filter(|&&side| side != edge);
+            found.extend(sides.flat_map(|&side| self.others(side, other)));
+        }
+        let mut known = Vec::new();
+        found.retain(|f| {
+            let is_new = *f != panel && has_area(f) && !known.contains(f);
+            known.push(*f);
+            is_new
+        });
+        found
+    }
+
     /// The edges whose panels are not one on either side, with these panels: more than two meet
     /// there, or two traverse it in the same direction. Such panels can be cut but not joined.
     pub fn unpaired(&self) -> impl Iterator<Item = (&Edge, &[u32])> {

@@ -239,6 +239,28 @@ fn a_panel_without_area_leaves_the_offset_of_the_others_exact() {
 }
 
 #[test]
+fn no_panel_is_told_to_meet_one_that_is_not_there() {
+    let plain = revolution(9, 7);
+    let own = BuildSettings { kind: Some(OffsetKind::Face), ..BuildSettings::default() };
+    let (a, b) = (32, 33);
+    let made = build(&with_a_panel_without_area(plain.clone(), [a, b], 0.4), &own);
+    let expected = build(&plain, &own);
+    let edge = |made: &Build, ends: [u32; 2]| {
+        made.surface.edges.iter().position(|edge| edge.ends == ends).unwrap() as u32
+    };
+    let [left, right] = expected.surface.edges[edge(&expected, [a, b]) as usize].panels;
+    let (left, right) = (left.unwrap(), right.unwrap());
+    let c = plain.positions.len() as u32;
+    assert_eq!(made.surface.met(edge(&made, [a, b]), right), [left]);
+    for ends in [[a, c], [b, c]] {
+        assert_eq!(made.surface.met(edge(&made, ends), left), [right]);
+    }
+    // What is written on the panel is the same.
+    let right = right as usize;
+    assert_eq!(made.parts[right].engraved, expected.parts[right].engraved);
+}
+
+#[test]
 fn two_beams_in_one_direction_are_no_fins_of_any_thickness() {
     let own = BuildSettings {
         product: Product::Fins,

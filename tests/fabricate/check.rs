@@ -175,3 +175,19 @@ fn the_kind_that_meets_all_limits_is_the_default_whatever_the_size() {
         assert_eq!(report.offset.unwrap().kind, OffsetKind::Face, "{size}");
     }
 }
+
+#[test]
+fn what_is_exact_but_for_rounding_meets_limits_of_0() {
+    let limits = CheckLimits { warp: 0.0, distance: 0.0, ..CheckLimits::default() };
+    for kind in [OffsetKind::Face, OffsetKind::Corner] {
+        let own = BuildSettings { kind: Some(kind), limits, ..BuildSettings::default() };
+        let report = build(&revolution(9, 7), &own).report();
+        assert!(report.offset.unwrap().exact, "{kind:?}");
+        for id in ["beam_warp", "distance_error"] {
+            let row = row(&report.check, id);
+            assert_eq!((row.met, row.failed), (Some(true), 0), "{row:?}");
+        }
+    }
+    let report = build(&wavy(), &BuildSettings { limits, ..BuildSettings::default() }).report();
+    assert_eq!(row(&report.check, "beam_warp").met, Some(false));
+}
