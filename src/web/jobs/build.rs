@@ -2,13 +2,14 @@
 
 use crate::fabricate::file::{SheetPicture, picture};
 use crate::fabricate::{
-    BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, LengthInMetres,
-    ReportView, SpatialPart,
+    BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, Fault,
+    LengthInMetres, ReportView, SpatialPart,
 };
 use crate::mesh::Mesh;
 use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings};
 use crate::web::values::{Js, plain, plains, read};
 use crate::web::{log_panics, mesh_of, thrown};
+use crate::words;
 use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
@@ -94,9 +95,9 @@ impl Builder {
         // Only their number counts.
         let untouched = std::iter::repeat_n([0_u32; 0], untouched).collect();
         let mesh = Mesh { unplaced, untouched, ..mesh_of(positions, offsets, indices) };
-        let unit = LengthInMetres::of(symbol).map_err(thrown)?;
-        let build = Build::new(&mesh, &settings, unit);
-        Ok(Builder { build: build.map_err(thrown)? })
+        let build = LengthInMetres::of(symbol).and_then(|unit| Build::new(&mesh, &settings, unit));
+        let said = |fault: Fault| thrown(format!("{}.", words::sentence(&fault.0)));
+        Ok(Builder { build: build.map_err(said)? })
     }
 
     /// Returns all numbers, as in the report of the command line, and their words.

@@ -449,13 +449,13 @@ const STRANGE: [what: string, text: string, vertices: number, words: RegExp][] =
     'a coordinate that is no number',
     'v 0 0 0\nv x 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n',
     4,
-    /a coordinate of vertex 1 in the file is no number/,
+    /A coordinate of vertex 1 in the file is no number/,
   ],
   [
     'a unit that is not known',
     '# units: inches\nv 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nf 1 2 3 4\n',
     4,
-    /the unit "inches" is not known/,
+    /The unit "inches" is not known/,
   ],
   [
     'a face with a hole beside others',
