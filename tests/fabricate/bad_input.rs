@@ -448,3 +448,21 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
         assert_eq!(problems.iter().any(|words| words.contains("inwards")), is_inside_out);
     }
 }
+
+#[test]
+fn parts_too_narrow_to_be_cut_are_named_and_not_placed() {
+    // A row of quads with one of a thousandth of a millimetre in it, turned.
+    let x = [0.0, 1.0, 1.0 + 2e-5, 2.0];
+    let mesh = grid(3, 1, |i, j| {
+        let (x, y) = (x[i as usize], f64::from(j));
+        [0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y, 0.1 * x]
+    });
+    for product in Product::ALL {
+        let own =
+            BuildSettings { product, scale: 20.0, thickness: 0.0, ..BuildSettings::default() };
+        let report = build(&mesh, &own).report();
+        let expected = if product == Product::Fins { 2 } else { 1 };
+        assert_eq!(report.not_cut.len(), expected, "{product:?} {:?}", report.not_cut);
+        assert!(report.not_cut.iter().all(|why| why.contains("narrow")), "{:?}", report.not_cut);
+    }
+}

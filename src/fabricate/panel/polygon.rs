@@ -1,6 +1,8 @@
 //! Polygons in the plane, counterclockwise.
 
-use crate::math::plane::{Point2, bounds, cross, distance, dot, is_inside, length, minus, rotated};
+use crate::math::plane::{
+    Point2, area, bounds, cross, distance, dot, is_inside, length, minus, rotated,
+};
 use crate::math::{cosine, key_of_number, sine, sort_by_number};
 
 /// The sides of a polygon.
@@ -138,15 +140,24 @@ pub(in crate::fabricate) fn smallest_box_within(
     best.map_or(([1.0, 0.0], [0.0; 2]), |(_, turn, size)| (turn, size))
 }
 
-/// Checks that a part, in mm, is not so small that no machine can cut it, and files have no digits
-/// for it.
+/// Checks that a part, in mm, is not so small or narrow that no machine can cut it, and files have no
+/// digits for it.
 ///
 /// # Errors
 /// If it is, in words.
 pub(in crate::fabricate) fn check_size(part: &[Point2]) -> Result<(), &'static str> {
     const LEAST: f64 = 0.1;
+    const NARROWEST: f64 = 0.01;
     let [low, high] = bounds(part.iter().copied());
-    if distance(low, high) < LEAST { Err("it is smaller than 0.1 mm on the sheet") } else { Ok(()) }
+    let diagonal = distance(low, high);
+    if diagonal < LEAST {
+        return Err("it is smaller than 0.1 mm on the sheet");
+    }
+    // No box is lower than the area over the diagonal.
+    if area(part) < NARROWEST * diagonal && smallest_box(part).1[1] < NARROWEST {
+        return Err("it is narrower than 0.01 mm on the sheet");
+    }
+    Ok(())
 }
 
 /// The distance of a point from the outline.
@@ -193,7 +204,6 @@ pub fn roomiest_point(polygon: &[Point2]) -> (Point2, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::plane::area;
 
     const NOTCHED: [Point2; 5] = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [2.0, 1.0], [0.0, 3.0]];
 
