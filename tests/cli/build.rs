@@ -63,6 +63,17 @@ fn fins_and_paper_models_are_made_on_demand() {
 }
 
 #[test]
+fn fins_that_are_all_cut_away_are_not_said_to_be_cut_back_by_nothing() {
+    let folder = Folder::new("build-cut-away");
+    folder.write("roof.obj", ROOF);
+    let asked = ["build", "roof.obj", "--units=m", "--product=fins", "--scale=20"];
+    let words = folder.run(&[&asked[..], &["--thickness=3"]].concat()).done();
+    assert!(words.contains("; fins cut back by up to "), "{words}");
+    let words = folder.run(&[&asked[..], &["--thickness=300"]].concat()).done();
+    assert!(words.starts_with("0 of 12 fins") && !words.contains("cut back by"), "{words}");
+}
+
+#[test]
 fn a_report_page_has_the_title_of_the_scene_or_file_and_the_link() {
     let folder = Folder::new("build-page");
     let scene =

@@ -105,7 +105,7 @@ fn words(report: &BuildReport, said: &BuildWords, remarks: &[String]) -> String 
         format!("sheets of {width} x {height} mm, scale 1:{}, unit {}", report.scale, report.unit),
         format!("types of edges {}", report.edge_types),
     ];
-    lines.extend(report.frame.as_ref().map(frame_line));
+    lines.extend(report.frame.as_ref().map(|frame| frame_line(frame, report)));
     lines.extend(report.paper.as_ref().map(paper_line));
     let CardWords { check, offset, .. } = &said.card;
     let sentences = [offset, &said.joint].into_iter().filter(|words| !words.is_empty());
@@ -117,13 +117,14 @@ fn words(report: &BuildReport, said: &BuildWords, remarks: &[String]) -> String 
     lines.join("\n") + "\n"
 }
 
-fn frame_line(frame: &FrameReport) -> String {
-    format!(
-        "nodes {}; fins cut back by up to {}; steps between prisms up to {}",
-        frame.nodes,
-        words::millimetres(frame.cut_back_mm),
-        words::millimetres(frame.node_step_mm)
-    )
+fn frame_line(frame: &FrameReport, report: &BuildReport) -> String {
+    // Those that are cut away altogether have no length that is.
+    let cut_back = match report.parts > report.not_cut.len() {
+        true => format!("fins cut back by up to {}; ", words::millimetres(frame.cut_back_mm)),
+        false => String::new(),
+    };
+    let step = words::millimetres(frame.node_step_mm);
+    format!("nodes {}; {cut_back}steps between prisms up to {step}", frame.nodes)
 }
 
 fn paper_line(paper: &PaperReport) -> String {

@@ -48,6 +48,7 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
             report
                 .frame
                 .as_ref()
+                .filter(|_| report.parts > report.not_cut.len())
                 .map(|frame| ("Cut back at nodes by up to", millimetres(frame.cut_back_mm))),
         ),
         Product::Paper => {
