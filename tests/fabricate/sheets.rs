@@ -113,3 +113,24 @@ fn a_part_that_fits_only_on_the_diagonal_of_the_sheet_is_laid_there() {
         assert!(x >= 5.0 - 1e-6 && y >= 5.0 - 1e-6 && x <= 415.0 + 1e-6 && y <= 292.0 + 1e-6);
     }
 }
+
+#[test]
+fn a_panel_with_an_edge_shorter_than_the_joint_is_cut_without_it() {
+    // The corner between two others of a plate is cut off by a millimetre.
+    let positions = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.999], [0.999, 1.0], [0.0, 1.0], [2.0, 0.0]];
+    let positions = positions.map(|[x, y]| [x, y, 0.0]).to_vec();
+    let mut mesh = Mesh { positions, ..Mesh::default() };
+    [&[0, 1, 2, 3, 4][..], &[1, 5, 2]].iter().for_each(|face| mesh.faces.push(face));
+    let own =
+        BuildSettings { scale: 1.0, joint: 0.01, sheet: [1500.0; 2], ..BuildSettings::default() };
+    let made = build(&mesh, &own);
+    assert_eq!(made.not_cut, []);
+    let outline = &made.parts[0].outline;
+    assert_eq!(outline.len(), 4);
+    let found = shape_up::math::plane::area(outline);
+    assert!((found - 990.0 * 990.0).abs() < 1e-6, "{found}");
+    // The name of the neighbour is written, and holes are opposite each other.
+    assert_eq!(made.dropped_names, 0);
+    let with_holes = build(&mesh, &BuildSettings { hole: 8.0, ..own });
+    assert!(with_holes.parts.iter().all(|part| part.holes.len() == 2));
+}

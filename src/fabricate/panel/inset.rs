@@ -1,51 +1,108 @@
 //! Subtraction of the joint: every edge is moved inwards by half the joint `g`, and consecutive
 //! lines are intersected. The area of a convex panel becomes
-//! `A - (g/2) L + (g/2)^2 sum cot(angle/2)`.
+//! `A - (g/2) L + (g/2)^2 sum cot(angle/2)`, as long as no edge vanishes.
 
-use super::polygon::{direction_of, is_simple};
-use crate::math::plane::{Point2, area, cross, dot, minus};
+use super::polygon::{direction_of, distance_to_outline, is_simple};
+use crate::math::plane::{Point2, area, cross, dot, is_inside, minus};
 
 /// Lines are parallel if the sine of their angle is smaller than this.
 const PARALLEL: f64 = 1e-9;
 
-/// Moves every edge of a polygon inwards by `by`, or outwards if it is negative. Returns none if an
-/// edge would flip: the panel is too small for the joint. Coincident corners stay coincident.
+/// Moves every edge of a polygon inwards by `by`, or outwards if it is negative. An edge that would
+/// flip vanishes first: its ends become one corner. Returns none if less than a triangle is left, or
+/// the outline falls apart: the panel is too small for the joint. Coincident corners stay coincident.
 pub fn inset(polygon: &[Point2], by: f64) -> Option<Vec<Point2>> {
     let n = polygon.len();
     let distinct: Vec<usize> = (0..n).filter(|&k| polygon[k] != polygon[(k + 1) % n]).collect();
     let m = distinct.len();
-    if m < 3 {
-        return None;
-    }
     // Distinct corners, each the start of an edge.
     let corners: Vec<Point2> = distinct.iter().map(|&k| polygon[k]).collect();
-    let directions: Vec<Point2> =
-        (0..m).map(|k| direction_of(corners[k], corners[(k + 1) % m])).collect();
-    let mut moved = Vec::with_capacity(m);
-    for k in 0..m {
-        let (before, after) = (directions[(k + m - 1) % m], directions[k]);
-        let sine = cross(before, after);
-        let cosine = dot(before, after);
-        let [x, y] = corners[k];
-        if sine.abs() <= PARALLEL {
-            // A straight corner moves at right angles; a spike has no inside.
-            if cosine < 0.0 {
-                return None;
-            }
-            moved.push([x - by * after[1], y + by * after[0]]);
-            continue;
+    let edges: Vec<Edge> = (0..m)
+        .map(|k| Edge { start: corners[k], along: direction_of(corners[k], corners[(k + 1) % m]) })
+        .collect();
+    let mut left: Vec<usize> = (0..m).collect();
+    let moved = loop {
+        let count = left.len();
+        if count < 3 {
+            return None;
         }
-        // The lines intersect at `by / sine (after - before)` from the corner.
-        let share = by / sine;
-        moved.push([x + share * (after[0] - before[0]), y + share * (after[1] - before[1])]);
-    }
-    let turned = |k: usize| dot(minus(moved[(k + 1) % m], moved[k]), directions[k]) <= 0.0;
-    if by != 0.0 && ((0..m).any(turned) || area(&moved) <= 0.0 || !is_simple(&moved)) {
+        let starts = |by: f64| -> Option<Vec<Point2>> {
+            let start = |k: usize| {
+                let [before, own] = [left[(k + count - 1) % count], left[k]];
+                let are_neighbours = (before + 1) % m == own;
+                meet([&edges[before], &edges[own]], are_neighbours, by)
+            };
+            (0..count).map(start).collect()
+        };
+        let moved = starts(by)?;
+        if by == 0.0 {
+            break moved;
+        }
+        let along = |points: &[Point2], k: usize| {
+            dot(minus(points[(k + 1) % count], points[k]), edges[left[k]].along)
+        };
+        if (0..count).all(|k| along(&moved, k) > 0.0) {
+            break moved;
+        }
+        // The edge that vanishes first, at the smallest share of the way.
+        let unmoved = starts(0.0)?;
+        let share = |k: usize| {
+            let (from, to) = (along(&unmoved, k), along(&moved, k));
+            (to <= 0.0).then(|| from / (from - to))
+        };
+        let shares = (0..count).filter_map(|k| Some((share(k)?, k)));
+        let (_, first) = shares.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))?;
+        left.remove(first);
+    };
+    if by != 0.0 && (area(&moved) <= 0.0 || !is_simple(&moved)) {
         return None;
     }
-    // Coincident corners get the position of their distinct corner.
-    let at = |k: usize| moved[distinct.partition_point(|&own| own < k) % m];
+    // Beside a notch an edge may vanish that would still be in the way of others.
+    if left.len() < m && !is_apart(&corners, &moved, by) {
+        return None;
+    }
+    // Coincident corners get the position of their distinct corner, and that of an edge that has
+    // vanished is the start of the next one.
+    let of_distinct = |k: usize| moved[left.partition_point(|&own| own < k) % left.len()];
+    let at = |k: usize| of_distinct(distinct.partition_point(|&own| own < k) % m);
     Some((0..n).map(at).collect())
+}
+
+/// Whether two outlines that do not cross keep this distance, up to rounding, and the moved one is on
+/// the right side of the other.
+fn is_apart(polygon: &[Point2], moved: &[Point2], by: f64) -> bool {
+    const ROUNDING: f64 = 1e-6;
+    let least = (1.0 - ROUNDING) * by.abs();
+    let keeps = |of: &[Point2], point: Point2| distance_to_outline(of, point) >= least;
+    moved.iter().all(|&p| is_inside(polygon, p) == (by > 0.0) && keeps(polygon, p))
+        && polygon.iter().all(|&p| keeps(moved, p))
+}
+
+/// An edge as a line with a direction.
+struct Edge {
+    start: Point2,
+    along: Point2,
+}
+
+/// The point where two edges meet that are moved to their left by `by`, the first before the second;
+/// none if they are parallel, except at a straight corner between neighbours.
+fn meet([before, after]: [&Edge; 2], are_neighbours: bool, by: f64) -> Option<Point2> {
+    let (u, v) = (before.along, after.along);
+    let (sine, cosine) = (cross(u, v), dot(u, v));
+    let [x, y] = after.start;
+    if sine.abs() <= PARALLEL {
+        // A straight corner moves at right angles; a spike has no inside.
+        return (cosine > 0.0 && are_neighbours).then(|| [x - by * v[1], y + by * v[0]]);
+    }
+    // Unmoved, they meet so far before the start of the second.
+    let back = match are_neighbours {
+        true => 0.0,
+        false => cross(u, minus(after.start, before.start)) / sine,
+    };
+    // Moved, they meet at `by / sine (v - u)` from there.
+    let share = by / sine;
+    let at = |k: usize| after.start[k] - back * v[k] + share * (v[k] - u[k]);
+    Some([at(0), at(1)])
 }
 
 #[cfg(test)]
@@ -70,6 +127,52 @@ mod tests {
             let expected = area(&panel) - half * perimeter(&panel) + half * half * cotangents;
             assert!((found - expected).abs() < 1e-12, "{half}: {found} {expected}");
         }
+    }
+
+    #[test]
+    fn a_short_edge_vanishes_and_the_rest_is_inset() {
+        // A square with a chamfer, of which the inset has no trace, wherever the outline starts.
+        let chamfered = [[0.0, 0.0], [10.0, 0.0], [10.0, 9.9], [9.9, 10.0], [0.0, 10.0]];
+        for first in 0..5 {
+            let mut own = chamfered;
+            own.rotate_left(first);
+            let found = inset(&own, 1.0).unwrap();
+            assert_eq!(found.len(), 5);
+            assert!((area(&found) - 64.0).abs() < 1e-12, "{found:?}");
+            let ends = [(7 - first) % 5, (8 - first) % 5].map(|k| found[k]);
+            assert_eq!(ends[0], ends[1]);
+            assert!(ends[0].iter().all(|x| (x - 9.0).abs() < 1e-12), "{ends:?}");
+        }
+        // With a short chamfer at each corner, and with two edges of a corner that vanish in turn.
+        let all = [
+            [0.1, 0.0],
+            [9.9, 0.0],
+            [10.0, 0.1],
+            [10.0, 9.0],
+            [9.9, 9.8],
+            [9.7, 9.95],
+            [9.0, 10.0],
+            [0.1, 10.0],
+            [0.0, 9.9],
+            [0.0, 0.1],
+        ];
+        let found = inset(&all, 2.5).unwrap();
+        assert!((area(&found) - 25.0).abs() < 1e-9, "{}", area(&found));
+        // The bottom of a notch vanishes outwards, but not a slit.
+        let notch = [[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [5.0, 5.0], [4.9, 5.0], [0.0, 9.0]];
+        let found = inset(&notch, -0.2).unwrap();
+        assert_eq!(found[3], found[4]);
+        let slit = [
+            [0.0, 0.0],
+            [9.0, 0.0],
+            [9.0, 9.0],
+            [5.0, 9.0],
+            [5.0, 2.0],
+            [4.9, 2.0],
+            [4.9, 9.0],
+            [0.0, 9.0],
+        ];
+        assert!(inset(&slit, -0.2).is_none());
     }
 
     #[test]
