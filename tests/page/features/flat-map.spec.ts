@@ -205,3 +205,37 @@ test('a map that folds offers settings with fewer folds', async ({ page }) => {
   await expect(page.getByLabel('Weight of a polygon')).toHaveValue('lscm');
   await expect(page.getByRole('button', { name: 'Use these settings' })).toBeHidden();
 });
+
+test.describe('while a map is made', () => {
+  // Its choices would stay in the page of other tests.
+  test.use({ sameDocument: false, fresh: true });
+
+  test('one that is closed meanwhile does not come back', async ({ page }) => {
+    // Maps after the first come late.
+    await page.addInitScript(() => {
+      window.Worker = class extends Worker {
+        #maps: number[] = [];
+        override postMessage(message: { id: number; name: string }, ...rest: unknown[]) {
+          if (message.name === 'parametrize') this.#maps.push(message.id);
+          super.postMessage(message, ...(rest as [StructuredSerializeOptions?]));
+        }
+        override set onmessage(listener: (event: MessageEvent) => void) {
+          super.onmessage = (event: MessageEvent) => {
+            if (this.#maps.indexOf(event.data.id) > 0) setTimeout(() => listener(event), 500);
+            else listener(event);
+          };
+        }
+      };
+    });
+    await openPage(page);
+    await openText(page, 'wavy.obj', wavyGrid(6), 49);
+    await parametrize(page);
+    await expect(page.getByRole('status')).toHaveText(/^Flattened in /);
+    await page.getByLabel('Weight of a polygon').selectOption('one');
+    await expect(page.getByRole('status')).toHaveText('Flattening …');
+    await page.keyboard.press('Escape');
+    await page.waitForTimeout(900);
+    await expect(page.getByRole('heading', { name: 'Flat map' })).toBeHidden();
+    await expect(page.getByRole('status')).not.toHaveText('Flattening …');
+  });
+});

@@ -9,12 +9,13 @@ import { newestOnly } from '../../store/newest-only.ts';
 import { duration } from '../../ui/format.ts';
 import { FlatMapRegion } from './flat-map-region.ts';
 import { flatMapPanel } from './flat-map-panel.ts';
-import type { MapNorm, MapWeights } from '../../solver/types.ts';
+import type { MapNorm, MapWeights, Snapshot } from '../../solver/types.ts';
 import type { FlatMap } from '../../store/state.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Other settings are tried without asking if a map takes less than this, in seconds. */
 const QUICK = 0.3;
+const FLATTENING = 'Flattening …';
 
 type Choices = Pick<FlatMap, 'weights' | 'norm' | 'onModel' | 'onMap' | 'squares'>;
 
@@ -31,7 +32,13 @@ export class FlatMapController {
     squares: 32,
   };
 
-  #newest = newestOnly(() => this.#store.get().model);
+  /** The shape of the map that is shown. */
+  #flattened: Snapshot | null = null;
+  /** A map that is closed while the next one is made stays closed. */
+  #newest = newestOnly(
+    () => this.#store.get().model,
+    () => this.#store.get().flatMap === null,
+  );
 
   constructor({ store, viewport, actions, jobs }: AppContext) {
     this.#store = store;
@@ -68,10 +75,11 @@ export class FlatMapController {
     this.#viewport.with((view) => view.showFlipped());
   }
 
-  /** Looks for settings that flip fewer triangles of the current shape. */
+  /** Looks for settings that flip fewer triangles of the flattened shape. A run goes on. */
   async findFewerFlips() {
     const { flatMap } = this.#store.get();
-    if (!flatMap) return;
+    const model = this.#flattened;
+    if (!flatMap || !model) return;
     const { found } = flatMap;
     const show = (fewerFlips: FlatMap['fewerFlips']) => {
       const now = this.#store.get().flatMap;
@@ -80,7 +88,6 @@ export class FlatMapController {
     show('searching');
     const search = async () => {
       try {
-        const model = await this.#actions.rest();
         show((await this.#jobs.copy(model).fewerFlips(found.flipped)) ?? 'none');
       } catch (error) {
         show(null);
@@ -90,20 +97,27 @@ export class FlatMapController {
     await this.#actions.reportErrors(search());
   }
 
+  /** Withdraws the status of a map that was closed while it was made. */
+  #sayNothing() {
+    const { flatMap, status } = this.#store.get();
+    if (!flatMap && status === FLATTENING) this.#actions.setStatus('');
+  }
+
   async #map(weights: MapWeights, norm: MapNorm) {
     const model = await this.#actions.rest();
     const { iteration = 0 } = this.#store.get().numbers ?? {};
-    return { found: await this.#jobs.copy(model).parametrize(weights, norm), iteration };
+    return { model, found: await this.#jobs.copy(model).parametrize(weights, norm), iteration };
   }
 
   /** Shows the map of the current shape. */
   async flatten() {
     const { weights, norm } = this.#choices;
-    this.#actions.setStatus('Flattening …');
+    this.#actions.setStatus(FLATTENING);
     try {
       const map = await this.#newest(this.#map(weights, norm));
-      if (!map) return;
-      const { found, iteration } = map;
+      if (!map) return this.#sayNothing();
+      const { model, found, iteration } = map;
+      this.#flattened = model;
       this.#actions.look({
         flatMap: { found, iteration, fewerFlips: null, ...this.#choices },
         status: `Flattened in ${duration(1000 * found.seconds)}`,

@@ -90,8 +90,9 @@ function variationsPanel(app: AppContext) {
     setText(words, 'Looking for variations of the shape …');
     searched = [store.get().document, store.get().dark];
     await variations.leave();
-    const model = await actions.rest();
-    if (!connectivity || !(await jobs.copy(model).findVariations())) {
+    // It came before the document. To ask for it again would end a run that has begun meanwhile.
+    const model = solver.copy();
+    if (!connectivity || !model || !(await jobs.copy(model).findVariations())) {
       if (mine === search) setText(words, NONE);
       return;
     }
