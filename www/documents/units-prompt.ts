@@ -110,7 +110,7 @@ export function frameFields({
     if (words) setText(guess, words);
   }
   store.subscribe(['model'], showGuess);
-  store.subscribe(['document'], ({ document }) => {
+  store.subscribe(['document', 'refused'], ({ document }) => {
     if (!document) return;
     const known = SYMBOLS.includes(document.units) ? SYMBOLS : [document.units, ...SYMBOLS];
     const options = known.map((unit) => element('option', { value: unit }, unit || NO_UNIT));

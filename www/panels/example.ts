@@ -42,7 +42,7 @@ export function exampleNote(
         'nav.beside',
         { 'aria-label': 'Examples one by one' },
         ...link('Previous', all[at - 1]),
-        element('a', { href: './example/gallery.html' }, 'Gallery'),
+        element('a', { href: './gallery.html' }, 'Gallery'),
         ...link('Next', all[at + 1]),
       ),
     );

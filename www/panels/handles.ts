@@ -164,6 +164,8 @@ function handleDetails(store: Store, actions: Actions) {
         weighHandles: { vertices: vertices((handle) => !handle.fixed), weight: value },
       });
     },
+    // Input that ends at the value shown before changes nothing.
+    onblur: () => discardInput(weight),
   });
   const weightLabel = element('label', 'weight', weight);
   const group = element(
@@ -220,7 +222,7 @@ function handleDetails(store: Store, actions: Actions) {
       held.map((handle) => String(handle.weight)),
     );
   }
-  store.subscribe(['document'], () => {
+  store.subscribe(['document', 'refused'], () => {
     if (!pending) ahead.clear();
     show();
   });

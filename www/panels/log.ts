@@ -4,6 +4,7 @@ import '../ui/styles/lists.css';
 import { button } from '../ui/controls/fields.ts';
 import { element, setText } from '../ui/dom.ts';
 import { count } from '../ui/format.ts';
+import { copyText } from '../ui/output.ts';
 import { showElements } from '../viewport/camera.ts';
 import type { AppContext } from '../app/context.ts';
 import type { Loaded } from '../solver/types.ts';
@@ -90,11 +91,10 @@ export function logOf(panel: HTMLElement, app: AppContext) {
           `${time.toISOString()} ${NAMES[kind] && `${NAMES[kind]}: `}${text}`,
       ),
     ];
-    const done = await navigator.clipboard.writeText(`${lines.join('\n')}\n`).then(
-      () => 'Copied',
-      () => 'The browser did not allow copying',
+    setText(
+      copyResult,
+      await copyText(`${lines.join('\n')}\n`, 'The browser did not allow copying.'),
     );
-    setText(copyResult, done);
   }
 }
 

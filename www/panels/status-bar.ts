@@ -142,8 +142,9 @@ function hintOf(state: State) {
     return one
       ? `Next: Run, or drag ${one} · drag elsewhere to orbit`
       : 'Next: Run · drag to orbit';
-  if (isLocked) return 'Next: Build · drag to orbit, wheel to zoom';
-  if (!one) return 'Next: Build · or double-click a vertex and drag it · drag elsewhere to orbit';
+  const build = next === 'build' ? 'Next: Build · ' : '';
+  if (isLocked) return `${build}Drag to orbit, wheel to zoom`;
+  if (!one) return `${build}Double-click a vertex to drag it · drag elsewhere to orbit`;
   return `Drag ${one} · drag elsewhere to orbit, wheel to zoom`;
 }
 

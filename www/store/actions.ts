@@ -62,15 +62,24 @@ export function createActions(
     return attempt(solver.change.makePanels(kind, tolerance, from));
   }
 
+  /** Withdraws the message on the last edit that was refused. */
+  let withdraw = () => {};
+
   /** @returns undefined if refused */
   async function attempt(
     change: Promise<null>,
     showError: (error: unknown) => boolean = () => false,
   ): Promise<null | undefined> {
     try {
-      return await change;
+      const made = await change;
+      // What was wrong with an earlier one is settled.
+      withdraw();
+      return made;
     } catch (error) {
-      if (!showError(error)) alerts.error(messageOf(error));
+      if (showError(error)) return undefined;
+      withdraw = alerts.error(messageOf(error));
+      // The controls show what was asked for: all show again what is.
+      store.set({ refused: store.get().refused + 1 });
       return undefined;
     }
   }
@@ -97,8 +106,14 @@ export function createActions(
 
   async function addHandles(vertices: number[], fixed: boolean) {
     if (vertices.length === 0) return setStatus('Select a vertex first, then press H.');
-    if ((await edit({ addHandles: { vertices, fixed } })) === undefined) return;
-    setStatus(`${count(vertices.length, 'handle')} ${fixed ? 'fixed' : 'added'}`);
+    const { handles = [] } = store.get().document ?? {};
+    const known = new Map(handles.map((handle) => [handle.vertex, handle.fixed]));
+    // Handles of this kind keep their weights and targets.
+    const others = vertices.filter((vertex) => known.get(vertex) !== fixed);
+    const made = others.length;
+    if (made === 0) return setStatus(alreadyInWords(vertices.length, fixed));
+    if ((await edit({ addHandles: { vertices: others, fixed } })) === undefined) return;
+    setStatus(`${count(made, 'handle')} ${fixed ? 'fixed' : 'added'}`);
   }
 
   /** Makes the selected vertices handles. */
@@ -154,7 +169,7 @@ export function createActions(
     exact: {
       /** Sets the hardness of a row and runs, as one step of undo. */
       require: (index: number, require: Require) =>
-        reportErrors(solver.change.editAndRun({ setConstraint: { index, require } })),
+        attempt(solver.change.editAndRun({ setConstraint: { index, require } })),
 
       /**
        * Applies a shape that was found, if it belongs to the current one.
@@ -217,14 +232,20 @@ export function createActions(
       if ((await edit('reset')) !== undefined) setStatus('Back to the original');
     },
 
+    /** @returns the name of what was undone; null if there was nothing, undefined if refused */
     async undo() {
+      store.set({ refining: false });
       const what = await reportErrors(solver.change.undo());
       if (what) setStatus(`Undid: ${what}`);
+      return what;
     },
 
+    /** @returns as {@link undo} */
     async redo() {
+      store.set({ refining: false });
       const what = await reportErrors(solver.change.redo());
       if (what) setStatus(`Redid: ${what}`);
+      return what;
     },
 
     selectNextHandle() {
@@ -246,6 +267,12 @@ export function createActions(
       solver.tell.drag({ vertices, targets, phase });
     },
   };
+}
+
+/** Says that nothing becomes a handle. */
+function alreadyInWords(vertices: number, fixed: boolean) {
+  const what = fixed ? 'fixed' : vertices === 1 ? 'a handle' : 'handles';
+  return `${count(vertices, 'vertex is', 'vertices are')} already ${what}`;
 }
 
 export type Actions = ReturnType<typeof createActions>;

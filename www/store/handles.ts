@@ -89,8 +89,11 @@ export class HandleDrag {
     this.#targets = this.#from;
     // A message about a finished run is outdated.
     store.set({ dragged: [...this.#vertices], gizmoPart: part, status: '' });
-    // Refused, or an iteration of it failed: nothing may look moved.
-    this.#end = solver.on('trouble', () => this.cancel());
+    // Refused, or an iteration of it failed, or another model is open: nothing may look moved.
+    const ends = (['trouble', 'model'] as const).map((type) =>
+      solver.on(type, () => this.cancel()),
+    );
+    this.#end = () => ends.forEach((end) => end());
     if (!begun) this.#send('start');
   }
 
@@ -110,6 +113,11 @@ export class HandleDrag {
     // The dots follow the pointer at once, the mesh when the solver answers.
     this.#store.set({ moved: { by: [...moved], targets: this.#targets }, gizmoPart: direction });
     this.#send('move', time);
+  }
+
+  /** Whether it has ended, by itself if it was refused or another model was opened. */
+  get isOver() {
+    return this.#isOver;
   }
 
   /** Sets the plane of the drag. */

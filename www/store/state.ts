@@ -39,6 +39,8 @@ export interface State {
   /** whose mesh is open, if any */
   example: Example | null;
   document: SceneDocument | null;
+  /** number of refused edits, after which the controls show the document again */
+  refused: number;
   numbers: Numbers | null;
   /** Run was pressed and the iteration has not converged */
   running: boolean;
@@ -199,6 +201,7 @@ const INITIAL: State = {
   firstExample: false,
   example: null,
   document: null,
+  refused: 0,
   numbers: null,
   running: false,
   refining: false,

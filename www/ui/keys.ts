@@ -32,10 +32,13 @@ export function digitOf({ code, key, shiftKey, ctrlKey, metaKey }: KeyboardEvent
 /** Whether a key types into a field or activates the focused control. */
 export function isTyping({ target, key }: KeyboardEvent) {
   if (!(target instanceof HTMLElement)) return false;
-  if (target.matches('select, textarea') || target.matches(`input:not(${NOT_TYPED_INTO})`))
-    return true;
+  if (target.matches('select') || isTypedInto(target)) return true;
   return ACTIVATING.has(key) && target.matches('button, summary, a, input:not([type="range"])');
 }
+
+/** Whether text or a number is typed into an element. */
+export const isTypedInto = (target: Element | null) =>
+  target?.matches(`textarea, input:not(${NOT_TYPED_INTO})`) ?? false;
 
 /** The direction of each arrow key on the screen, in which y points down. */
 export const ARROWS: Record<string, [number, number]> = {

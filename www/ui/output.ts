@@ -8,11 +8,15 @@ const NOT_COPIED = 'The browser did not allow copying. Select the text and copy 
  * Copies a text and returns the message to show.
  * @param refused the message if copying is not allowed
  */
-export const copyText = (text: string, refused: string = NOT_COPIED) =>
-  navigator.clipboard.writeText(text).then(
-    () => 'Copied to the clipboard.',
-    () => refused,
-  );
+export async function copyText(text: string, refused: string = NOT_COPIED): Promise<string> {
+  try {
+    // There is none at an address without encryption: that throws, too.
+    await navigator.clipboard.writeText(text);
+    return 'Copied to the clipboard.';
+  } catch {
+    return refused;
+  }
+}
 
 /** How long the browser may take to fetch the content, in milliseconds. */
 const FETCHED_AFTER_MS = 60_000;

@@ -142,3 +142,15 @@ test('each step has its picture, and only the presenter sees the notes', async (
   await stage.getByRole('button', { name: 'End' }).click();
   await expect.poll(() => notes.isClosed()).toBe(true);
 });
+
+test('Space runs, as the dialog says, also while Next has the focus', async ({ page }) => {
+  await makeSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Start', exact: true }).click();
+  const stage = stageOf(page);
+  await expect(stage).toContainText('1 of 2');
+  await expect(stage.getByRole('button', { name: 'Next' })).toBeFocused();
+  const { iteration } = await state(page);
+  await page.keyboard.press(' ');
+  await waitForState(page, (now, before) => now.iteration > before, iteration);
+  await expect(stage).toContainText('1 of 2');
+});

@@ -10,7 +10,7 @@ import type { Slide } from '../../solver/types.ts';
 const { dataset } = document.documentElement;
 
 /** Actions of keys, including presenter remotes. */
-const KEYS: Record<string, 'next' | 'previous' | 'first' | 'last' | 'dark' | 'end'> = {
+const KEYS: Record<string, 'next' | 'previous' | 'first' | 'last' | 'dark' | 'run' | 'end'> = {
   ArrowRight: 'next',
   ArrowDown: 'next',
   PageDown: 'next',
@@ -23,6 +23,7 @@ const KEYS: Record<string, 'next' | 'previous' | 'first' | 'last' | 'dark' | 'en
   End: 'last',
   b: 'dark',
   '.': 'dark',
+  ' ': 'run',
   Escape: 'end',
 };
 
@@ -81,6 +82,7 @@ export async function present(app: AppContext, withNotes: boolean) {
     first: () => go(0),
     last: () => go(steps().length - 1),
     dark: () => stage.toggleAttribute('data-dark'),
+    run: () => actions.runOrPause(),
     end,
   };
 

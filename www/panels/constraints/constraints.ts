@@ -167,9 +167,9 @@ export function constraintsPanel(place: HTMLElement, { store, actions }: AppCont
     });
   });
 
-  store.subscribe(['document'], ({ document }) => {
+  store.subscribe(['document', 'refused'], ({ document, refused }) => {
     if (!document) return;
-    const rows = JSON.stringify([document.units, document.constraints]);
+    const rows = JSON.stringify([document.units, document.constraints, refused]);
     if (rows === shown) return;
     shown = rows;
     cells = [];

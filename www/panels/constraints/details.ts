@@ -66,6 +66,8 @@ function requirementOf(
   const length = typeof require === 'object' ? require.within : (document?.tolerance ?? 0);
   const { unit, factor } = lengthUnit(length, document?.units ?? '');
   const ask = (require: Require) => actions.exact.require(index, require);
+  // The tolerance at the press: the row is not made again when that changes.
+  const toTolerance = () => ({ within: store.get().document?.tolerance ?? length });
   const within = amountField(`${name}: within`, (value) => ask({ within: value / factor }));
   within.show(Number((length * factor).toPrecision(6)));
   const required = typeof require === 'object' ? 'within' : require;
@@ -74,7 +76,7 @@ function requirementOf(
       'aria-label': `${name}: required`,
       title: OPTIONS.find(([id]) => id === required)?.[2] ?? '',
     },
-    (value) => ask(value === 'within' ? { within: length } : (value as Require)),
+    (value) => ask(value === 'within' ? toTolerance() : (value as Require)),
     OPTIONS,
   );
   select.value = required;

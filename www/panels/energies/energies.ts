@@ -52,7 +52,7 @@ export function energiesPanel(place: HTMLElement, { store, actions }: AppContext
     moreSettings(store, actions),
   );
 
-  store.subscribe(['document'], ({ document }) => {
+  store.subscribe(['document', 'refused'], ({ document }) => {
     if (!document) return;
     presets.show(document);
     rows.forEach((row) => row.show(document));

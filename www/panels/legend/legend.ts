@@ -211,10 +211,13 @@ export function legend(place: HTMLElement, app: AppContext, fit: () => void) {
   );
 }
 
+/** A decimal number, which `Number` reads, and nothing else that it reads. */
+const DECIMAL = /^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i;
+
 /** Returns the number in a field; null if it is empty, undefined if it has none from zero. */
 function numberIn(input: HTMLInputElement) {
   const text = input.value.trim();
   if (text === '') return null;
-  const value = Number(text.replace(',', '.'));
-  return value >= 0 ? value : undefined;
+  const value = DECIMAL.test(text) ? Number(text.replace(',', '.')) : NaN;
+  return value >= 0 && Number.isFinite(value) ? value : undefined;
 }

@@ -27,9 +27,10 @@ export class Alerts {
   /**
    * Reports that a requested action failed.
    * @param offers what can be done about it
+   * @returns withdraws the message, if it is still shown
    */
-  error(message: string, ...offers: Offer[]) {
-    this.#show(message, 'error', offers);
+  error(message: string, ...offers: Offer[]): () => void {
+    return this.#show(message, 'error', offers);
   }
 
   /**
@@ -92,7 +93,7 @@ export class Alerts {
     const shown = element('div', { class: `message ${kind}` }, text, ...buttons, close);
     this.#place.replaceChildren(shown);
     return () => {
-      if (shown.isConnected) this.clear();
+      if (shown.isConnected) this.#clear();
     };
   }
 }

@@ -67,6 +67,12 @@ export function amountField(
       else field.value = shown;
       typed = false;
     },
+    onkeydown: (event: KeyboardEvent) => {
+      if (event.key !== 'Escape' || !typed) return;
+      event.stopPropagation();
+      typed = false;
+      field.value = shown;
+    },
     // Input that ends at the value shown before changes nothing.
     onblur: () => {
       if (typed) field.value = shown;

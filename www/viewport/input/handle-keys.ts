@@ -50,6 +50,7 @@ export function bindHandleKeys(
 
   /** Handles a key; returns whether it applied to a handle. */
   function press({ key, shiftKey }: KeyboardEvent) {
+    if (drag?.isOver) drag = null;
     if (!drag) return key === 'Enter' && grab();
     if (key === 'Enter' || key === 'Escape') return release(key === 'Enter');
     const axis = AXES.indexOf(key.toLowerCase());
@@ -69,6 +70,6 @@ export function bindHandleKeys(
     event.stopImmediatePropagation();
   });
   element.addEventListener('blur', () => {
-    if (drag) release(true);
+    if (drag && !drag.isOver) release(true);
   });
 }

@@ -95,6 +95,12 @@ export class PointerInput {
       this.#down.delete(event.pointerId);
       this.cancel();
     });
+    // What was begun on another mesh has nothing to restore on this one.
+    solver.on('model', () => {
+      if (this.#gesture?.kind !== 'region') return;
+      this.#region.hide();
+      this.#become({ kind: 'spent' });
+    });
     listen('pointerleave', () => actions.pointAt({ gizmoPart: undefined, pointedAt: undefined }));
     listen('dblclick', (event) => this.#doubleClick(event));
     listen('wheel', (event) => this.#wheel(event), { passive: false });
@@ -219,7 +225,8 @@ export class PointerInput {
    * gesture, with any modifier.
    */
   #keyWhileDown(event: KeyboardEvent) {
-    const axis = ['x', 'y', 'z'].indexOf(event.key.toLowerCase());
+    const isChord = event.ctrlKey || event.metaKey;
+    const axis = isChord ? -1 : ['x', 'y', 'z'].indexOf(event.key.toLowerCase());
     if (axis >= 0 && this.#gesture?.kind === 'handle') this.#gesture.drag.toggleAxis(axis);
     else if (event.key !== 'Escape' || !this.cancel()) return;
     event.preventDefault();

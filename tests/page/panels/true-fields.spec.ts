@@ -1,0 +1,150 @@
+// Fields, hints and messages say what is, also after a refusal.
+
+import { addConstraint, openGrid, openText, showPanel } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
+import { expect, openPage, sceneOf, test, waitForState } from '../support.ts';
+
+test.use({ sameDocument: true });
+
+test('a number that is refused does not stay in its field', async ({ page }) => {
+  await openGrid(page, 4);
+  await addConstraint(page, 'Plane', 'each face');
+  const weight = page.getByRole('spinbutton', { name: 'Smooth weight', exact: true });
+  const before = await weight.inputValue();
+  await weight.fill('1e300');
+  await weight.press('Enter');
+  await expect(page.getByRole('alert')).toContainText('singular');
+  await expect(weight).toHaveValue(before);
+  // The message goes with the next one that is made.
+  await weight.fill('3');
+  await weight.press('Enter');
+  await expect.poll(async () => (await sceneOf(page)).weights.smooth).toBe(3);
+  await expect(page.getByRole('alert')).toBeEmpty();
+  await showPanel(page, 'Model');
+  const own = page.getByRole('spinbutton', { name: /^Plane.*: weight/ });
+  await own.fill('1e300');
+  await own.press('Enter');
+  await expect(own).toHaveValue('1');
+  expect((await sceneOf(page)).constraints[0].weight ?? 1).toBe(1);
+});
+
+test('Within takes the tolerance as it is, not as it was when the row was opened', async ({
+  page,
+}) => {
+  await openGrid(page, 4);
+  await addConstraint(page, 'Plane', 'each face');
+  await page.getByRole('button', { name: /^Plane.*: parameters/ }).click();
+  const tolerance = page.getByRole('textbox', { name: 'Tolerance' });
+  await tolerance.fill('50');
+  await tolerance.press('Enter');
+  await expect.poll(async () => (await sceneOf(page)).tolerance).toBe(0.05);
+  await page.getByRole('combobox', { name: /: required/ }).selectOption('within');
+  await expect
+    .poll(async () => (await sceneOf(page)).constraints[0].require)
+    .toEqual({ within: 0.05 });
+});
+
+test('what is no decimal number is no tolerance', async ({ page }) => {
+  await openGrid(page, 4);
+  await addConstraint(page, 'Plane', 'each face');
+  const tolerance = page.getByRole('textbox', { name: 'Tolerance' });
+  for (const typed of ['Infinity', '1e400', '0x10']) {
+    await tolerance.fill(typed);
+    await tolerance.press('Enter');
+    const why = await tolerance.evaluate((field: HTMLInputElement) => field.validationMessage);
+    expect(why).toBe(`“${typed}” is no number above 0.`);
+  }
+});
+
+test('a handle is not made again', async ({ page }) => {
+  await openGrid(page, 4);
+  const at = await page.evaluate(() => window.shapeUp.screen(12) ?? [0, 0]);
+  await page.mouse.dblclick(at[0], at[1]);
+  await expect(page.getByRole('status')).toHaveText('1 handle added');
+  await page.waitForTimeout(600);
+  await page.mouse.dblclick(at[0], at[1]);
+  await expect(page.getByRole('status')).toHaveText('1 vertex is already a handle');
+});
+
+test('parts are not the next step of a model without faces', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'line.obj', 'v 0 0 0\nv 1 0.2 0\nv 2 -0.1 0.3\nv 3 0 0\nl 1 2 3 4\n', 4);
+  await page.getByRole('button', { name: 'Add constraint' }).click();
+  await page.getByRole('button', { name: 'Add and run' }).click();
+  await waitForState(page, (now) => now.converged);
+  await expect(page.locator('#hint')).toHaveText(/^Double-click a vertex/);
+});
+
+test('the links of an example lead somewhere', async ({ page }) => {
+  await openPage(page);
+  const links = page.locator('#example-note a');
+  const addresses = await links.evaluateAll((all) =>
+    all.map((one) => (one as HTMLAnchorElement).href),
+  );
+  expect(addresses.length).toBeGreaterThan(1);
+  for (const address of addresses) expect((await page.request.get(address)).status()).toBe(200);
+});
+
+test('a handle that is moved by keys is let go when another model is opened', async ({ page }) => {
+  await openGrid(page, 4);
+  const [x, y] = await page.evaluate(() => window.shapeUp.screen(12) ?? [0, 0]);
+  await page.mouse.click(x, y);
+  await page.keyboard.press('h');
+  await waitForState(page, (now) => now.handles.length === 1);
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('ArrowUp');
+  await expect(page.locator('#moved')).toBeVisible();
+  await page.evaluate((text) => window.shapeUp.open(text, 'other.obj'), wavyGrid(5));
+  await waitForState(page, (now) => now.vertices === 36);
+  await page.keyboard.press('ArrowUp');
+  await expect(page.locator('#moved')).toBeHidden();
+  await page.keyboard.press('Escape');
+  await expect(page.getByRole('status')).not.toHaveText(/Move cancelled|Handle moved/);
+});
+
+test('Escape in a field takes back what was typed there, and not the selection', async ({
+  page,
+}) => {
+  await openGrid(page, 4);
+  const [x, y] = await page.evaluate(() => window.shapeUp.screen(12) ?? [0, 0]);
+  await page.mouse.click(x, y);
+  await waitForState(page, (now) => now.selection.vertices.length === 1);
+  const weight = page.getByRole('spinbutton', { name: 'Smooth weight', exact: true });
+  await weight.fill('7');
+  for (let i = 0; i < 2; i++) await weight.press('Escape');
+  await expect(weight).toHaveValue('1');
+  await weight.press('Tab');
+  await page.evaluate(() => window.shapeUp.settled());
+  expect((await sceneOf(page)).weights.smooth).toBe(1);
+  await waitForState(page, (now) => now.selection.vertices.length === 1);
+});
+
+test('a stroke that began on another mesh leaves the selection of this one', async ({ page }) => {
+  await openGrid(page, 12);
+  await page.keyboard.press('3');
+  await page.keyboard.press('p');
+  const [x, y] = await page.evaluate(() => window.shapeUp.screen(160) ?? [0, 0]);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y, { steps: 3 });
+  await page.mouse.up();
+  await waitForState(page, (now) => now.selection.faces.length > 0);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.evaluate((text) => window.shapeUp.open(text, 'other.obj'), wavyGrid(2));
+  await waitForState(page, (now) => now.vertices === 9);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await waitForState(page, (now) => now.selection.faces.length === 0);
+  await expect(page.getByRole('alert')).toBeEmpty();
+});
+
+test('two quick presses on two buttons open one dialog', async ({ page }) => {
+  await openGrid(page, 40);
+  await page.getByRole('button', { name: 'Share', exact: true }).evaluate((share: HTMLElement) => {
+    share.click();
+    document.querySelector<HTMLElement>('[data-command="export-as"]')?.click();
+  });
+  await expect(page.getByRole('dialog', { name: 'Share' })).toBeVisible();
+  await expect(page.locator('dialog:modal')).toHaveCount(1);
+});
