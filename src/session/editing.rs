@@ -52,11 +52,15 @@ impl Session {
         self.scene.generation()
     }
 
-    /// Undoes the last step, and returns its name; none if there is no step.
+    /// Undoes the last step, and returns its name; none if there is no step. A variation that is
+    /// shown and not kept is the last thing that was done: it is discarded, and nothing else.
     ///
     /// # Errors
     /// Never in practice: the state was solvable before.
     pub fn undo(&mut self) -> Result<Option<String>, Error> {
+        if self.leave_variation() {
+            return Ok(Some("Variation".to_owned()));
+        }
         self.end_transaction();
         let Some((name, mut change)) = self.history.pop_undo() else { return Ok(None) };
         self.exchange(&mut change)?;

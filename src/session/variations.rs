@@ -143,14 +143,16 @@ impl Session {
         }
     }
 
-    /// Discards a variation that is shown and not kept, and restores the shape before it.
-    pub fn leave_variation(&mut self) {
+    /// Discards a variation that is shown and not kept, and restores the shape before it. Returns
+    /// whether there was one.
+    pub fn leave_variation(&mut self) -> bool {
         let shown = self.transaction.as_mut().and_then(Transaction::variation_shown);
-        let Some(of) = shown.map(|shown| shown.of) else { return };
-        let Some(transaction) = self.transaction.take() else { return };
+        let Some(of) = shown.map(|shown| shown.of) else { return false };
+        let Some(transaction) = self.transaction.take() else { return false };
         let mut back: Change = transaction.into_back();
         self.exchange(&mut back).expect("the state was solvable before");
         self.met = self.met_before.take();
         self.scene.restored(of);
+        true
     }
 }

@@ -69,6 +69,20 @@ fn keep_one(session: &mut Session) -> Vec<Point> {
 }
 
 #[test]
+fn undo_of_a_variation_that_is_not_kept_undoes_nothing_else() {
+    // The variation was discarded, and the step before it was undone with it.
+    let mut session = flat();
+    let start = session.positions();
+    let mut variations = found(&session);
+    let steps = session.undo_and_redo().map(|name| name.map(str::to_owned));
+    bring_back(&mut session, &mut variations, &[0.05]);
+    assert_eq!(session.undo().expect("it was solvable").as_deref(), Some("Variation"));
+    assert_eq!(session.positions(), start);
+    assert_eq!(session.undo_and_redo().map(|name| name.map(str::to_owned)), steps);
+    assert_eq!(session.undo().expect("it was solvable"), steps[0]);
+}
+
+#[test]
 fn what_is_kept_is_exact_and_one_step_of_undo() {
     let mut session = flat();
     let start = session.positions();

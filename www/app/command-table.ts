@@ -16,6 +16,7 @@ import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { isDrawn } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
+import { isTypedInto } from '../ui/keys.ts';
 import { inTurn, once, oneAtATime } from '../ui/once.ts';
 import { fly } from '../viewport/camera.ts';
 import { toggleTheme } from './appearance.ts';
@@ -39,6 +40,8 @@ export function commandTable(
 
   function escape() {
     if (pointer.cancel()) return;
+    // Whoever leaves a field by Escape does not mean the selection.
+    if (isTypedInto(document.activeElement)) return alerts.clear();
     const newConstraint: HTMLDialogElement = byId('add-constraint');
     if (newConstraint.open) return newConstraint.close();
     if (store.get().tape) return store.set({ tape: null, status: 'Measuring ended' });
@@ -47,12 +50,23 @@ export function commandTable(
     actions.selectNothing();
   }
 
+  // Only the solver knows whether there is a step: an edit may have been sent that the page does not
+  // show yet. Without one, what is undone is the new mesh.
+  async function undo() {
+    if ((await actions.undo()) === null) await files.goBack();
+  }
+
+  async function redo() {
+    if ((await actions.redo()) === null) await files.goForward();
+  }
+
   const flatMap = once(() => new FlatMapController(app));
-  /** Opens something: a second press while it is being prepared has no effect. Errors are shown. */
-  const opens = (open: () => unknown) => {
-    const begin = oneAtATime(async () => open());
-    return () => actions.reportErrors(begin());
-  };
+  /**
+   * Opens something: a press while that or another is being prepared has no effect, as two dialogs
+   * would open. Errors are shown.
+   */
+  const opens = (open: () => unknown) => () => actions.reportErrors(begin(open));
+  const begin = oneAtATime(async (open: () => unknown) => open());
   /** Opens and closes something: a second press meanwhile closes what the first one opens. */
   const toggles = (toggle: () => unknown) => {
     const begin = inTurn(toggle);
@@ -108,7 +122,7 @@ export function commandTable(
       group: 'Edit',
       label: 'Undo',
       keys: ['Ctrl+Z'],
-      action: () => (store.get().document?.undo ? actions.undo() : files.goBack()),
+      action: undo,
       enabled: ({ document, dragged, isNew }) =>
         Boolean(document?.undo || isNew) && dragged.length === 0,
       title: ({ document, isNew }) => {
@@ -121,7 +135,7 @@ export function commandTable(
       group: 'Edit',
       label: 'Redo',
       keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
-      action: () => (store.get().document?.redo ? actions.redo() : files.goForward()),
+      action: redo,
       enabled: ({ document, dragged, isUndone }) =>
         Boolean(document?.redo || isUndone) && dragged.length === 0,
       title: ({ document, isUndone }) => {

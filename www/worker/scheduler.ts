@@ -149,6 +149,7 @@ export class Scheduler {
    *   one that returns true
    */
   betweenRuns<T>(edit: () => T, settles?: boolean): T {
+    this.#endDrag();
     if (this.#isRunning) this.#solver.endRun();
     const before = this.#solver.generation();
     let result;
@@ -169,6 +170,7 @@ export class Scheduler {
 
   /** Requests something of the panels, and runs. */
   runFor(ask: () => void) {
+    this.#endDrag();
     ask();
     this.#isRunning = true;
     this.#isSettled = false;
@@ -210,6 +212,18 @@ export class Scheduler {
     this.#isSettled = false;
     if (phase !== 'move') this.#sliceIsNew = true;
     this.#queueSlice();
+  }
+
+  /**
+   * Prepares for an edit during a drag, which ends the drag in the solver: its latest move is a part
+   * of it. The page may go on with what it takes for a drag, without effect.
+   */
+  #endDrag() {
+    if (!this.#isDragging) return;
+    const move = this.#move;
+    this.#move = this.#answering = null;
+    this.#isDragging = false;
+    if (move) this.#solver.drag(move.vertices, move.targets, 'move');
   }
 
   /** Returns whether a drag may begin. A refused one is reported, and leaves a run as it was. */

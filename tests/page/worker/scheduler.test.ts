@@ -186,3 +186,29 @@ test('a refused drag leaves the run and the document as they were', (context) =>
   assert.deepEqual(phases, ['start', 'cancel']);
   assert.equal(scheduler.isIterating, true);
 });
+
+test('an edit during a drag acts on its latest move, and ends it', (context) => {
+  // A target that was typed is a short drag: Undo at once undid the step before it, and the move came
+  // to nothing.
+  closeChannel(context);
+  const calls: string[] = [];
+  const solver = solverWith({
+    drag: (_, targets, phase) => void calls.push(`${phase} ${targets}`),
+    undo: () => void calls.push('undo'),
+    generation: () => 1,
+  });
+  const scheduler = new Scheduler(solver, () => {}, died);
+  scheduler.begin(false);
+  scheduler.frames.renew(1);
+  const drag = (phase: 'start' | 'move' | 'end', x: number) =>
+    scheduler.drag({ vertices: Uint32Array.of(0), targets: Float64Array.of(x, 0, 0), phase });
+  drag('start', 0);
+  drag('move', 1);
+  scheduler.betweenRuns(() => solver.undo());
+  assert.deepEqual(calls, ['start 0,0,0', 'move 1,0,0', 'undo']);
+  assert.equal(scheduler.isMoving, false);
+  // What the page still sends of it moves nothing.
+  drag('move', 2);
+  drag('end', 2);
+  assert.deepEqual(calls.slice(3), ['cancel 2,0,0']);
+});
