@@ -46,7 +46,7 @@ export class Startup {
   async begin() {
     const { openings } = this.#files;
     window.addEventListener('hashchange', () =>
-      this.#actions.reportErrors(openings.begin((own) => this.#openLink(own))),
+      this.#actions.reportErrors(openings.begin((own) => this.#follow(own))),
     );
     await openings.begin((own) => this.#begin(own));
   }
@@ -174,23 +174,40 @@ export class Startup {
     return true;
   }
 
-  /** @returns null if a later opening has taken its place */
-  async #openWork({ work, text, saved }: Taken, opening: Opening) {
+  /** @returns null if a later opening has taken its place: other tabs can have the work then */
+  async #openWork(taken: Taken, opening: Opening) {
+    let loaded: Loaded | null = null;
+    try {
+      loaded = await this.#reopen(taken, opening);
+    } finally {
+      if (!loaded) release(taken.work);
+    }
+    return loaded;
+  }
+
+  async #reopen({ work, text, saved }: Taken, opening: Opening): Promise<Loaded | null> {
     const bytes = new TextEncoder().encode(text);
-    const examples = work.example ? await this.#files.examples() : [];
+    // The work has all that it needs: without a network it comes back without the note on its example.
+    const examples = work.example ? await this.#files.examples().catch(() => []) : [];
     const example = examples.find(({ id }) => id === work.example);
     const { id, title, hash: link, view } = work;
     const origin = { example, work: id, title, saved, text, link, view };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
-    const loaded = await this.#files.open(files, origin, { opening }).catch(async (error) => {
+    return this.#files.open(files, origin, { opening }).catch(async (error) => {
       await markUnreadable(work);
       throw new Unreadable(work, text, messageOf(error));
     });
-    if (!loaded) {
-      release(work);
-      return null;
+  }
+
+  /** Opens the link that the address has become. If it is none, the open model keeps its own. */
+  async #follow(opening: Opening) {
+    let isOpen = false;
+    try {
+      isOpen = await this.#openLink(opening);
+    } finally {
+      if (!isOpen && this.#store.get().model && (await opening.isWanted()))
+        this.#files.nameInAddress();
     }
-    return loaded;
   }
 
   /**
@@ -198,11 +215,13 @@ export class Startup {
    * @returns whether there is one
    */
   async #openLink(opening: Opening): Promise<boolean> {
-    if (location.hash.length < 2) return false;
-    const link = await readLink(location.hash);
+    // The address may change again while the link is read.
+    const { hash } = location;
+    if (hash.length < 2) return false;
+    const link = await readLink(hash);
     if (!link) return false;
     const { example, text, run, name } = link;
-    const from = { link: location.hash };
+    const from = { link: hash };
     let loaded: Loaded | null = null;
     if (example) loaded = await this.#openExample(example, text, from, opening);
     else if (text)

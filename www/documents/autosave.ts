@@ -14,6 +14,7 @@ import {
   storeUnsaved,
   LOCK_PREFIX,
   contentsOf,
+  newId,
   keep,
   openWorks,
   pruneOldest,
@@ -57,6 +58,12 @@ export class Autosave {
   /** State whose write to the database has completed. */
   #confirmed = NOTHING;
   #writing: Promise<void> | null = null;
+  /**
+   * What waits for the write before it, by work: it is taken when it comes, since another model may be
+   * open when its turn comes.
+   */
+  #waiting: Map<string, { work: Work; contents: Partial<Contents>; kept: typeof NOTHING }> =
+    new Map();
 
   constructor(solver: SolverClient, files: Files, store: Store, actions: Actions) {
     this.#store = store;
@@ -64,8 +71,8 @@ export class Autosave {
     this.#files = files;
     this.#actions = actions;
     solver.on('model', () => {
-      // Scenes that arrive before the new model has opened belong to no work.
-      this.#id = solver.restoring ? this.#lastId : '';
+      // Scenes that arrive before the new model has opened belong to no work, as those of a trial.
+      this.#id = solver.restoring && !files.origin.trial ? this.#lastId : '';
     });
     files.on('opened', () => this.#begin());
     solver.on('scene', () => {
@@ -87,7 +94,8 @@ export class Autosave {
 
   /** Starts or resumes a work after a model has been opened. */
   async #begin() {
-    const { work, saved, text = null } = this.#files.origin;
+    const { work, saved, text = null, trial } = this.#files.origin;
+    if (trial) return;
     const id = work ?? newId();
     // A model that is reopened continues its work.
     this.#files.origin = { ...this.#files.origin, work: id };
@@ -99,32 +107,44 @@ export class Autosave {
     setItem(OWN_KEY, id, 'sessionStorage');
     if (claims.get(id) !== this.#release) this.#release();
     // A resumed work was claimed before it was opened.
-    this.#release = claims.get(id) ?? (await claim(id)) ?? (() => {});
+    const release = claims.get(id) ?? (await claim(id)) ?? (() => {});
+    // Another model has been opened meanwhile: nobody else would let this one go.
+    if (this.#lastId !== id) return release();
+    this.#release = release;
     await this.save();
     await pruneOldest().catch(() => {});
   }
 
   /** Saves all unsaved changes, including those made while saving. */
   save() {
+    const next = this.#takeUnsaved();
+    if (next) {
+      const [work, contents] = next;
+      const before = this.#waiting.get(work.id)?.contents;
+      const all = { ...before, ...contents };
+      this.#waiting.set(work.id, { work, contents: all, kept: this.#kept });
+    }
     this.#writing ??= this.#saveAll().finally(() => {
       this.#writing = null;
+      if (this.#waiting.size > 0) void this.save();
     });
     return this.#writing;
   }
 
   async #saveAll() {
-    for (let next = this.#takeUnsaved(); next; next = this.#takeUnsaved()) {
-      const kept = this.#kept;
+    for (const [id, { work, contents, kept }] of this.#waiting) {
+      this.#waiting.delete(id);
       try {
-        await keep(...next);
-        this.#confirmed = kept;
-        if (kept === this.#kept) forgetUnsaved(next[0].id);
+        await keep(work, contents);
         setItem(ANY_KEY, 'yes');
-        this.#actions.describeFile({
-          saved: `Saved in this browser ${timeOf(next[0].savedAt)}`,
-        });
+        if (id !== this.#id) continue;
+        this.#confirmed = kept;
+        if (kept === this.#kept) forgetUnsaved(id);
+        const saved = `Saved in this browser ${timeOf(work.savedAt)}`;
+        this.#actions.describeFile({ saved });
       } catch {
         // Storage is blocked (as in some private windows) or full.
+        this.#waiting.clear();
         this.#kept = NOTHING;
         this.#actions.describeFile({ saved: OFF });
         return;
@@ -253,7 +273,10 @@ export async function lastWork(): Promise<Taken | null> {
  */
 export async function take(work: Work, how?: LockOptions): Promise<Taken | null> {
   if (!(await claim(work.id, how))) return null;
-  const { text, history, progress } = await contentsOf(work.id);
+  const { text, history, progress } = await contentsOf(work.id).catch((error) => {
+    release(work);
+    throw error;
+  });
   if (typeof text !== 'string') {
     await markUnreadable(work);
     throw new Unreadable(work, text, 'its saved copy is damaged');
@@ -275,10 +298,6 @@ export function release({ id }: Work) {
 export async function markUnreadable(work: Work) {
   release(work);
   await keep({ ...work, unreadable: true }, {}).catch(() => {});
-}
-
-function newId() {
-  return `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 }
 
 function timeOf(time: number) {

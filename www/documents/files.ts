@@ -45,6 +45,8 @@ export interface Origin {
   link?: string;
   /** camera and display at which it was left */
   view?: SavedView | null;
+  /** it is only tried: the work before stays that of the tab, also after a reload */
+  trial?: boolean;
   /** the model that a new mesh replaced, which Undo opens again */
   before?: Left | null;
   /** the new mesh that Undo replaced, which Redo opens again */
@@ -88,6 +90,13 @@ export class Files extends Emitter<{ opened: void }> {
     return this.#name;
   }
 
+  /** Makes the address that of the open model: a reload would otherwise open another one. */
+  nameInAddress() {
+    const { hash, pathname, search } = location;
+    const { link = '' } = this.origin;
+    if (hash !== link) history.replaceState(null, '', pathname + search + link);
+  }
+
   /** The digest of the main one of the files opened last. */
   get digest() {
     return this.#digest;
@@ -123,6 +132,9 @@ export class Files extends Emitter<{ opened: void }> {
           `${unreadable.name}: this kind of file cannot be read. Open .obj, .off, .mesh, .ply, .stl or .3dm for a mesh, .json for a scene.`,
         );
       }
+      const main = mainOf(files);
+      const digest = await digestOf(main.bytes.slice());
+      // Nothing is waited for between this and the opening: a later one could come first.
       if (!(await opening.isWanted())) return null;
       cancelled?.throwIfAborted();
       // The first view shows the fitted shapes.
@@ -131,9 +143,7 @@ export class Files extends Emitter<{ opened: void }> {
       const { document, status } = this.#store.get();
       if (document || !status)
         this.#actions.setStatus(`Reading ${files.map((file) => file.name).join(' and ')} …`);
-      const main = mainOf(files);
       const { saved, first: solved, unwelded } = origin;
-      const digest = await digestOf(main.bytes.slice());
       const frame = rememberedFrame(digest);
       const loaded = await this.#actions.open({ files, saved, frame, solved, weld: !unwelded });
       opening.opened();
@@ -145,7 +155,7 @@ export class Files extends Emitter<{ opened: void }> {
       if (view) restoreView(view, this.#store, this.#actions);
       this.origin = rest;
       this.original = origin.original ?? (origin.work ? null : this.#solver.sceneText);
-      nameInAddress(origin.link);
+      this.nameInAddress();
       if (!origin.first) removeFirstPicture();
       this.#actions.describeFile({
         firstExample: Boolean(origin.first),
@@ -218,7 +228,8 @@ export class Files extends Emitter<{ opened: void }> {
   /** Reopens the model that was open before a new mesh. */
   async goBack() {
     const { before } = this.origin;
-    if (!before) return;
+    // While a model is being opened, the open one is not left yet.
+    if (!before || this.openings.coming) return;
     const after = await this.asItIs();
     const loaded = await this.open(before.given, { ...before.origin, after }).catch(() => null);
     if (loaded) this.#actions.setStatus('Undid: New mesh');
@@ -227,7 +238,7 @@ export class Files extends Emitter<{ opened: void }> {
   /** Reopens the new mesh from which Undo went back, unless the model has changed since. */
   async goForward() {
     const { after } = this.origin;
-    if (!after || !this.#store.get().isUndone) return;
+    if (!after || !this.#store.get().isUndone || this.openings.coming) return;
     const loaded = await this.open(after.given, after.origin).catch(() => null);
     if (loaded) this.#actions.setStatus('Redid: New mesh');
   }
@@ -238,6 +249,13 @@ export class Files extends Emitter<{ opened: void }> {
     if (!isUndone || scene?.redo || this.#solver.sceneText === this.#openedText) return;
     this.#actions.describeFile({ isUndone: false });
     delete this.origin.after;
+  }
+
+  /** Makes the model that was only tried the one of the tab, with an address of its own. */
+  keepTrial() {
+    this.origin = { ...this.origin, trial: false, link: undefined };
+    this.nameInAddress();
+    this.emit('opened', undefined);
   }
 
   examples(): Promise<Example[]> {
@@ -325,12 +343,6 @@ export class Files extends Emitter<{ opened: void }> {
     saveFile(name, content, type);
     this.#actions.setStatus(`Saved ${name}`);
   }
-}
-
-/** Makes the address that of the open model: a reload would otherwise open another one. */
-function nameInAddress(link = '') {
-  const { hash, pathname, search } = location;
-  if (hash !== link) history.replaceState(null, '', pathname + search + link);
 }
 
 /**

@@ -47,6 +47,9 @@ const MOST = 8;
 export const LOCK_PREFIX = 'shape-up.work.';
 const database = createStore('shape-up', 'works');
 
+/** Returns the id of a work that begins now. */
+export const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
+
 /** Returns all works, newest first. */
 export async function recentDocuments(): Promise<Work[]> {
   const [keys, about, old] = await database('readonly', (store) =>

@@ -1,7 +1,7 @@
 // To which saved work a scene belongs.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { test, type TestContext } from 'node:test';
 import './storage.ts';
 import { Autosave } from '../../../www/documents/autosave.ts';
 import { contentsOf } from '../../../www/documents/recent-documents.ts';
@@ -28,15 +28,17 @@ class Solver extends Emitter<{ model: object; scene: object }> {
   }
 }
 
-test('autosave goes on after the opening of another file was cancelled', async (context) => {
-  // It used to be off for the rest of the visit.
+/** Autosave of an open model. */
+function started(context: TestContext) {
   context.after(() => {
     for (const name of ['document', 'location']) Reflect.deleteProperty(globalThis, name);
   });
   globalThis.document = { addEventListener() {} } as unknown as Document;
   globalThis.location = { hash: '' } as Location;
   const solver = new Solver();
-  const files = Object.assign(new Emitter(), { origin: {}, original: null, name: 'roof' });
+  const files = Object.assign(new Emitter<{ opened: void }>(), {
+    ...{ origin: {}, original: null, name: 'roof' },
+  });
   const store = createStore();
   store.set({ model: { title: '', name: 'roof.obj' } as Loaded });
   const autosave = new Autosave(
@@ -45,6 +47,12 @@ test('autosave goes on after the opening of another file was cancelled', async (
     store,
     { describeFile() {} } as unknown as Actions,
   );
+  return { solver, files, autosave };
+}
+
+test('autosave goes on after the opening of another file was cancelled', async (context) => {
+  // It used to be off for the rest of the visit.
+  const { solver, autosave } = started(context);
   const { id } = autosave;
   await autosave.save();
 
@@ -59,4 +67,21 @@ test('autosave goes on after the opening of another file was cancelled', async (
   await autosave.save();
   assert.equal(autosave.id, id);
   assert.equal((await contentsOf(id)).text, 'the roof with a door');
+});
+
+test('what is changed just before another file is opened is saved', async (context) => {
+  // A change that came while the one before was being written belonged to no work any longer.
+  const { solver, files, autosave } = started(context);
+  const { id } = autosave;
+  await autosave.save();
+  solver.scene('the roof with a door');
+  solver.scene('the roof with a window');
+  solver.model(false);
+  solver.scene('another mesh');
+  files.origin = {};
+  files.emit('opened', undefined);
+  await autosave.save();
+  assert.notEqual(autosave.id, id);
+  assert.equal((await contentsOf(id)).text, 'the roof with a window');
+  assert.equal((await contentsOf(autosave.id)).text, 'another mesh');
 });

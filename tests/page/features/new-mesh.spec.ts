@@ -130,3 +130,16 @@ test('a surface is made between two curves of the model, or inside a boundary', 
   await again.getByRole('button', { name: 'Cancel' }).click();
   await waitForState(page, (now) => now.faces === 20);
 });
+
+test.describe('at an address without encryption', () => {
+  test.use({ sameDocument: false });
+
+  test('a new mesh is made', async ({ page }) => {
+    await page.addInitScript(() =>
+      Object.defineProperty(crypto, 'randomUUID', { value: undefined }),
+    );
+    await openPage(page);
+    await expect(await openNewMesh(page)).toBeVisible();
+    await expect(page.getByRole('alert')).toBeEmpty();
+  });
+});

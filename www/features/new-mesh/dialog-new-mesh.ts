@@ -4,6 +4,7 @@
  */
 
 import './new-mesh.css';
+import { newId } from '../../documents/recent-documents.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { button, choice } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
@@ -30,7 +31,7 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
   const before = await files.asItIs();
   const open = openMesh();
   /** One autosave entry for all trials. */
-  const work = crypto.randomUUID();
+  const work = newId();
   let kept = false;
   /** Set while a change waits to be made. */
   let timer = 0;
@@ -122,7 +123,8 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
     try {
       const { text, supports } = form.made(units.value);
       const bytes = new TextEncoder().encode(text);
-      const origin = { work, title: label, before };
+      const link = before?.origin.link;
+      const origin = { work, title: label, before, trial: true, link };
       const loaded = await files.open([{ name: `${label}.obj`, bytes }], origin);
       if (!loaded) return void (keep.disabled = true);
       const vertices = count(loaded.vertices, 'vertex', 'vertices');
@@ -146,6 +148,7 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
     form.kept?.();
     // The next command acts on the mesh with its fixed vertices.
     if (held.length) await hold(held);
+    else files.keepTrial();
     dialog.close();
     actions.setStatus(`New mesh: ${chosen().label}`);
   }
@@ -159,7 +162,7 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
   }
 
   const dialog = openDialog(
-    { id: 'new-mesh', title: 'New mesh' },
+    { id: 'new-mesh', title: 'New mesh', lasts: true },
     element(
       'div.dialog-body',
       element(
@@ -179,10 +182,14 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
       ),
     ),
   );
+  // A model that is opened from elsewhere stays: it is neither a trial nor the one before.
+  const isOther = () => ![work, before?.origin.work].includes(files.origin.work);
+  const stop = files.on('opened', () => isOther() && dialog.close());
   dialog.addEventListener('close', async () => {
+    stop();
     clearTimeout(timer);
     await making;
-    if (kept || !before) return;
+    if (kept || !before || isOther()) return;
     await files.open(before.given, before.origin).catch((error) => alerts.error(messageOf(error)));
   });
   showForm();
