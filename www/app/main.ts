@@ -41,6 +41,7 @@ import { runEarlyPresses } from '../store/press.ts';
 import { NOTHING } from '../store/selection.ts';
 import { createStore } from '../store/state.ts';
 import { Alerts } from '../ui/controls/alerts.ts';
+import { closeAboutModel } from '../ui/controls/dialog.ts';
 import { tooltips } from '../ui/controls/tooltips.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
@@ -138,6 +139,7 @@ fileInput.addEventListener('change', async () => {
   await actions.reportErrors(files.openings.begin((opening) => openChosen(app, opening, chosen)));
 });
 acceptDrops(byId('drop-overlay'), app);
+files.on('opened', closeAboutModel);
 
 app.commands = commandTable(app, pointer, fileInput);
 const { commands } = app;
@@ -177,7 +179,7 @@ function bindSolver(client: SolverClient) {
     store.set({
       // A restarted worker keeps the view settings.
       ...(!client.restoring && {
-        ...{ camera: null, views: [], measureChosen: false, tolerances: {} },
+        ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
       }),
       model: loaded,
       document: null,

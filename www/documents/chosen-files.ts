@@ -93,9 +93,13 @@ const FIT_FROM = 0.8;
 export function acceptDrops(overlay: HTMLElement, app: AppContext) {
   const { store, actions } = app;
   const carriesFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
+  /** What is written in a dialog is about the open model. */
+  const isRefused = () => document.querySelector('dialog:modal') !== null;
   window.addEventListener('dragover', (event) => {
     if (!carriesFiles(event)) return;
     event.preventDefault();
+    if (isRefused() && event.dataTransfer) event.dataTransfer.dropEffect = 'none';
+    if (isRefused()) return;
     overlay.classList.toggle('fits', Boolean(store.get().document));
     overlay.hidden = false;
   });
@@ -106,6 +110,7 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     overlay.hidden = true;
     if (!carriesFiles(event)) return;
     event.preventDefault();
+    if (isRefused()) return;
     const { files, items } = event.dataTransfer as DataTransfer;
     // A folder looks like an unreadable file.
     const [file] = files;

@@ -162,3 +162,14 @@ test('a link that was cut, or is too old, is refused with a message, and the pag
     await page.goto('about:blank');
   }
 });
+
+test('an address without encryption has no clipboard: the button says so', async ({ page }) => {
+  await page.addInitScript(() =>
+    Object.defineProperty(navigator, 'clipboard', { value: undefined }),
+  );
+  await openPage(page);
+  await linkOf(page);
+  await expect(page.getByRole('alert')).toBeEmpty();
+  await dialogOf(page).getByRole('button', { name: 'Copy link' }).click();
+  await expect(dialogOf(page).getByText('did not allow copying')).toBeVisible();
+});

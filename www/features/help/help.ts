@@ -187,7 +187,7 @@ const program = (address: string) => `@software{shapeup,
 function showCitation() {
   const address = new URL('./', location.href.split(/[?#]/)[0]).href;
   openDialog(
-    { id: 'cite', title: 'Cite', light: true },
+    { id: 'cite', title: 'Cite', light: true, lasts: true },
     element(
       'div.dialog-body',
       entry('The paper, for the method', PAPER),

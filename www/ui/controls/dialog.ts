@@ -16,15 +16,32 @@ export function dialogHead(dialog: HTMLDialogElement, id: string, title: string)
   );
 }
 
+/** Dialogs about the open model. */
+const ABOUT_MODEL = 'dialog[data-about="model"]';
+
+/** Closes the dialogs about a model that another one has replaced. */
+export function closeAboutModel() {
+  for (const dialog of document.querySelectorAll<HTMLDialogElement>(ABOUT_MODEL)) dialog.close();
+}
+
 /**
  * Shows a dialog, and removes it when it is closed.
- * @param about `light`: a click outside closes it
+ * @param about `light`: a click outside closes it; `lasts`: it is not about the open model
  */
 export function openDialog(
-  { id, title, light = false }: { id: string; title: string; light?: boolean },
+  {
+    id,
+    title,
+    light = false,
+    lasts = false,
+  }: { id: string; title: string; light?: boolean; lasts?: boolean },
   ...body: Node[]
 ) {
-  const dialog = element('dialog', { id, 'aria-labelledby': `${id}-title` });
+  const dialog = element('dialog', {
+    id,
+    'aria-labelledby': `${id}-title`,
+    ...(!lasts && { 'data-about': 'model' }),
+  });
   dialog.append(dialogHead(dialog, `${id}-title`, title), ...body);
   dialog.addEventListener('close', () => dialog.remove());
   if (light)
