@@ -2,7 +2,7 @@
 
 import { addConstraint, openGrid, openText, showPanel } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { expect, openPage, sceneOf, test, waitForState } from '../support.ts';
+import { boxOf, expect, openPage, sceneOf, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -147,4 +147,37 @@ test('two quick presses on two buttons open one dialog', async ({ page }) => {
   });
   await expect(page.getByRole('dialog', { name: 'Share' })).toBeVisible();
   await expect(page.locator('dialog:modal')).toHaveCount(1);
+});
+
+test('a slider that is held stays where it is when a run ends', async ({ page }) => {
+  await openPage(page);
+  const slider = page.getByRole('slider', { name: 'Smooth weight, slider' });
+  await slider.scrollIntoViewIfNeeded();
+  const { x, y, width, height } = await boxOf(slider);
+  await page.getByRole('button', { name: 'Run' }).click();
+  await page.mouse.move(x + 0.3 * width, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + 0.8 * width, y + height / 2, { steps: 3 });
+  const held = await slider.inputValue();
+  await waitForState(page, (now) => now.iteration > 0 && !now.running);
+  await page.evaluate(() => window.shapeUp.settled());
+  await expect(slider).toHaveValue(held);
+  await page.mouse.up();
+  await expect.poll(async () => (await sceneOf(page)).weights.smooth).toBeGreaterThan(100);
+});
+
+test('the parameters of a new constraint have the unit of the model that comes', async ({
+  page,
+}) => {
+  await openGrid(page, 4);
+  await page.getByRole('button', { name: 'Add constraint' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await dialog.getByRole('radio', { name: 'Line segment', exact: true }).check();
+  await dialog.getByRole('combobox', { name: /^Length/ }).selectOption('number');
+  const length = dialog.getByRole('group', { name: 'Length' });
+  await expect(length.locator('.fields .quiet')).toHaveText('m');
+  await page.evaluate((text) => window.shapeUp.open(text), `# units: mm\n${wavyGrid(5)}`);
+  await waitForState(page, (now) => now.vertices === 36);
+  await dialog.getByRole('combobox', { name: /^Length/ }).selectOption('number');
+  await expect(length.locator('.fields .quiet')).toHaveText('mm');
 });

@@ -11,7 +11,7 @@ import { newestOnly } from '../../store/newest-only.ts';
 import { count, groupDigits } from '../../ui/format.ts';
 import { KindChoices } from '../../ui/kinds/kind-choices.ts';
 import { Parameters } from '../../ui/kinds/parameters.ts';
-import type { ConstraintOffers, KindInfo } from '../../solver/types.ts';
+import type { ConstraintOffers, KindInfo, Loaded } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 type Offer = ConstraintOffers['kinds'][number]['offers'][number];
@@ -43,8 +43,8 @@ class AddConstraintDialog {
   #places = element('div.choices');
   #parameters = new Parameters([], {}, { units: '', meanEdge: 0, up: 'z' });
   #parametersPlace = element('div');
-  /** The kind of these parameters. */
-  #parametersOf = '';
+  /** The kind of these parameters, and the model, whose unit and edges they have. */
+  #parametersOf: { kind: string; model: Loaded | null } = { kind: '', model: null };
   #preview = element('p.preview.quiet', { 'aria-live': 'polite' });
   #weight = element('input', {
     type: 'number',
@@ -108,7 +108,7 @@ class AddConstraintDialog {
     if (this.#dialog.open) return this.#dialog.close();
     this.#isChosen = false;
     this.#weight.value = '1';
-    this.#parametersOf = '';
+    this.#parametersOf = { kind: '', model: null };
     this.#allow(false);
     this.#dialog.show();
     // Meanwhile a press closes it.
@@ -182,8 +182,10 @@ class AddConstraintDialog {
 
   #showParameters(kind: KindInfo | undefined) {
     const { model } = this.#store.get();
-    if (!model || this.#parametersOf === (kind?.id ?? '')) return;
-    this.#parametersOf = kind?.id ?? '';
+    const now = { kind: kind?.id ?? '', model };
+    const before = this.#parametersOf;
+    if (!model || (before.kind === now.kind && before.model === model)) return;
+    this.#parametersOf = now;
     this.#parameters = new Parameters(kind?.params ?? [], {}, model);
     this.#parametersPlace.replaceChildren(this.#parameters.element);
     this.#parametersPlace.hidden = !kind?.params.length;

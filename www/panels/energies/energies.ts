@@ -118,6 +118,8 @@ function termRow({ id, label, words }: (typeof TERMS)[number], actions: Actions)
     show(scene: SceneDocument) {
       const value = scene.weights[id];
       setText(explanation, words(scene));
+      // While it is held, the slider and the field show where it is.
+      if (slider.matches(':active')) return;
       weight.show(value);
       slider.value = String(placeOf(value));
       slider.setAttribute('aria-valuetext', String(value));
