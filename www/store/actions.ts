@@ -8,6 +8,7 @@ import { Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { Edit, Handle, PanelStart, Require } from '../solver/types.ts';
+import { HANDLES_LOCKED, areHandlesLocked } from './handles.ts';
 import { verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
 import { createViewActions } from './view-actions.ts';
@@ -77,7 +78,7 @@ export function createActions(
       return made;
     } catch (error) {
       if (showError(error)) return undefined;
-      withdraw = alerts.error(messageOf(error));
+      withdraw = alerts.error(withoutPath(error));
       // The controls show what was asked for: all show again what is.
       store.set({ refused: store.get().refused + 1 });
       return undefined;
@@ -105,6 +106,7 @@ export function createActions(
   }
 
   async function addHandles(vertices: number[], fixed: boolean) {
+    if (areHandlesLocked(store.get().document)) return setStatus(HANDLES_LOCKED);
     if (vertices.length === 0) return setStatus('Select a vertex first, then press H.');
     const { handles = [] } = store.get().document ?? {};
     const known = new Map(handles.map((handle) => [handle.vertex, handle.fixed]));
@@ -129,6 +131,7 @@ export function createActions(
   }
 
   async function removeHandles(vertices: number[]) {
+    if (areHandlesLocked(store.get().document)) return setStatus(HANDLES_LOCKED);
     const handles = new Set(store.get().document?.handles.map((handle) => handle.vertex));
     const held = vertices.filter((vertex) => handles.has(vertex));
     if (held.length === 0) return setStatus('No handle is selected.');
@@ -267,6 +270,13 @@ export function createActions(
       solver.tell.drag({ vertices, targets, phase });
     },
   };
+}
+
+/** The message on a refused edit, without its place in a scene file, of which the page shows nothing. */
+function withoutPath(error: unknown) {
+  const message = messageOf(error);
+  const path = error instanceof Error && 'path' in error ? `${String(error.path)}: ` : '';
+  return path.length > 2 && message.startsWith(path) ? message.slice(path.length) : message;
 }
 
 /** Says that nothing becomes a handle. */

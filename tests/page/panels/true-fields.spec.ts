@@ -181,3 +181,28 @@ test('the parameters of a new constraint have the unit of the model that comes',
   await dialog.getByRole('combobox', { name: /^Length/ }).selectOption('number');
   await expect(length.locator('.fields .quiet')).toHaveText('mm');
 });
+
+test('what a lesson locks is said in words, without a place in the scene file', async ({
+  page,
+}) => {
+  await openGrid(page, 4);
+  const scene = await sceneOf(page);
+  const goals = [{ measure: 'planarity', at_most: 0.1 }];
+  scene.lesson = { text: 'Make them flat.', goals, lock: ['handles', 'weights'] };
+  await page.evaluate(
+    (text) => window.shapeUp.open(text, 'lesson.shapeup.json'),
+    JSON.stringify(scene),
+  );
+  await waitForState(page, (now) => now.vertices === 25);
+  const at = await page.evaluate(() => window.shapeUp.screen(12) ?? [0, 0]);
+  await page.mouse.dblclick(at[0], at[1]);
+  await expect(page.getByRole('status')).toHaveText(/^Locked by the lesson: the handles/);
+  await expect(page.getByRole('alert')).toBeEmpty();
+  await page.evaluate(() => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File(['v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n'], 'other.obj'));
+    const at = { bubbles: true, clientY: innerHeight - 10 };
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, ...at }));
+  });
+  await expect(page.getByRole('alert')).toHaveText(/^locked by the lesson/);
+});
