@@ -65,8 +65,8 @@ export function commandTable(
    * Opens something: a press while that or another is being prepared has no effect, as two dialogs
    * would open. Errors are shown.
    */
-  const opens = (open: () => unknown) => () => actions.reportErrors(begin(open));
-  const begin = oneAtATime(async (open: () => unknown) => open());
+  const opens = (open: () => unknown) => () => actions.reportErrors(prepare(open));
+  const prepare = oneAtATime(async (open: () => unknown) => open());
   /** Opens and closes something: a second press meanwhile closes what the first one opens. */
   const toggles = (toggle: () => unknown) => {
     const begin = inTurn(toggle);
@@ -293,10 +293,10 @@ export function commandTable(
       group: 'Page',
       label: 'This list',
       keys: ['?', 'F1'],
-      action: opens(() => {
+      action: () => {
         const { renderer } = store.get();
         showHelp(byId('help'), app.commands, app.actions.ask.fileFormats(), renderer);
-      }),
+      },
       title: () => 'Mouse and keys',
     },
     {

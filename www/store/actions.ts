@@ -155,6 +155,8 @@ export function createActions(
 
     /** Ends a run; returns what is shown, for the second worker. */
     rest: solver.change.rest,
+    /** Returns what is shown; null during a run or a drag. What looks by itself must end neither. */
+    atRest: solver.change.atRest,
 
     /** Other shapes that are equally exact, shown and kept. */
     variations: {

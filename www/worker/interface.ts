@@ -47,6 +47,7 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     scheduler.sendFrame();
     return result;
   };
+  const shown = (): Snapshot => ({ text: solver.scene(), generation: solver.generation() });
   return {
     /**
      * Opens the first scene, or else the first file; the others may be files that it names. If
@@ -120,9 +121,16 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
      */
     keepVariation: () => scheduler.betweenRuns(() => solver.keepVariation(), false),
     /** Shows the shape before a variation that is not kept. */
-    leaveVariation: () => shows(() => solver.leaveVariation()),
+    leaveVariation() {
+      const before = solver.generation();
+      shows(() => solver.leaveVariation());
+      // A scene that an edit has sent while it was shown, as that of the tolerance, has its shape.
+      if (solver.generation() !== before) scheduler.sendScene();
+    },
     /** Ends a run; returns what is shown, for the second worker. */
-    rest: () => paused((): Snapshot => ({ text: solver.scene(), generation: solver.generation() })),
+    rest: () => paused(shown),
+    /** Returns what is shown; null during a run or a drag, which goes on. */
+    atRest: () => (scheduler.isMoving ? null : shown()),
   };
 }
 

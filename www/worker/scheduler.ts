@@ -245,7 +245,7 @@ export class Scheduler {
     const loaded = this.#solver.remeshed();
     if (loaded) this.sendModel(loaded as Loaded);
     // The scene comes first, so that it is up to date whenever the page has the document.
-    this.#sendScene();
+    this.sendScene();
     this.#sendDocument();
     this.frames.due = true;
     this.sendFrame();
@@ -385,7 +385,8 @@ export class Scheduler {
     this.#post({ type: 'document', document: this.#solver.document() });
   }
 
-  #sendScene() {
+  /** Sends the scene, for autosave and the second worker. */
+  sendScene() {
     clearTimeout(this.#progressTimer);
     this.#progressTimer = 0;
     const history = this.#solver.savedHistory();

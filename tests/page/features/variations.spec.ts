@@ -156,3 +156,29 @@ test('the panel does not end a run that begins while it is open', async ({ page 
   expect(ended.exact?.met).toBe(true);
   await expect(panel.getByRole('slider')).not.toHaveCount(0);
 });
+
+test('the sliders go on after an edit while a variation is shown', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Variations', exact: true }).click();
+  const panel = page.getByRole('region', { name: 'Variations' });
+  const slider = panel.getByRole('slider').first();
+  const keep = panel.getByRole('button', { name: 'Keep', exact: true });
+  await expect(slider).toBeVisible();
+  const start = await positions(page);
+  await slide(slider, 'ArrowRight', 5);
+  await expect(keep).toBeEnabled();
+  // An edit that keeps the shape leaves the variation, and the search begins anew.
+  const tolerance = page.getByRole('textbox', { name: 'Tolerance' });
+  await tolerance.fill('2');
+  await tolerance.press('Enter');
+  await expect(slider).toHaveValue('0');
+  await expect.poll(() => positions(page)).toEqual(start);
+  await expect(panel.getByText('Move the sliders')).toBeVisible();
+  await slide(slider, 'ArrowRight', 5);
+  await expect(keep).toBeEnabled();
+  expect(await positions(page)).not.toEqual(start);
+});

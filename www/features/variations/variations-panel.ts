@@ -90,9 +90,10 @@ function variationsPanel(app: AppContext) {
     setText(words, 'Looking for variations of the shape …');
     searched = [store.get().document, store.get().dark];
     await variations.leave();
-    // It came before the document. To ask for it again would end a run that has begun meanwhile.
-    const model = solver.copy();
-    if (!connectivity || !model || !(await jobs.copy(model).findVariations())) {
+    const model = await actions.atRest();
+    // A run has begun meanwhile: its end begins another search.
+    if (!model) return;
+    if (!connectivity || !(await jobs.copy(model).findVariations())) {
       if (mine === search) setText(words, NONE);
       return;
     }
