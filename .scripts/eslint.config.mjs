@@ -43,6 +43,18 @@ export default ts.config(
     },
   },
   {
+    // What an address without encryption lacks, where the page works, too.
+    files: ['www/**/*.ts'],
+    ignores: ['www/ui/output.ts'],
+    rules: {
+      'no-restricted-properties': [
+        'error',
+        { object: 'navigator', property: 'clipboard', message: 'Use copyText of ui/output.ts.' },
+        { object: 'crypto', property: 'randomUUID', message: 'It is missing without encryption.' },
+      ],
+    },
+  },
+  {
     files: ['tests/page/**/*.ts'],
     rules: {
       '@typescript-eslint/no-floating-promises': [

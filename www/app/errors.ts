@@ -1,6 +1,7 @@
 /** Uncaught errors, and the report about one for the developers. */
 
 import { messageOf } from '../solver/errors.ts';
+import { copyText } from '../ui/output.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 import type { Store, State } from '../store/state.ts';
 
@@ -48,10 +49,7 @@ function crashReport(what: string, { model, document, numbers, renderer }: State
 
 /** Copies the report to the clipboard, or shows it if copying is not allowed. */
 async function copyReport(text: string, store: Store, alerts: Alerts) {
-  try {
-    await navigator.clipboard.writeText(text);
-    store.set({ status: 'Report copied to the clipboard' });
-  } catch {
-    alerts.notice(text);
-  }
+  const isCopied = (await copyText(text, '')) !== '';
+  if (isCopied) store.set({ status: 'Report copied to the clipboard' });
+  else alerts.notice(text);
 }
