@@ -119,36 +119,6 @@ test('Escape in a field takes back what was typed there, and not the selection',
   await waitForState(page, (now) => now.selection.vertices.length === 1);
 });
 
-test('a stroke that began on another mesh leaves the selection of this one', async ({ page }) => {
-  await openGrid(page, 12);
-  await page.keyboard.press('3');
-  await page.keyboard.press('p');
-  const [x, y] = await page.evaluate(() => window.shapeUp.screen(160) ?? [0, 0]);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + 40, y, { steps: 3 });
-  await page.mouse.up();
-  await waitForState(page, (now) => now.selection.faces.length > 0);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.evaluate((text) => window.shapeUp.open(text, 'other.obj'), wavyGrid(2));
-  await waitForState(page, (now) => now.vertices === 9);
-  await page.keyboard.press('Escape');
-  await page.mouse.up();
-  await waitForState(page, (now) => now.selection.faces.length === 0);
-  await expect(page.getByRole('alert')).toBeEmpty();
-});
-
-test('two quick presses on two buttons open one dialog', async ({ page }) => {
-  await openGrid(page, 40);
-  await page.getByRole('button', { name: 'Share', exact: true }).evaluate((share: HTMLElement) => {
-    share.click();
-    document.querySelector<HTMLElement>('[data-command="export-as"]')?.click();
-  });
-  await expect(page.getByRole('dialog', { name: 'Share' })).toBeVisible();
-  await expect(page.locator('dialog:modal')).toHaveCount(1);
-});
-
 test('a slider that is held stays where it is when a run ends', async ({ page }) => {
   await openPage(page);
   const slider = page.getByRole('slider', { name: 'Smooth weight, slider' });
@@ -205,4 +175,41 @@ test('what a lesson locks is said in words, without a place in the scene file', 
     document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, ...at }));
   });
   await expect(page.getByRole('alert')).toHaveText(/^locked by the lesson/);
+});
+
+// The tool, and a dialog that is open, would stay in the page of other tests.
+test.describe('in a page of its own', () => {
+  test.use({ sameDocument: false, fresh: true });
+
+  test('a stroke that began on another mesh leaves the selection of this one', async ({ page }) => {
+    await openGrid(page, 12);
+    await page.keyboard.press('3');
+    await page.keyboard.press('p');
+    const [x, y] = await page.evaluate(() => window.shapeUp.screen(160) ?? [0, 0]);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 40, y, { steps: 3 });
+    await page.mouse.up();
+    await waitForState(page, (now) => now.selection.faces.length > 0);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.evaluate((text) => window.shapeUp.open(text, 'other.obj'), wavyGrid(2));
+    await waitForState(page, (now) => now.vertices === 9);
+    await page.keyboard.press('Escape');
+    await page.mouse.up();
+    await waitForState(page, (now) => now.selection.faces.length === 0);
+    await expect(page.getByRole('alert')).toBeEmpty();
+  });
+
+  test('two quick presses on two buttons open one dialog', async ({ page }) => {
+    await openGrid(page, 40);
+    await page
+      .getByRole('button', { name: 'Share', exact: true })
+      .evaluate((share: HTMLElement) => {
+        share.click();
+        document.querySelector<HTMLElement>('[data-command="export-as"]')?.click();
+      });
+    await expect(page.getByRole('dialog', { name: 'Share' })).toBeVisible();
+    await expect(page.locator('dialog:modal')).toHaveCount(1);
+  });
 });
