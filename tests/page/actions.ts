@@ -60,6 +60,17 @@ export async function addConstraint(page: Page, kind: string, where: string) {
 export const constraintCount = (page: Page) =>
   page.evaluate(() => window.shapeUp.scene().constraints.length);
 
+/** Opens a wavy grid of n by n faces, makes its panels flat, and opens the panel of variations. */
+export async function openVariations(page: Page, n: number) {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
+  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Variations', exact: true }).click();
+  return page.getByRole('region', { name: 'Variations' });
+}
+
 /** Runs until the solver has converged. */
 export async function runToTheEnd(page: Page) {
   await page.getByRole('button', { name: 'Run' }).click();

@@ -20,16 +20,21 @@ const drop = (page: Page, name: string, text: string) =>
     [name, text],
   );
 
-/** Opens a roof and changes a weight, which is saved. */
-async function openChanged(page: Page) {
-  await visit(page);
-  await openText(page, 'roof.obj', wavyGrid(4), 25);
+/** Changes a weight, which is saved. */
+async function changeWeight(page: Page) {
   const weight = page.getByRole('spinbutton', { name: 'Smooth weight', exact: true });
   await weight.fill('7');
   await weight.press('Enter');
   await expect
     .poll(() => page.evaluate(() => document.querySelector('#numbers')?.textContent))
     .toContain('Saved in this browser');
+}
+
+/** Opens a roof and changes a weight. */
+async function openChanged(page: Page) {
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await changeWeight(page);
   await expect.poll(async () => (await sceneOf(page)).weights.smooth).toBe(7);
 }
 
@@ -56,12 +61,7 @@ test('work on an example comes back where the list of examples does not', async 
   complaints,
 }) => {
   await openPage(page);
-  const weight = page.getByRole('spinbutton', { name: 'Smooth weight', exact: true });
-  await weight.fill('7');
-  await weight.press('Enter');
-  await expect
-    .poll(() => page.evaluate(() => document.querySelector('#numbers')?.textContent))
-    .toContain('Saved in this browser');
+  await changeWeight(page);
   const { vertices } = await state(page);
   await page.route('**/examples/index.json', (route) => route.abort());
   await page.reload();

@@ -2,7 +2,7 @@
 // opened again.
 
 import type { Locator, Page } from '@playwright/test';
-import { openText, showPanel } from '../actions.ts';
+import { openText, openVariations, showPanel } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { everything, expect, openPage, state, test, waitForState } from '../support.ts';
 
@@ -119,13 +119,7 @@ test('a variation that is left while it is made exact does not come back', async
       }
     };
   });
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
-  await waitForState(page, (now) => !now.running && now.exact?.met);
-  await showPanel(page, 'Model');
-  await page.getByRole('button', { name: 'Variations', exact: true }).click();
-  const panel = page.getByRole('region', { name: 'Variations' });
+  const panel = await openVariations(page, N);
   await expect(panel.getByRole('slider')).not.toHaveCount(0);
   const start = await positions(page);
   const slider = panel.getByRole('slider').first();
@@ -141,13 +135,7 @@ test('a variation that is left while it is made exact does not come back', async
 test('the panel does not end a run that begins while it is open', async ({ page }) => {
   // It looked for variations at every edit, and brought the shape to rest for that: of the panels made
   // circular with the panel open, three quarters were not.
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(16), 17 ** 2);
-  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
-  await waitForState(page, (now) => !now.running && now.exact?.met);
-  await showPanel(page, 'Model');
-  await page.getByRole('button', { name: 'Variations', exact: true }).click();
-  const panel = page.getByRole('region', { name: 'Variations' });
+  const panel = await openVariations(page, 16);
   await expect(panel.getByRole('slider')).not.toHaveCount(0);
   await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
   await expect(page.getByRole('button', { name: /^Undo$/ })).toHaveAttribute('title', /circular/);
@@ -158,13 +146,7 @@ test('the panel does not end a run that begins while it is open', async ({ page 
 });
 
 test('the sliders go on after an edit while a variation is shown', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
-  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
-  await waitForState(page, (now) => !now.running && now.exact?.met);
-  await showPanel(page, 'Model');
-  await page.getByRole('button', { name: 'Variations', exact: true }).click();
-  const panel = page.getByRole('region', { name: 'Variations' });
+  const panel = await openVariations(page, N);
   const slider = panel.getByRole('slider').first();
   const keep = panel.getByRole('button', { name: 'Keep', exact: true });
   await expect(slider).toBeVisible();

@@ -2,7 +2,7 @@
 // as a step yet.
 
 import type { Page } from '@playwright/test';
-import { openText, showPanel } from '../actions.ts';
+import { openText, openVariations, showPanel } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { everything, expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
@@ -56,13 +56,7 @@ test('a coordinate typed just before Undo is undone, not the step before', async
 });
 
 test('a variation that is shown is undone, not the step before', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'roof.obj', wavyGrid(6), 49);
-  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
-  await waitForState(page, (now) => !now.running && now.exact?.met);
-  await showPanel(page, 'Model');
-  await page.getByRole('button', { name: 'Variations', exact: true }).click();
-  const panel = page.getByRole('region', { name: 'Variations' });
+  const panel = await openVariations(page, 6);
   const slider = panel.getByRole('slider').first();
   await expect(slider).toBeVisible();
   // What the card of the panels tries may still join the press.
