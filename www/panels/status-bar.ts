@@ -10,7 +10,7 @@ import {
   worstOf,
 } from '../store/colours/measures.ts';
 import { areHandlesLocked, draggableInWords } from '../store/handles.ts';
-import { nextStep } from '../store/next-step.ts';
+import { NEXT_STEP_KEYS, nextStep } from '../store/next-step.ts';
 import { energyOrZero } from '../ui/rounding.ts';
 import { sizeOfSelection } from '../store/selection.ts';
 import { isDrawn, type State } from '../store/state.ts';
@@ -94,19 +94,7 @@ export function statusBar(
   });
   store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
   store.subscribe(
-    [
-      'model',
-      'document',
-      'tool',
-      'shape',
-      'mode',
-      'running',
-      'converged',
-      'selection',
-      'dragged',
-      'renderer',
-      'verdict',
-    ],
+    [...NEXT_STEP_KEYS, 'tool', 'shape', 'mode', 'selection', 'dragged', 'renderer'],
     (state) => setText(places.hint, hintOf(state)),
   );
   environmentStatus(places.numbers, app);
@@ -135,7 +123,8 @@ function hintOf(state: State) {
   if (renderer === 'none') return 'Run, Export and the panels work without the 3D view';
   if (tool === 'select')
     return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
-  if (next === 'choose') return 'Next: see the verdict in the view · drag elsewhere to orbit';
+  if (next === 'choose' && state.verdict)
+    return 'Next: see the verdict in the view · drag elsewhere to orbit';
   const { running, converged } = state;
   const one = draggableInWords(document);
   if (!running && !converged)

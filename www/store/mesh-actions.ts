@@ -1,5 +1,6 @@
 /** Actions on the mesh itself. */
 
+import { endOfRun } from './end-of-run.ts';
 import { count } from '../ui/format.ts';
 import type { Remeshing } from '../pkg/engine/shape_up.js';
 import type { Edit } from '../solver/types.ts';
@@ -13,16 +14,7 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
   /** Runs to the end; false if stopped before convergence. */
   async function untilEnd(begin: () => unknown) {
     // A current run goes on, and is waited for.
-    let began = store.get().running;
-    let stop = () => {};
-    const ended = new Promise((settle) => {
-      stop = solver.on('activity', ({ running, converged }) => {
-        began ||= running;
-        if (running || !began) return;
-        stop();
-        settle(converged);
-      });
-    });
+    const { ended, stop } = endOfRun(solver, store.get().running);
     try {
       await begin();
     } catch (error) {

@@ -15,7 +15,8 @@ export const NEXT_STEP_KEYS = [
 /**
  * - `shape`: nothing is constrained yet, and there are panels
  * - `run`: constraints are not met, or nothing can be built
- * - `choose`: the panels are made, but a better shape may be had
+ * - `choose`: a run has ended, but its shape is not good: something is beyond the tolerance, or its
+ *   verdict offers better ones
  * - `build`: all is met
  */
 export type NextStep = 'shape' | 'run' | 'choose' | 'build';
@@ -33,5 +34,10 @@ export function nextStep({
   if (!document?.constraints.some(({ enabled }) => enabled))
     return model?.panels.some(({ reason }) => !reason) ? 'shape' : 'run';
   if (running || !converged || numbers?.exact?.met === false || !model?.faces) return 'run';
-  return verdict && !verdict.isClosed && verdict.report.level !== 'good' ? 'choose' : 'build';
+  const isBeyond = document.constraints.some(
+    ({ enabled, require }, row) =>
+      enabled && require === 'soft' && (numbers?.worst[row] ?? 0) > document.tolerance,
+  );
+  const isPoor = verdict && !verdict.isClosed && verdict.report.level !== 'good';
+  return isBeyond || isPoor ? 'choose' : 'build';
 }

@@ -35,6 +35,16 @@ test('the next step is the first that is missing', () => {
   assert.equal(after(), 'build');
 });
 
+test('a run whose constraints are only weighed may end beyond the tolerance', () => {
+  // Build used to be the blue button beside "304 of 2040 panels".
+  const document = { constraints: [{ enabled: true, require: 'soft' }], tolerance: 0.001 };
+  const far = { worst: [0.011] };
+  assert.equal(after({ document, numbers: far }), 'choose');
+  assert.equal(after({ document, numbers: { worst: [0.0009] } }), 'build');
+  const off = { constraints: [{ enabled: false, require: 'soft' }, { enabled: true }] };
+  assert.equal(after({ document: { ...document, ...off }, numbers: far }), 'build');
+});
+
 test('what is not good is not to be built, unless its verdict was closed', () => {
   // It used to be "Next: Build" beside the words that half of the roof is lost.
   const poor = { shape: 3, report: { level: 'poor' } };

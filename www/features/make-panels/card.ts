@@ -5,6 +5,7 @@
 
 import './make-panels.css';
 import { button, closeButton } from '../../ui/controls/fields.ts';
+import { endOfRun } from '../../store/end-of-run.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import { newestOnly } from '../../store/newest-only.ts';
 import {
@@ -122,7 +123,7 @@ export class MakePanels {
    * @param within the tolerance, if other than the displayed one
    */
   async #make(kind: KindInfo, from: PanelStart = 'now', within?: number) {
-    const { store, viewport, actions, files } = this.#app;
+    const { store, solver, viewport, actions, files } = this.#app;
     if (files.openings.coming && !(await this.#nextTakes(kind.id))) return;
     const { model, display } = store.get();
     this.#pressed = this.#underWay = model;
@@ -131,12 +132,13 @@ export class MakePanels {
     const show = (shapes: boolean) => actions.display({ shapes });
     // The fitted shapes are those of the final shape.
     if (arrived) show(false);
+    const { ended, stop } = endOfRun(solver);
     if ((await actions.makePanels(kind.id, within, from)) === undefined) {
+      stop();
       this.#underWay = null;
       viewport.endTransition();
       return show(display.shapes);
     }
-    const ended = this.#endOfRun();
     await arrived;
     if (store.get().model !== model) return;
     show(true);
@@ -156,20 +158,6 @@ export class MakePanels {
     const { model } = store.get();
     const offered = model?.panels.find(({ kind }) => kind === id);
     return model !== before && offered !== undefined && !offered.reason;
-  }
-
-  /** Resolves when the current run has ended. */
-  #endOfRun() {
-    const { store, solver } = this.#app;
-    return new Promise((ended) => {
-      let began = store.get().running;
-      const stop = solver.on('activity', ({ running }) => {
-        began ||= running;
-        if (running || !began) return;
-        stop();
-        ended(undefined);
-      });
-    });
   }
 
   #show() {
