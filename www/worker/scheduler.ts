@@ -174,7 +174,8 @@ export class Scheduler {
     ask();
     this.#isRunning = true;
     this.#isSettled = false;
-    this.#activityDue = true;
+    // At once: a short run ends before its first frame, and nobody would know of it.
+    this.#sendActivity();
     this.changed();
     this.#sliceIsNew = true;
     this.#queueSlice();
