@@ -1,6 +1,7 @@
 /** Actions on the display and the selection, which do not concern the solver. */
 
 import { NOTHING } from './selection.ts';
+import type { BetterPress } from '../solver/types.ts';
 import type { State, Store } from './state.ts';
 
 export function createViewActions(store: Store) {
@@ -27,6 +28,12 @@ export function createViewActions(store: Store) {
 
     /** Sets the verdict on the panels. */
     judge: (verdict: State['verdict']) => store.set({ verdict }),
+    /** Adds the presses that end better to the verdict, if it is still that on this shape. */
+    suggest(shape: number | undefined, suggestions: BetterPress[]) {
+      const { verdict } = store.get();
+      if (!verdict || verdict.shape !== shape) return;
+      store.set({ verdict: { ...verdict, report: { ...verdict.report, suggestions } } });
+    },
 
     /** Sets the tolerance of another measure, in its unit. */
     setToleranceOf: (id: string, value: number | null) =>

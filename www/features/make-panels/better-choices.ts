@@ -44,7 +44,7 @@ export class BetterChoices {
     const take = (presses: BetterPress[]) => {
       found = presses;
       show(LOOKING);
-      actions.judge({ shape, report: { ...verdict, suggestions: presses } });
+      actions.suggest(shape, presses);
     };
     const ended = await actions.trials.betterPresses(take).catch(() => null);
     show('');
