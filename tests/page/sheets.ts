@@ -1,6 +1,32 @@
-// The sheets in the parts panel: each kind of line and each mark is one path per sheet.
+// The panel of parts and its sheets: each kind of line and each mark is one path per sheet.
 
-import type { Locator } from '@playwright/test';
+import type { Locator, Page } from '@playwright/test';
+import { unzipSync } from 'fflate';
+import type { BuildReport } from '../../www/solver/types.ts';
+import { showPanel } from './actions.ts';
+import { expect, waitForState, type PageState } from './support.ts';
+
+export const partsPanel = (page: Page) => page.getByRole('region', { name: 'Parts and sheets' });
+
+/** The report in a state of the page with parts. */
+export function reportOf({ build }: PageState): BuildReport {
+  if (!build) throw new Error('the page has no parts');
+  return build;
+}
+
+/** Opens the panel of parts, and waits for them. */
+export async function openParts(page: Page) {
+  await showPanel(page, 'Model');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await expect(partsPanel(page)).toBeVisible();
+  return reportOf(await waitForState(page, (now) => now.build !== null));
+}
+
+/** The files of an archive by name. */
+export const filesOf = (bytes: Uint8Array) =>
+  Object.fromEntries(
+    Object.entries(unzipSync(bytes)).map(([name, content]) => [name, Buffer.from(content)]),
+  );
 
 /** The outlines in the paths of a kind, sheet by sheet. */
 export async function outlinesOf(region: Locator, kind: string) {

@@ -5,6 +5,7 @@ import AxeBuilder from '@axe-core/playwright';
 import { openText, showPanel } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { outlinesOf } from '../sheets.ts';
+import { partsPanel } from '../sheets.ts';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
 /** Panels along a side. */
@@ -31,7 +32,6 @@ interface Asked {
 /** What these tests note in the page: the times for which it was blocked, and the requests. */
 type Noting = typeof window & { busy: number[]; asked: Asked[] };
 
-const panel = (page: Page) => page.getByRole('region', { name: 'Parts and sheets' });
 const median = (values: number[]) => values.toSorted((a, b) => a - b)[values.length >> 1];
 
 /**
@@ -62,20 +62,20 @@ async function openBuild(page: Page) {
   });
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await waitForState(page, (now, panels) => now.build?.panels === panels, SIDE * SIDE);
-  await expect(panel(page).getByRole('button', { name: 'Corners' })).toContainText('mm');
+  await expect(partsPanel(page).getByRole('button', { name: 'Corners' })).toContainText('mm');
 }
 
 test('2500 panels do not block the page for long, and the panel works by keyboard alone', async ({
   page,
 }) => {
   await openBuild(page);
-  await expect.poll(() => panel(page).locator('figure:not(:has(.cut))').count()).toBe(0);
+  await expect.poll(() => partsPanel(page).locator('figure:not(:has(.cut))').count()).toBe(0);
   const longest = await page.evaluate(() => Math.max(0, ...(window as Noting).busy));
   const unit = await otherWork(page);
-  const elements = await panel(page).locator('*').count();
+  const elements = await partsPanel(page).locator('*').count();
   const said = `busy ${longest} ms, other work ${unit} ms, ${elements} elements`;
   test.info().annotations.push({ type: 'measured', description: said });
-  expect((await outlinesOf(panel(page), 'cut')).length).toBe(SIDE * SIDE);
+  expect((await outlinesOf(partsPanel(page), 'cut')).length).toBe(SIDE * SIDE);
   expect(elements).toBeLessThan(MOST_ELEMENTS);
   expect(longest, said).toBeLessThan(BUSY * unit);
 
@@ -87,8 +87,8 @@ test('2500 panels do not block the page for long, and the panel works by keyboar
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ target }) => target)])).toEqual([]);
 
   // From the first field to the sheets and back out, without a pointer.
-  await expect(panel(page).locator('select').first()).toBeFocused();
-  const sheets = panel(page).getByRole('group', { name: 'Sheets' });
+  await expect(partsPanel(page).locator('select').first()).toBeFocused();
+  const sheets = partsPanel(page).getByRole('group', { name: 'Sheets' });
   const isAtSheets = () => sheets.evaluate((own) => own === document.activeElement);
   for (let presses = 0; presses < 60 && !(await isAtSheets()); presses++)
     await page.keyboard.press('Tab');
@@ -98,7 +98,7 @@ test('2500 panels do not block the page for long, and the panel works by keyboar
     .poll(() => sheets.evaluate((own) => own.scrollTop + own.scrollLeft))
     .toBeGreaterThan(0);
   await page.keyboard.press('Escape');
-  await expect(panel(page)).toBeHidden();
+  await expect(partsPanel(page)).toBeHidden();
 });
 
 test('the offset of 2500 panels follows the slider and a drag, and the sheets come afterwards', async ({
@@ -133,7 +133,7 @@ test('the offset of 2500 panels follows the slider and a drag, and the sheets co
       type,
     );
   const before = await otherWork(page);
-  await panel(page).getByLabel('Distance').press('ArrowRight');
+  await partsPanel(page).getByLabel('Distance').press('ArrowRight');
   await expect.poll(async () => (await took('moveLayer')).length).toBeGreaterThan(0);
   const slides = median(await took('moveLayer'));
   await expect.poll(async () => (await took('offsetChoices')).length).toBe(2);

@@ -1,16 +1,15 @@
 // Pointing at a panel in the view or at its piece on the sheets marks the other.
 
 import type { Page } from '@playwright/test';
-import { openText, showPanel } from '../actions.ts';
+import { openText } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { outlinesOf, overPart } from '../sheets.ts';
+import { openParts, outlinesOf, overPart, partsPanel } from '../sheets.ts';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
 const N = 4;
-const panel = (page: Page) => page.getByRole('region', { name: 'Parts and sheets' });
-const sheets = (page: Page) => panel(page).getByRole('group', { name: 'Sheets' });
+const sheets = (page: Page) => partsPanel(page).getByRole('group', { name: 'Sheets' });
 
 /** The centre of a face of the grid on the page. */
 async function middleOf(page: Page, face: number): Promise<[number, number]> {
@@ -25,9 +24,7 @@ async function middleOf(page: Page, face: number): Promise<[number, number]> {
 async function openBuild(page: Page) {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(N)}`, (N + 1) ** 2);
-  await showPanel(page, 'Model');
-  await page.getByRole('button', { name: 'Build', exact: true }).click();
-  await waitForState(page, (now) => now.build !== null);
+  await openParts(page);
 }
 
 test('a panel under the pointer marks its piece on the sheets, and the piece marks the panel', async ({
@@ -37,16 +34,16 @@ test('a panel under the pointer marks its piece on the sheets, and the piece mar
   for (const face of [5, 10]) {
     await page.mouse.move(...(await middleOf(page, face)));
     await expect(sheets(page)).toContainText(`P${face} on sheet-01`);
-    const marked = await outlinesOf(panel(page), 'pointed');
+    const marked = await outlinesOf(partsPanel(page), 'pointed');
     expect(marked).toHaveLength(1);
-    const part = (await outlinesOf(panel(page), 'cut')).indexOf(marked[0]);
-    const { at } = await overPart(panel(page), part);
+    const part = (await outlinesOf(partsPanel(page), 'cut')).indexOf(marked[0]);
+    const { at } = await overPart(partsPanel(page), part);
     await expect(sheets(page)).toContainText(`P${face} on sheet-01`);
     await page.mouse.click(...at);
     expect((await state(page)).selection.faces).toEqual([face]);
   }
-  await panel(page).getByLabel('Material').hover();
-  await expect.poll(() => outlinesOf(panel(page), 'pointed')).toEqual([]);
+  await partsPanel(page).getByLabel('Material').hover();
+  await expect.poll(() => outlinesOf(partsPanel(page), 'pointed')).toEqual([]);
   await expect(sheets(page)).toContainText('Point at a part');
 });
 
@@ -54,13 +51,13 @@ test('the sheet of a piece out of sight is named, and a click brings it into vie
   page,
 }) => {
   await openBuild(page);
-  await panel(page).getByLabel('Sheet width, mm').fill('45');
-  await panel(page).getByLabel('Sheet width, mm').press('Tab');
+  await partsPanel(page).getByLabel('Sheet width, mm').fill('45');
+  await partsPanel(page).getByLabel('Sheet width, mm').press('Tab');
   await waitForState(page, (now) => now.build?.sheet_mm[0] === 45);
-  await panel(page).getByLabel('Sheet height, mm').fill('45');
-  await panel(page).getByLabel('Sheet height, mm').press('Tab');
+  await partsPanel(page).getByLabel('Sheet height, mm').fill('45');
+  await partsPanel(page).getByLabel('Sheet height, mm').press('Tab');
   await waitForState(page, (now) => (now.build?.sheets ?? 0) > 8);
-  await panel(page).getByRole('img').first().scrollIntoViewIfNeeded();
+  await partsPanel(page).getByRole('img').first().scrollIntoViewIfNeeded();
   // Points at one panel after the other until one is on the last sheet.
   const last = `sheet-${(await state(page)).build?.sheets}`;
   const line = sheets(page).locator('p').first();
@@ -70,7 +67,7 @@ test('the sheet of a piece out of sight is named, and a click brings it into vie
     await expect(line).toContainText(`P${face} on sheet-`);
   }
   await expect(line).toContainText('click the panel to see it');
-  const marked = panel(page).locator('.pointed:not([d=""])');
+  const marked = partsPanel(page).locator('.pointed:not([d=""])');
   await expect(marked).toHaveCount(1);
   await expect(marked).not.toBeInViewport();
   await page.mouse.down();
@@ -80,14 +77,14 @@ test('the sheet of a piece out of sight is named, and a click brings it into vie
 
 test('a panel of a paper model marks the piece from which it is folded', async ({ page }) => {
   await openBuild(page);
-  await panel(page).getByLabel('Make').selectOption('paper');
-  await panel(page).getByLabel('Pieces').selectOption('strips');
+  await partsPanel(page).getByLabel('Make').selectOption('paper');
+  await partsPanel(page).getByLabel('Pieces').selectOption('strips');
   await waitForState(
     page,
     (now, strips) => now.build?.product === 'paper' && now.build.parts === strips,
     N,
   );
   await page.mouse.move(...(await middleOf(page, 5)));
-  await expect.poll(() => outlinesOf(panel(page), 'pointed')).toHaveLength(1);
+  await expect.poll(() => outlinesOf(partsPanel(page), 'pointed')).toHaveLength(1);
   await expect(sheets(page)).toContainText(/^S?\w+ on sheet-01/);
 });

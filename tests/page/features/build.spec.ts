@@ -6,21 +6,12 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import DxfParser, { type IDxf, type IEntity, type ILwpolylineEntity } from 'dxf-parser';
-import { unzipSync } from 'fflate';
 import { program } from '../../../.scripts/project.mjs';
 import type { BuildReport } from '../../../www/solver/types.ts';
-import { downloaded, openText, saved, showPanel } from '../actions.ts';
+import { downloaded, openText, saved } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
-import { outlinesOf, overPart } from '../sheets.ts';
-import {
-  expect,
-  openPage,
-  sceneOf,
-  state,
-  test,
-  waitForState,
-  type PageState,
-} from '../support.ts';
+import { filesOf, openParts, outlinesOf, overPart, partsPanel, reportOf } from '../sheets.ts';
+import { expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -32,25 +23,11 @@ declare global {
 }
 
 const FACES = 16;
-const panel = (page: Page) => page.getByRole('region', { name: 'Parts and sheets' });
-
-/** The report in a state of the page with parts. */
-function reportOf({ build }: PageState): BuildReport {
-  if (!build) throw new Error('the page has no parts');
-  return build;
-}
-
-async function openBuild(page: Page) {
-  await showPanel(page, 'Model');
-  await page.getByRole('button', { name: 'Build', exact: true }).click();
-  await expect(panel(page)).toBeVisible();
-  return reportOf(await waitForState(page, (now) => now.build !== null));
-}
 
 /** Enters a number into a field and leaves the field. */
 async function setField(page: Page, label: string, value: number) {
-  await panel(page).getByLabel(label).fill(String(value));
-  await panel(page).getByLabel(label).press('Tab');
+  await partsPanel(page).getByLabel(label).fill(String(value));
+  await partsPanel(page).getByLabel(label).press('Tab');
 }
 
 const areaOf = (points: { x: number; y: number }[]) =>
@@ -62,12 +39,6 @@ const areaOf = (points: { x: number; y: number }[]) =>
 /** Whether a line of a drawing is closed. */
 const isClosed = (line: IEntity): line is ILwpolylineEntity => (line as ILwpolylineEntity).shape;
 
-/** The files of an archive by name. */
-const filesOf = (bytes: Uint8Array) =>
-  Object.fromEntries(
-    Object.entries(unzipSync(bytes)).map(([name, content]) => [name, Buffer.from(content)]),
-  );
-
 test('circular panels become drawings in mm, identical to those of the command line', async ({
   page,
 }) => {
@@ -75,17 +46,17 @@ test('circular panels become drawings in mm, identical to those of the command l
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
   await page.getByRole('button', { name: 'Make panels circular' }).click();
   await waitForState(page, (now) => now.iteration > 0 && !now.running);
-  const first = await openBuild(page);
+  const first = await openParts(page);
   expect(first.panels).toBe(FACES);
   await setField(page, 'Joint', 0.02);
   await waitForState(page, (now) => (now.build?.joint_mm ?? 0) > 0);
   await setField(page, 'Sheet width, mm', 200);
   await waitForState(page, (now) => now.build?.sheet_mm[0] === 200);
-  await expect(panel(page).getByRole('img')).toHaveCount(reportOf(await state(page)).sheets);
+  await expect(partsPanel(page).getByRole('img')).toHaveCount(reportOf(await state(page)).sheets);
 
   const build = reportOf(await state(page));
   const archive = await downloaded(page, () =>
-    panel(page).getByRole('button', { name: 'Save drawings' }).click(),
+    partsPanel(page).getByRole('button', { name: 'Save drawings' }).click(),
   );
   expect(archive.name).toBe('roof-parts.zip');
   const files = filesOf(archive.bytes);
@@ -121,14 +92,14 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
 }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
-  const before = await openBuild(page);
+  const before = await openParts(page);
   const missed = ({ check }: BuildReport) => check.filter(({ met }) => !met).map(({ id }) => id);
   const [flatness] = before.check.filter(({ id }) => id === 'panel_flatness');
   expect(flatness.failed).toBeGreaterThan(0);
-  const failed = () => outlinesOf(panel(page), 'failed');
+  const failed = () => outlinesOf(partsPanel(page), 'failed');
   await expect.poll(failed).toHaveLength(flatness.failed);
   // No other line is red; cut lines are red only in the saved files.
-  const lines = panel(page).locator('.sheets path:not(.failed-sides)');
+  const lines = partsPanel(page).locator('.sheets path:not(.failed-sides)');
   const colours = await lines.evaluateAll((all) => all.map((one) => getComputedStyle(one).stroke));
   const isRed = (colour: string) => {
     const [red, green, blue] = (colour.match(/\d+/g) ?? [0, 0, 0]).map(Number);
@@ -137,7 +108,7 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
   expect(colours.filter(isRed)).toEqual([]);
 
   // The slider is limited to safe distances.
-  const slider = panel(page).getByLabel('Distance');
+  const slider = partsPanel(page).getByLabel('Distance');
   const safe = before.offset?.safe_distance_mm[1] ?? NaN;
   const most = Number(await slider.getAttribute('max'));
   expect(Math.abs(most) * 1000).toBeLessThan(Math.abs(safe));
@@ -147,21 +118,21 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
   await page.getByRole('button', { name: 'Undo' }).click();
   await waitForState(page, (now) => (now.build?.offset?.distance_mm ?? NaN) < 1000);
   // At 0, which parts cannot have, slider and parts go back to the distance of the settings.
-  const figure = panel(page).locator('output[for="parts-distance"]');
+  const figure = partsPanel(page).locator('output[for="parts-distance"]');
   const [kept, words] = [await slider.inputValue(), await figure.innerText()];
   await slider.fill('0');
   await expect(slider).toHaveValue(kept);
   await expect(figure).toHaveText(words);
 
-  await panel(page).getByRole('button', { name: 'Tighten' }).click();
+  await partsPanel(page).getByRole('button', { name: 'Tighten' }).click();
   const tightened = await waitForState(
     page,
     (now) => !now.running && now.build?.check.every(({ met }) => met),
   );
   expect(missed(reportOf(tightened))).toEqual([]);
   await expect.poll(failed).toEqual([]);
-  await expect(panel(page).getByRole('button', { name: 'Corners' })).toContainText('exact');
-  await expect(panel(page).getByRole('button', { name: 'Tighten' })).toBeDisabled();
+  await expect(partsPanel(page).getByRole('button', { name: 'Corners' })).toContainText('exact');
+  await expect(partsPanel(page).getByRole('button', { name: 'Tighten' })).toBeDisabled();
 });
 
 test('settings are saved in the scene and can be undone; parts and panels are selected together', async ({
@@ -169,9 +140,9 @@ test('settings are saved in the scene and can be undone; parts and panels are se
 }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
-  await openBuild(page);
+  await openParts(page);
   const before = (await sceneOf(page)).build;
-  await panel(page).getByLabel('Material').selectOption({ index: 2 });
+  await partsPanel(page).getByLabel('Material').selectOption({ index: 2 });
   await waitForState(page, (now) => now.build?.scale === 20);
   expect((await sceneOf(page)).build).toEqual({
     material: 'plywood',
@@ -185,27 +156,27 @@ test('settings are saved in the scene and can be undone; parts and panels are se
 
   // The part under the pointer, and no other, is marked, selected with its panel, and unmarked.
   for (const part of [3, 5]) {
-    const { at, outline } = await overPart(panel(page), part);
-    await expect.poll(() => outlinesOf(panel(page), 'pointed')).toEqual([outline]);
+    const { at, outline } = await overPart(partsPanel(page), part);
+    await expect.poll(() => outlinesOf(partsPanel(page), 'pointed')).toEqual([outline]);
     await page.mouse.click(...at);
-    await expect.poll(() => outlinesOf(panel(page), 'chosen')).toEqual([outline]);
+    await expect.poll(() => outlinesOf(partsPanel(page), 'chosen')).toEqual([outline]);
     expect((await state(page)).selection.faces).toHaveLength(1);
   }
-  await panel(page).getByLabel('Material').hover();
-  await expect.poll(() => outlinesOf(panel(page), 'pointed')).toEqual([]);
-  await panel(page).getByRole('button', { name: 'Panel flatness' }).click();
+  await partsPanel(page).getByLabel('Material').hover();
+  await expect.poll(() => outlinesOf(partsPanel(page), 'pointed')).toEqual([]);
+  await partsPanel(page).getByRole('button', { name: 'Panel flatness' }).click();
   await waitForState(page, (now) => now.selection.faces.length === 1);
-  await panel(page).getByLabel('Material').press('Escape');
-  await expect(panel(page)).toBeHidden();
+  await partsPanel(page).getByLabel('Material').press('Escape');
+  await expect(partsPanel(page)).toBeHidden();
   expect((await state(page)).build).toBe(null);
 });
 
 test('every declared setting has a field with its unit, in its group', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
-  await openBuild(page);
+  await openParts(page);
   for (const group of ['Cutting', 'Limits of the check'])
-    await panel(page).locator('summary', { hasText: group }).click();
+    await partsPanel(page).locator('summary', { hasText: group }).click();
   await setField(page, 'Kerf, mm', 0.2);
   await setField(page, 'Flatness, mm', 60);
   // Both sides of a sheet are one value of the scene.
@@ -217,24 +188,24 @@ test('every declared setting has a field with its unit, in its group', async ({ 
   expect(check.find(({ id }) => id === 'panel_flatness')?.limit).toBe(60);
   const { build } = await sceneOf(page);
   expect(build).toMatchObject({ kerf: 0.2, sheet: [300, 200], limits: { flatness: 60 } });
-  await expect(panel(page).getByLabel('Joint, m')).toBeVisible();
-  await panel(page).getByLabel('Make').selectOption('paper');
-  await expect(panel(page).getByLabel('Kerf')).toBeHidden();
-  await expect(panel(page).getByLabel('Tabs, mm')).toBeVisible();
+  await expect(partsPanel(page).getByLabel('Joint, m')).toBeVisible();
+  await partsPanel(page).getByLabel('Make').selectOption('paper');
+  await expect(partsPanel(page).getByLabel('Kerf')).toBeHidden();
+  await expect(partsPanel(page).getByLabel('Tabs, mm')).toBeVisible();
 });
 
 test('fins and a paper model are made of the same shape and saved', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
-  await openBuild(page);
+  await openParts(page);
   const made = async (product: string) => {
-    await panel(page).getByLabel('Make').selectOption(product);
+    await partsPanel(page).getByLabel('Make').selectOption(product);
     const build = reportOf(
       await waitForState(page, (now, own) => now.build?.product === own, product),
     );
-    await expect.poll(() => outlinesOf(panel(page), 'cut')).toHaveLength(build.placed);
+    await expect.poll(() => outlinesOf(partsPanel(page), 'cut')).toHaveLength(build.placed);
     const archive = await downloaded(page, () =>
-      panel(page).getByRole('button', { name: 'Save drawings' }).click(),
+      partsPanel(page).getByRole('button', { name: 'Save drawings' }).click(),
     );
     return { build, files: Object.keys(filesOf(archive.bytes)) };
   };
@@ -245,10 +216,10 @@ test('fins and a paper model are made of the same shape and saved', async ({ pag
   expect(paper.build.paper?.tabs).toBeGreaterThan(0);
   expect(paper.files).toEqual(expect.arrayContaining(['pieces.csv', 'joins.csv', 'sheets.pdf']));
   // Clicking a piece selects its panels.
-  const { at, outline } = await overPart(panel(page), 0);
+  const { at, outline } = await overPart(partsPanel(page), 0);
   await page.mouse.click(...at);
   await waitForState(page, (now) => now.selection.faces.length > 0);
-  await expect.poll(() => outlinesOf(panel(page), 'chosen')).toEqual([outline]);
+  await expect.poll(() => outlinesOf(partsPanel(page), 'chosen')).toEqual([outline]);
 });
 
 test('pieces too small for their names are listed by name', async ({ page }) => {
@@ -257,21 +228,21 @@ test('pieces too small for their names are listed by name', async ({ page }) => 
   // Panels of 7 mm on sheets filled with pieces.
   scene.build = { product: 'paper', scale: 143, sheet: [36, 36], gap: 0.5, margin: 1 };
   await openText(page, 'small.shapeup.json', JSON.stringify(scene), 49);
-  const { unnamed, parts } = await openBuild(page);
+  const { unnamed, parts } = await openParts(page);
   expect(unnamed.length).toBeGreaterThan(1);
   expect(unnamed.length).toBeLessThan(parts);
   const words = `${unnamed.length} pieces have no room for a name: ${unnamed.slice(0, 6).join(', ')}`;
-  await expect(panel(page)).toContainText(words);
+  await expect(partsPanel(page)).toContainText(words);
 });
 
 test('parts are exported to Rhino with layers and names', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
-  await openBuild(page);
-  await panel(page).getByLabel('Make').selectOption('fins');
+  await openParts(page);
+  await partsPanel(page).getByLabel('Make').selectOption('fins');
   const build = reportOf(await waitForState(page, (now) => now.build?.product === 'fins'));
   const { name, bytes } = await downloaded(page, () =>
-    panel(page).getByRole('button', { name: 'Rhino' }).click(),
+    partsPanel(page).getByRole('button', { name: 'Rhino' }).click(),
   );
   expect(name).toBe('roof-parts.3dm');
   const { default: openRhino } = await import('rhino3dm');
@@ -292,9 +263,9 @@ test('parts are exported to Rhino with layers and names', async ({ page }) => {
 test('a tolerance is chosen by the number of panel types that it leaves', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
-  const { types_curve: curve, types } = await openBuild(page);
+  const { types_curve: curve, types } = await openParts(page);
   expect(types).toBe(curve.find(([at]) => at === 1)?.[1]);
-  const bars = panel(page).getByRole('group', { name: 'Types of panels' }).getByRole('button');
+  const bars = partsPanel(page).getByRole('group', { name: 'Types of panels' }).getByRole('button');
   await expect(bars).toHaveCount(curve.length);
   await bars.last().click();
   const [at, fewest] = curve[curve.length - 1];
@@ -306,27 +277,27 @@ test('a tolerance is chosen by the number of panel types that it leaves', async 
 test('types of panels, edges and nodes are counted at each tolerance', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
-  await openBuild(page);
-  const what = panel(page).getByLabel('Types of', { exact: true });
+  await openParts(page);
+  const what = partsPanel(page).getByLabel('Types of', { exact: true });
   await expect(what.locator('option')).toHaveCount(2);
-  await panel(page).getByLabel('Make').selectOption('fins');
+  await partsPanel(page).getByLabel('Make').selectOption('fins');
   const build = reportOf(await waitForState(page, (now) => now.build?.product === 'fins'));
   const { edge_types_curve: edges, types_curve: panels, frame } = build;
   const nodes = frame?.node_types_curve ?? [];
   for (const [noun, curve] of Object.entries({ edges, panels, nodes })) {
     await what.selectOption(noun);
-    const bars = panel(page)
+    const bars = partsPanel(page)
       .getByRole('group', { name: `Types of ${noun}` })
       .getByRole('button');
     const names = await bars.evaluateAll((all) => all.map((bar) => parseInt(bar.ariaLabel ?? '')));
     expect(names).toEqual(curve.map(([, types]) => types));
   }
   // The choice stays when a tolerance is taken: a length for edges, an angle for nodes.
-  const bars = panel(page).getByRole('group', { name: 'Types of nodes' }).getByRole('button');
+  const bars = partsPanel(page).getByRole('group', { name: 'Types of nodes' }).getByRole('button');
   await bars.last().click();
   await waitForState(page, (now) => now.build?.frame?.alike_deg === 2);
   await what.selectOption('edges');
-  await panel(page)
+  await partsPanel(page)
     .getByRole('group', { name: 'Types of edges' })
     .getByRole('button')
     .first()
@@ -344,9 +315,9 @@ test.describe('with a printer', () => {
   }) => {
     await openPage(page);
     await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
-    const { check } = await openBuild(page);
+    const { check } = await openParts(page);
     const scene = await saved(page, 'Save scene');
-    await panel(page).getByRole('button', { name: 'Report' }).click();
+    await partsPanel(page).getByRole('button', { name: 'Report' }).click();
     const dialog = page.getByRole('dialog', { name: 'Report' });
     const frame = dialog.getByTitle('Report on roof');
     const paper = frame.contentFrame();
@@ -386,7 +357,7 @@ test.describe('with a printer', () => {
     await page.emulateMedia({ media: 'print' });
     await expect(frame).toBeVisible();
     await expect(dialog.getByRole('button')).toHaveCount(0);
-    await expect(panel(page)).toBeHidden();
+    await expect(partsPanel(page)).toBeHidden();
     await page.emulateMedia({ media: null });
     // Escape closes the dialog from inside of the report too.
     await paper.getByRole('link').press('Escape');
@@ -423,100 +394,3 @@ test('a lesson has goals on the parts, measured once the shape is at rest', asyn
   await waitForState(page, (now) => now.iteration > 0 && !now.running);
   await expect(goals.getByRole('listitem').nth(0)).toContainText('✓');
 });
-
-const STRANGE: [what: string, text: string, vertices: number, words: RegExp][] = [
-  ['points', 'v 0 0 0\nv 1 0 0\nv 0 1 0\n', 3, /no faces: there is nothing to cut/],
-  ['an open curve', 'v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n', 3, /no faces: there is nothing to cut/],
-  [
-    'triangles',
-    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 .5\nf 1 2 3\nf 1 3 4\n',
-    4,
-    /2 panels on 1 sheet/,
-  ],
-  [
-    'several components',
-    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 0 0\nv 6 0 0\nv 6 1 0\nf 1 2 3\nf 4 5 6\n',
-    6,
-    /2 panels on 1 sheet/,
-  ],
-  [
-    'an edge without length',
-    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 1 1 0\nv 2 0 0\nf 1 2 3 4\nf 2 5 3\n',
-    5,
-    /2 panels on 1 sheet/,
-  ],
-  [
-    'a coordinate that is no number',
-    'v 0 0 0\nv x 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n',
-    4,
-    /A coordinate of vertex 1 in the file is no number/,
-  ],
-  [
-    'a unit that is not known',
-    '# units: inches\nv 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nf 1 2 3 4\n',
-    4,
-    /The unit "inches" is not known/,
-  ],
-  [
-    'a face with a hole beside others',
-    `${[0, 4].map((x) => `v ${x} 0 0\nv ${x} 4 0\n`).join('')}v 1 1 0\nv 1 3 0\nv 3 1 0\nv 8 0 0
-v 8 4 0\nf 1 3 4 2 1 5 6 7 5\nf 3 8 9 4\n`,
-    9,
-    /1 face has the same vertex at two corners/,
-  ],
-];
-for (const [what, text, vertices, words] of STRANGE) {
-  test(`${what}: drawings are saved if there are faces, else the reason is shown`, async ({
-    page,
-  }) => {
-    await openPage(page);
-    await openText(page, 'strange.obj', text, vertices);
-    await showPanel(page, 'Model');
-    await page.getByRole('button', { name: 'Build', exact: true }).click();
-    await expect(panel(page)).toContainText(words);
-    const save = panel(page).getByRole('button', { name: 'Save drawings' });
-    if (/no faces|no number|not known/.test(words.source)) {
-      await expect(save).toBeDisabled();
-      return;
-    }
-    const archive = await downloaded(page, () =>
-      panel(page).getByRole('button', { name: 'Save drawings' }).click(),
-    );
-    expect(Object.keys(filesOf(archive.bytes))).toContain('sheet-01.dxf');
-  });
-}
-
-test('folded panels and a one-sided surface show why there is no offset', async ({ page }) => {
-  await openPage(page);
-  // Moves an inner vertex past its neighbour.
-  const folded = wavyGrid(3).split('\n');
-  folded[5] = 'v 2.6 2.5 0';
-  await openText(page, 'folded.obj', folded.join('\n'), 16);
-  const { problems, offset } = await openBuild(page);
-  expect(offset).toBe(null);
-  expect(problems.join()).toContain('folded over');
-  await expect(panel(page)).toContainText('folded over');
-  await expect(panel(page).getByLabel('Distance')).toBeHidden();
-
-  await openText(page, 'one-sided.obj', moebius(8), 16);
-  const other = await waitForState(page, (now) => now.build?.panels === 8);
-  expect(other.build?.problems.join()).toContain('one side only');
-  await expect(panel(page)).toContainText('8 panels on');
-});
-
-/** A Möbius strip of quads. */
-function moebius(quads: number) {
-  const lines = [];
-  for (let i = 0; i < quads; i++) {
-    const turn = (2 * Math.PI * i) / quads;
-    for (const side of [-0.5, 0.5]) {
-      const radius = 3 + side * Math.cos(turn / 2);
-      const [x, y] = [radius * Math.cos(turn), radius * Math.sin(turn)];
-      lines.push(`v ${x.toFixed(6)} ${y.toFixed(6)} ${(side * Math.sin(turn / 2)).toFixed(6)}`);
-    }
-  }
-  const at = (i: number, side: number) => 1 + 2 * (i % quads) + (i < quads ? side : 1 - side);
-  for (let i = 0; i < quads; i++)
-    lines.push(`f ${at(i, 0)} ${at(i + 1, 0)} ${at(i + 1, 1)} ${at(i, 1)}`);
-  return `${lines.join('\n')}\n`;
-}
