@@ -62,6 +62,11 @@
 //! The page calls the solver's worker in three ways (`www/worker/interface.ts`): `tell` for commands
 //! without an answer, `change` for what changes the model, one after another, and `ask` for questions.
 //!
+//! The address of the page takes `?renderer=webgl2` or `webgpu`, which otherwise the view chooses, and
+//! `?embed` for a frame in another page, with `&autoplay`, `&panel=model` or `inspector`, `&measure=` and
+//! the id of a measure, `&theme=light` or `dark`. A shared model is in its fragment, with positions
+//! rounded to a hundredth of the tolerance.
+//!
 //! # One drag
 //!
 //! 1. `www/viewport/input/pointer.ts` asks the view for the handle under the pointer

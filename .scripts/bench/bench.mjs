@@ -27,7 +27,7 @@ const usage = `npm run bench -- [options]
   --where W,W      of native, browser (default both)
   --full           all sizes and parts
   --trial          check that it works, with what has been built for the tests
-  --readme         write the tables of the README, on a quiet machine
+  --write          write the tables of src/solve/performance.md, on a quiet machine
 
 Writes target/bench/bench.md and target/bench/bench.json.`;
 
@@ -37,7 +37,7 @@ const declared = {
   parts: { type: 'string' },
   where: { type: 'string', default: 'native,browser' },
   ...{ full: { type: 'boolean' }, trial: { type: 'boolean' } },
-  ...{ readme: { type: 'boolean' }, help: { type: 'boolean' } },
+  ...{ write: { type: 'boolean' }, help: { type: 'boolean' } },
 };
 
 /** What may be in the lists. */
@@ -58,7 +58,7 @@ export function optionsOf(args) {
       if (strange !== undefined) throw new Problem(`--${name} ${strange}: not known`);
     }
     // A trial is no measurement.
-    if (values.trial && values.readme) throw new Problem('--readme: not with --trial');
+    if (values.trial && values.write) throw new Problem('--write: not with --trial');
     const chosen = values.full ? Object.keys(parts) : usual;
     return { ...values, sizes: values.sizes?.map(Number), parts: values.parts ?? chosen };
   } catch (error) {
@@ -94,10 +94,10 @@ async function rowsOf(name, options, on) {
   return rows;
 }
 
-/** Refuses to go on to the README with numbers of a busy machine, which are of use otherwise. */
+/** Refuses to write numbers of a busy machine into the documentation; they are of use otherwise. */
 function requireQuiet(...moments) {
   if (moments.every(isQuiet)) return;
-  throw new Problem(`${unrestText(...moments)} The README is not written.`);
+  throw new Problem(`${unrestText(...moments)} The tables are not written.`);
 }
 
 /** Describes the command, and what it ran on. */
@@ -119,7 +119,7 @@ async function measure(options, words) {
   say(unrestText(...moments));
   const rows = {};
   try {
-    if (options.readme) requireQuiet(...moments);
+    if (options.write) requireQuiet(...moments);
     for (const name of options.parts) rows[name] = await rowsOf(name, options, on);
   } finally {
     await places.browser?.close();
@@ -128,29 +128,30 @@ async function measure(options, words) {
   return { machine: machineText(words, places.browser?.version), moments, rows };
 }
 
-/** Returns the tables of results as text: those of the README, or all. */
-function markdown({ machine, moments, rows }, forReadme) {
+/** Returns the tables of results as text: those of the documentation, or all. */
+function markdown({ machine, moments, rows }, forPage) {
   const texts = Object.entries(rows).flatMap(([name, all]) =>
-    tablesOf(name, forReadme)
+    tablesOf(name, forPage)
       .map(([title, columns]) => [title, table(columns, all)])
       .filter(([, text]) => text),
   );
   return [`${machine} ${unrestText(...moments)}`, ...texts.flat()].join('\n\n');
 }
 
-/** The lines of the README that enclose its tables. */
+/** The page of the documentation that has the tables, and the lines that enclose them. */
+export const page = 'src/solve/performance.md';
 export const marks = [
-  '<!-- speed: written by `npm run bench -- --full --readme` -->\n',
+  '<!-- speed: written by `npm run bench -- --full --write` -->\n',
   '<!-- end of speed -->\n',
 ];
 
-/** Writes the tables into the README at a path, if the machine was quiet before and after. */
-export function writeReadme(results, path) {
+/** Writes the tables into the page at a path, if the machine was quiet before and after. */
+export function writeTables(results, path) {
   requireQuiet(...results.moments);
   const [start, end] = marks;
   const [before, rest] = readFileSync(path, 'utf8').split(start);
   const after = rest?.split(end)[1];
-  if (after === undefined) throw new Problem('README.md: the marks of the speed tables are gone');
+  if (after === undefined) throw new Problem(`${path}: the marks of the tables are gone`);
   const section = markdown(results, true);
   writeFileSync(path, `${before}${start}\n${section}\n\n${end}${after}`);
 }
@@ -167,7 +168,7 @@ async function bench(words) {
   console.log(`\n${text}`);
   const failed = Object.values(results.rows).flatMap((all) => all.filter((row) => row.failed));
   if (failed.length) throw new Problem(`${failed.length} measurements failed, see above`);
-  if (options.readme) writeReadme(results, at('README.md'));
+  if (options.write) writeTables(results, at(page));
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

@@ -15,14 +15,14 @@ const rowOf = ({ surface, kind, vertices }) => ({ surface, kind, vertices });
 /**
  * By name: the `problems` in vertices of `sizes`, with `--full` also of `more`, and the `places` of
  * the measurement of this name, which are both unless named. Two parts have their own `cases` for
- * some options, and `measure` one as a row or several. `tables` are columns by title; with `readme`
- * the first one is for the README.
+ * some options, and `measure` one as a row or several. `tables` are columns by title; with `published`
+ * the first one is for the documentation.
  */
 export const parts = {
   iterations: {
     problems: ['A', 'B', 'C', 'E'],
     ...SIZES,
-    readme: true,
+    published: true,
     tables: {
       'In the browser, milliseconds, medians:': `
         problem | vertices | iteration = browser.quasi-newton.total |
@@ -44,7 +44,7 @@ export const parts = {
     sizes: [2500, 10_000],
     // The paper's largest map has 35,000 vertices.
     more: [35_000, 100_000],
-    readme: true,
+    published: true,
     tables: {
       'The first conformal map of a visit (problem D), milliseconds:':
         'vertices | natively = native.cold | in the browser = browser.cold',
@@ -68,7 +68,7 @@ export const parts = {
     problems: ['B', 'C'],
     ...SIZES,
     places: ['browser'],
-    readme: true,
+    published: true,
     tables: {
       'Seconds (iterations) from the moved handle until the energy is within 1e-4 of the converged one:': `
         problem | vertices | plain = browser.none | quasi-newton = browser.quasi-newton |
@@ -79,7 +79,7 @@ export const parts = {
   start: {
     cases: ({ where }) => (where.includes('browser') ? [{}] : []),
     measure: measureStart,
-    readme: true,
+    published: true,
     tables: {
       'The page with its first model, drawn without a graphics card, in milliseconds. The kB are those until a second and a half later: with what the page keeps for use without a network.': `
         visit | first paint = median.painted | model there, solved = median.solved |
@@ -126,7 +126,7 @@ export const parts = {
       const ours = await on(placeOf(peer), measure, problem);
       return { what, equal, ...rowOf(problem), ...theirs, ours: ours.none ?? ours };
     },
-    readme: true,
+    published: true,
     tables: {
       'Other libraries, natively, and what of their problem is equal to ours, in milliseconds:': `
         library | what | equal | vertices | it = its | ours in the browser = ours.total`,
@@ -138,11 +138,11 @@ export const parts = {
   },
 };
 
-/** Returns [title, columns] of the tables of a part: all, or the one for the README. */
-export function tablesOf(name, forReadme = false) {
+/** Returns [title, columns] of the tables of a part: all, or the one for the documentation. */
+export function tablesOf(name, published = false) {
   const all = Object.entries(parts[name].tables);
-  if (!forReadme) return all;
-  return parts[name].readme ? [all[0]] : [];
+  if (!published) return all;
+  return parts[name].published ? [all[0]] : [];
 }
 
 /** Returns the cases of a part for some options. */

@@ -23,6 +23,8 @@
 //! | `resolve` | from a selector to the vertices of each constraint |
 //! | `batch` | many constraints of one kind, projected in lanes |
 //! | `sketch` | a drawing of a kind, made by the operator itself |
+//!
+#![doc = include_str!("operators.md")]
 
 mod batch;
 mod declaration;

@@ -3,6 +3,22 @@
 //! A session consists of one mesh, one document (constraints, handles, weights) and its solver.
 //! Every edit is one step of undo, and so is every run of iterations.
 //!
+//! # A press
+//!
+//! A mesh that is opened keeps its shape: its weights are 1000 for the constraints, 1 for closeness to
+//! the original and 1 for the smoothness of the change; a scene says its own. The tolerance is a
+//! thousandth of the mean edge unless the user says otherwise; scenes and links keep it.
+//!
+//! "Make panels circular" (on the command line `solve --panels circle --within auto`) asks all panels
+//! for it within the tolerance. If the shape found is not good (panels missed, faces folded, the
+//! surface, the boundary or the panels moved by more than a fifth of an edge, or rougher), others are
+//! tried: smoother displacements, exact panels, another start, panels that slide along the surface.
+//! Panels that would still fold get a larger tolerance, at most 0.3 of the edge. The verdict says first
+//! what is not good, and offers what ends better, with its number. `--within LENGTH` and `--exact`
+//! apply to all panels unchanged.
+//!
+//! # Files
+//!
 //! | file or folder | holds |
 //! |---|---|
 //! | `composition` | the session: its parts, and plain access to them |

@@ -19,6 +19,8 @@
 //! | `accelerate` | steps that use previous steps |
 //! | `conformal` | conformal parametrisation (Eq. 14) |
 //! | `clock` | the clock for reports |
+//!
+#![doc = include_str!("performance.md")]
 
 mod accelerate;
 mod assemble;

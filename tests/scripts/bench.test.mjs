@@ -5,7 +5,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { marks, optionsOf, writeReadme } from '../../.scripts/bench/bench.mjs';
+import { marks, optionsOf, page, writeTables } from '../../.scripts/bench/bench.mjs';
 import { casesOf, parts, tablesOf } from '../../.scripts/bench/parts.mjs';
 import { peers } from '../../.scripts/bench/peers.mjs';
 import { problems } from '../../.scripts/bench/problems.mjs';
@@ -52,10 +52,10 @@ test('command line options are checked', () => {
   assert.throws(() => optionsOf(['--sizes', 'many']), /--sizes many/);
   assert.throws(() => optionsOf(['--problems', 'A,Q']), /--problems Q.* of A,B,C,D,E/s);
   assert.throws(() => optionsOf(['--fast']), /--fast/);
-  assert.throws(() => optionsOf(['--trial', '--readme']), /--readme/);
+  assert.throws(() => optionsOf(['--trial', '--write']), /--write/);
   const { parts: named } = optionsOf([]);
   assert.ok(named.includes('start') && !named.includes('peers'));
-  assert.ok(optionsOf(['--full', '--readme']).parts.includes('peers'));
+  assert.ok(optionsOf(['--full', '--write']).parts.includes('peers'));
 });
 
 test('a part measures its problems in the sizes asked for', () => {
@@ -77,10 +77,10 @@ test('a machine is not quiet if others compute, or take our core', () => {
   assert.match(unrestText(quiet, busy), /not quiet.* 0\.1 and 1\.0 cores/);
 });
 
-/** Writes results of a machine with some unrest into an empty README; returns what it is then. */
+/** Writes results of a machine with some unrest into an empty page; returns what it is then. */
 function written(...moments) {
-  const folder = mkdtempSync(join(tmpdir(), 'shape-up-readme-'));
-  const path = join(folder, 'README.md');
+  const folder = mkdtempSync(join(tmpdir(), 'shape-up-bench-'));
+  const path = join(folder, 'page.md');
   const iterations = [
     {
       ...{ problem: 'A', vertices: 2500 },
@@ -90,7 +90,7 @@ function written(...moments) {
   ];
   writeFileSync(path, `# Title\n${marks.join('')}The end.\n`);
   try {
-    writeReadme({ machine: 'Here.', moments, rows: { iterations } }, path);
+    writeTables({ machine: 'Here.', moments, rows: { iterations } }, path);
     return readFileSync(path, 'utf8');
   } catch ({ message }) {
     return { message, text: readFileSync(path, 'utf8') };
@@ -114,15 +114,15 @@ test('nothing is written if the machine was not quiet, before or after', () => {
     [busy, quiet],
   ]) {
     const { message, text } = written(...moments);
-    assert.match(message, /not quiet.*README is not written/);
+    assert.match(message, /not quiet.*tables are not written/);
     assert.equal(text, `# Title\n${marks.join('')}The end.\n`);
   }
 });
 
-test('the README has the tables that the benchmark writes', () => {
-  const readme = readFileSync(at('README.md'), 'utf8');
-  for (const mark of marks) assert.equal(readme.split(mark).length, 2, mark);
-  const section = readme.split(marks[0])[1].split(marks[1])[0];
+test('the documentation has the tables that the benchmark writes', () => {
+  const text = readFileSync(at(page), 'utf8');
+  for (const mark of marks) assert.equal(text.split(mark).length, 2, mark);
+  const section = text.split(marks[0])[1].split(marks[1])[0];
   for (const [title] of Object.keys(parts).flatMap((name) => tablesOf(name, true)))
     assert.ok(section.includes(`\n${title}\n`), title);
 });

@@ -1,4 +1,4 @@
-//! Reading and writing the scene file, version 1, as JSON; the README shows an example.
+//! Reading and writing the scene file, version 1, as JSON.
 //!
 //! Errors give the JSON path, the value found and the value expected. This module checks the form;
 //! `validate` checks indices and names against the mesh.
@@ -7,6 +7,23 @@
 //!
 //! Only `format`, `version` and `mesh` are required; defaults are in brackets. Indices count from
 //! 0; a list of indices is an array or a string of ranges, `"0-199,240"`.
+//!
+//! ```json
+//! { "format": "shape-up-scene", "version": 1, "title": "Roof", "units": "m", "up": "z",
+//!   "mesh": { "file": "roof.obj" },
+//!   "sets": { "eaves": { "vertices": "0-20,41" }, "skylight": { "faces": [7, 8, 9] } },
+//!   "constraints": [
+//!     { "kind": "circle", "on": "faces", "weight": 1 },
+//!     { "kind": "similar", "on": { "each": "ring", "radius": 1, "in": "eaves" }, "scale": [0.8, 1.25] },
+//!     { "kind": "sphere", "on": { "set": "eaves" }, "weight": 2, "name": "Dome" },
+//!     { "kind": "plane", "on": { "vertices": [3, 5, 8, 13] } } ],
+//!   "handles": [ { "vertices": [12], "targets": [[1.2, 0.4, 2.5]], "weight": 100 },
+//!                { "vertices": "0-3", "fixed": true } ],
+//!   "weights": { "shape": 5, "close": 10, "smooth": 2 },
+//!   "closeness": { "to": "surface" },
+//!   "smoothness": { "of": "surface", "weighting": "auto" },
+//!   "solver": { "iterations": 200, "tolerance": 1e-9, "accelerator": "quasi-newton" } }
+//! ```
 //!
 //! | key | holds |
 //! |---|---|
