@@ -13,7 +13,7 @@ pub(super) fn relative(point: Point, centre: Point) -> Row {
 pub(super) fn rest_surface(mesh: &Mesh, centre: Point) -> Surface {
     let around_centre = |p: &Point| std::array::from_fn(|i| p[i] - centre[i]);
     let positions: Vec<Point> = mesh.positions.iter().map(around_centre).collect();
-    Surface::new(&positions, mesh)
+    Surface::for_iterations(&positions, mesh)
 }
 
 /// Centre and diagonal of the bounding box, without unused vertices.

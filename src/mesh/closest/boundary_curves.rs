@@ -61,7 +61,7 @@ impl BoundaryCurves {
             }
             let curve = Mesh { curves: Ragged::from_iter([polyline]), ..Mesh::default() };
             BoundaryCurve {
-                polyline: Surface::new(positions, &curve),
+                polyline: Surface::for_iterations(positions, &curve),
                 pieces: pieces(one, topology.is_closed_loop(one), &is_corner),
                 vertices: one.iter().copied().filter(|&v| !is_corner[v as usize]).collect(),
             }

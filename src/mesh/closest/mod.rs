@@ -3,7 +3,8 @@
 //! Every iteration searches the closest point on the surface for every vertex, so a search starts
 //! from the last result for that vertex. Near the surface, the neighbour list of the last closest
 //! triangle contains all candidates; elsewhere the distance to that triangle bounds the search of
-//! the hierarchy. Both are exact.
+//! the hierarchy. Both are exact. Listing the neighbours takes several times as long as all
+//! else, so it is done only for the surfaces of iterations: see [`Surface::for_iterations`].
 
 mod boundary_curves;
 mod bvh;
@@ -32,7 +33,7 @@ pub struct Surface {
     /// In the order of the hierarchy, so that neighbours in space are neighbours in memory.
     planes: Vec<Planes>,
     corners: Vec<Corners>,
-    neighbourhoods: TriangleNeighbourhoods,
+    neighbourhoods: Option<TriangleNeighbourhoods>,
     bvh: Bvh,
 }
 
@@ -69,6 +70,15 @@ impl Surface {
         Surface::of_triangles(triangles, &faces)
     }
 
+    /// Returns the same surface as [`Surface::new`], prepared for searches that are repeated for points
+    /// that move little.
+    pub fn for_iterations(positions: &[Point], mesh: &Mesh) -> Surface {
+        let mut surface = Surface::new(positions, mesh);
+        let Surface { bvh, planes, corners, .. } = &surface;
+        surface.neighbourhoods = Some(TriangleNeighbourhoods::new(bvh, planes, corners));
+        surface
+    }
+
     /// `faces` are those of the triangles, or none.
     fn of_triangles(triangles: Vec<[Point; 3]>, faces: &[u32]) -> Surface {
         let centre = Box3::around(triangles.as_flattened()).centre();
@@ -78,15 +88,13 @@ impl Surface {
             triangles.iter().map(|corners| Box3::around(&corners.map(Point::from))).collect();
         let (bvh, order) = Bvh::new(&boxes);
         let ordered = || order.iter().map(|&t| t as usize);
-        let boxes: Vec<Box3> = ordered().map(|t| boxes[t]).collect();
         let planes: Vec<Planes> = ordered().map(|t| Planes::new(triangles[t])).collect();
         let corners: Vec<Corners> = ordered().map(|t| Corners::new(triangles[t])).collect();
-        let neighbourhoods = TriangleNeighbourhoods::new(&bvh, &boxes, &planes, &corners);
         let faces = match faces {
             [] => Vec::new(),
             faces => ordered().map(|t| faces[t]).collect(),
         };
-        Surface { centre, faces, planes, corners, neighbourhoods, bvh }
+        Surface { centre, faces, planes, corners, neighbourhoods: None, bvh }
     }
 
     /// Returns the point of the surface closest to `p`; `p` itself if the surface is empty.
@@ -96,9 +104,10 @@ impl Surface {
     #[inline]
     pub fn closest(&self, p: Point, hint: &mut u32) -> Point {
         let p = Vec3::from(p) - self.centre;
-        if let Some(planes) = self.planes.get(*hint as usize) {
+        let known = self.planes.get(*hint as usize).zip(self.neighbourhoods.as_ref());
+        if let Some((planes, neighbourhoods)) = known {
             let distances = planes.distances(splat(p));
-            if self.neighbourhoods.region(*hint as usize).contains(distances) {
+            if neighbourhoods.region(*hint as usize).contains(distances) {
                 return (planes.foot(p, distances) + self.centre).into();
             }
         }
@@ -129,10 +138,12 @@ impl Surface {
     fn find_from(&self, p: Vec3<f64>, hint: &mut u32, cache: &mut ClosestPointCache) -> Vec3<f64> {
         let before = *hint;
         let found = self.search(p, hint);
-        if *hint != before {
+        if let Some(neighbourhoods) = &self.neighbourhoods
+            && *hint != before
+        {
             let t = *hint as usize;
             cache.planes.clone_from(&self.planes[t]);
-            cache.region.clone_from(self.neighbourhoods.region(t));
+            cache.region.clone_from(neighbourhoods.region(t));
         }
         found
     }
@@ -145,7 +156,9 @@ impl Surface {
         if let Some(planes) = self.planes.get(*hint as usize) {
             let t = *hint as usize;
             best = self.corners[t].closest(planes, p, planes.distances(lanes));
-            if let Some(list) = self.neighbourhoods.of(t, best.distance_squared) {
+            let listed =
+                self.neighbourhoods.as_ref().and_then(|all| all.of(t, best.distance_squared));
+            if let Some(list) = listed {
                 for &s in list {
                     self.consider(s as usize, p, lanes, &mut best, hint);
                 }

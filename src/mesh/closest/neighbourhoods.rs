@@ -5,10 +5,10 @@
 //! need not be searched.
 
 use super::bvh::{Box3, Bvh};
-use super::safe_region::TriangleSafeRegion;
+use super::safe_region::{TriangleSafeRegion, TriangleSides};
 use super::triangle::{Corners, Planes};
 use crate::math::Lane;
-use crate::mesh::Ragged;
+use crate::mesh::{Point, Ragged};
 
 /// Distance up to which neighbours are listed, relative to the diagonal of the triangle's box.
 const REACH: f64 = 0.5;
@@ -41,14 +41,10 @@ struct Limits {
 }
 
 impl TriangleNeighbourhoods {
-    /// Lists the neighbours of all triangles. `boxes` are their bounding boxes; all slices are in
-    /// the order of `bvh`.
-    pub(crate) fn new(
-        bvh: &Bvh,
-        boxes: &[Box3],
-        planes: &[Planes],
-        corners: &[Corners],
-    ) -> TriangleNeighbourhoods {
+    /// Lists the neighbours of all triangles; both slices are in the order of `bvh`.
+    pub(crate) fn new(bvh: &Bvh, planes: &[Planes], corners: &[Corners]) -> TriangleNeighbourhoods {
+        let boxes: Vec<Box3> =
+            corners.iter().map(|corners| Box3::around(&corners.at.map(Point::from))).collect();
         let mut lists = Ragged::new();
         let count = boxes.len();
         let (mut limits, mut regions) = (Vec::with_capacity(count), Vec::with_capacity(count));
@@ -59,6 +55,7 @@ impl TriangleNeighbourhoods {
             let reach = REACH * size;
             let around = boxes[t].grown(reach);
             let mut region = TriangleSafeRegion::up_to(half(reach));
+            let sides = TriangleSides::new(&planes[t], &corners[t]);
             close.clear();
             others.clear();
             bvh.meeting(&around, |leaf| {
@@ -73,7 +70,7 @@ impl TriangleNeighbourhoods {
                     if gap <= reach {
                         let list = if gap <= CLOSE_REACH * size { &mut close } else { &mut others };
                         list.push(s as u32);
-                        region.exclude(&planes[t], &corners[t], &corners[s], half(gap));
+                        region.exclude(&sides, &corners[s], half(gap));
                     }
                 }
                 close.len() + others.len() <= MOST

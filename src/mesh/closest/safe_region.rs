@@ -63,18 +63,11 @@ impl TriangleSafeRegion {
         TriangleSafeRegion { beyond_sides: nothing, beyond_corners: nothing, heights }
     }
 
-    /// Removes the points that are nearer to `other` than to the triangle of this region, which has
-    /// these `planes` and `corners`. Below the height `far`, there are none.
-    pub(crate) fn exclude(
-        &mut self,
-        planes: &Planes,
-        corners: &Corners,
-        other: &Corners,
-        far: f64,
-    ) {
+    /// Removes the points that are nearer to `other` than to the triangle `of` this region. Below the
+    /// height `far`, there are none.
+    pub(crate) fn exclude(&mut self, of: &TriangleSides<'_>, other: &Corners, far: f64) {
+        let TriangleSides { planes, corners, across } = of;
         let distances = other.at.map(|corner| exact_distances(planes, corners, corner));
-        let normals = planes.side_normals();
-        let across = MEETING.map(|[i, j]| (normals[i] + normals[j]).length());
         for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
             let heights = distances.map(|of| sign * of.height);
             if heights.iter().all(|&height| height <= 0.0) {
@@ -88,12 +81,11 @@ impl TriangleSafeRegion {
                     0..3 => (distances.map(|of| of.out[k]), 1.0),
                     _ => {
                         let [i, j] = MEETING[k - 3];
-                        let times = across[k - 3];
-                        (distances.map(|of| (of.out[i] + of.out[j]) / times), times)
+                        (distances.map(|of| of.out[i] + of.out[j]), across[k - 3])
                     }
                 };
-                if out.iter().all(|&out| out >= 0.0) {
-                    let rise = |i: usize| half_tangent(heights[i], out[i]);
+                if times > 0.0 && out.iter().all(|&out| out >= 0.0) {
+                    let rise = |i: usize| half_tangent(heights[i], out[i] / times);
                     let rise = Lane::max(rise(0), Lane::max(rise(1), rise(2)));
                     if rise < least.0 {
                         least = (rise, times, known);
@@ -125,6 +117,21 @@ impl TriangleSafeRegion {
         (height <= f64::from(self.heights[side]))
             & (below_side(0) & below_side(1) & below_side(2))
             & (below_corner(0) & below_corner(1) & below_corner(2))
+    }
+}
+
+/// A triangle, and for each corner the length of the sum of the outward normals of its sides.
+pub(crate) struct TriangleSides<'a> {
+    planes: &'a Planes,
+    corners: &'a Corners,
+    across: [f64; 3],
+}
+
+impl<'a> TriangleSides<'a> {
+    pub(crate) fn new(planes: &'a Planes, corners: &'a Corners) -> TriangleSides<'a> {
+        let normals = planes.side_normals();
+        let across = MEETING.map(|[i, j]| (normals[i] + normals[j]).length());
+        TriangleSides { planes, corners, across }
     }
 }
 
