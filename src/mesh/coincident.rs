@@ -12,8 +12,8 @@ const OF_SHORTEST_EDGE: f64 = 0.1;
 pub(super) fn tolerance(mesh: &Mesh) -> Option<f64> {
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
     let sides = mesh.faces.iter().flat_map(polygon_sides);
-    let lengths = sides.map(|[a, b]| (at(b) - at(a)).length()).filter(|length| *length > 0.0);
-    let shortest = lengths.reduce(f64::min)?;
+    let squared = sides.map(|[a, b]| (at(b) - at(a)).length_squared());
+    let shortest = squared.filter(|squared| *squared > 0.0).reduce(f64::min)?.sqrt();
     let used = mesh.used_positions();
     let bound = |pick: fn(f64, f64) -> f64| {
         let points = used.iter().copied();

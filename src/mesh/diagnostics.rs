@@ -2,7 +2,7 @@
 
 use super::half_edges::{HalfEdge, half_edges};
 use super::problem::{DiagnosticCounts, MeshProblem, ProblemKind};
-use super::seams::seams;
+use super::seams::{seams, seams_of};
 use super::{Mesh, Point};
 use crate::math::{argsort, key_of_number, marked};
 
@@ -72,13 +72,14 @@ pub(super) fn examine(
     for vertex in unused(mesh) {
         counts.add(ProblemKind::UnusedVertex, line(vertex_lines, vertex));
     }
-    for [vertex, _] in seams(mesh) {
+    let sides = half_edges(mesh);
+    for [vertex, _] in seams_of(mesh, &sides) {
         counts.add(ProblemKind::UnjoinedVertex, line(vertex_lines, vertex as usize));
     }
     for face in duplicates(mesh) {
         counts.add(ProblemKind::DuplicateFace, line(face_lines, face as usize));
     }
-    for edge in half_edges(mesh).chunk_by(|a, b| a.ends == b.ends) {
+    for edge in sides.chunk_by(|a, b| a.ends == b.ends) {
         if let Some(kind) = problem_of(edge) {
             counts.add(kind, line(face_lines, edge[edge.len() - 1].face as usize));
         }

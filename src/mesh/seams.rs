@@ -3,7 +3,7 @@
 
 use super::Mesh;
 use super::coincident::{first_of_part, tolerance};
-use super::half_edges::half_edges;
+use super::half_edges::{HalfEdge, half_edges};
 use crate::math::marked;
 
 /// Returns the pairs of boundary vertices that coincide, up to rounding, without being joined: each
@@ -11,10 +11,15 @@ use crate::math::marked;
 /// edge, are left out, and so are those of faces that lie on each other: two layers have no seam. A
 /// mesh with tetrahedra has none: they keep its faces together.
 pub fn seams(mesh: &Mesh) -> Vec<[u32; 2]> {
+    seams_of(mesh, &half_edges(mesh))
+}
+
+/// As [`seams`], of a mesh with these half-edges.
+pub(super) fn seams_of(mesh: &Mesh, sides: &[HalfEdge]) -> Vec<[u32; 2]> {
     let Some(tolerance) = tolerance(mesh).filter(|_| mesh.tets.is_empty()) else {
         return Vec::new();
     };
-    let found = pairs(mesh, tolerance);
+    let found = pairs(mesh, sides, tolerance);
     let layered = if found.is_empty() { Vec::new() } else { layered(mesh, tolerance) };
     if layered.is_empty() {
         return found;
@@ -22,7 +27,8 @@ pub fn seams(mesh: &Mesh) -> Vec<[u32; 2]> {
     let is_layered = marked(mesh.faces.len(), &layered);
     let others = mesh.faces.iter().zip(is_layered).filter(|(_, is_layered)| !is_layered);
     let faces = others.map(|(corners, _)| corners).collect();
-    pairs(&Mesh { faces, ..mesh.clone() }, tolerance)
+    let mesh = Mesh { faces, ..mesh.clone() };
+    pairs(&mesh, &half_edges(&mesh), tolerance)
 }
 
 /// Returns the faces that lie on each other: their corners coincide, up to rounding.
@@ -39,12 +45,14 @@ fn layered(mesh: &Mesh, tolerance: f64) -> Vec<u32> {
 }
 
 /// Returns the pairs as [`seams`], but also between the layers of a mesh.
-fn pairs(mesh: &Mesh, tolerance: f64) -> Vec<[u32; 2]> {
-    let sides = half_edges(mesh);
+fn pairs(mesh: &Mesh, sides: &[HalfEdge], tolerance: f64) -> Vec<[u32; 2]> {
     let rim = sides.chunk_by(|a, b| a.ends == b.ends).filter(|edge| edge.len() == 1);
     let ends: Vec<u32> = rim.flat_map(|edge| edge[0].ends).collect();
     let on_rim = marked(mesh.positions.len(), &ends);
     let first = first_of_part(mesh, |v| on_rim[v as usize].then_some(0), tolerance);
+    if (0..).zip(&first).all(|(v, first)| v == *first) {
+        return Vec::new();
+    }
     let mut within_face = vec![false; mesh.positions.len()];
     for face in mesh.faces.iter() {
         let mut at: Vec<u32> = face.iter().map(|&v| first[v as usize]).collect();

@@ -67,11 +67,14 @@ pub(crate) fn joined_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, s
     let mut lines = lines(text);
     std::iter::from_fn(move || {
         let (number, first) = lines.next()?;
-        let statement = first.split_ascii_whitespace().next().unwrap_or_default();
-        let of_name = is_one_of(NAMES, statement);
-        let Some(length) = backslash(first).filter(|_| !statement.starts_with('#')) else {
+        let Some(length) = backslash(first) else {
             return Some((number, Cow::Borrowed(first)));
         };
+        let statement = first.split_ascii_whitespace().next().unwrap_or_default();
+        if statement.starts_with('#') {
+            return Some((number, Cow::Borrowed(first)));
+        }
+        let of_name = is_one_of(NAMES, statement);
         let is_own_word = first[..length].ends_with([' ', '\t']);
         if (of_name && !is_own_word) || !lines.goes_on(of_name) {
             let rest = if of_name { first } else { &first[..length] };
