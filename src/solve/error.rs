@@ -17,6 +17,8 @@ pub enum SolveError {
     },
     /// The flat map of a surface collapses to a line or a point.
     Collapsed,
+    /// The mesh, or one constraint, is too large: the system would take too much memory or time.
+    TooLarge,
     /// A position became NaN or infinite; the last good state is kept.
     NotFinite {
         /// The first such vertex.
@@ -37,6 +39,10 @@ impl fmt::Display for SolveError {
             SolveError::Collapsed => write!(
                 f,
                 "its flat map collapses to a line or a point, expected a surface that can be unfolded"
+            ),
+            SolveError::TooLarge => write!(
+                f,
+                "the mesh, or one constraint, is too large for that: it would take more memory than there is"
             ),
             SolveError::NotFinite { vertex } => {
                 write!(

@@ -69,6 +69,22 @@ fn keep_one(session: &mut Session) -> Vec<Point> {
 }
 
 #[test]
+fn a_shape_that_is_too_large_is_refused_before_its_system_is_made() {
+    // Its plane couples all vertices: a dense system of 400 million numbers.
+    let mesh = grid(70, 70, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let text = json!({
+        "format": "shape-up-scene", "version": 1, "mesh": { "file": "floor.obj" },
+        "constraints": [{ "kind": "plane", "on": { "vertices": "0-4899" }, "require": "exact" }],
+    });
+    let scene = Scene::from_json(&text.to_string()).expect("it is a scene");
+    let mut session = Session::open(scene, mesh).expect("it opens");
+    run(&mut session);
+    assert!(session.exact().expect("there is a hard row").met);
+    let refused = session.variations().err().expect("it is refused");
+    assert!(refused.to_string().contains("too large"), "{refused}");
+}
+
+#[test]
 fn undo_of_a_variation_that_is_not_kept_undoes_nothing_else() {
     // The variation was discarded, and the step before it was undone with it.
     let mut session = flat();

@@ -432,8 +432,13 @@ impl Exact {
     }
 }
 
-/// Whether the system of the polish fits in memory, given the `nonzeros` of the scalar factor.
-fn polish_fits(problem: &Problem<'_>, requirements: &Requirements<'_>, nonzeros: usize) -> bool {
+/// Whether the system of the polish fits in memory, given the `nonzeros` of the scalar factor with
+/// all rows soft.
+pub(super) fn polish_fits(
+    problem: &Problem<'_>,
+    requirements: &Requirements<'_>,
+    nonzeros: usize,
+) -> bool {
     let hard = problem.constraints.iter().zip(requirements.rows).filter(|(_, it)| it.is_hard());
     let (mut coupled, mut cubes) = (0, 0.0);
     for members in hard.flat_map(|(row, _)| row.members.iter()) {

@@ -19,6 +19,7 @@ use crate::solve::energy::{smooth_terms, springs};
 use crate::solve::exact::block_system::BlockSystem;
 use crate::solve::exact::model::Model;
 use crate::solve::exact::polish::{Polish, Polished};
+use crate::solve::exact::polish_fits;
 use crate::solve::{
     BoundaryRequire, Constraints, ExactAnswer, Handle, Hold, Problem, Require, Requirements,
     SetupCache, Smoothness, SmoothnessOf, Weighting, Weights,
@@ -94,7 +95,7 @@ impl ShapeSpace {
     /// them within the distance.
     ///
     /// # Errors
-    /// If the system is not positive definite.
+    /// If the problem is too large, as for exact constraints, or the system is not positive definite.
     pub fn new(
         problem: &Problem<'_>,
         requirements: &Requirements<'_>,
@@ -126,6 +127,9 @@ impl ShapeSpace {
         }));
         held.extend(alone(&problem, &held, shape));
         let mut model = Model::new(&problem, &requirements, &held, shape, cache);
+        if !polish_fits(&problem, &requirements, model.parts.system.factor_nonzeros()) {
+            return Err(SolveError::TooLarge);
+        }
         // The small addition to the metric holds them: the shape is free to move.
         for &vertex in &model.holding.pinned {
             let node = model.parts.system.node_of()[vertex as usize];
