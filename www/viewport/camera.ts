@@ -28,20 +28,30 @@ export function fly(viewport: Viewport, change: (view: View) => void) {
 /** Gap between the model and the elements that cover the view, in CSS pixels. */
 const GAP = 14;
 
-/** Height of the view covered by each element, in CSS pixels. */
-const heights: Map<HTMLElement, number> = new Map();
+/** Heights of the view covered by each element from the upper and lower edge, in CSS pixels. */
+const heights: Map<HTMLElement, { top: number; bottom: number }> = new Map();
 
 /**
  * Records how much of the view an element covers.
- * @param isAlong whether it lies along the lower edge when visible
+ * @param edge the edge that it lies along when visible, if any
  * @returns covered height, in CSS pixels
  */
-export function cover(viewport: Viewport, element: HTMLElement, isAlong: boolean = true): number {
-  const { hidden, offsetTop, offsetParent } = element;
+export function cover(
+  viewport: Viewport,
+  element: HTMLElement,
+  edge: 'top' | 'bottom' | null = 'bottom',
+): number {
+  const { hidden, offsetTop, offsetHeight, offsetParent } = element;
   const height = offsetParent?.clientHeight ?? 0;
-  const covered = !isAlong || hidden || !height ? 0 : height - offsetTop + GAP;
-  heights.set(element, covered);
-  viewport.with((view) => view.cover(Math.max(...heights.values())));
+  const isThere = edge !== null && !hidden && height > 0 && offsetHeight > 0;
+  const covered = isThere
+    ? GAP + (edge === 'top' ? offsetTop + offsetHeight : height - offsetTop)
+    : 0;
+  heights.set(element, { top: 0, bottom: 0, [edge ?? 'bottom']: covered });
+  const [top, bottom] = (['top', 'bottom'] as const).map((edge) =>
+    Math.max(...[...heights.values()].map((by) => by[edge])),
+  );
+  viewport.with((view) => view.cover(top, bottom));
   return covered;
 }
 

@@ -8,6 +8,8 @@ use glam::{Vec2, Vec3};
 
 /// Margin on each side, as a fraction of the canvas.
 const MARGIN: f32 = 0.045;
+/// Greatest height of a strip that framing leaves free, as a fraction of half the canvas.
+const MOST_COVERED: f32 = 0.95;
 /// Minimum ratio of the near depth to the far depth, for the precision of the depth buffer.
 const NEAREST: f32 = 1e-3;
 
@@ -17,9 +19,12 @@ const NEAREST: f32 = 1e-3;
 pub fn frame(camera: &mut Camera, points: impl Iterator<Item = Vec3> + Clone, radius: f32) {
     let eye = camera.eye();
     // Slopes of the side planes: to the right and upwards, to the left and downwards.
-    let slope = eye.middle * (1.0 - 2.0 * MARGIN) / eye.focal;
-    let bottom = (2.0 * MARGIN * eye.middle.y).max(camera.covered.min(eye.middle.y));
-    let slope_back = Vec2::new(slope.x, (eye.middle.y - bottom) / eye.focal);
+    let aside = eye.middle.x * (1.0 - 2.0 * MARGIN) / eye.focal;
+    let margin = 2.0 * MARGIN * eye.middle.y;
+    // Something is left between strips that would cover all.
+    let strips = camera.covered.map(|height| height.clamp(margin, MOST_COVERED * eye.middle.y));
+    let [slope, slope_back] =
+        strips.map(|strip| Vec2::new(aside, (eye.middle.y - strip) / eye.focal));
     if eye.parallel.is_some() {
         return frame_parallel(camera, points, radius, [slope, slope_back]);
     }
@@ -132,7 +137,8 @@ mod tests {
             [CameraProjection::Perspective, CameraProjection::Parallel { reach: 30.0 }]
         {
             for side in ["home", "front"] {
-                let mut camera = Camera { canvas, projection, covered: 120.0, ..Camera::default() };
+                let covered = [80.0, 120.0];
+                let mut camera = Camera { canvas, projection, covered, ..Camera::default() };
                 camera.look_from(side).unwrap();
                 // As high as the canvas.
                 frame(
@@ -148,7 +154,7 @@ mod tests {
                 let low = heights.iter().copied().fold(0.0, f32::max);
                 let high = heights.iter().copied().fold(f32::INFINITY, f32::min);
                 assert!((low - 480.0).abs() < 0.5, "{side} {projection:?}: {low}");
-                assert!((high - 600.0 * MARGIN).abs() < 0.5, "{side} {projection:?}: {high}");
+                assert!((high - 80.0).abs() < 0.5, "{side} {projection:?}: {high}");
             }
         }
     }

@@ -67,8 +67,9 @@ pub struct Camera {
     pub projection: CameraProjection,
     /// Size of the canvas, CSS pixels.
     pub canvas: Vec2,
-    /// Height of the strip at the lower edge of the canvas that framing leaves free, CSS pixels.
-    pub covered: f32,
+    /// Heights of the strips at the upper and lower edge of the canvas that framing leaves free, CSS
+    /// pixels.
+    pub covered: [f32; 2],
     /// The section plane; without one the whole model is drawn.
     pub section: Option<Section>,
 }
@@ -102,7 +103,7 @@ impl Default for Camera {
             up: UpAxis::Z,
             projection: CameraProjection::Perspective,
             canvas: Vec2::new(300.0, 150.0),
-            covered: 0.0,
+            covered: [0.0; 2],
             section: None,
         }
     }

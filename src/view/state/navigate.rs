@@ -117,11 +117,12 @@ impl ViewState {
         self.view_changed();
     }
 
-    /// Reserves a strip at the lower edge of the canvas when framing, in CSS pixels. A framed model
-    /// is framed again when the strip grows, but not when it shrinks.
-    pub fn cover(&mut self, pixels: f32) {
-        let is_more = pixels > self.viewpoint.camera.covered;
-        self.viewpoint.camera.covered = pixels;
+    /// Reserves strips at the upper and lower edge of the canvas when framing, with these heights in
+    /// CSS pixels. A framed model is framed again when a strip grows, but not when it shrinks.
+    pub fn cover(&mut self, heights: [f32; 2]) {
+        let before = self.viewpoint.camera.covered;
+        let is_more = heights.iter().zip(before).any(|(now, before)| *now > before);
+        self.viewpoint.camera.covered = heights;
         if is_more && self.viewpoint.framed {
             self.fit();
         }

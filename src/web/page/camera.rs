@@ -58,10 +58,10 @@ impl View {
         self.model().zoom(factor, Vec2::new(x, y));
     }
 
-    /// Reserves a strip of `pixels` CSS pixels at the lower edge when framing. A framed model is
-    /// framed again when the strip grows, but not when it shrinks.
-    pub fn cover(&mut self, pixels: f32) {
-        self.model().cover(pixels);
+    /// Reserves strips of these heights in CSS pixels at the upper and lower edge when framing. A framed
+    /// model is framed again when a strip grows, but not when it shrinks.
+    pub fn cover(&mut self, top: f32, bottom: f32) {
+        self.model().cover([top, bottom]);
     }
 
     /// Returns the camera as numbers, for saving. See [`crate::view::state::navigate`].

@@ -1,9 +1,9 @@
 // Messages do not cover the controls in use.
 
 import type { Locator } from '@playwright/test';
-import { file } from '../meshes.ts';
+import { file, wavyGrid } from '../meshes.ts';
 import { showPanel } from '../actions.ts';
-import { boxOf, expect, openPage, test } from '../support.ts';
+import { boxOf, expect, openPage, screenOf, test, waitForState } from '../support.ts';
 
 /** Whether two elements do not overlap. */
 async function apart(one: Locator, other: Locator) {
@@ -56,4 +56,29 @@ test('on a phone no tab is selected while the sheet is closed', phone, async ({ 
   await expect(chosen).toHaveText('Model');
   await page.getByRole('tab', { name: 'Model' }).click();
   await expect(chosen).toHaveCount(0);
+});
+
+test('the verdict on a run lies beside the framed model, not over it', async ({ page }) => {
+  await openPage(page);
+  // A wall, as high as the view.
+  const obj = wavyGrid(6).replace(/^v (\S+) (\S+) (\S+)/gm, 'v $1 $3 $2');
+  const scene = {
+    ...{ format: 'shape-up-scene', version: 1, up: 'z', mesh: { file: 'wall.obj' } },
+    constraints: [{ kind: 'plane', on: 'faces', require: { within: 0.01 } }],
+    ...{ closeness: { to: 'rest' }, weights: { shape: 1000, close: 1, smooth: 1 } },
+  };
+  await page
+    .getByLabel('Open file')
+    .setInputFiles([file('wall.shapeup.json', JSON.stringify(scene)), file('wall.obj', obj)]);
+  await waitForState(page, ({ vertices }) => vertices === 49);
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  const verdict = page.getByRole('group', { name: 'Verdict' });
+  await expect(verdict).toBeVisible();
+  const beside = async () => {
+    const { y, height } = await boxOf(verdict);
+    const corners = await Promise.all([0, 6, 42, 48].map((vertex) => screenOf(page, vertex)));
+    const places = corners.map(([, at]) => at);
+    return Math.min(...places) > y + height || Math.max(...places) < y;
+  };
+  await expect.poll(beside).toBe(true);
 });

@@ -302,7 +302,7 @@ function newPanelsCard(
   }
 
   // The model is framed in the area above the card.
-  const covers = () => cover(viewport, card, narrow.matches);
+  const covers = () => cover(viewport, card, narrow.matches ? 'bottom' : null);
   new ResizeObserver(covers).observe(card);
   narrow.addEventListener('change', covers);
 

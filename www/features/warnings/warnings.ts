@@ -6,23 +6,32 @@
 
 import '../../ui/styles/lists.css';
 import { button, closeButton } from '../../ui/controls/fields.ts';
-import { element, setText } from '../../ui/dom.ts';
+import { byId, element, setText } from '../../ui/dom.ts';
 import { count, length } from '../../ui/format.ts';
 import { isHard } from '../../store/state.ts';
 import { showExactVerdict } from './exact-verdict.ts';
 import { meshActions } from '../../store/mesh-actions.ts';
-import { showElements } from '../../viewport/camera.ts';
+import { cover, showElements } from '../../viewport/camera.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Edit } from '../../solver/types.ts';
+
+/** Windows in which messages are below the model. */
+const narrow = matchMedia('(max-width: 699px)');
 
 const ZERO_SIZE = 'zero-size-faces';
 /** Maximum number of suggestions offered. */
 const MOST_SUGGESTIONS = 3;
 
 export function watchConditions(app: AppContext) {
-  const { store, solver, files, alerts, actions } = app;
+  const { store, solver, files, viewport, alerts, actions } = app;
   const place = element('div', { 'aria-live': 'polite', id: 'conditions' });
-  document.getElementById('messages')?.append(place);
+  const messages = byId('messages');
+  messages.append(place);
+  // The model is framed beside a verdict; other messages move no camera.
+  const covers = () =>
+    cover(viewport, messages, !place.hasChildNodes() ? null : narrow.matches ? 'bottom' : 'top');
+  new ResizeObserver(covers).observe(place);
+  narrow.addEventListener('change', covers);
   const mesh = meshActions(store, solver, actions);
   /** Number of zero-area faces when last counted. */
   let flat = 0;

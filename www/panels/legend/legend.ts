@@ -86,7 +86,9 @@ export function legend(place: HTMLElement, app: AppContext, fit: () => void) {
     facts,
     element('div.ends.switches', map, log.label),
   );
-  new ResizeObserver(() => cover(viewport, place, strip.matches && !isEmbedded)).observe(place);
+  new ResizeObserver(() =>
+    cover(viewport, place, strip.matches && !isEmbedded ? 'bottom' : null),
+  ).observe(place);
   const toleranceRow = tolerance.closest('div') as HTMLElement;
 
   /** Returns the unit for all values: that of the tolerance, or else of the greatest value. */
