@@ -34,6 +34,8 @@
 //! | `tighten` | suggestions that the solver offers |
 //! | `report` | the report with all numbers |
 //! | `report_page` | the report as an HTML document of one page |
+//! | `sight` | directions of view |
+//! | `key` | drawings that say where each part goes |
 //! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
 //! | `space` | the shape with its offset and beams in space |
 //! | `output` | all files of a build |
@@ -48,6 +50,7 @@ mod cutting;
 mod fault;
 pub mod file;
 mod holes;
+mod key;
 mod layer;
 mod limit;
 mod numbers;
@@ -58,6 +61,7 @@ pub mod paper;
 mod report;
 mod report_page;
 pub mod sheet;
+mod sight;
 mod space;
 mod surface;
 mod tables;

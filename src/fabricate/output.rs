@@ -1,4 +1,4 @@
-//! The files of a build: drawings of the sheets, tables, solids.
+//! The files of a build: drawings of the sheets, the key to their parts, tables, solids.
 
 use super::build::Build;
 use super::file::{dxf, pdf, svg};
@@ -24,12 +24,17 @@ impl BuildFile {
                 && number.bytes().all(|digit| digit.is_ascii_digit())
                 && ["svg", "dxf"].contains(&kind)
         });
-        is_sheet || ["sheets.pdf", "beams.obj"].contains(&name) || tables::NAMES.contains(&name)
+        let is_key = name.strip_prefix("key-").and_then(|rest| rest.strip_suffix(".svg"));
+        is_sheet
+            || is_key.is_some_and(|number| number.parse::<u8>().is_ok())
+            || ["sheets.pdf", "key.pdf", "beams.obj"].contains(&name)
+            || tables::NAMES.contains(&name)
     }
 }
 
 impl Build {
-    /// All files: a drawing of each sheet in two formats, all sheets as PDF, the tables, the beams.
+    /// All files: a drawing of each sheet in two formats, all sheets as PDF, the key, the tables, the
+    /// beams.
     /// `z_up` is whether z is up in the mesh; else y is.
     pub fn files(&self, z_up: bool) -> Vec<BuildFile> {
         let drawings = self.drawings();
@@ -43,6 +48,9 @@ impl Build {
         }
         if !drawings.is_empty() {
             add("sheets.pdf".to_owned(), pdf(&drawings, self.settings.page.size()));
+            let key = self.key(z_up).drawings;
+            key.iter().for_each(|drawing| add(format!("{}.svg", drawing.name), svg(drawing)));
+            add("key.pdf".to_owned(), pdf(&key, None));
         }
         for (name, text) in tables::all(self) {
             add(name.to_owned(), text);

@@ -24,6 +24,8 @@ fn sheets_tables_and_a_report_are_written_whole() {
     names.sort();
     let expected = [
         "edges.csv",
+        "key-1.svg",
+        "key.pdf",
         "model.glb",
         "nodes.csv",
         "panels.csv",

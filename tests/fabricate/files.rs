@@ -19,9 +19,10 @@ pub(super) fn settings() -> BuildSettings {
     BuildSettings { joint: 0.01, scale: 10.0, sheet: [300.0, 200.0], ..BuildSettings::default() }
 }
 
-/// Contents of the files with this extension.
+/// Contents of the sheets and tables with this extension.
 fn texts(build: &Build, ending: &str) -> Vec<String> {
-    let files = build.files(true).into_iter().filter(|file| file.name.ends_with(ending));
+    let is_asked = |file: &BuildFile| file.name.ends_with(ending) && !file.name.starts_with("key");
+    let files = build.files(true).into_iter().filter(is_asked);
     files.map(|file| file.text).collect()
 }
 

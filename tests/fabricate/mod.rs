@@ -9,6 +9,7 @@ mod expected;
 mod files;
 mod glb;
 mod identities;
+mod key;
 mod paper;
 mod paper_names;
 mod picture;

@@ -21,7 +21,7 @@ pub struct DrawnLine {
 
 impl DrawnLine {
     /// A line that belongs to no part.
-    pub(super) fn of_sheet(points: Vec<Point2>) -> DrawnLine {
+    pub(in crate::fabricate) fn of_sheet(points: Vec<Point2>) -> DrawnLine {
         let (role, closed) = (Role::Sheet, false);
         DrawnLine { role, points, closed, part: String::new(), panels: Vec::new() }
     }

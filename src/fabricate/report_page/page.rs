@@ -2,12 +2,13 @@
 
 use super::bill::{Line, bill};
 use super::histogram::histogram;
-use super::picture::{Picture, from_above, from_camera};
+use super::picture::Picture;
 use crate::fabricate::build::Build;
 use crate::fabricate::build_words::{CheckWords, parts};
 use crate::fabricate::check_card::CheckRow;
 use crate::fabricate::file::escaped;
 use crate::fabricate::report::BuildReport;
+use crate::fabricate::sight::{from_above, from_camera};
 use crate::words;
 
 /// The look. The policy of the page that shows the document allows exactly this text.

@@ -5,14 +5,12 @@ use crate::fabricate::build::Build;
 use crate::fabricate::check_card::Failed;
 use crate::fabricate::file::{escaped, places};
 use crate::fabricate::panel::roomiest_point;
+use crate::fabricate::sight::Sight;
 use crate::math::plane::Point2;
-use crate::math::{self, Vec3, argsort, key_of_number, marked};
+use crate::math::{argsort, key_of_number, marked};
 
 /// Names are shown on the plan if this fraction of them has room.
 const MOST: f64 = 0.7;
-
-/// The direction of view as unit vectors: right, up, and away from the viewer.
-pub(super) type Sight = [Vec3<f64>; 3];
 
 /// Least height of a picture.
 const LEAST: f64 = 4.0;
@@ -21,29 +19,6 @@ const NAMES: [f64; 2] = [1.1, 2.4];
 /// Width of a letter or digit of a name and height of a capital, in font sizes, in any sans-serif
 /// font.
 const LETTER: [f64; 2] = [0.6, 0.72];
-
-/// The axes of a mesh that point east, north and up, if z is up, or else y.
-fn compass(z_up: bool) -> Sight {
-    let [x, y, z] = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
-    if z_up { [x, y, z] } else { [x, -z, y] }
-}
-
-/// The view from above.
-pub(super) fn from_above(z_up: bool) -> Sight {
-    let [east, north, up] = compass(z_up);
-    [east, north, -up]
-}
-
-/// The view of a camera that is turned about the upward axis and tilted down, in radians.
-pub(super) fn from_camera(z_up: bool, camera: [f64; 2]) -> Sight {
-    let [east, north, up] = compass(z_up);
-    let turns = |radians: f64| radians / std::f64::consts::TAU;
-    let [[sine, cosine], [down, level]] =
-        camera.map(turns).map(|turns| [math::sine(turns), math::cosine(turns)]);
-    let right = east * cosine + north * sine;
-    let away = (north * cosine - east * sine) * level - up * down;
-    [right, right.cross(away), away]
-}
 
 /// A shape in a view, in the unit of the mesh.
 pub(super) struct Picture<'a> {

@@ -136,6 +136,7 @@ impl<'a> TriangleSides<'a> {
 }
 
 /// Returns the distances of a corner of another triangle; exactly zero if it is a shared corner.
+#[inline(always)]
 fn exact_distances(planes: &Planes, corners: &Corners, corner: Vec3<f64>) -> PlaneDistances {
     let mut distances = planes.distances(splat(corner));
     for k in (0..3).filter(|&k| corners.at[k] == corner) {
@@ -146,6 +147,7 @@ fn exact_distances(planes: &Planes, corners: &Corners, corner: Vec3<f64>) -> Pla
 }
 
 /// Returns `tan(theta / 2)` of the elevation angle of a point at this height and distance.
+#[inline(always)]
 fn half_tangent(height: f64, away: f64) -> f64 {
     if height > 0.0 { height / (away + (away * away + height * height).sqrt()) } else { 0.0 }
 }

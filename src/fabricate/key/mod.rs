@@ -1,0 +1,120 @@
+//! Key drawings: where each part goes. The shape from above, and from as many more sides as are needed
+//! until every panel, or with fins every beam and node, has its name in one of them. They are to be
+//! read, not to be cut.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `view` | the shape in one direction, and which of its elements are seen |
+//! | `page` | the paper that a view needs, and its drawing |
+
+mod page;
+mod view;
+
+use super::build::{Build, beam_name, node_name};
+use super::file::Drawing;
+use super::sight::{Sight, compass, from_above, from_camera};
+use crate::scene::Product;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use view::{Element, View};
+
+/// The key drawings of a build.
+#[derive(Clone, Debug, Default)]
+pub struct Key {
+    /// The drawings, from the most important on: the first is from above.
+    pub drawings: Vec<Drawing>,
+    /// The names that none of them shows: of what is hidden from all sides, or too small.
+    pub unnamed: Vec<String>,
+}
+
+/// A name and what it is written on.
+struct Mark {
+    name: String,
+    element: Element,
+}
+
+/// Tilt of the views from the sides, in radians: that of an isometric drawing.
+const TILT: f64 = 0.6155;
+
+impl Build {
+    /// Draws the key. `z_up` is whether z is up in the mesh; else y is.
+    pub fn key(&self, z_up: bool) -> Key {
+        let marks = self.marks();
+        let mut missing: Vec<usize> = (0..marks.len()).collect();
+        let mut others = around(z_up);
+        let mut next = Some(from_above(z_up));
+        let mut chosen = Vec::new();
+        while let Some(sight) = next.take() {
+            let view = View::new(&self.surface, sight);
+            let spots = view.spots(&marks, 0..marks.len());
+            let page = page::Page::of(&view, &spots);
+            missing.retain(|mark| !page.names(&spots, *mark));
+            chosen.push((sight, spots, page));
+            // The side that shows most of what has no name yet.
+            let best = (0..others.len())
+                .map(|k| {
+                    let view = View::new(&self.surface, others[k]);
+                    let spots = view.spots(&marks, missing.iter().copied());
+                    let page = page::Page::of(&view, &spots);
+                    (missing.iter().filter(|mark| page.names(&spots, **mark)).count(), k)
+                })
+                .max_by_key(|&(count, k)| (count, std::cmp::Reverse(k)));
+            next = best.filter(|&(count, _)| count > 0).map(|(_, k)| others.remove(k));
+        }
+        let count = chosen.len();
+        let drawings = chosen.iter().zip(1..).map(|((sight, spots, page), number)| {
+            let seen = seen_from(*sight, z_up);
+            let title = format!("KEY {number}/{count}, NOT TO BE CUT, SEEN FROM {seen}");
+            let view = View::new(&self.surface, *sight);
+            page.drawing(format!("key-{number}"), title, &view, spots, &marks)
+        });
+        Key {
+            drawings: drawings.collect(),
+            unnamed: missing.into_iter().map(|mark| marks[mark].name.clone()).collect(),
+        }
+    }
+
+    /// The names of parts, and where they go. The panels of a paper model have the name of their piece.
+    fn marks(&self) -> Vec<Mark> {
+        let surface = &self.surface;
+        if let (Product::Fins, Some(_)) = (self.settings.product, &self.frame) {
+            let beams = surface
+                .edges
+                .iter()
+                .zip(0..)
+                .map(|(edge, e)| Mark { name: beam_name(edge.ends), element: Element::Edge(e) });
+            let nodes = super::surface::distinct(surface.faces.indices().iter().copied());
+            let nodes =
+                nodes.into_iter().map(|v| Mark { name: node_name(v), element: Element::Vertex(v) });
+            return beams.chain(nodes).collect();
+        }
+        let mut names = self.names.clone();
+        if self.settings.product == Product::Paper {
+            for part in &self.parts {
+                part.panels.iter().for_each(|&f| names[f as usize].clone_from(&part.name));
+            }
+        }
+        let panels = names.into_iter().zip(0..);
+        panels.map(|(name, f)| Mark { name, element: Element::Panel(f) }).collect()
+    }
+}
+
+/// The views beside that from above: from four sides, and from below.
+fn around(z_up: bool) -> Vec<Sight> {
+    let mut sights: Vec<Sight> =
+        (0..4).map(|k| from_camera(z_up, [FRAC_PI_4 + FRAC_PI_2 * f64::from(k), TILT])).collect();
+    let [east, north, up] = compass(z_up);
+    sights.push([east, -north, up]);
+    sights
+}
+
+/// Where the viewer is, in words, with the axes of the mesh.
+fn seen_from([_, _, away]: Sight, z_up: bool) -> String {
+    let [_, _, up] = compass(z_up);
+    let height = -away.dot(up);
+    if height.abs() > 0.99 {
+        return if height > 0.0 { "ABOVE" } else { "BELOW" }.to_owned();
+    }
+    let sign = |x: f64| if x < 0.0 { '+' } else { '-' };
+    let (second, letter) = if z_up { (away.y, 'Y') } else { (away.z, 'Z') };
+    format!("{}X {}{letter}, ABOVE", sign(away.x), sign(second))
+}

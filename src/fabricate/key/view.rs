@@ -1,0 +1,195 @@
+//! The shape seen in one direction: where its panels, edges and vertices are in the picture, and which
+//! of them no panel hides.
+
+use super::Mark;
+use crate::fabricate::panel::{direction_of, roomiest_point};
+use crate::fabricate::sheet::{text_width, upright};
+use crate::fabricate::sight::Sight;
+use crate::fabricate::surface::PanelSurface;
+use crate::math::plane::{Point2, distance, is_inside};
+
+/// Something that has a name.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Element {
+    Panel(u32),
+    Edge(u32),
+    Vertex(u32),
+}
+
+/// Where a name is written in a picture, in the unit of the mesh.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub(super) at: Point2,
+    pub(super) along: Point2,
+    /// The largest height of the name.
+    pub(super) height: f64,
+}
+
+/// Sine of the angle between a panel and the direction of view below which it is seen edge-on.
+const EDGE_ON: f64 = 1e-3;
+/// What is nearer by less than this fraction of the size of the picture hides nothing.
+const NEARER: f64 = 1e-5;
+/// Largest length of the name of a beam, and height, relative to its edge.
+const OF_EDGE: [f64; 2] = [0.7, 0.2];
+/// Height of the name of a node relative to its shortest edge.
+const OF_NODE: f64 = 0.15;
+
+pub(super) struct View<'a> {
+    pub(super) surface: &'a PanelSurface,
+    sight: Sight,
+    /// The vertices in the picture, `#V`, and how far away they are.
+    pub(super) points: Vec<Point2>,
+    depths: Vec<f64>,
+    pub(super) low: Point2,
+    pub(super) size: [f64; 2],
+    /// The panels over each cell of a grid, row by row.
+    cells: Vec<Vec<u32>>,
+    /// The number of columns and rows.
+    counts: [usize; 2],
+}
+
+impl View<'_> {
+    pub(super) fn new(surface: &PanelSurface, sight: Sight) -> View<'_> {
+        let [right, up, away] = sight;
+        let points: Vec<Point2> =
+            surface.positions.iter().map(|p| [p.dot(right), p.dot(up)]).collect();
+        let depths = surface.positions.iter().map(|p| p.dot(away)).collect();
+        let used = || surface.faces.indices().iter().map(|&v| points[v as usize]);
+        let bound = |pick: fn(f64, f64) -> f64| {
+            used().reduce(|a, b| [pick(a[0], b[0]), pick(a[1], b[1])]).unwrap_or_default()
+        };
+        let (low, high) = (bound(f64::min), bound(f64::max));
+        let size = [high[0] - low[0], high[1] - low[1]];
+        let count = (surface.faces.len() as f64).sqrt().ceil().max(1.0) as usize;
+        let mut view = View {
+            surface,
+            sight,
+            points,
+            depths,
+            low,
+            size,
+            cells: vec![Vec::new(); count * count],
+            counts: [count; 2],
+        };
+        for face in 0..surface.faces.len() as u32 {
+            let corners = view.corners(face);
+            let bound = |pick: fn(f64, f64) -> f64| {
+                corners.iter().copied().reduce(|a, b| [pick(a[0], b[0]), pick(a[1], b[1])])
+            };
+            let [from, to] =
+                [bound(f64::min), bound(f64::max)].map(|at| view.cell(at.unwrap_or_default()));
+            for row in from[1]..=to[1] {
+                for column in from[0]..=to[0] {
+                    view.cells[row * count + column].push(face);
+                }
+            }
+        }
+        view
+    }
+
+    /// The column and row of a point.
+    fn cell(&self, point: Point2) -> [usize; 2] {
+        std::array::from_fn(|k| {
+            let part = (point[k] - self.low[k]) / self.size[k].max(f64::MIN_POSITIVE);
+            ((part * self.counts[k] as f64) as usize).min(self.counts[k] - 1)
+        })
+    }
+
+    fn corners(&self, face: u32) -> Vec<Point2> {
+        self.surface.faces.row(face as usize).iter().map(|&v| self.points[v as usize]).collect()
+    }
+
+    /// How far away a panel is at a point; none if it is seen edge-on.
+    fn depth(&self, face: u32, [x, y]: Point2) -> Option<f64> {
+        let [right, up, away] = self.sight;
+        let normal = self.surface.normal(face);
+        let across = normal.dot(away);
+        let row = self.surface.faces.row(face as usize);
+        let level =
+            row.iter().map(|&v| normal.dot(self.surface.positions[v as usize])).sum::<f64>()
+                / row.len() as f64;
+        let depth = (level - normal.dot(right) * x - normal.dot(up) * y) / across;
+        (across.abs() > EDGE_ON).then_some(depth)
+    }
+
+    /// Whether a panel other than these hides a point at a depth.
+    fn is_hidden(&self, point: Point2, depth: f64, own: &[u32]) -> bool {
+        let least = depth - NEARER * self.size[0].max(self.size[1]);
+        let [column, row] = self.cell(point);
+        self.cells[row * self.counts[0] + column].iter().any(|&face| {
+            !own.contains(&face)
+                && is_inside(&self.corners(face), point)
+                && self.depth(face, point).is_some_and(|depth| depth < least)
+        })
+    }
+
+    /// Whether the middle of an edge is seen, and where it is.
+    pub(super) fn edge(&self, edge: u32) -> Option<[Point2; 2]> {
+        let ends = self.surface.edges[edge as usize].ends.map(|v| v as usize);
+        let [a, b] = ends.map(|v| self.points[v]);
+        let depth = 0.5 * (self.depths[ends[0]] + self.depths[ends[1]]);
+        let own = self.surface.panels.row(edge as usize);
+        let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+        (!self.is_hidden(middle, depth, own)).then_some([a, b])
+    }
+
+    /// Where the names of some marks are written; none if what they name is not seen.
+    pub(super) fn spots(
+        &self,
+        marks: &[Mark],
+        which: impl Iterator<Item = usize>,
+    ) -> Vec<Option<Spot>> {
+        let mut spots = vec![None; marks.len()];
+        let (mut shortest, mut around) = (Vec::new(), Vec::new());
+        if marks.iter().any(|mark| matches!(mark.element, Element::Vertex(_))) {
+            (shortest, around) = self.around_vertices();
+        }
+        for k in which {
+            // The width of the name where it is one high.
+            let wide = text_width(&marks[k].name, 1.0);
+            spots[k] = match marks[k].element {
+                Element::Panel(face) => self.on_panel(face, wide),
+                Element::Edge(edge) => self.on_edge(edge, wide),
+                Element::Vertex(v) => {
+                    let (at, depth) = (self.points[v as usize], self.depths[v as usize]);
+                    let height = OF_NODE * shortest[v as usize];
+                    let is_seen = height > 0.0 && !self.is_hidden(at, depth, &around[v as usize]);
+                    is_seen.then_some(Spot { at, along: [1.0, 0.0], height })
+                }
+            };
+        }
+        spots
+    }
+
+    fn on_panel(&self, face: u32, wide: f64) -> Option<Spot> {
+        let (at, radius) = roomiest_point(&self.corners(face));
+        let depth = self.depth(face, at).filter(|_| radius > 0.0)?;
+        let height = radius / (0.25 * (wide * wide + 1.0)).sqrt();
+        let spot = Spot { at, along: [1.0, 0.0], height };
+        (!self.is_hidden(at, depth, &[face])).then_some(spot)
+    }
+
+    fn on_edge(&self, edge: u32, wide: f64) -> Option<Spot> {
+        let [a, b] = self.edge(edge)?;
+        let long = distance(a, b);
+        let height = (OF_EDGE[0] * long / wide).min(OF_EDGE[1] * long);
+        let along = upright(direction_of(a, b), [1.0, 0.0]);
+        let at = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+        (long > 0.0).then_some(Spot { at, along, height })
+    }
+
+    /// For each vertex the length of its shortest edge in the picture, and its panels.
+    fn around_vertices(&self) -> (Vec<f64>, Vec<Vec<u32>>) {
+        let mut shortest = vec![f64::INFINITY; self.points.len()];
+        for edge in &self.surface.edges {
+            let [a, b] = edge.ends.map(|v| v as usize);
+            let long = distance(self.points[a], self.points[b]);
+            [a, b].into_iter().for_each(|v| shortest[v] = shortest[v].min(long));
+        }
+        let mut around = vec![Vec::new(); self.points.len()];
+        for (row, face) in self.surface.faces.iter().zip(0..) {
+            row.iter().for_each(|&v| around[v as usize].push(face));
+        }
+        (shortest, around)
+    }
+}

@@ -1,0 +1,139 @@
+//! Key drawings: every part has its name where it is.
+
+use super::identities::revolution;
+use super::{build, metres};
+use crate::support::grid::grid;
+use shape_up::fabricate::Build;
+use shape_up::fabricate::file::Drawing;
+use shape_up::fabricate::sheet::Role;
+use shape_up::mesh::{Mesh, Ragged};
+use shape_up::scene::{BuildSettings, Product};
+use std::collections::BTreeSet;
+
+/// The names in a drawing, each with the middle of its letters.
+fn names(drawing: &Drawing) -> Vec<(String, [f64; 2])> {
+    let letters: Vec<_> = drawing.lines.iter().filter(|line| line.role == Role::Engrave).collect();
+    let names = letters.chunk_by(|a, b| a.part == b.part).map(|lines| {
+        let points = || lines.iter().flat_map(|line| &line.points);
+        let middle = [0, 1].map(|k| {
+            let low = points().map(|point| point[k]).fold(f64::INFINITY, f64::min);
+            let high = points().map(|point| point[k]).fold(f64::NEG_INFINITY, f64::max);
+            0.5 * (low + high)
+        });
+        (lines[0].part.clone(), middle)
+    });
+    names.collect()
+}
+
+fn all_names(drawings: &[Drawing]) -> BTreeSet<String> {
+    drawings.iter().flat_map(names).map(|(name, _)| name).collect()
+}
+
+/// A box of six quads with these corners.
+fn cuboid(low: f64, high: f64) -> Mesh {
+    let positions = (0..8).map(|k| [k & 1, k >> 1 & 1, k >> 2].map(|at| [low, high][at])).collect();
+    let faces: [[u32; 4]; 6] =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    Mesh { positions, faces: faces.iter().map(|face| &face[..]).collect(), ..Mesh::default() }
+}
+
+#[test]
+fn a_roof_is_seen_from_above_with_each_name_on_its_panel() {
+    let mesh = grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
+    let made = build(&mesh, &BuildSettings::default());
+    let key = made.key(true);
+    let [drawing] = &key.drawings[..] else { panic!("{} drawings", key.drawings.len()) };
+    assert_eq!(drawing.title, "KEY 1/1, NOT TO BE CUT, SEEN FROM ABOVE");
+    assert!(key.unnamed.is_empty());
+    let found = names(drawing);
+    assert_eq!(found.len(), mesh.faces.len());
+    // One scale and one offset take the middles of all panels to their names.
+    let middle = |face: usize| -> [f64; 2] {
+        let row = mesh.faces.row(face);
+        std::array::from_fn(|k| {
+            row.iter().map(|&v| mesh.positions[v as usize][k]).sum::<f64>() / 4.0
+        })
+    };
+    let at = |name: &str| found.iter().find(|(own, _)| own == name).expect("it is there").1;
+    let scale = (at("P1")[0] - at("P0")[0]) / (middle(1)[0] - middle(0)[0]);
+    assert!(scale > 10.0);
+    for (face, name) in made.names.iter().enumerate() {
+        for k in 0..2 {
+            let off = at(name)[k] - at("P0")[k] - scale * (middle(face)[k] - middle(0)[k]);
+            // Letters are not centred in their cells.
+            assert!(off.abs() < 0.2 * scale, "{name}: {off}");
+        }
+    }
+    for line in &drawing.lines {
+        assert!(line.role != Role::Cut && !line.closed, "it is not to be cut");
+        let inside = |[x, y]: &[f64; 2]| {
+            (0.0..=drawing.size[0]).contains(x) && (0.0..=drawing.size[1]).contains(y)
+        };
+        assert!(line.points.iter().all(inside));
+    }
+}
+
+#[test]
+fn what_is_not_seen_from_above_is_named_from_the_sides() {
+    let made = build(&cuboid(0.0, 1.0), &BuildSettings::default());
+    let key = made.key(true);
+    assert!(key.unnamed.is_empty(), "{:?}", key.unnamed);
+    assert_eq!(all_names(&key.drawings), made.names.iter().cloned().collect());
+    // The bottom is seen from nowhere else; a wall is on the side that is named for it.
+    assert_eq!(names(&key.drawings[0]).len(), 1);
+    let from = |title: &str| {
+        let drawing = key.drawings.iter().find(|drawing| drawing.title.ends_with(title));
+        drawing.map(|drawing| all_names(std::slice::from_ref(drawing)))
+    };
+    assert_eq!(from("BELOW"), Some(BTreeSet::from(["P0".to_owned()])));
+    let [east, west] = [("+X", "P5"), ("-X", "P4")];
+    for (side, wall) in [east, west] {
+        let views = key.drawings.iter().filter(|drawing| drawing.title.contains(side));
+        for drawing in views {
+            assert!(names(drawing).iter().any(|(name, _)| name == wall), "{}", drawing.title);
+        }
+    }
+}
+
+#[test]
+fn what_is_hidden_from_all_sides_is_said() {
+    let (mut mesh, inner) = (cuboid(0.0, 3.0), cuboid(1.0, 2.0));
+    let faces: Vec<Vec<u32>> =
+        inner.faces.iter().map(|face| face.iter().map(|v| v + 8).collect()).collect();
+    mesh.positions.extend(inner.positions);
+    mesh.faces = mesh.faces.iter().map(<[u32]>::to_vec).chain(faces).collect::<Ragged>();
+    let key = build(&mesh, &BuildSettings::default()).key(true);
+    assert_eq!(key.unnamed, ["P6", "P7", "P8", "P9", "P10", "P11"]);
+    assert_eq!(all_names(&key.drawings).len(), 6);
+}
+
+#[test]
+fn beams_and_nodes_are_named_and_the_axes_are_those_of_the_file() {
+    let settings = BuildSettings { product: Product::Fins, ..BuildSettings::default() };
+    let made = Build::new(&revolution(5, 4), &settings, metres()).unwrap();
+    for z_up in [true, false] {
+        let key = made.key(z_up);
+        let found = all_names(&key.drawings);
+        let beams = found.iter().filter(|name| name.starts_with('B')).count();
+        let nodes = found.iter().filter(|name| name.starts_with('N')).count();
+        assert_eq!(
+            beams + nodes + key.unnamed.len(),
+            made.surface.edges.len() + made.surface.positions.len()
+        );
+        assert!(key.unnamed.is_empty(), "{:?}", key.unnamed);
+        let other = if z_up { "Z" } else { "Y" };
+        assert!(key.drawings.iter().all(|drawing| !drawing.title.contains(&format!("+{other}"))));
+    }
+}
+
+#[test]
+fn a_piece_of_paper_is_named_on_each_of_its_panels() {
+    let settings =
+        BuildSettings { product: Product::Paper, scale: 50.0, ..BuildSettings::default() };
+    let made = build(&revolution(6, 5), &settings);
+    let pieces: BTreeSet<String> = made.parts.iter().map(|part| part.name.clone()).collect();
+    let key = made.key(true);
+    assert_eq!(all_names(&key.drawings), pieces);
+    let files: Vec<String> = made.files(true).into_iter().map(|file| file.name).collect();
+    assert!(files.contains(&"key.pdf".to_owned()) && files.contains(&"key-1.svg".to_owned()));
+}
