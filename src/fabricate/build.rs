@@ -13,7 +13,7 @@ use super::surface::PanelSurface;
 use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
-use crate::scene::{BuildSettings, Names, OffsetKind};
+use crate::scene::{BuildSettings, Names, OffsetKind, Product};
 
 /// A panel as it is cut, in mm of the sheet, rotated so that its smallest box lies along x.
 #[derive(Clone, Debug)]
@@ -237,10 +237,25 @@ impl Build {
             .zip(1..)
             .map(|(own, number)| {
                 let name = format!("sheet-{number:0digits$}");
-                let title = self.title(number, count);
-                Drawing::new(name, title, sheet, margin, own, &self.parts, outlines_only)
+                let words = [self.title(number, count), self.legend()];
+                Drawing::new(name, words, sheet, margin, own, &self.parts, outlines_only)
             })
             .collect()
+    }
+
+    /// What the lines on a sheet mean: which side is seen, and where the arrow of a part points.
+    fn legend(&self) -> String {
+        let side = match self.settings.product {
+            Product::Fins => return "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL".to_owned(),
+            Product::Paper if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
+            // Without an outside this is the side of the corners' order.
+            Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
+        };
+        let arrow = match self.settings.product {
+            Product::Panels => ", ARROW: TO ITS FIRST EDGE IN THE MODEL",
+            _ => "",
+        };
+        format!("{side}{arrow}")
     }
 
     /// The title of a sheet, with the units of the model and of the sheet.

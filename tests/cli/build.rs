@@ -39,6 +39,30 @@ fn sheets_tables_and_a_report_are_written_whole() {
 }
 
 #[test]
+fn presets_set_what_belongs_together() {
+    let folder = Folder::new("build-presets");
+    folder.write("roof.obj", ROOF);
+    let asked = ["--machine", "laser", "--material", "plywood-4", "--sheet", "A2"];
+    folder.run(&[&["build", "roof.obj", "--out", "parts"], &asked[..]].concat()).done();
+    let summary = folder.read("parts/summary.csv");
+    for line in [
+        "Kerf (kerf),0.15,mm",
+        "Gap (gap),1,mm",
+        "Thickness (thickness),4,mm",
+        "Sheet label (material),plywood,",
+        "Sheet width (sheet[0]),594,mm",
+    ] {
+        assert!(summary.lines().any(|own| own == line), "{line}: {summary}");
+    }
+    folder
+        .run(&["build", "roof.obj", "--machine", "axe"])
+        .misused("or laser or mill or mill-6, found `axe`");
+    folder
+        .run(&["build", "roof.obj", "--sheet", "a9"])
+        .misused("such as 1200x600, or a3, found `a9`");
+}
+
+#[test]
 fn fins_and_paper_models_are_made_on_demand() {
     let folder = Folder::new("build-products");
     folder.write("roof.obj", ROOF);

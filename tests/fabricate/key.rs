@@ -5,7 +5,7 @@ use super::{build, metres};
 use crate::support::grid::grid;
 use shape_up::fabricate::Build;
 use shape_up::fabricate::file::Drawing;
-use shape_up::fabricate::sheet::Role;
+use shape_up::fabricate::sheet::{Role, strokes, text_width};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::scene::{BuildSettings, Product};
 use std::collections::BTreeSet;
@@ -136,4 +136,22 @@ fn a_piece_of_paper_is_named_on_each_of_its_panels() {
     assert_eq!(all_names(&key.drawings), pieces);
     let files: Vec<String> = made.files(true).into_iter().map(|file| file.name).collect();
     assert!(files.contains(&"key.pdf".to_owned()) && files.contains(&"key-1.svg".to_owned()));
+}
+
+#[test]
+fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
+    let mesh = grid(3, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    for (product, print_inside, words) in [
+        (Product::Panels, false, "SEEN FROM OUTSIDE, ARROW: TO ITS FIRST EDGE IN THE MODEL"),
+        (Product::Paper, false, "SEEN FROM OUTSIDE"),
+        (Product::Paper, true, "SEEN FROM INSIDE, MIRRORED"),
+    ] {
+        let settings = BuildSettings { product, print_inside, ..BuildSettings::default() };
+        let [_, height] = settings.sheet;
+        let middle = 5.0 + 0.5 * text_width(words, 2.5);
+        let drawings = build(&mesh, &settings).drawings();
+        for letter in strokes(words, 2.5, [middle, height - 2.5], [1.0, 0.0]) {
+            assert!(drawings[0].lines.iter().any(|line| line.points == letter), "{words}");
+        }
+    }
 }

@@ -3,11 +3,12 @@
 use super::edit::Remesh;
 use super::new_mesh::New;
 use super::remesh::Quads;
-use super::words::{MESHES, MESHES_AND_SCENE, Word, Words};
+use super::words::{MESHES, MESHES_AND_SCENE, Settings, Word, Words};
 use crate::cli::{edit, new_mesh, remesh};
-use serde_json::Value;
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
-use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryCloseness, BuildSetting, UNITS};
+use shape_up::scene::{
+    Accelerator, BUILD_SETTINGS, BoundaryCloseness, BuildSetting, PresetOf, UNITS,
+};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -83,7 +84,7 @@ pub(super) struct Build {
     /// A scene or a mesh.
     pub(super) input: PathBuf,
     /// The ids of declared settings, with values as in a scene; the others are those of the scene.
-    pub(super) settings: Vec<(&'static str, Value)>,
+    pub(super) settings: Settings,
     /// The symbol of the unit of the mesh.
     pub(super) units: Option<&'static str>,
     /// A folder.
@@ -268,10 +269,9 @@ fn build(mut words: Words) -> Result<Command, String> {
                 let symbols = UNITS.map(|unit| unit.symbol);
                 build.units = Some(words.word_of(&name, symbols, |symbol| symbol)?);
             }
-            "--sheet" => {
-                let [width, height] = words.sheet(&name)?;
-                build.settings.extend([("sheet[0]", width.into()), ("sheet[1]", height.into())]);
-            }
+            "--machine" => build.settings.extend(words.preset(&name, PresetOf::Machine)?),
+            "--sheet" => build.settings.extend(words.sheet(&name)?),
+            "--material" => build.settings.extend(words.material(&name)?),
             "--out" => build.out = Some(words.file(&name)?),
             "--report" => build.report = Some(words.file(&name)?),
             "--report-page" => build.report_page = Some(words.page(&name)?),

@@ -4,7 +4,8 @@ use shape_up::constraint::KINDS;
 use shape_up::generate::NEW_KINDS;
 use shape_up::mesh::{FileFormat, MESH_OPERATIONS, Scheme, Size};
 use shape_up::scene::{
-    Accelerator, BUILD_SETTINGS, BuildForm, BuildSetting, BuildUnit, NamedEnum, UNITS,
+    Accelerator, BUILD_PRESETS, BUILD_SETTINGS, BuildForm, BuildSetting, BuildUnit, NamedEnum,
+    PresetOf, UNITS,
 };
 use shape_up::solve::{ConformalNorm, ConformalWeights};
 
@@ -16,7 +17,8 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH|auto
                 [--improve] [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE.obj|.ply|.stl|.mesh] [--report FILE.json] [--trace]
-       shape-up build SCENE|MESH [--SETTING VALUE ...] [--sheet WxH] [--units {}]
+       shape-up build SCENE|MESH [--SETTING VALUE ...] [--sheet WxH|a3] [--machine {}]
+                [--units {}]
                 [--out DIR] [--report FILE.json] [--report-page FILE.html [--link URL]]
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
                 [--keep DEGREES] [--panels KIND] [--adopt]
@@ -59,7 +61,10 @@ tables (CSV) and, with fins, the beams as solids (OBJ). Settings that are not gi
 in the scene. Lengths are in MM on the sheet or, where it says so, at full size; a LENGTH is in the unit
 of the mesh (--units; else that of the file, or guessed from its size). Settings of build:
 {}
---sheet is the width and height of a sheet in mm. --report-page writes a report as a web page that prints
+--sheet is the width and height of a sheet in mm, or one of {}.
+--machine sets kerf and gap. --material also sets the thickness if it is one of
+{}.
+--report-page writes a report as a web page that prints
 on A4: picture, plan, build check, bill of materials, and the --link.
 refine divides each face into several, N times; the boundary is refined as a curve of its own, and
 creases and corners that turn by more than DEGREES (75) stay sharp. With --panels it solves before the
@@ -96,16 +101,24 @@ Formats of files:
 {}
 Exit code: 0 done, 1 error in the input, 2 usage error, 3 internal error.",
         Accelerator::list("|"),
+        presets(PresetOf::Machine).join("|"),
         UNITS.map(|unit| unit.symbol).join("|"),
         Scheme::list("|"),
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
         kinds(),
         build_settings(),
+        presets(PresetOf::Sheet).join(", "),
+        presets(PresetOf::Material).join(", "),
         operations(),
         new_kinds(),
         FileFormat::table(),
     )
+}
+
+/// The ids of the presets of Build.
+fn presets(of: PresetOf) -> Vec<&'static str> {
+    BUILD_PRESETS.iter().filter(|preset| preset.of == of).map(|preset| preset.id).collect()
 }
 
 /// Lists the settings of Build with their values and summaries, one per line.

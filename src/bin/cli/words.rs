@@ -3,12 +3,18 @@
 use lexopt::Arg;
 use serde_json::Value;
 use shape_up::constraint::KINDS;
-use shape_up::scene::{BoundaryCloseness, BoundaryRequire, BuildForm, BuildSetting, NamedEnum};
+use shape_up::scene::{
+    BUILD_PRESETS, BoundaryCloseness, BoundaryRequire, BuildForm, BuildPreset, BuildSetting,
+    NamedEnum, PresetOf,
+};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
 /// The word for the absent value of a setting.
 const AUTO: &str = "auto";
+
+/// Values of settings of Build, by their paths.
+pub(super) type Settings = Vec<(&'static str, Value)>;
 
 /// The remaining arguments of a command.
 pub(super) struct Words {
@@ -174,16 +180,39 @@ impl Words {
             .ok_or_else(|| format!("{name} takes a number above 0, or `auto`, found `{value}`"))
     }
 
-    /// Returns the value of an option that takes a width and a height.
-    pub(super) fn sheet(&mut self, name: &str) -> Result<[f64; 2], String> {
+    /// Returns the settings of a preset of Build, by its id.
+    pub(super) fn preset(&mut self, name: &str, of: PresetOf) -> Result<Settings, String> {
         let value = self.text(name)?;
+        let known = BuildPreset::named(of, &value).map(BuildPreset::settings);
+        known.ok_or_else(|| {
+            let all = BUILD_PRESETS.iter().filter(|preset| preset.of == of);
+            let ids: Vec<_> = all.map(|preset| preset.id).collect();
+            format!("{name} takes {}, found `{value}`", ids.join(" or "))
+        })
+    }
+
+    /// Returns the settings of a sheet: those of a preset, or a width and a height.
+    pub(super) fn sheet(&mut self, name: &str) -> Result<Settings, String> {
+        let value = self.text(name)?;
+        if let Some(preset) = BuildPreset::named(PresetOf::Sheet, &value.to_lowercase()) {
+            return Ok(preset.settings());
+        }
         let sides = value.split_once(['x', 'X']).and_then(|(width, height)| {
             let side = |text: &str| finite(text).filter(|&side| side > 0.0);
-            Some([side(width)?, side(height)?])
+            Some(vec![("sheet[0]", side(width)?.into()), ("sheet[1]", side(height)?.into())])
         });
         sides.ok_or_else(|| {
-            format!("{name} takes a width and a height in mm, such as 1200x600, found `{value}`")
+            format!(
+                "{name} takes a width and a height in mm, such as 1200x600, or a3, found `{value}`"
+            )
         })
+    }
+
+    /// Returns the settings of a material: those of a preset, or its name.
+    pub(super) fn material(&mut self, name: &str) -> Result<Settings, String> {
+        let value = self.text(name)?;
+        let preset = BuildPreset::named(PresetOf::Material, &value).map(BuildPreset::settings);
+        Ok(preset.unwrap_or_else(|| vec![("material", value.into())]))
     }
 
     /// Returns the value of the option of a declared setting of Build, as in a scene: `auto` for

@@ -36,27 +36,32 @@ pub struct Drawing {
     pub title: String,
     /// Width and height in mm.
     pub size: [f64; 2],
+    /// Width of the lines in mm.
+    pub pen: f64,
     /// Its lines.
     pub lines: Vec<DrawnLine>,
 }
 
-/// Height of the title in mm; it is left out if it does not fit into the margin.
+/// Height of title and legend in mm; what does not fit into the margin is left out.
 const TITLE: f64 = 2.5;
+/// Width of lines in mm: machines take thin ones for cuts.
+const PEN: f64 = 0.1;
 
 impl Drawing {
-    /// Draws a sheet. With `outlines_only` it has only outlines and holes.
+    /// Draws a sheet with its title below and a legend above. With `outlines_only` it has only outlines
+    /// and holes.
     pub fn new(
         name: String,
-        title: String,
+        [title, legend]: [String; 2],
         size: [f64; 2],
         margin: f64,
         sheet: &Sheet,
         parts: &[CutPart],
         outlines_only: bool,
     ) -> Drawing {
-        let mut drawing = Drawing { name, title, size, lines: Vec::new() };
+        let mut drawing = Drawing { name, title, size, pen: PEN, lines: Vec::new() };
         if !outlines_only {
-            drawing.frame(margin);
+            drawing.frame(margin, &legend);
         }
         for role in Role::ALL {
             for place in &sheet.places {
@@ -85,16 +90,20 @@ impl Drawing {
         drawing
     }
 
-    /// Adds the border of the sheet, and its title in the margin.
-    fn frame(&mut self, margin: f64) {
+    /// Adds the border of the sheet, and its title and legend in the margin.
+    fn frame(&mut self, margin: f64, legend: &str) {
         let [width, height] = self.size;
         let corners = vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height], [0.0, 0.0]];
         self.add(corners);
-        let long = text_width(&self.title, TITLE);
-        if margin >= TITLE + 1.5 && long <= width - 2.0 * margin {
-            let centre = [margin + 0.5 * long, 0.5 * margin];
-            for stroke in strokes(&self.title, TITLE, centre, [1.0, 0.0]) {
-                self.add(stroke);
+        let lines =
+            [(self.title.clone(), 0.5 * margin), (legend.to_owned(), height - 0.5 * margin)];
+        for (text, y) in lines {
+            let long = text_width(&text, TITLE);
+            if margin >= TITLE + 1.5 && long <= width - 2.0 * margin {
+                let centre = [margin + 0.5 * long, y];
+                strokes(&text, TITLE, centre, [1.0, 0.0])
+                    .into_iter()
+                    .for_each(|line| self.add(line));
             }
         }
     }

@@ -74,7 +74,7 @@ fn content(lines: &[DrawnLine]) -> String {
 /// rectangle, ruler, and cutting marks.
 fn around(drawing: &Drawing, tile: &Tile) -> (String, String) {
     let scale = places(POINTS, 9);
-    let mut before = format!("{scale} 0 0 {scale} 0 0 cm\n0.1 w 1 J 1 j\n");
+    let mut before = format!("{scale} 0 0 {scale} 0 0 cm\n{} w 1 J 1 j\n", places(drawing.pen, 3));
     let mut lines = ruler(tile.page);
     let mut after = String::new();
     if let Some([place, counts]) = tile.place {

@@ -14,6 +14,7 @@ pub fn svg(drawing: &Drawing) -> String {
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"0 0 {width} {height}\">\n<title>{}</title>\n",
         escaped(&drawing.title)
     );
+    let pen = places(drawing.pen, 3);
     for role in Role::ALL {
         let mut lines = drawing.lines.iter().filter(|line| line.role == role).peekable();
         if lines.peek().is_none() {
@@ -21,7 +22,7 @@ pub fn svg(drawing: &Drawing) -> String {
         }
         let (layer, [r, g, b]) = (role.layer(), role.rgb());
         text += &format!(
-            "<g id=\"{layer}\" inkscape:groupmode=\"layer\" inkscape:label=\"{layer}\" fill=\"none\" stroke=\"#{r:02X}{g:02X}{b:02X}\" stroke-width=\"0.1\">\n"
+            "<g id=\"{layer}\" inkscape:groupmode=\"layer\" inkscape:label=\"{layer}\" fill=\"none\" stroke=\"#{r:02X}{g:02X}{b:02X}\" stroke-width=\"{pen}\">\n"
         );
         let lines: Vec<_> = lines.collect();
         // The names on a part are one path, which makes the document smaller.

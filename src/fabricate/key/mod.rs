@@ -15,7 +15,7 @@ use super::file::Drawing;
 use super::sight::{Sight, compass, from_above, from_camera};
 use crate::scene::Product;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
-use view::{Element, View};
+use view::{Element, Mark, View};
 
 /// The key drawings of a build.
 #[derive(Clone, Debug, Default)]
@@ -24,12 +24,6 @@ pub struct Key {
     pub drawings: Vec<Drawing>,
     /// The names that none of them shows: of what is hidden from all sides, or too small.
     pub unnamed: Vec<String>,
-}
-
-/// A name and what it is written on.
-struct Mark {
-    name: String,
-    element: Element,
 }
 
 /// Tilt of the views from the sides, in radians: that of an isometric drawing.

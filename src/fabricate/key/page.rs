@@ -1,7 +1,6 @@
 //! The paper for a view: the smallest on which its names can be read, and the drawing.
 
-use super::Mark;
-use super::view::{Spot, View};
+use super::view::{Mark, Spot, View};
 use crate::fabricate::file::{Drawing, DrawnLine};
 use crate::fabricate::sheet::{Role, strokes, text_width};
 use crate::math::plane::Point2;
@@ -11,7 +10,11 @@ const PAPERS: [[f64; 2]; 5] =
     [[210.0, 297.0], [297.0, 420.0], [420.0, 594.0], [594.0, 841.0], [841.0, 1189.0]];
 /// Free margin, in mm, and the height of the title in it.
 const MARGIN: f64 = 12.0;
-const TITLE: f64 = 3.0;
+const TITLE: [f64; 2] = [3.0, 8.0];
+/// Height of the title relative to the longer side.
+const OF_PAGE: f64 = 0.008;
+/// Width of lines, in mm: to be seen from afar.
+const PEN: f64 = 0.25;
 /// Heights of names in mm: the least that is written, the least that is read well, the largest.
 const LEAST: f64 = 1.0;
 const READABLE: f64 = 1.8;
@@ -74,8 +77,9 @@ impl Page {
         let edges = (0..view.surface.edges.len() as u32).filter_map(|edge| view.edge(edge));
         let mut lines: Vec<DrawnLine> =
             edges.map(|ends| DrawnLine::of_sheet(ends.map(put).to_vec())).collect();
-        let left = [MARGIN + 0.5 * text_width(&title, TITLE), 0.5 * MARGIN];
-        lines.extend(strokes(&title, TITLE, left, [1.0, 0.0]).into_iter().map(DrawnLine::of_sheet));
+        let tall = (OF_PAGE * self.size[0].max(self.size[1])).clamp(TITLE[0], TITLE[1]);
+        let left = [MARGIN + 0.5 * text_width(&title, tall), 0.5 * MARGIN];
+        lines.extend(strokes(&title, tall, left, [1.0, 0.0]).into_iter().map(DrawnLine::of_sheet));
         for (mark, spot) in marks.iter().zip(spots) {
             let Some(spot) = spot.filter(|spot| self.height(spot) >= LEAST) else { continue };
             let written = strokes(&mark.name, self.height(&spot), put(spot.at), spot.along);
@@ -87,7 +91,7 @@ impl Page {
                 panels: Vec::new(),
             }));
         }
-        Drawing { name, title, size: self.size, lines }
+        Drawing { name, title, size: self.size, pen: PEN, lines }
     }
 }
 

@@ -1,7 +1,6 @@
 //! The shape seen in one direction: where its panels, edges and vertices are in the picture, and which
 //! of them no panel hides.
 
-use super::Mark;
 use crate::fabricate::panel::{direction_of, roomiest_point};
 use crate::fabricate::sheet::{text_width, upright};
 use crate::fabricate::sight::Sight;
@@ -14,6 +13,12 @@ pub(super) enum Element {
     Panel(u32),
     Edge(u32),
     Vertex(u32),
+}
+
+/// A name and what it is written on.
+pub(super) struct Mark {
+    pub(super) name: String,
+    pub(super) element: Element,
 }
 
 /// Where a name is written in a picture, in the unit of the mesh.

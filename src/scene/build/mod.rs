@@ -2,7 +2,8 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `settings` | scale, sheet, joint, distance; their checks and presets |
+//! | `settings` | scale, sheet, joint, distance, and their checks |
+//! | `presets` | common materials, machines and sheets |
 //! | `choice` | the choices among them, such as products and kinds of offsets |
 //! | `declarations` | the declaration of every setting: name, unit, range, products |
 //! | `declared` | what is declared of a setting, and the checks that follow from it |
@@ -10,10 +11,12 @@
 mod choice;
 mod declarations;
 mod declared;
+mod presets;
 mod settings;
 
 pub(crate) use choice::page_counts;
 pub use choice::{Dxf, Names, OffsetKind, Order, Page, Pieces, Product};
 pub use declarations::BUILD_SETTINGS;
 pub use declared::{BuildForm, BuildGroup, BuildOption, BuildSetting, BuildUnit};
-pub use settings::{BUILD_PRESETS, BuildPreset, BuildSettings, CheckLimits};
+pub use presets::{BUILD_PRESETS, BuildPreset, PresetOf, PresetValues};
+pub use settings::{BuildSettings, CheckLimits};

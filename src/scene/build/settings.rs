@@ -1,4 +1,4 @@
-//! The settings of a build: scale, sheet, joint, distance; and their presets.
+//! The settings of a build: scale, sheet, joint, distance.
 
 use super::choice::{Dxf, Names, OffsetKind, Order, Page, Pieces, Product};
 use crate::json::{fixed, object, word, word_or_null};
@@ -99,17 +99,16 @@ impl Default for CheckLimits {
 impl Default for BuildSettings {
     /// Card models at 1:50 on A3.
     fn default() -> BuildSettings {
-        let BuildPreset { material, thickness, scale, sheet, .. } = BUILD_PRESETS[0];
         BuildSettings {
             product: Product::Panels,
             kind: None,
             distance: None,
             follow: 0.01,
             joint: 0.0,
-            scale,
-            material: material.to_owned(),
-            thickness,
-            sheet,
+            scale: 50.0,
+            material: "card".to_owned(),
+            thickness: 0.5,
+            sheet: [420.0, 297.0],
             margin: 5.0,
             gap: 3.0,
             kerf: 0.0,
@@ -130,61 +129,6 @@ impl Default for BuildSettings {
         }
     }
 }
-
-/// A combination of settings.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct BuildPreset {
-    /// Display name.
-    pub label: &'static str,
-    /// See [`BuildSettings`].
-    pub material: &'static str,
-    /// See [`BuildSettings`].
-    pub thickness: f64,
-    /// See [`BuildSettings`].
-    pub scale: f64,
-    /// See [`BuildSettings`].
-    pub sheet: [f64; 2],
-}
-
-/// Common scales, sheets and materials.
-pub const BUILD_PRESETS: [BuildPreset; 5] = [
-    BuildPreset {
-        label: "Card model 1:50, A3",
-        material: "card",
-        thickness: 0.5,
-        scale: 50.0,
-        sheet: [420.0, 297.0],
-    },
-    BuildPreset {
-        label: "3 mm plywood 1:20, 600 x 400",
-        material: "plywood",
-        thickness: 3.0,
-        scale: 20.0,
-        sheet: [600.0, 400.0],
-    },
-    BuildPreset {
-        label: "4 mm acrylic 1:50, 1200 x 600",
-        material: "acrylic",
-        thickness: 4.0,
-        scale: 50.0,
-        sheet: [1200.0, 600.0],
-    },
-    BuildPreset {
-        label: "Glass 1:1, 3210 x 2250",
-        material: "glass",
-        thickness: 10.0,
-        scale: 1.0,
-        sheet: [3210.0, 2250.0],
-    },
-    BuildPreset {
-        label: "Paper 1:100, A4",
-        material: "paper",
-        thickness: 0.2,
-        scale: 100.0,
-        sheet: [297.0, 210.0],
-    },
-];
 
 /// Largest number of pages that a sheet is tiled to.
 const MOST_PAGES: u64 = 1000;

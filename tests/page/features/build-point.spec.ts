@@ -42,7 +42,7 @@ test('a panel under the pointer marks its piece on the sheets, and the piece mar
     await page.mouse.click(...at);
     expect((await state(page)).selection.faces).toEqual([face]);
   }
-  await partsPanel(page).getByLabel('Material').hover();
+  await partsPanel(page).getByLabel('Material', { exact: true }).hover();
   await expect.poll(() => outlinesOf(partsPanel(page), 'pointed')).toEqual([]);
   await expect(sheets(page)).toContainText('Point at a part');
 });

@@ -142,17 +142,14 @@ test('settings are saved in the scene and can be undone; parts and panels are se
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await openParts(page);
   const before = (await sceneOf(page)).build;
-  await partsPanel(page).getByLabel('Material').selectOption({ index: 2 });
-  await waitForState(page, (now) => now.build?.scale === 20);
-  expect((await sceneOf(page)).build).toEqual({
-    material: 'plywood',
-    scale: 20,
-    sheet: [600, 400],
-    thickness: 3,
-  });
-  await page.getByRole('button', { name: 'Undo' }).click();
-  await waitForState(page, (now) => now.build?.scale === 50);
-  expect((await sceneOf(page)).build).toEqual(before);
+  const choices = { Material: 'Plywood 4 mm', Machine: 'Laser', 'Sheet size': '600 × 400 mm' };
+  for (const [name, label] of Object.entries(choices))
+    await partsPanel(page).getByLabel(name, { exact: true }).selectOption({ label });
+  await waitForState(page, (now) => now.build?.sheet_mm[0] === 600);
+  const chosen = { material: 'plywood', thickness: 4, kerf: 0.15, gap: 1, sheet: [600, 400] };
+  expect((await sceneOf(page)).build).toEqual(chosen);
+  for (let step = 0; step < 3; step++) await page.getByRole('button', { name: 'Undo' }).click();
+  await expect.poll(async () => (await sceneOf(page)).build).toEqual(before);
 
   // The part under the pointer, and no other, is marked, selected with its panel, and unmarked.
   for (const part of [3, 5]) {
@@ -162,11 +159,11 @@ test('settings are saved in the scene and can be undone; parts and panels are se
     await expect.poll(() => outlinesOf(partsPanel(page), 'chosen')).toEqual([outline]);
     expect((await state(page)).selection.faces).toHaveLength(1);
   }
-  await partsPanel(page).getByLabel('Material').hover();
+  await partsPanel(page).getByLabel('Material', { exact: true }).hover();
   await expect.poll(() => outlinesOf(partsPanel(page), 'pointed')).toEqual([]);
   await partsPanel(page).getByRole('button', { name: 'Panel flatness' }).click();
   await waitForState(page, (now) => now.selection.faces.length === 1);
-  await partsPanel(page).getByLabel('Material').press('Escape');
+  await partsPanel(page).getByLabel('Material', { exact: true }).press('Escape');
   await expect(partsPanel(page)).toBeHidden();
   expect((await state(page)).build).toBe(null);
 });

@@ -1,17 +1,9 @@
-/** The form of the declared settings, in their groups, and the presets of material and sheet. */
+/** The form of the declared settings, in their groups, and the presets of material, machine and sheet. */
 
 import { choice } from '../../ui/controls/fields.ts';
 import { declaredField, type SettingValue } from '../../ui/controls/declared-field.ts';
 import { element } from '../../ui/dom.ts';
 import type { BuildPreset, BuildSetting, BuildSettings } from '../../solver/types.ts';
-
-/** The settings of a preset. */
-const valuesOf = ({ material, thickness, scale, sheet }: BuildPreset): Partial<BuildSettings> => ({
-  material,
-  thickness,
-  scale,
-  sheet,
-});
 
 /** The keys of a path such as `sheet[0]` or `limits.warp`. */
 const keysOf = (path: string) => path.split(/[.[\]]/).filter(Boolean);
@@ -39,16 +31,27 @@ export function settingsForm(
   change: (change: Partial<BuildSettings>) => void,
 ) {
   let now: BuildSettings;
-  const preset = choice(
-    { id: 'parts-preset' },
-    (value) => change(valuesOf(presets[Number(value)])),
-    [['', 'Own settings'], ...presets.map(({ label }, k) => [String(k), label])],
-  );
-  const presetRow = element(
-    'div.field-row',
-    element('label', { for: preset.id }, 'Material'),
-    preset,
-  );
+  const choices = [...new Set(presets.map((preset) => preset.of))].map((of) => {
+    const own = presets.filter((preset) => preset.of === of);
+    const select = choice(
+      { id: `parts-preset-${of.toLowerCase().replace(' ', '-')}` },
+      (value) => change(own[Number(value)].values),
+      [['', 'Own'], ...own.map(({ label }, k) => [String(k), label])],
+    );
+    const row = element('div.field-row', element('label', { for: select.id }, of), select);
+    /** Shows the preset of the settings, if there is one. */
+    const show = (settings: BuildSettings) => {
+      const chosen = own.findIndex(({ values }) =>
+        Object.entries(values).every(
+          ([key, value]) =>
+            JSON.stringify(settings[key as keyof BuildSettings]) === JSON.stringify(value),
+        ),
+      );
+      select.value = chosen < 0 ? '' : String(chosen);
+      select.options[0].hidden = chosen >= 0;
+    };
+    return { row, show };
+  });
   // The offset has a slider that follows it.
   const fields = declared
     .filter(({ group }) => group !== 'Offset')
@@ -69,18 +72,11 @@ export function settingsForm(
     element('details', element('summary', groups[k + 1]), ...rows),
   );
   return {
-    form: element('div.parts-settings', make, presetRow, ...rows, ...folded),
+    form: element('div.parts-settings', make, ...choices.map(({ row }) => row), ...rows, ...folded),
     /** @param unit of the mesh */
     show(settings: BuildSettings, unit: string) {
       now = settings;
-      const own = presets.findIndex((preset) =>
-        Object.entries(valuesOf(preset)).every(
-          ([key, value]) =>
-            JSON.stringify(settings[key as keyof BuildSettings]) === JSON.stringify(value),
-        ),
-      );
-      preset.value = own < 0 ? '' : String(own);
-      preset.options[0].hidden = own >= 0;
+      choices.forEach((own) => own.show(settings));
       for (const { setting, row, show } of fields) {
         row.hidden = !setting.products.includes(settings.product);
         show(valueAt(settings, setting.id), unit);
