@@ -43,7 +43,8 @@ const BOUNDARIES: [BoundaryForecast['boundary'], string, string][] = [
 ];
 /** Where the card lies along the lower edge of the view. */
 const narrow = matchMedia('(max-width: 699px)');
-const AUTOMATIC = 'What moves less';
+/** Followed, unless cut panels move half as far or less. */
+const AUTOMATIC = 'Automatic';
 
 function newPanelsCard(
   { store, solver, jobs, viewport, actions, alerts }: AppContext,
@@ -105,14 +106,11 @@ function newPanelsCard(
     button('Cancel', () => jobs.cancel()),
   );
   const take = button('Use these panels', use, { class: 'primary' });
+  const closing = closeButton('Close new panels', close);
   const card = element(
     'section.card',
     { id: 'new-panels', 'aria-labelledby': 'heading-new-panels', hidden: true },
-    element(
-      'div.title',
-      element('h2', { id: 'heading-new-panels' }, 'New panels'),
-      closeButton('Close new panels', close),
-    ),
+    element('div.title', element('h2', { id: 'heading-new-panels' }, 'New panels'), closing),
     element(
       'div.sizes',
       element('label', element('span', 'Panels'), count.field),
@@ -303,7 +301,8 @@ function newPanelsCard(
     );
     card.hidden = false;
     update();
-    count.field.focus();
+    // A field would bring up the keyboard of a phone, over the card.
+    (narrow.matches ? closing : count.field).focus();
   }
 
   function close() {
