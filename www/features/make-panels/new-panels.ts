@@ -122,8 +122,7 @@ function newPanelsCard(
     keeps.label,
     said,
     working,
-    element('label', element('span', 'Then'), then),
-    take,
+    element('div.last', element('label', element('span', 'Then'), then), take),
   );
   viewport.element.after(card);
 
