@@ -3,6 +3,7 @@
 // pictures are kept in the repository, and the next build puts them into the site.
 // npm run pictures -- first: takes those of the first screen only; the gallery takes some minutes.
 // npm run pictures -- readme: takes those of the README, in .github.
+// npm run pictures -- example=ID: takes those of one example, whose results are there.
 
 import { chromium } from '@playwright/test';
 import { mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
@@ -201,14 +202,15 @@ async function takeFlattened({ page }, address, { id }) {
   await page.setViewportSize(windowOf());
 }
 
-async function takeGallery(browser, address) {
+/** Takes the pictures of all examples, or of one. */
+async function takeGallery(browser, address, only) {
   const [page, framing] = await Promise.all(
     [0, 1].map(() => browser.newPage({ viewport: windowOf() })),
   );
   page.on('pageerror', (error) => console.error(error));
   await load(framing, address);
   const results = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8'));
-  for (const result of results) {
+  for (const result of results.filter(({ id }) => !only || id === only)) {
     await (result.energy ? takeSolved : takeFlattened)({ page, framing }, address, result);
   }
 }
@@ -223,7 +225,8 @@ const solveExamples = () =>
 
 await main(async () => {
   const [onlyFirst, onlyReadme] = ['first', 'readme'].map((word) => process.argv.includes(word));
-  if (!onlyFirst && !onlyReadme) {
+  const only = process.argv.find((word) => word.startsWith('example='))?.slice('example='.length);
+  if (!onlyFirst && !onlyReadme && !only) {
     rmSync(folder, { recursive: true, force: true });
     mkdirSync(folder);
     say('solving the examples for their results');
@@ -236,11 +239,13 @@ await main(async () => {
   });
   try {
     if (onlyReadme) return await takeReadme(browser, address);
-    say('taking pictures of the first screen');
-    await takeFirst(browser, address);
+    if (!only) {
+      say('taking pictures of the first screen');
+      await takeFirst(browser, address);
+    }
     if (onlyFirst) return;
     say('taking pictures of the gallery');
-    await takeGallery(browser, address);
+    await takeGallery(browser, address, only);
   } finally {
     await browser.close();
     close();

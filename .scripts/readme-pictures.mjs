@@ -4,7 +4,7 @@
 import { writeFileSync } from 'node:fs';
 import { objText } from './bench/problems.mjs';
 import { at } from './project.mjs';
-import { trianglesOn, vault } from './surfaces.mjs';
+import { vaultTriangles } from './surfaces.mjs';
 
 const VIEW = { width: 1440, height: 900 };
 /** The size of each of the three pictures, in CSS pixels. */
@@ -30,7 +30,7 @@ async function pictureOf(page) {
 
 /** Makes panels of the vault and a sheet as a user does; returns the three pictures as data URLs. */
 async function walk(page, address) {
-  const { points, faces } = trianglesOn(vault);
+  const { points, faces } = vaultTriangles();
   const obj = objText(points, faces);
   await page.goto(address);
   await page.waitForFunction(() => window.shapeUp?.state().converged);

@@ -3,11 +3,11 @@
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { hills, trianglesOn, vault } from '../surfaces.mjs';
+import { hillTriangles, vaultTriangles } from '../surfaces.mjs';
 import { quadsOf } from './peers.mjs';
 import { benchFolder, objText } from './problems.mjs';
 
-const surfaces = { vault, hills };
+const surfaces = { vault: vaultTriangles, hills: hillTriangles };
 /** What makes the quads: ours with each choice at the boundary, and other libraries. */
 const WAYS = [
   { library: 'ours, boundary followed', boundary: 'follow' },
@@ -59,7 +59,7 @@ function edgesIn(path) {
 /** Measures a case; moves are in mean edges of the panels. */
 export async function measureQuads({ surface, panels, library, boundary }, on, where) {
   mkdirSync(benchFolder, { recursive: true });
-  const { points, faces } = trianglesOn(surfaces[surface]);
+  const { points, faces } = surfaces[surface]();
   const mesh = objText(points, faces);
   const row = { library, triangles: faces.length, seconds: {} };
   if (boundary) {

@@ -48,6 +48,8 @@ pub enum RemeshError {
     NotFollowed {
         /// What was wrong with the first attempt.
         fault: ResultFault,
+        /// A smaller size of panels that was tried and follows the surface, in the unit of the mesh.
+        follows: Option<f64>,
     },
     /// The observer asked to stop.
     Cancelled,
@@ -76,50 +78,61 @@ impl RemeshError {
     }
 }
 
-impl fmt::Display for RemeshError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+/// Sizes in words are on the safe side of their limit by this fraction, more than rounding takes.
+const SAFE: f64 = 0.005;
+
+impl RemeshError {
+    /// The sentence, without a full stop; `units` is the symbol of the unit of the mesh, in which sizes
+    /// are entered, empty if it is not known.
+    pub fn words(&self, units: &str) -> String {
+        let side = |size: f64| words::limit_like(words::rounded(size, 3), units, 1.0);
         match self {
-            RemeshError::Empty => write!(f, "there are no faces with an area"),
+            RemeshError::Empty => "there are no faces with an area".to_owned(),
             RemeshError::TooFewTriangles { .. } => {
-                write!(f, "a part of the surface has fewer than ten triangles")
+                "a part of the surface has fewer than ten triangles".to_owned()
             }
             RemeshError::BranchingEdge { count: 1, .. } => {
-                write!(f, "three or more faces meet in an edge: split the surface there")
+                "three or more faces meet in an edge: split the surface there".to_owned()
             }
             RemeshError::BranchingEdge { count, .. } => {
-                write!(f, "three or more faces meet in {count} edges: split the surface there")
+                format!("three or more faces meet in {count} edges: split the surface there")
             }
             RemeshError::OneSided { .. } => {
-                write!(f, "a part of the surface has one side only: cut it open")
+                "a part of the surface has one side only: cut it open".to_owned()
             }
             RemeshError::SizeTooSmall { least } => {
-                let least = words::brief(words::rounded(*least, 2));
-                write!(
-                    f,
+                let least = side(least * (1.0 + SAFE));
+                format!(
                     "panels of this size are more than 100 000, expected sides of {least} or more"
                 )
             }
             RemeshError::SizeTooLarge { greatest, .. } => {
-                let greatest = words::brief(words::rounded(*greatest, 2));
-                write!(
-                    f,
+                let greatest = side(greatest * (1.0 - SAFE));
+                format!(
                     "panels of this size are too large for the surface, expected sides of {greatest} or less"
                 )
             }
             RemeshError::Numerical => {
-                write!(f, "the coordinates of the surface are out of proportion")
+                "the coordinates of the surface are out of proportion".to_owned()
             }
             RemeshError::OutOfRange => {
-                write!(f, "the surface is too large for panels of this size")
+                "the surface is too large for panels of this size".to_owned()
             }
-            RemeshError::NotFollowed { fault } => {
-                write!(
-                    f,
-                    "panels of this size cannot follow the surface ({fault}): try smaller ones"
-                )
+            RemeshError::NotFollowed { fault, follows } => {
+                let remedy = match follows {
+                    Some(size) => format!("sides of {} can", side(*size)),
+                    None => "try smaller ones".to_owned(),
+                };
+                format!("panels of this size cannot follow the surface ({fault}): {remedy}")
             }
-            RemeshError::Cancelled => write!(f, "cancelled"),
+            RemeshError::Cancelled => "cancelled".to_owned(),
         }
+    }
+}
+
+impl fmt::Display for RemeshError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.words(""))
     }
 }
 

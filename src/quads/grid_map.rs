@@ -61,6 +61,16 @@ impl Triangulation {
         (b - a).cross(c - a)
     }
 
+    /// Barycentric coordinates of the foot of a point in the plane of a triangle.
+    pub(super) fn barycentric(&self, triangle: usize, point: Vec3<f64>) -> [f64; 3] {
+        let area = self.area_vector(triangle);
+        let square = area.length_squared();
+        [0, 1, 2].map(|k| {
+            let [b, c] = [1, 2].map(|next| self.at(triangle, k + next) - point);
+            b.cross(c).dot(area) / square
+        })
+    }
+
     /// All sides, triangle by triangle.
     pub fn sides(&self) -> impl Iterator<Item = Side> + use<> {
         (0..self.triangles.len())

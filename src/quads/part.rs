@@ -2,15 +2,16 @@
 
 use super::extract::{Extraction, Node, Place, extract};
 use super::fault::ResultFault;
-use super::glide::glide;
-use super::grid_map::Triangulation;
+use super::glide::{glide, holds};
+use super::grid_map::{GridMap, Triangulation};
 use super::map::{GridMapper, MapNotes};
 use super::repair::{Repaired, repair, trim};
 use super::result::{Samples, Shape, verify};
-use super::surface::Prepared;
+use super::surface::{InputSurface, Prepared};
 use super::{Boundary, MapOptions, RemeshError, RemeshObserver, RemeshStage};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Measures, Mesh, Point, Ragged};
+use std::collections::BTreeMap;
 
 /// The result of one connected part.
 pub(super) struct Part {
@@ -23,17 +24,20 @@ pub(super) struct Part {
     pub(super) level: u32,
     /// Where faces were repaired or panels are turned over.
     pub(super) lost: Vec<Vec3<f64>>,
+    /// Where the surface turns by more than a right angle from one panel to the next, other than at a
+    /// crease that they follow.
+    pub(super) folds: Vec<Vec3<f64>>,
 }
 
-/// Divisors of the weight of alignment, with their least levels, tried in turn if a result is not a
-/// surface like its input.
-const ATTEMPTS: [(f64, u32); 3] = [(1.0, 0), (16.0, 2), (f64::INFINITY, 3)];
+/// Maps with flipped triangles are tried up to this level if one gives a surface like the input:
+/// those of later levels follow little of the curvature.
+const LAST_RETRY: u32 = 1;
 /// Other numbers of panels that are tried, as factors: integers fall differently, and of the results
 /// that whose panels are nearest to circles is taken.
 const NUMBERS: [f64; 2] = [0.96, 1.04];
 /// The most integers of a map for which other numbers are tried, and the most panels: of many panels
 /// the integers matter less.
-const MOST_INTEGERS: usize = 100;
+const MOST_INTEGERS: usize = 60;
 const MOST_PANELS: f64 = 3000.0;
 /// The number of panels may differ by this factor from the wanted one for the sake of circles.
 const OFF: f64 = 1.08;
@@ -47,76 +51,117 @@ pub(super) struct Asked<'a> {
 }
 
 impl Asked<'_> {
-    /// Remeshes a part, by several attempts if the result is not a surface like it.
+    /// Remeshes a part: of the maps of one level after another that gives a surface like the part
+    /// without a lost place, or with the fewest.
     pub(super) fn part(
         &self,
         mapper: &mut GridMapper,
         observer: &mut RemeshObserver<'_>,
     ) -> Result<Part, RemeshError> {
+        let MapOptions { follow, direction, .. } = *self.options;
+        let mut best: Option<(Part, MapNotes)> = None;
         let mut fault: Option<ResultFault> = None;
-        for (divisor, level) in ATTEMPTS {
-            let (found, notes) = self.attempt(mapper, divisor, self.wanted, observer)?;
-            let mut best = match found {
-                Ok(found) => found,
-                Err(first) => {
-                    fault = fault.or(Some(first));
-                    continue;
+        mapper.maps(
+            [follow, direction, self.wanted],
+            observer,
+            &mut |prepared, map, notes, observer| {
+                if !observer(RemeshStage::Extract, 0.0) {
+                    return Err(RemeshError::Cancelled);
                 }
-            };
-            let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS;
-            if notes.flipped.is_empty() && is_small {
-                for (k, factor) in NUMBERS.into_iter().enumerate() {
-                    let wanted = self.wanted * factor;
-                    let share = (1 + k) as f64 / (1 + NUMBERS.len()) as f64;
-                    let mut observed = |_, _| observer(RemeshStage::Extract, share);
-                    let (found, _) = self.attempt(mapper, divisor, wanted, &mut observed)?;
-                    let Ok(found) = found else { continue };
-                    let count = found.faces.len() as f64 / self.wanted;
-                    let is_near = count.max(1.0 / count) < OFF;
-                    if is_near
-                        && found.lost.len() <= best.lost.len()
-                        && found.off_circles() < best.off_circles()
-                    {
-                        best = found;
+                let level = notes.level;
+                let mut is_whole = false;
+                match self.result(prepared, &map, &notes) {
+                    Ok(part) => {
+                        is_whole = notes.flipped.is_empty() || part.lost.is_empty();
+                        let loses_fewer =
+                            best.as_ref().is_none_or(|(best, _)| part.lost.len() < best.lost.len());
+                        if is_whole || loses_fewer {
+                            best = Some((part, notes));
+                        }
                     }
+                    Err(first) => fault = fault.or(Some(first)),
                 }
+                let is_late = best.is_some() && level >= LAST_RETRY;
+                Ok(!is_whole && !is_late)
+            },
+        )?;
+        let Some((mut best, notes)) = best else {
+            return Err(RemeshError::NotFollowed {
+                fault: fault.expect("a map failed"),
+                follows: None,
+            });
+        };
+        let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS;
+        if notes.level == 0 && notes.flipped.is_empty() && is_small {
+            for (k, factor) in NUMBERS.into_iter().enumerate() {
+                let weights = [follow, direction, self.wanted * factor];
+                let share = (1 + k) as f64 / (1 + NUMBERS.len()) as f64;
+                let mut observed = |_, _| observer(RemeshStage::Extract, share);
+                mapper.maps(weights, &mut observed, &mut |prepared, map, notes, _| {
+                    if let Ok(found) = self.result(prepared, &map, &notes) {
+                        let count = found.faces.len() as f64 / self.wanted;
+                        let is_near = count.max(1.0 / count) < OFF;
+                        if notes.flipped.is_empty()
+                            && is_near
+                            && found.lost.len() <= best.lost.len()
+                            && found.off_circles() < best.off_circles()
+                        {
+                            best = found;
+                        }
+                    }
+                    // The first map of each number.
+                    Ok(false)
+                })?;
             }
-            return Ok(Part { level: best.level.max(level), ..best });
         }
-        Err(RemeshError::NotFollowed { fault: fault.expect("an attempt failed") })
+        Ok(best)
     }
 
-    /// One map, and what comes of it: without lines through flipped triangles if not with them.
-    fn attempt(
+    /// A smaller size of panels that follows the surface, if half the `size` does.
+    ///
+    /// # Errors
+    /// If the observer says no.
+    pub(super) fn size_that_follows(
         &self,
-        mapper: &mut GridMapper,
-        divisor: f64,
-        wanted: f64,
+        surface: &InputSurface,
+        size: f64,
         observer: &mut RemeshObserver<'_>,
-    ) -> Result<(Result<Part, ResultFault>, MapNotes), RemeshError> {
-        let MapOptions { follow, direction, boundary, .. } = *self.options;
-        let (map, notes) = mapper.map(follow / divisor, direction, wanted, observer)?;
-        if !observer(RemeshStage::Extract, 0.0) {
-            return Err(RemeshError::Cancelled);
+    ) -> Result<Option<f64>, RemeshError> {
+        let half = 0.5 * size;
+        let Ok(prepared) = surface.prepare(half, self.options) else { return Ok(None) };
+        let asked = Asked { wanted: 4.0 * self.wanted, ..*self };
+        match asked.part(&mut GridMapper::new(prepared), observer) {
+            Ok(_) => Ok(Some(half)),
+            Err(RemeshError::Cancelled) => Err(RemeshError::Cancelled),
+            Err(_) => Ok(None),
         }
-        let prepared = mapper.prepared();
+    }
+
+    /// What comes of a map: without lines through flipped triangles if not with them.
+    fn result(
+        &self,
+        prepared: &Prepared,
+        map: &GridMap,
+        notes: &MapNotes,
+    ) -> Result<Part, ResultFault> {
+        let boundary = self.options.boundary;
         let expected = Shape::of(&prepared.surface.triangles);
         let mut fault = None;
         let ways: &[bool] = if notes.flipped.is_empty() { &[false] } else { &[false, true] };
         for &careful in ways {
-            let extraction = extract(&prepared.surface, &map, careful);
-            let (part, at_boundary) = finish(self.mesh, prepared, extraction, &notes, boundary);
+            let extraction = extract(&prepared.surface, map, careful);
+            let (part, at_boundary) = finish(self.mesh, prepared, extraction, notes, boundary);
             let fits = |face: &[usize]| {
                 let trimmed = boundary == Boundary::Cut && face.iter().any(|&v| at_boundary[v]);
                 face.len() == 4 || trimmed && (3..=5).contains(&face.len())
             };
             let (shape, faults) = verify(&part.faces, expected, fits);
             match faults.first() {
-                None => return Ok((Ok(Part { shape, ..part }), notes)),
+                None => return Ok(Part { shape, ..part }),
                 Some(&first) => fault = fault.or(Some(first)),
             }
         }
-        Ok((Err(fault.expect("an attempt failed")), notes))
+        Err(fault.expect("a way failed"))
     }
 }
 
@@ -163,6 +208,7 @@ fn finish(
         area.dot(normal) <= 0.0
     };
     lost.extend(faces.iter().filter(|face| is_turned(face)).map(|face| middle(face)));
+    let folds = folds(prepared, &nodes, &faces);
     // Only nodes of faces become vertices.
     let mut number = vec![usize::MAX; nodes.len()];
     let mut used: Vec<usize> = faces.iter().flatten().copied().collect();
@@ -184,8 +230,33 @@ fn finish(
         size: prepared.size,
         level: notes.level,
         lost,
+        folds,
     };
     (part, used.iter().map(|&node| nodes[node].boundary).collect())
+}
+
+/// The middles of the edges over which the normals of panels turn by more than a right angle, without
+/// those along features.
+fn folds(prepared: &Prepared, nodes: &[Node], faces: &[Vec<usize>]) -> Vec<Vec3<f64>> {
+    let held = holds(&prepared.surface, nodes);
+    let normal = |face: &[usize]| twice_vector_area(face.iter().map(|&node| nodes[node].position));
+    let mut first: BTreeMap<[usize; 2], Vec3<f64>> = BTreeMap::new();
+    let mut found = Vec::new();
+    for face in faces {
+        let own = normal(face);
+        for (k, &a) in face.iter().enumerate() {
+            let b = face[(k + 1) % face.len()];
+            if held[a] && held[b] {
+                continue;
+            }
+            if let Some(other) = first.insert([a.min(b), a.max(b)], own)
+                && other.dot(own) < 0.0
+            {
+                found.push((nodes[a].position + nodes[b].position) * 0.5);
+            }
+        }
+    }
+    found
 }
 
 /// Moves a node to the nearest point of the boundary.

@@ -48,7 +48,7 @@ struct Kept {
     size: f64,
     crease: Option<f64>,
     boundary: Boundary,
-    /// One for each part; none if its last map gave creases up, which another one may need.
+    /// One for each part; none before it is covered, or if it cannot be.
     mappers: Vec<Option<GridMapper>>,
 }
 
@@ -121,11 +121,16 @@ impl Remesher {
                 };
                 let wanted = surface.area() / (size * size);
                 let part = Asked { mesh, options, wanted }.part(&mut mapper, &mut of_part)?;
-                *place = (mapper.prepared().notes.abandoned == 0).then_some(mapper);
+                *place = Some(mapper);
                 Ok(part)
             };
             match covered() {
                 Ok(part) => parts.push(part),
+                Err(RemeshError::NotFollowed { fault, .. }) => {
+                    let smaller = Asked { mesh, options, wanted: surface.area() / (size * size) };
+                    let follows = smaller.size_that_follows(surface, size, &mut of_part)?;
+                    left.push(surface.left(RemeshError::NotFollowed { fault, follows }));
+                }
                 Err(error) if error.is_of_part() => left.push(surface.left(error)),
                 Err(error) => return Err(error),
             }
@@ -147,7 +152,7 @@ impl Remesher {
         let mut found = together((&measured.mesh, &measured.surface), parts, cuts, units);
         self.measured = Some(measured);
         found.append(mesh, &staying);
-        found.notes.extend(notes_on(&left));
+        found.notes.extend(notes_on(&left, units));
         self.kept.push(kept);
         Ok(found)
     }

@@ -101,14 +101,14 @@ impl Remeshed {
     }
 }
 
-/// Says which parts stay as they are, and why.
-pub(super) fn notes_on(left: &[LeftPart]) -> Vec<RemeshNote> {
+/// Says which parts stay as they are, and why; `units` is the symbol of the unit.
+pub(super) fn notes_on(left: &[LeftPart], units: &str) -> Vec<RemeshNote> {
     let mut notes: Vec<(String, usize, Vec<Vec3<f64>>)> = Vec::new();
     for part in left {
         // Of a small part the whole is the place.
         let (why, at) = match part.error {
             RemeshError::TooFewTriangles { .. } => (String::new(), part.at),
-            ref error => (format!(": {error}"), error.place().unwrap_or(part.at)),
+            ref error => (format!(": {}", error.words(units)), error.place().unwrap_or(part.at)),
         };
         match notes.iter_mut().find(|(known, ..)| *known == why) {
             Some((_, count, places)) => {
@@ -135,7 +135,8 @@ fn not_followed(
     units: &str,
 ) -> Option<RemeshNote> {
     let size = parts.first()?.size;
-    let mut lost: Vec<Vec3<f64>> = parts.iter().flat_map(|part| part.lost.clone()).collect();
+    let of_part = |part: &Part| [part.lost.clone(), part.folds.clone()].concat();
+    let mut lost: Vec<Vec3<f64>> = parts.iter().flat_map(of_part).collect();
     let used = input.used_positions();
     let far = used.iter().zip(&distances.from_input).filter(|(_, d)| **d > FAR * size);
     lost.extend(far.map(|(&point, _)| Vec3::from(point)));

@@ -443,6 +443,15 @@ const STATEMENTS: &[Statement] = &[
             ("Gauss curvature", run.gauss_curvature(), 0.035..0.045),
         ]
     }),
+    ("other-new-panels", |run| {
+        vec![
+            ("panels", run.mesh.faces.len() as f64, 479.5..480.5),
+            ("from circles before", run.before.circularity.max_distance, 0.012..0.013),
+            ("from circles", run.after.circularity.max_distance, 0.0..1e-9),
+            ("off the triangles before", run.off_the_other_surface()[0], 0.0..1e-9),
+            ("off the triangles", run.off_the_other_surface()[1], 0.15..0.16),
+        ]
+    }),
 ];
 
 #[test]

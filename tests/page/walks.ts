@@ -10,7 +10,7 @@ import {
   showPanel,
   tool,
 } from './actions.ts';
-import { file, wavyGrid } from './meshes.ts';
+import { file, vault, wavyGrid } from './meshes.ts';
 import { dragVertex, expect, screenOf, state, waitForState } from './support.ts';
 
 async function selectAllFaces(page: Page) {
@@ -370,6 +370,27 @@ export const walks: Record<string, State[]> = {
         await page.getByRole('button', { name: 'Write a lesson' }).click();
         await expect(page.getByRole('dialog', { name: 'Lesson' })).toBeVisible();
       },
+    },
+  ],
+  'new panels': [
+    {
+      name: 'laid out, with both choices at the boundary',
+      reach: async (page) => {
+        await openText(page, 'vault.obj', vault(14), 225);
+        await page.getByRole('button', { name: 'New panels along the curvature' }).click();
+        const card = page.getByRole('region', { name: 'New panels' });
+        await expect(card.getByRole('definition').nth(1)).toHaveText(/will move/);
+      },
+    },
+    {
+      name: 'a size that is refused',
+      reach: async (page) => {
+        const card = page.getByRole('region', { name: 'New panels' });
+        await card.getByLabel('Side').fill('1000');
+        await card.getByLabel('Side').press('Enter');
+        await expect(card.getByRole('button', { name: /^Not possible: / })).toBeVisible();
+      },
+      leave: escape,
     },
   ],
   'other examples': [

@@ -1,10 +1,12 @@
 //! The lines of curvature are followed where there are any.
 
-use super::surfaces::{ellipsoid, hypar, plate, torus, tube, vault};
+use super::surfaces::{ellipsoid, groin, hypar, plate, torus, tube, vault};
 use super::{check, panels, with};
-use shape_up::math::Vec3;
-use shape_up::mesh::{BoundingSphere, Measures, Mesh};
+use crate::support::shared;
+use shape_up::math::{Vec3, twice_vector_area};
+use shape_up::mesh::{BoundingSphere, Measures, Mesh, Topology};
 use shape_up::quads::{MapOptions, PanelSize, Remeshed, Remesher};
+use std::collections::BTreeMap;
 
 #[test]
 fn a_torus_a_tube_and_a_plate_have_no_irregular_vertex() {
@@ -98,6 +100,48 @@ fn a_mirrored_surface_gives_the_mirrored_panels() {
     };
     let farthest = expected.positions.iter().map(nearest).fold(0.0, f64::max);
     assert!(farthest < 1e-6, "{farthest}");
+}
+
+#[test]
+fn a_groin_vault_is_covered_from_its_creases_to_its_corners() {
+    let mesh = groin();
+    let found = panels(&mesh, 300).unwrap();
+    check(&mesh, &found);
+    assert!(found.notes.is_empty() && found.level == 0, "{:?}", found.notes);
+    // The creases are followed wherever they turn by more than a crease must.
+    let on_crease = |v: u32| {
+        let [x, y, _] = found.mesh.positions[v as usize];
+        (x.abs() - y.abs()).abs() < 1e-9 && x.abs() > 1.5
+    };
+    let edges = Topology::new(&found.mesh);
+    let along = edges.edges().iter().filter(|[a, b]| on_crease(*a) && on_crease(*b)).count();
+    assert!(along >= 4 * 2, "{along}");
+}
+
+#[test]
+fn where_neighbouring_panels_fold_is_named() {
+    // A scan with details smaller than a panel.
+    let Some(mesh) = shared::mesh("camelhead.off") else { return };
+    let found = panels(&mesh, 500).unwrap();
+    let reach = 4.0 * found.measures.edge.mean;
+    let at = |v: u32| Vec3::from(found.mesh.positions[v as usize]);
+    let places: Vec<Vec3<f64>> =
+        found.notes.iter().flat_map(|note| note.places.iter().copied()).collect();
+    let (mut first, mut folds) = (BTreeMap::new(), 0);
+    for face in found.mesh.faces.iter() {
+        let normal = twice_vector_area(face.iter().map(|&v| at(v)));
+        for k in 0..face.len() {
+            let [a, b] = [face[k], face[(k + 1) % face.len()]];
+            let Some(other) = first.insert([a.min(b), a.max(b)], normal) else { continue };
+            if normal.dot(other) < 0.0 {
+                folds += 1;
+                let middle = (at(a) + at(b)) * 0.5;
+                let is_named = places.iter().any(|&place| (place - middle).length() < reach);
+                assert!(is_named, "a fold at {middle:?}, {places:?}");
+            }
+        }
+    }
+    assert!(folds > 0, "details are smaller than panels");
 }
 
 #[test]

@@ -4,7 +4,9 @@ use super::surfaces::{parametric, torus, tube, vault};
 use super::{check, panels, with};
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Point, Topology};
-use shape_up::quads::{MapOptions, PanelSize, RemeshError, RemeshStage, Remesher, remesh};
+use shape_up::quads::{
+    InputSurface, MapOptions, PanelSize, RemeshError, RemeshStage, Remesher, remesh,
+};
 
 /// Both meshes in one.
 fn both(first: &Mesh, second: &Mesh, moved: Point) -> Mesh {
@@ -121,6 +123,17 @@ fn what_cannot_be_remeshed_is_refused_with_the_reason() {
     assert!(matches!(large, RemeshError::SizeTooLarge { .. }), "{large}");
     let small = refused(&tube(), PanelSize::Length(1e-6));
     assert!(matches!(small, RemeshError::SizeTooSmall { .. }), "{small}");
+    // What is said to fit does, and has the unit.
+    for (error, fits) in [(&large, "or less"), (&small, "or more")] {
+        let words = error.words("m");
+        let side = words.split("sides of ").nth(1).expect("it names a size");
+        let (number, rest) = side.split_once(' ').expect("it has a unit");
+        assert_eq!(rest, format!("m {fits}"));
+        let length: f64 = number.replace('−', "-").parse().expect("it is a number");
+        let size = PanelSize::Length(length);
+        let part = &InputSurface::components(&tube()).unwrap()[0];
+        assert!(part.prepare(length, &MapOptions::of_size(size)).is_ok(), "{words}");
+    }
     // A third sheet along a line of the vault.
     let mut branching = vault();
     branching.positions.push([4.0, 3.0, 9.0]);

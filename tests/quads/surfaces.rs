@@ -120,6 +120,15 @@ pub(crate) fn vault() -> Mesh {
     })
 }
 
+/// A groin vault over a square: two barrel vaults that cross, with creases along the diagonals. At its
+/// corners a crease meets two sides at less than half a right angle.
+pub(crate) fn groin() -> Mesh {
+    parametric([24, 24], [false, false], |u, v| {
+        let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+        [3.0 * x, 3.0 * y, 3.0 * (1.0 - (x * x).min(y * y))]
+    })
+}
+
 /// A mesh without the vertices that no face uses.
 pub(crate) fn without_stray(mut mesh: Mesh) -> Mesh {
     let mut name = vec![u32::MAX; mesh.positions.len()];

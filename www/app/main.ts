@@ -214,7 +214,9 @@ function bindSolver(client: SolverClient) {
     store.set({ status: running ? 'Running' : (ended ?? '') });
   });
   client.on('busy', ({ busy }) => offerCancel('solver', busy, () => client.abandon()));
-  jobs.on('busy', ({ busy }) => offerCancel('jobs', busy, () => jobs.cancel()));
+  // The card of new panels says itself what it does, with its own Cancel.
+  const isSaid = () => store.get().corner === 'new-panels';
+  jobs.on('busy', ({ busy }) => offerCancel('jobs', busy && !isSaid(), () => jobs.cancel()));
   client.on('trouble', ({ message }) => alerts.error(message));
   client.on('absent', ({ message }) => {
     alerts.stop(message, { label: 'Reload', action: () => location.reload() });

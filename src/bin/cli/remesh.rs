@@ -119,7 +119,7 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
         true
     });
     entered(RemeshStage::Verify);
-    let found = found.map_err(|error| at_input(refusal(&error)))?;
+    let found = found.map_err(|error| at_input(refusal(&error, &scene.units)))?;
     seconds.total = clock::now() - started;
     if mesh.groups.len() + mesh.curves.len() > 0 {
         remarks.push("groups and curves of the input are not carried over".to_owned());
@@ -172,13 +172,13 @@ fn summary(found: &Remeshed, units: &str) -> String {
     parts.join(", ")
 }
 
-/// Why nothing came out, with the place.
-fn refusal(error: &RemeshError) -> String {
+/// Why nothing came out, with the place; sizes in `units`.
+fn refusal(error: &RemeshError, units: &str) -> String {
     match error.place() {
-        None => error.to_string(),
+        None => error.words(units),
         Some(place) => {
             let [x, y, z] = [place.x, place.y, place.z].map(words::number);
-            format!("{error}; it is at ({x}, {y}, {z})")
+            format!("{}; it is at ({x}, {y}, {z})", error.words(units))
         }
     }
 }

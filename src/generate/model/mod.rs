@@ -11,6 +11,7 @@ mod pavilion;
 mod roofs;
 mod sheets;
 mod towers;
+mod vault;
 
 pub use archway::Archway;
 pub use blocks::Blocks;
@@ -23,3 +24,4 @@ pub use pavilion::Pavilion;
 pub use roofs::{Canopy, Court, Dome};
 pub use sheets::{Hypar, Net, Patch, Strip};
 pub use towers::{Lantern, Tower, Vase};
+pub use vault::Vault;

@@ -72,7 +72,7 @@ fn is_worse(before: &[Node], after: &[Node], face: &[usize]) -> bool {
 }
 
 /// Whether each node stays: on the boundary, or on a feature.
-fn holds(surface: &Triangulation, nodes: &[Node]) -> Vec<bool> {
+pub(super) fn holds(surface: &Triangulation, nodes: &[Node]) -> Vec<bool> {
     let mut on_feature = vec![false; surface.positions.len()];
     for side in surface.sides().filter(|&side| surface.is_feature(side)) {
         (0..2).for_each(|k| on_feature[surface.corner(side.triangle, side.side + k)] = true);

@@ -12,7 +12,7 @@ const MOST: usize = 64;
 pub(super) fn walk(surface: &Triangulation, start: usize, point: Vec3<f64>) -> (usize, Vec3<f64>) {
     let (mut triangle, mut last) = (start, None);
     for _ in 0..MOST {
-        let weights = weights(surface, triangle, point);
+        let weights = surface.barycentric(triangle, point);
         let beyond = (0..3).filter(|&k| weights[k] < 0.0);
         let Some(corner) = beyond.min_by(|&i, &j| weights[i].total_cmp(&weights[j])) else {
             let at = |k: usize| surface.at(triangle, k) * weights[k];
@@ -28,16 +28,6 @@ pub(super) fn walk(surface: &Triangulation, start: usize, point: Vec3<f64>) -> (
         }
     }
     (triangle, on_side(surface, Side { triangle, side: 0 }, point))
-}
-
-/// Barycentric coordinates of the foot of a point in the plane of a triangle.
-fn weights(surface: &Triangulation, triangle: usize, point: Vec3<f64>) -> [f64; 3] {
-    let area = surface.area_vector(triangle);
-    let square = area.length_squared();
-    [0, 1, 2].map(|k| {
-        let [b, c] = [1, 2].map(|next| surface.at(triangle, k + next) - point);
-        b.cross(c).dot(area) / square
-    })
 }
 
 /// The point of a side that is nearest to a point.

@@ -22,14 +22,19 @@ pub(crate) struct Energy {
     pub system: SymmetricSystem,
     /// The index in the system of each free unknown of the seams; `None` if pinned.
     pub unknowns: Vec<Option<usize>>,
-    /// Additions to the matrix, triangle by triangle: place, factor, number of the entry of the
-    /// element matrix.
-    additions: Vec<(u32, f64, u8)>,
-    /// Start of each triangle in `additions`, and the end of the last one.
-    starts: Vec<u32>,
+    /// Two of each triangle: u, and v.
+    blocks: Vec<Block>,
     /// For each triangle the entries of `K` of u and v (rows and columns are corners), and the
     /// right-hand sides, for a weight of one.
     elements: Vec<Element>,
+}
+
+/// One coordinate of the corners of a triangle in the unknowns of the system: `P` of `P^T K P`.
+struct Block {
+    /// For each unknown its coefficient in the coordinate of each corner.
+    columns: Vec<[f64; 3]>,
+    /// Places in the matrix of the pairs of unknowns, of each with itself and with those before it.
+    places: Vec<u32>,
 }
 
 #[derive(Clone, Copy)]
@@ -58,50 +63,67 @@ impl Energy {
                 count += 1;
             }
         }
-        let rows: Vec<Vec<(usize, f64)>> = seams
-            .sums
-            .iter()
-            .map(|row| row.iter().filter_map(|&(k, c)| Some((unknowns[k as usize]?, c))).collect())
-            .collect();
         let n = prepared.surface.triangles.len();
-        let entries = |t: usize| {
-            let rows = &rows;
-            let classes = seams.classes[t];
-            (0..18usize).flat_map(move |k| {
-                let (axis, a, c) = (k / 9, k % 9 / 3, k % 3);
-                let row = &rows[2 * classes[a] as usize + axis];
-                let column = &rows[2 * classes[c] as usize + axis];
-                row.iter().flat_map(move |&(i, x)| {
-                    column.iter().map(move |&(j, y)| (i, j, x * y, k as u8))
-                })
-            })
+        // The rows of the three corners share most of their unknowns, over many cuts many.
+        let block = |k: usize| {
+            let rows = seams.classes[k / 2].map(|class| &seams.sums[2 * class as usize + k % 2]);
+            let mut columns: Vec<(usize, [f64; 3])> = Vec::new();
+            for (corner, row) in rows.into_iter().enumerate() {
+                for &(k, c) in row {
+                    let Some(unknown) = unknowns[k as usize] else { continue };
+                    let mut column = [0.0; 3];
+                    column[corner] = c;
+                    columns.push((unknown, column));
+                }
+            }
+            columns.sort_by_key(|&(unknown, _)| unknown);
+            columns.dedup_by(|later, first| {
+                let same = later.0 == first.0;
+                if same {
+                    first.1.iter_mut().zip(later.1).for_each(|(sum, c)| *sum += c);
+                }
+                same
+            });
+            columns
         };
+        let all: Vec<Vec<(usize, [f64; 3])>> = (0..2 * n).map(block).collect();
         let mut pairs = Vec::new();
-        for t in 0..n {
-            pairs.extend(entries(t).filter(|e| e.0 < e.1).map(|e| [e.0 as u32, e.1 as u32]));
+        for columns in &all {
+            for (j, &(second, _)) in columns.iter().enumerate() {
+                pairs.extend(columns[..j].iter().map(|first| [first.0 as u32, second as u32]));
+            }
         }
         let mut system = SymmetricSystem::new(count, pairs);
         system.values().fill(0.0);
-        let (mut additions, mut starts) = (Vec::new(), vec![0]);
-        for t in 0..n {
-            // Both orders of a pair are in the sum, and one place stands for both.
-            let upper = entries(t).filter(|e| e.0 <= e.1);
-            additions.extend(upper.map(|(i, j, factor, k)| (system.place(i, j) as u32, factor, k)));
-            starts.push(additions.len() as u32);
-        }
+        let placed = |columns: Vec<(usize, [f64; 3])>| {
+            let mut places = Vec::with_capacity(columns.len() * (columns.len() + 1) / 2);
+            for (j, &(second, _)) in columns.iter().enumerate() {
+                let of_pair = |first: &(usize, [f64; 3])| system.place(first.0, second) as u32;
+                places.extend(columns[..=j].iter().map(of_pair));
+            }
+            Block { columns: columns.into_iter().map(|(_, column)| column).collect(), places }
+        };
+        let blocks = all.into_iter().map(placed).collect();
         let element = |t: usize| element(prepared, frames, combed, cross, direction, t);
-        Energy { system, unknowns, additions, starts, elements: (0..n).map(element).collect() }
+        Energy { system, unknowns, blocks, elements: (0..n).map(element).collect() }
     }
 
     /// Sets the matrix for the weights `#T`.
     pub(crate) fn assemble(&mut self, weights: &[f64]) {
         let values = self.system.values();
         values.fill(0.0);
-        for (t, (element, weight)) in self.elements.iter().zip(weights).enumerate() {
-            let range = self.starts[t] as usize..self.starts[t + 1] as usize;
-            for &(place, factor, k) in &self.additions[range] {
-                let (axis, entry) = (k as usize / 9, k as usize % 9);
-                values[place as usize] += weight * factor * element.matrix[axis][entry];
+        for (k, block) in self.blocks.iter().enumerate() {
+            let (matrix, weight) = (&self.elements[k / 2].matrix[k % 2], weights[k / 2]);
+            let mut places = block.places.iter();
+            for (j, second) in block.columns.iter().enumerate() {
+                let by_matrix = [0, 1, 2].map(|a| {
+                    let row = &matrix[3 * a..3 * a + 3];
+                    weight * (row[0] * second[0] + row[1] * second[1] + row[2] * second[2])
+                });
+                for (first, &place) in block.columns[..=j].iter().zip(places.by_ref()) {
+                    let [x, y, z] = [0, 1, 2].map(|a| first[a] * by_matrix[a]);
+                    values[place as usize] += x + y + z;
+                }
             }
         }
     }

@@ -49,26 +49,49 @@ pub struct MapNotes {
 /// Maps of one prepared surface. Fields and seamless maps are kept, so that another number of quads
 /// takes a rounding only, and another weight of directions a map.
 pub struct GridMapper {
-    prepared: Prepared,
     frames: Frames,
-    abandonings: usize,
+    /// The surface with all its creases, then each time that some are given up.
+    stages: Vec<Stage>,
+    /// The stage of the last map.
+    stage: usize,
+}
+
+/// A prepared surface with its fields and seamless maps.
+struct Stage {
+    prepared: Prepared,
+    /// The creases that the stage before gives up.
+    given_up: Vec<Side>,
     /// By level.
     fields: Vec<Field>,
     /// By level.
     relaxed: Vec<Relaxed>,
 }
 
+/// Is shown each map with its surface, whose features are those that the map follows. Returns whether
+/// to go on to the next one.
+pub(super) type MapVisitor<'a> = dyn FnMut(&Prepared, GridMap, MapNotes, &mut RemeshObserver<'_>) -> Result<bool, RemeshError>
+    + 'a;
+
+/// How the roundings of a level end.
+enum Rounds {
+    /// No more maps are wanted.
+    Enough,
+    /// All scales were tried.
+    Tried,
+    /// Creases are in the way.
+    Creases(Vec<Side>),
+}
+
 impl GridMapper {
     /// Maps of a surface.
     pub fn new(prepared: Prepared) -> GridMapper {
         let frames = Frames::new(&prepared.surface);
-        let (fields, relaxed) = (Vec::new(), Vec::new());
-        GridMapper { prepared, frames, abandonings: 0, fields, relaxed }
+        GridMapper { frames, stages: vec![Stage::new(prepared, Vec::new())], stage: 0 }
     }
 
     /// The surface; its features are those that the last map follows.
     pub fn prepared(&self) -> &Prepared {
-        &self.prepared
+        &self.stages[self.stage].prepared
     }
 
     /// Computes an integer-grid map with about `wanted` quads, for the weights `follow` of curvature
@@ -84,56 +107,74 @@ impl GridMapper {
         wanted: f64,
         observer: &mut RemeshObserver<'_>,
     ) -> Result<(GridMap, MapNotes), RemeshError> {
-        let mut best: Option<(usize, Found)> = None;
+        let mut best: Option<(GridMap, MapNotes)> = None;
+        self.maps([follow, direction, wanted], observer, &mut |_, map, notes, _| {
+            let is_whole = notes.flipped.is_empty();
+            // Maps that follow more creases than the last one are of another surface.
+            let is_better = best.as_ref().is_none_or(|(_, best)| {
+                notes.abandoned_creases > best.abandoned_creases
+                    || notes.flipped.len() < best.flipped.len()
+            });
+            if is_better {
+                best = Some((map, notes));
+            }
+            Ok(!is_whole)
+        })?;
+        Ok(best.expect("the last level finds a map"))
+    }
+
+    /// Computes map after map, for the weights of [`GridMapper::map`] and the number of quads: at each
+    /// level at one scale after another, as long as the visitor wants to see more. What was asked
+    /// before changes nothing.
+    ///
+    /// # Errors
+    /// Those of the visitor; if the observer says no, or numbers are out of proportion.
+    pub(in crate::quads) fn maps(
+        &mut self,
+        [follow, direction, wanted]: [f64; 3],
+        observer: &mut RemeshObserver<'_>,
+        visit: &mut MapVisitor<'_>,
+    ) -> Result<(), RemeshError> {
+        self.stage = 0;
         let mut level = 0;
         while level < LEVELS {
-            self.relax(level, follow, direction, observer)?;
-            let found = match self.round(level, wanted, observer)? {
-                Attempt::Map(found) => found,
-                Attempt::Creases(sides) => {
-                    self.abandon(&sides);
-                    best = None;
+            let GridMapper { stages, frames, stage } = self;
+            let may_abandon = *stage < ABANDONINGS;
+            let here = &mut stages[*stage];
+            here.relax(frames, level, [follow, direction], observer)?;
+            match here.round(frames, level, wanted, may_abandon, observer, visit)? {
+                Rounds::Enough => return Ok(()),
+                Rounds::Tried => level += 1,
+                Rounds::Creases(sides) => {
+                    *stage += 1;
                     level = 0;
-                    continue;
+                    if stages.get(*stage).is_none_or(|next| next.given_up != sides) {
+                        stages.truncate(*stage);
+                        let prepared = stages[*stage - 1].prepared.without_creases(&sides);
+                        stages.push(Stage::new(prepared, sides));
+                    }
                 }
-            };
-            let fewest = best.as_ref().map_or(usize::MAX, |(_, best)| best.flipped.len());
-            if found.flipped.len() < fewest {
-                best = Some((level, found));
             }
-            if best.as_ref().is_some_and(|(_, best)| best.flipped.is_empty()) {
-                break;
-            }
-            level += 1;
         }
-        let (level, found) = best.expect("the last level finds a map");
-        let Field { combed, seams, .. } = &self.fields[level];
-        let map = snap(seams, &found.rounded.values)?;
-        let notes = MapNotes {
-            flipped: (0..map.corners.len()).filter(|&t| map.doubled_area(t) <= 0).collect(),
-            level: level as u32,
-            singularities: combed.singularities(),
-            quads: found.quads,
-            scale: found.factor,
-            integers: self.relaxed[level].integers.count(),
-            separations: found.separations,
-            abandoned_creases: self.prepared.notes.abandoned,
-            cut: seams.cut.len(),
-            seamless_flips: self.relaxed[level].seamless.flips.clone(),
-        };
-        Ok((map, notes))
+        Ok(())
+    }
+}
+
+impl Stage {
+    fn new(prepared: Prepared, given_up: Vec<Side>) -> Stage {
+        Stage { prepared, given_up, fields: Vec::new(), relaxed: Vec::new() }
     }
 
     /// Makes sure that the field and the map without integers of a level are those of the weights.
     fn relax(
         &mut self,
+        frames: &Frames,
         level: usize,
-        follow: f64,
-        direction: f64,
+        [follow, direction]: [f64; 2],
         observer: &mut RemeshObserver<'_>,
     ) -> Result<(), RemeshError> {
         let steering = steering(level, follow);
-        let GridMapper { prepared, frames, fields, relaxed, .. } = self;
+        let Stage { prepared, fields, relaxed, .. } = self;
         if fields.get(level).is_none_or(|field| field.steering != steering) {
             fields.truncate(level);
             relaxed.truncate(level);
@@ -147,58 +188,60 @@ impl GridMapper {
         Ok(())
     }
 
-    /// Rounds at one scale after another until no triangle is flipped, then corrects the scale where
-    /// the number of quads is off.
+    /// Rounds at one scale after another, and corrects the scale where the number of quads is off.
     fn round(
         &mut self,
+        frames: &Frames,
         level: usize,
         wanted: f64,
+        may_abandon: bool,
         observer: &mut RemeshObserver<'_>,
-    ) -> Result<Attempt, RemeshError> {
-        let GridMapper { prepared, frames, fields, relaxed, .. } = self;
+        visit: &mut MapVisitor<'_>,
+    ) -> Result<Rounds, RemeshError> {
+        let Stage { prepared, fields, relaxed, .. } = self;
         let (field, relaxed) = (&fields[level], &mut relaxed[level]);
-        let may_abandon = self.abandonings < ABANDONINGS;
-        let mut at = |factor: f64, part: f64| {
-            if !observer(RemeshStage::Round, part) {
-                return Err(RemeshError::Cancelled);
-            }
-            Ok(relaxed.round(prepared, frames, field, [wanted, factor], may_abandon))
-        };
-        let mut best: Option<Found> = None;
         for (k, factor) in SCALES.into_iter().enumerate() {
-            let found = match at(factor, k as f64 / SCALES.len() as f64)? {
-                Attempt::Map(found) => found,
-                creases => return Ok(creases),
+            let mut at = |factor: f64, part: f64| {
+                if !observer(RemeshStage::Round, part) {
+                    return Err(RemeshError::Cancelled);
+                }
+                Ok(relaxed.round(prepared, frames, field, [wanted, factor], may_abandon))
             };
-            if best.as_ref().is_none_or(|best| found.flipped.len() < best.flipped.len()) {
-                best = Some(found);
+            let mut best = match at(factor, k as f64 / SCALES.len() as f64)? {
+                Attempt::Map(found) => found,
+                Attempt::Creases(sides) => return Ok(Rounds::Creases(sides)),
+            };
+            let off = |found: &Found| (found.quads / wanted).max(wanted / found.quads);
+            let mut factor = best.factor;
+            for _ in 0..CORRECTIONS {
+                if !best.flipped.is_empty() || off(&best) <= OFF {
+                    break;
+                }
+                factor *= (wanted / best.quads).sqrt();
+                let Attempt::Map(found) = at(factor, 1.0)? else { break };
+                if !found.flipped.is_empty() || off(&found) >= off(&best) {
+                    break;
+                }
+                best = found;
             }
-            if best.as_ref().is_some_and(|best| best.flipped.is_empty()) {
-                break;
+            let map = snap(&field.seams, &best.rounded.values)?;
+            let notes = MapNotes {
+                flipped: (0..map.corners.len()).filter(|&t| map.doubled_area(t) <= 0).collect(),
+                level: level as u32,
+                singularities: field.combed.singularities(),
+                quads: best.quads,
+                scale: best.factor,
+                integers: relaxed.integers.count(),
+                separations: best.separations,
+                abandoned_creases: prepared.notes.abandoned,
+                cut: field.seams.cut.len(),
+                seamless_flips: relaxed.seamless.flips.clone(),
+            };
+            if !visit(prepared, map, notes, observer)? {
+                return Ok(Rounds::Enough);
             }
         }
-        let mut best = best.expect("there is a scale");
-        let off = |found: &Found| (found.quads / wanted).max(wanted / found.quads);
-        let mut factor = best.factor;
-        for _ in 0..CORRECTIONS {
-            if !best.flipped.is_empty() || off(&best) <= OFF {
-                break;
-            }
-            factor *= (wanted / best.quads).sqrt();
-            let Attempt::Map(found) = at(factor, 1.0)? else { break };
-            if !found.flipped.is_empty() || off(&found) >= off(&best) {
-                break;
-            }
-            best = found;
-        }
-        Ok(Attempt::Map(best))
-    }
-
-    fn abandon(&mut self, creases: &[Side]) {
-        self.prepared = self.prepared.without_creases(creases);
-        self.abandonings += 1;
-        self.fields.clear();
-        self.relaxed.clear();
+        Ok(Rounds::Tried)
     }
 }
 

@@ -6,6 +6,7 @@ use super::seams::{Seams, turned};
 use crate::math::Vec3;
 use crate::quads::surface::Prepared;
 use crate::quads::{Side, Triangulation};
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
@@ -53,6 +54,7 @@ pub(super) fn separations(
         charts: charts_over_cuts(seams),
         free,
         rounded,
+        seen: RefCell::new(vec![false; surface.triangles.len()]),
     };
     let mut found: Vec<Separation> = Vec::new();
     // Integer points within reach of flipped triangles.
@@ -117,6 +119,8 @@ struct Finder<'a> {
     charts: BTreeMap<Side, Chart>,
     free: &'a [f64],
     rounded: &'a [f64],
+    /// `#T`: marks of a search, none between searches.
+    seen: RefCell<Vec<bool>>,
 }
 
 impl Finder<'_> {
@@ -124,7 +128,8 @@ impl Finder<'_> {
     fn near(&self, first: usize, at: Vec3<f64>) -> Vec<(usize, Rc<Chart>)> {
         let start = Chart { turns: 0, shift: [Vec::new(), Vec::new()] };
         let mut found = vec![(first, Rc::new(start))];
-        let mut seen = BTreeSet::from([first]);
+        let mut seen = self.seen.borrow_mut();
+        seen[first] = true;
         let mut next = 0;
         while next < found.len() {
             let (triangle, chart) = found[next].clone();
@@ -135,12 +140,10 @@ impl Finder<'_> {
                     let corner = self.surface.at(back.triangle, k);
                     (corner - at).length_squared() <= self.reach * self.reach
                 };
-                if self.surface.is_feature(side)
-                    || !(0..3).any(is_near)
-                    || !seen.insert(back.triangle)
-                {
+                if seen[back.triangle] || self.surface.is_feature(side) || !(0..3).any(is_near) {
                     continue;
                 }
+                seen[back.triangle] = true;
                 let chart = match self.charts.get(&side) {
                     None => Rc::clone(&chart),
                     Some(over) => Rc::new(self.joined(&chart, over)),
@@ -148,6 +151,7 @@ impl Finder<'_> {
                 found.push((back.triangle, chart));
             }
         }
+        found.iter().for_each(|&(triangle, _)| seen[triangle] = false);
         found
     }
 
@@ -297,13 +301,26 @@ fn turned_unit(quarter_turns: u8) -> [f64; 2] {
     [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][quarter_turns as usize]
 }
 
-/// The sum `a + factor b` of two sums.
+/// The sum `a + factor b` of two sums, all ascending by unknown.
 fn sum(a: &[(u32, f64)], b: &[(u32, f64)], factor: f64) -> Vec<(u32, f64)> {
-    let mut terms: BTreeMap<u32, f64> = a.iter().copied().collect();
-    for &(k, c) in b {
-        *terms.entry(k).or_default() += factor * c;
+    let mut terms = Vec::with_capacity(a.len() + b.len());
+    let (mut i, mut j) = (0, 0);
+    while i < a.len() || j < b.len() {
+        let [first, second] = [a.get(i), b.get(j)].map(|term| term.map_or(u32::MAX, |one| one.0));
+        let mut coefficient = 0.0;
+        if first <= second {
+            coefficient += a[i].1;
+            i += 1;
+        }
+        if second <= first {
+            coefficient += factor * b[j].1;
+            j += 1;
+        }
+        if coefficient != 0.0 {
+            terms.push((first.min(second), coefficient));
+        }
     }
-    terms.into_iter().filter(|&(_, c)| c != 0.0).collect()
+    terms
 }
 
 fn value(row: &[(u32, f64)], values: &[f64]) -> f64 {

@@ -51,11 +51,8 @@ fn weights(prepared: &Prepared, node: &Node) -> [(usize, f64); 3] {
             [(a, 1.0 - share), (b, share), (b, 0.0)]
         }
         Place::Inside(t) => {
-            let area = surface.area_vector(t);
-            [0, 1, 2].map(|k| {
-                let [b, c] = [1, 2].map(|next| surface.at(t, k + next) - node.position);
-                (surface.corner(t, k), b.cross(c).dot(area) / area.length_squared())
-            })
+            let weights = surface.barycentric(t, node.position);
+            [0, 1, 2].map(|k| (surface.corner(t, k), weights[k]))
         }
     }
 }

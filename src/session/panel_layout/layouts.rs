@@ -67,7 +67,7 @@ impl PanelLayouts {
         let found = self.best(settings, observer);
         let layout = found.map_err(|error| {
             self.refused_at = error.place();
-            refused(error)
+            refused(&error, &self.units)
         })?;
         Ok(layout.shown((&self.shape, self.surface()), &self.units, self.kept.len()))
     }
@@ -88,7 +88,9 @@ impl PanelLayouts {
         for boundary in [Boundary::Followed, Boundary::Cut] {
             found.push(match self.layout(settings, boundary, observer) {
                 Ok(layout) => layout.forecast(&self.units),
-                Err(RemeshError::Cancelled) => return Err(refused(RemeshError::Cancelled)),
+                Err(RemeshError::Cancelled) => {
+                    return Err(refused(&RemeshError::Cancelled, &self.units));
+                }
                 Err(_) => BoundaryForecast { boundary, words: "not possible".to_owned() },
             });
         }
@@ -148,6 +150,6 @@ impl PanelLayouts {
     }
 }
 
-fn refused(error: RemeshError) -> SceneError {
-    SceneError { path: String::new(), message: error.to_string() }
+fn refused(error: &RemeshError, units: &str) -> SceneError {
+    SceneError { path: String::new(), message: error.words(units) }
 }

@@ -97,11 +97,37 @@ test('a number typed while panels are laid out stays, and another card takes the
   await curvature.getByRole('button', { name: 'Close curvature' }).click();
 });
 
+test('a wish that takes long says what it does, and its Cancel brings the last panels back', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'vault.obj', vault(60), 61 * 61);
+  await offer(page).getByRole('button', { name: 'New panels along the curvature' }).click();
+  await expect(use(page)).toBeEnabled();
+  const panels = card(page).getByLabel('Panels', { exact: true });
+  const [count, said] = [await panels.inputValue(), card(page).getByText(SENTENCE)];
+  const words = await said.textContent();
+  await panels.fill('9000');
+  await panels.press('Enter');
+  const cancel = card(page).getByRole('button', { name: 'Cancel' });
+  await cancel.click();
+  await expect(cancel).toBeHidden();
+  await expect(panels).toHaveValue(count);
+  await expect(said).toHaveText(words ?? '');
+  await expect(page.getByRole('alert')).toBeEmpty();
+  // The next wish is answered by another worker.
+  await panels.fill('200');
+  await panels.press('Enter');
+  await expect(card(page).getByText(/^(19|20|21)\d panels, /)).toBeVisible();
+  await use(page).click();
+  await expect(card(page)).toBeHidden();
+});
+
 /** The vault with one triangle beside it. */
 const withTriangle = (n: number) =>
   `${vault(n)}v 30 0 0\nv 31 0 0\nv 30 1 0\nf ${[1, 2, 3].map((k) => (n + 1) ** 2 + k).join(' ')}\n`;
 
-test('both choices at the boundary are forecast, and what moves less can be chosen again', async ({
+test('both choices at the boundary are forecast, and the automatic one can be chosen again', async ({
   page,
 }) => {
   await openPage(page);
@@ -116,7 +142,7 @@ test('both choices at the boundary are forecast, and what moves less can be chos
   const follows = await forecasts.nth(0).textContent();
   await choice.selectOption('Cuts the panels');
   await expect(card(page).locator('[aria-current=true]')).toContainText(/^Cut/);
-  await choice.selectOption('What moves less');
+  await choice.selectOption('Automatic');
   await expect(card(page).locator('[aria-current=true]')).toContainText(/^Followed/);
   await expect(forecasts.nth(0)).toHaveText(follows ?? '');
 });

@@ -35,7 +35,7 @@ export const openNewPanels = (app: AppContext, make: (kind: KindInfo) => unknown
 const FOLLOW = 2 / 3;
 const EVEN = 0.25;
 /** Time without another wish after which both choices at the boundary are forecast. */
-const IDLE_MS = 400;
+const IDLE_MS = 1000;
 /** The choices at the boundary, with the labels of their options and of their forecasts. */
 const BOUNDARIES: [BoundaryForecast['boundary'], string, string][] = [
   ['follow', 'Followed by the panels', 'Followed'],
@@ -43,14 +43,20 @@ const BOUNDARIES: [BoundaryForecast['boundary'], string, string][] = [
 ];
 /** Where the card lies along the lower edge of the view. */
 const narrow = matchMedia('(max-width: 699px)');
-const AUTOMATIC = 'What moves less';
+/** Followed, unless cut panels move half as far or less. */
+const AUTOMATIC = 'Automatic';
 
 function newPanelsCard(
   { store, solver, jobs, viewport, actions, alerts }: AppContext,
   make: (kind: KindInfo) => unknown,
 ) {
-  /** The panels that are shown, the generations of the model and of the shape that they are for. */
-  let laidOut: { panels: LaidOut; generation: number; shape: number | undefined } | null = null;
+  /** The panels that are shown, what they were asked for, the generations of the model and of the shape. */
+  let laidOut: {
+    panels: LaidOut;
+    asked: LayoutSettings;
+    generation: number;
+    shape: number | undefined;
+  } | null = null;
   /** The layout under way. */
   let laying: Promise<unknown> = Promise.resolve();
   /** The model that the card is about. */
@@ -91,15 +97,20 @@ function newPanelsCard(
   keeps.label.append(keepsWords);
   const then = choice({}, () => {});
   const said = element('div.said', { 'aria-live': 'polite' });
+  const doing = element('span');
+  const working = element(
+    'div.working',
+    { hidden: true },
+    element('progress', { 'aria-label': 'Laying out panels' }),
+    doing,
+    button('Cancel', () => jobs.cancel()),
+  );
   const take = button('Use these panels', use, { class: 'primary' });
+  const closing = closeButton('Close new panels', close);
   const card = element(
     'section.card',
     { id: 'new-panels', 'aria-labelledby': 'heading-new-panels', hidden: true },
-    element(
-      'div.title',
-      element('h2', { id: 'heading-new-panels' }, 'New panels'),
-      closeButton('Close new panels', close),
-    ),
+    element('div.title', element('h2', { id: 'heading-new-panels' }, 'New panels'), closing),
     element(
       'div.sizes',
       element('label', element('span', 'Panels'), count.field),
@@ -110,8 +121,8 @@ function newPanelsCard(
     boundaryLine,
     keeps.label,
     said,
-    element('label', element('span', 'Then'), then),
-    take,
+    working,
+    element('div.last', element('label', element('span', 'Then'), then), take),
   );
   viewport.element.after(card);
 
@@ -149,8 +160,8 @@ function newPanelsCard(
     if (card.hidden || !model) return;
     turn += 1;
     const shape = solver.geometry?.generation;
-    say('Laying out panels …');
-    const settings = {
+    work('Laying out panels …');
+    const settings: LayoutSettings = {
       ...wished,
       follow: follow.field.valueAsNumber,
       even: even.field.valueAsNumber,
@@ -160,13 +171,13 @@ function newPanelsCard(
       const panels = await jobs.copy(model).layOutPanels(settings, kept);
       // Another wish, or another shape, has come meanwhile.
       if (card.hidden || layouts.hasNext()) return;
-      laidOut = { panels, generation: model.generation, shape };
+      laidOut = { panels, asked: settings, generation: model.generation, shape };
       refused = null;
       show(panels);
       if (panels.boundary) void foretell(() => jobs.copy(model).panelsAtBoundaries(settings, kept));
     } catch (error) {
       if (card.hidden) return;
-      if (error instanceof Cancelled) return laidOut ? show(laidOut.panels) : close();
+      if (error instanceof Cancelled) return laidOut ? goBack(laidOut) : close();
       refused = (await jobs.ask.panelsRefusedAt().catch(() => null)) ?? null;
       if (layouts.hasNext()) return;
       laidOut = forecast = null;
@@ -175,8 +186,24 @@ function newPanelsCard(
       const words = `Not possible: ${messageOf(error)}.`;
       if (refused) say('', [{ words, places: [Array.from(refused.vertices)] }]);
       else say(words);
+    } finally {
+      if (!layouts.hasNext()) work(null);
     }
     draw();
+  }
+
+  /** Shows what is being done, with a way to end it; null if nothing is. */
+  function work(words: string | null) {
+    working.hidden = words === null;
+    if (words !== null) setText(doing, words);
+  }
+
+  /** Shows the last panels again, with what they were asked for. */
+  function goBack({ panels, asked }: NonNullable<typeof laidOut>) {
+    wished = { count: asked.count, size: asked.size, boundary: asked.boundary };
+    follow.field.value = String(asked.follow);
+    even.field.value = String(asked.even);
+    show(panels);
   }
 
   /** Forecasts both choices at the boundary, unless another wish comes first. */
@@ -185,8 +212,10 @@ function newPanelsCard(
     await new Promise((later) => setTimeout(later, IDLE_MS));
     if (card.hidden || mine !== turn) return;
     isForecasting = true;
+    work('Comparing both choices at the boundary …');
     const found = await ask().catch(() => null);
     isForecasting = false;
+    if (!layouts.isBusy()) work(null);
     if (card.hidden || mine !== turn || !found) return;
     forecast = found;
     showForecasts();
@@ -271,7 +300,8 @@ function newPanelsCard(
     );
     card.hidden = false;
     update();
-    count.field.focus();
+    // A field would bring up the keyboard of a phone, over the card.
+    (narrow.matches ? closing : count.field).focus();
   }
 
   function close() {
@@ -312,7 +342,7 @@ function newPanelsCard(
     close();
   });
   jobs.on('told', ({ words }) => {
-    if (!card.hidden && layouts.isBusy()) say(words);
+    if (!card.hidden && layouts.isBusy()) work(words);
   });
   store.subscribe(['model'], ({ model }) => {
     if (model !== about) close();

@@ -6,6 +6,7 @@ mod elements;
 mod exercise;
 mod first;
 mod flat_maps;
+mod new_panels;
 mod overview;
 mod panels;
 mod parts;
@@ -51,4 +52,5 @@ pub const EXAMPLES: &[Example] = &[
     beyond::TRANSFER,
     beyond::SPLINE,
     beyond::STRIPS,
+    new_panels::VAULT,
 ];
