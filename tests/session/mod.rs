@@ -22,6 +22,7 @@ mod refine;
 mod regions;
 mod remesh;
 mod replacing;
+mod saddles;
 mod search;
 mod selecting;
 mod shown;
