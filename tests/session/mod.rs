@@ -26,6 +26,7 @@ mod saddles;
 mod search;
 mod selecting;
 mod shown;
+mod stability;
 mod stories;
 mod suggestions;
 mod tables;
