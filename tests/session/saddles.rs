@@ -11,7 +11,8 @@ use shape_up::session::{PanelStart, Session};
 fn too_long(mesh: Mesh) -> Session {
     let text = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "own.obj" },
         "constraints": [{ "kind": "line-segment", "on": "edges", "length": 1.1 }],
-        "weights": { "shape": 100, "close": 1, "smooth": 0 }, "closeness": { "to": "rest" } }"#;
+        "weights": { "shape": 100, "close": 1, "smooth": 0 }, "closeness": { "to": "rest" },
+        "solver": { "iterations": 5000 } }"#;
     Session::open(Scene::from_json(text).expect("a scene"), mesh).expect("it fits")
 }
 

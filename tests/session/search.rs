@@ -262,7 +262,7 @@ fn a_boundary_that_a_press_held_is_free_again_at_the_next_one() {
     assert_eq!(session.document().closeness.boundary, None);
     session.end_run();
     // What the user sets stays.
-    let edit = Edit::from_json(r#"{ "set": { "id": "boundary", "value": "exact" } }"#);
+    let edit = Edit::from_json(r#"{ "set": { "id": "boundary", "value": "exactly" } }"#);
     session.edit(edit.expect("an edit")).expect("nothing is locked");
     session.make_panels("plane", tolerance, PanelStart::Original).expect("it has quads");
     assert!(session.document().closeness.boundary.is_some());
@@ -281,12 +281,11 @@ fn a_reopened_shape_is_said_to_be_of_the_attempt_that_found_it() {
 
 #[test]
 fn an_attempt_that_errs_is_followed_by_the_others() {
-    // With ten times this smoothness, its squares are beyond the metric: the search ended there.
+    // With this smoothness the normal matrix is singular in single precision: the search ended there.
     let mut scene = Scene::opened("own.obj");
-    scene.weights = Weights { shape: 1000e34, close: 1e34, smooth: 1e36 };
+    scene.weights = Weights { smooth: 1e12, ..scene.weights };
     let mut session = Session::open(scene, sheared(8, saddle, 0.8, 0.3)).expect("it fits");
     let verdict = press(&mut session, "circle");
     let names: Vec<&str> = verdict.attempts.iter().map(|tried| &*tried.name).collect();
-    println!("{names:?} {verdict:?}");
     assert!(names.len() > 3, "{names:?}");
 }

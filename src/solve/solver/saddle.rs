@@ -38,6 +38,9 @@ impl Solver {
     pub(super) fn leave_saddle(&mut self, least: f64) -> bool {
         // Along curves the gradient is another one, and a guarded projection depends on the last one.
         let is_plain = self.parts.gliding.is_none() && !self.settings.monotone;
+        // What nothing but handles holds has no original to come near: a flat sheet that is stretched
+        // is to stay flat.
+        let is_plain = is_plain && self.parts.energies.weights.close > 0.0;
         if !is_plain || self.x.len() > MOST_NODES || self.parts.system.unknowns() == 0 {
             return false;
         }
