@@ -3,6 +3,7 @@
 //! only completes it.
 
 use super::model::Model;
+use super::requirement::Requirements;
 use crate::constraint::Row;
 use crate::math::Lane;
 use crate::solve::accelerate::{Acceleration, Iterate};
@@ -61,11 +62,10 @@ const INTO_BANDS: Schedule = Schedule {
 const INTO_BANDS_OF_SMALL: Schedule = Schedule {
     patient: Rounds { growth: 1.5, most: 1000, least_gain: 1e-6 },
     hurried: Rounds { growth: 1.4, most: 200, least_gain: 1e-5 },
-    patience: LONGER * PATIENCE,
-    longer: LONGER,
+    patience: Requirements::LONGER * PATIENCE,
+    longer: Requirements::LONGER,
 };
 const SMALL: usize = 600;
-const LONGER: u32 = 5;
 
 /// Number of iterations after which an approach has to end.
 const PATIENCE: u32 = 900;

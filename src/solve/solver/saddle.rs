@@ -129,8 +129,7 @@ impl Solver {
                 add(&mut self.x, direction, by);
                 self.evaluate();
                 let total = self.energy.total;
-                // Written so that NaN ends it too.
-                if !(total < last) {
+                if total.is_nan() || total >= last {
                     break;
                 }
                 last = total;
