@@ -284,11 +284,38 @@ pub struct ChosenAttempt {
     pub smoother: f64,
     /// Whether closeness was to the rest positions before, and to the surface then.
     pub on_surface: bool,
+    /// Whether vertices of the boundary were free to leave it before, and are held on it then.
+    pub holds_boundary: bool,
 }
 
 impl Default for ChosenAttempt {
     fn default() -> ChosenAttempt {
-        ChosenAttempt { from: AttemptStart::Soft, smoother: 1.0, on_surface: false }
+        let from = AttemptStart::Soft;
+        ChosenAttempt { from, smoother: 1.0, on_surface: false, holds_boundary: false }
+    }
+}
+
+impl ChosenAttempt {
+    /// Its name in reports.
+    pub(crate) fn name(&self) -> String {
+        match self.from {
+            AttemptStart::Eased => "eased".to_owned(),
+            _ if self.on_surface => "surface".to_owned(),
+            _ if self.smoother != 1.0 => format!("smoother {}", self.smoother),
+            AttemptStart::Soft => "soft".to_owned(),
+            AttemptStart::Rest => "rest".to_owned(),
+            AttemptStart::Exact => "exact".to_owned(),
+        }
+    }
+
+    /// Returns the attempt `next` with the settings of this one.
+    pub(crate) fn then(self, next: ChosenAttempt) -> ChosenAttempt {
+        ChosenAttempt {
+            from: next.from,
+            smoother: self.smoother * next.smoother,
+            on_surface: self.on_surface || next.on_surface,
+            holds_boundary: self.holds_boundary || next.holds_boundary,
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use super::state::Part;
 use crate::mesh::Point;
 use crate::scene::ConstraintSpec;
 use crate::session::Error;
-use crate::solve::{Exact, SolveError};
+use crate::solve::Exact;
 
 impl Session {
     /// Returns the exact solver of the hard constraints, which starts at the current shape; none if
@@ -36,12 +36,13 @@ impl Session {
             return Ok(());
         }
         while let Some(meeting) = &mut self.meeting {
-            let ended = meeting.step();
-            if self.goes_on(&ended)? {
+            let stage = meeting.step();
+            if self.goes_on(stage)? {
                 continue;
             }
+            let error = self.meeting.as_mut().and_then(Meeting::error);
             self.end_meeting(improves)?;
-            ended?;
+            error.map_or(Ok(()), Err)?;
         }
         Ok(())
     }
@@ -94,12 +95,13 @@ impl Session {
     /// Runs one step of meeting hard constraints; none if the run is not meeting any.
     pub(super) fn meeting_step(&mut self) -> Result<Option<Step>, Error> {
         let Some(meeting) = &mut self.meeting else { return Ok(None) };
-        let ended = meeting.step();
+        let stage = meeting.step();
         let shown = meeting.due_positions();
-        if !self.goes_on(&ended)? {
+        if !self.goes_on(stage)? {
             self.progress.count();
+            let error = self.meeting.as_mut().and_then(Meeting::error);
             self.end_meeting(false)?;
-            ended?;
+            error.map_or(Ok(()), Err)?;
             return Ok(Some(Step { converged: self.converged(), ended: true }));
         }
         match shown {
@@ -114,12 +116,11 @@ impl Session {
 
     /// Whether the meeting continues after a step: until it has ended, and then with the next
     /// attempt, which this begins.
-    fn goes_on(&mut self, stage: &Result<MeetingStage, SolveError>) -> Result<bool, Error> {
+    fn goes_on(&mut self, stage: MeetingStage) -> Result<bool, Error> {
         match stage {
-            Ok(MeetingStage::Going) => Ok(true),
-            Ok(MeetingStage::Softened) => self.go_on_from_soft(),
-            Ok(MeetingStage::Ended) => self.try_next(),
-            Err(_) => Ok(false),
+            MeetingStage::Going => Ok(true),
+            MeetingStage::Softened => self.go_on_from_soft(),
+            MeetingStage::Ended => self.try_next(),
         }
     }
 
@@ -144,7 +145,7 @@ impl Session {
         };
         // A search that is interrupted has chosen nothing: the next run begins it anew.
         if self.search != Search::Off && is_whole {
-            parts.push(self.choice(&attempt));
+            parts.push(Part::Settings(self.settings_of(&attempt)));
         }
         parts.retain(|part| !part.is_in(self.document()));
         self.progress.end_next();

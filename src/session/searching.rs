@@ -107,14 +107,16 @@ impl Session {
 
     /// Begins an attempt with its soft solution, from `start` (`#V by 3`).
     fn soften(&mut self, attempt: Attempt, start: &[Point]) -> Result<bool, Error> {
+        let settings = self.settings_of(&attempt);
         let solver =
             self.with_requirements(&Required::of, |mut problem, _, handles, _, cache| {
-                attempt.set_in(&mut problem);
+                settings.set_in(&mut problem);
                 Solver::new(&problem, cache, handles.to_vec(), start)
             })?;
-        let solver = solver.transpose()?;
+        // Without a soft solution, it begins where that would have.
+        let Some(Ok(solver)) = solver else { return self.turn_to(attempt, start) };
         let iterations = self.document().solver.iterations;
-        Ok(self.meeting.as_mut().zip(solver).is_some_and(|(meeting, solver)| {
+        Ok(self.meeting.as_mut().is_some_and(|meeting| {
             meeting.soften(solver, attempt, iterations);
             true
         }))
@@ -162,16 +164,17 @@ impl Session {
             }
             _ => Required::of(row),
         };
+        let settings = self.settings_of(attempt);
         self.with_requirements(&required, |mut problem, mut requirements, handles, _, cache| {
-            attempt.set_in(&mut problem);
+            settings.set_in(&mut problem);
             requirements.iterations = attempt.iterations();
             Exact::new(&problem, &requirements, handles, start, cache)
         })
     }
 
     /// Returns the settings of an attempt, which say that it was chosen.
-    pub(super) fn choice(&self, attempt: &Attempt) -> Part {
-        Part::Settings(Settings::of(self.document()).by_attempt(attempt.chosen()))
+    pub(super) fn settings_of(&self, attempt: &Attempt) -> Settings {
+        Settings::of(self.document()).by_attempt(attempt.chosen())
     }
 
     /// Returns the start of an eased attempt, `#V by 3`: the end of the last one, but with the

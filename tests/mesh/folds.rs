@@ -63,6 +63,12 @@ fn a_face_is_dented_where_a_corner_turns_the_other_way() {
     now[corner] = [1.0, -0.4, 0.0];
     now[other] = [1.0, 0.8, 0.0];
     assert_eq!(folded(&mesh, &now), [0]);
+    // So it does where its two loops are equal: it has no area, and used to have no normal.
+    (now[corner], now[other]) = ([1.0, 0.0, 0.0], [1.0, 1.0, 0.0]);
+    assert_eq!(folded(&mesh, &now), [0]);
+    // A face that is a line crosses nothing.
+    let line: Vec<Point> = mesh.positions.iter().map(|&[x, _, _]| [x, 0.0, 0.0]).collect();
+    assert_eq!(folded(&mesh, &line), Vec::<u32>::new());
 }
 
 proptest! {

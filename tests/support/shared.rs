@@ -26,6 +26,21 @@ pub(crate) fn mesh(file: &str) -> Option<Mesh> {
     Some(read(file, &bytes).expect("the meshes are valid").mesh)
 }
 
+/// All polygon meshes of a folder of `../shared` that can be read, by name.
+pub(crate) fn meshes_in(folder: &str) -> Vec<(String, Mesh)> {
+    let Some(path) = path(folder) else { return Vec::new() };
+    let files = std::fs::read_dir(path).expect("the folder can be read");
+    let mut names: Vec<String> =
+        files.flatten().filter_map(|file| file.file_name().into_string().ok()).collect();
+    names.retain(|name| name.ends_with(".obj") || name.ends_with(".off"));
+    names.sort();
+    let opened = names.into_iter().filter_map(|name| {
+        let read = read(&name, &bytes(&format!("{folder}/{name}"))?).ok()?;
+        Some((name, read.mesh))
+    });
+    opened.collect()
+}
+
 /// Expected results of the case `name`, for the mesh scaled to a bounding sphere of diameter 1; see
 /// [`diameter`].
 pub(crate) fn expected(name: &str) -> Option<Value> {

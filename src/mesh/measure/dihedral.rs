@@ -79,7 +79,7 @@ pub fn folded_faces(mesh: &Mesh, topology: &Topology, now: &[Point]) -> Vec<u32>
     let mut is_folded: Vec<bool> = (0..mesh.faces.len())
         .map(|f| {
             let corners = mesh.faces.row(f);
-            let turned = |at, normal| turns(corners, at, normal);
+            let turned = |at, normal| turns(corners, at, normal_or_corner(corners, at, normal));
             let pairs = turned(&mesh.positions, before[f]).zip(turned(now, after[f]));
             let mut reversed = pairs.filter(|(was, is)| was * is < 0.0);
             reversed.any(|(was, is)| was.abs() > TURN && is.abs() > TURN)
@@ -91,6 +91,25 @@ pub fn folded_faces(mesh: &Mesh, topology: &Topology, now: &[Point]) -> Vec<u32>
         }
     }
     (0..).zip(is_folded).filter(|(_, is_folded)| *is_folded).map(|(face, _)| face).collect()
+}
+
+/// The part of the turns of a face that its area is at least; less is rounding error.
+const NO_AREA: f64 = 1e-9;
+
+/// Returns the unit normal of a face, or, where its loops cancel out, as in a panel whose sides cross
+/// in the middle, that of its largest corner: corners then turn both ways.
+fn normal_or_corner(corners: &[u32], at: &[Point], normal: Vec3<f64>) -> Vec3<f64> {
+    let place = |&v: &u32| Vec3::from(at[v as usize]);
+    let area = twice_vector_area(corners.iter().map(place)).length();
+    let n = corners.len();
+    let corner = |k: usize| {
+        let [before, here, after] = [k + n - 1, k, k + 1].map(|k| place(&corners[k % n]));
+        (here - before).cross(after - here)
+    };
+    let larger = |a: Vec3<f64>, b: Vec3<f64>| if b.length() > a.length() { b } else { a };
+    let largest = (0..n).map(corner).fold(Vec3::zero(), larger);
+    let length = largest.length();
+    if length > 0.0 && area < NO_AREA * length { largest * (1.0 / length) } else { normal }
 }
 
 /// Returns the sine of the turn at each corner, positive for a left turn seen from the tip of the

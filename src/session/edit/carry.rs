@@ -8,8 +8,8 @@
 use crate::constraint::{Element, Selector, describe, resolve};
 use crate::math::marked;
 use crate::mesh::{Edited, Origins, Point, Topology};
-use crate::scene::{ChosenAttempt, ConstraintSpec, EasedFaces, Hold, MeshSource, Pose, Scene};
-use crate::session::state::{RestMesh, resolve_row};
+use crate::scene::{ConstraintSpec, EasedFaces, Hold, MeshSource, Pose, Scene};
+use crate::session::state::{RestMesh, Settings, resolve_row};
 use crate::solve::Handle;
 use crate::words;
 use serde_json::Value;
@@ -47,8 +47,8 @@ pub(crate) fn carry(
     let mut document = document.clone();
     // No file contains this mesh.
     document.mesh = MeshSource::Inline(Box::default());
-    // How the constraints were met says nothing about another mesh; its settings stay.
-    document.attempt = ChosenAttempt::default();
+    // How the constraints were met says nothing about another mesh: it has the user's settings.
+    Settings::of(&document).before_attempt().put_in(&mut document);
     if let Some(Pose::Positions(pose)) = &mut document.pose {
         *pose = moved(pose).into();
     }

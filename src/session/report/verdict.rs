@@ -63,7 +63,8 @@ pub struct Verdict {
     pub seam: f64,
     /// The attempts of the search that led to the shape; empty if none did.
     pub attempts: Vec<Tried>,
-    /// The name of the attempt that found it; empty if none did.
+    /// The name of the attempt that found it, by the scene where there was no search; empty if none
+    /// did.
     pub chosen: String,
 }
 
@@ -143,18 +144,22 @@ impl Verdict {
             let beyond = beyond.filter(|&far| far > tolerance && far <= eased.within).count();
             (beyond > 0).then_some(EasedPanels { panels: beyond, within: eased.within })
         });
+        let is_met = within + eased.map_or(0, |eased| eased.panels) == faces.len();
         let measure = model.cache.shape_measure(model.scene, model.rest);
-        let (mut level, mut flaws) =
-            match within + eased.map_or(0, |eased| eased.panels) == faces.len() {
-                true => measure.level(eased.is_some(), edge),
-                false => (Level::Poor, Vec::new()),
-            };
+        let (mut level, mut flaws) = match is_met {
+            true => measure.level(eased.is_some(), edge),
+            false => (Level::Poor, Vec::new()),
+        };
         let seam = model.rest.seam_at(model.scene.positions());
         if seam > tolerance {
             flaws.insert(0, Flaw::SeamOpened);
             level = level.max(Level::Fair);
         }
-        let chosen = search.and_then(|met| met.tried.get(met.chosen?));
+        let tried = search.and_then(|met| met.tried.get(met.chosen?));
+        let chosen = tried.map(|tried| tried.name.clone());
+        // Without the search itself, as after opening a file, the scene names the attempt.
+        let named = || model.scene.document().attempt.name();
+        let chosen = chosen.or_else(|| (required.is_some() && is_met).then(named));
         Some(Verdict {
             kind: kind.id,
             adjective,
@@ -177,7 +182,7 @@ impl Verdict {
             area_lost: measure.area_lost,
             seam,
             attempts: search.map_or_else(Vec::new, |met| met.tried.clone()),
-            chosen: chosen.map_or_else(String::new, |tried| tried.name.clone()),
+            chosen: chosen.unwrap_or_default(),
         })
     }
 }

@@ -1,8 +1,8 @@
 //! One way to meet hard constraints, and which ways a search may take.
 
 use super::easing::Tolerances;
-use crate::scene::{AttemptStart, BoundaryCloseness, ChosenAttempt, ClosenessTo};
-use crate::solve::{Problem, Requirements};
+use crate::scene::{AttemptStart, ChosenAttempt};
+use crate::solve::Requirements;
 
 /// What the search may do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,18 +40,6 @@ pub(crate) enum Attempt {
 }
 
 impl Attempt {
-    /// Its name in reports.
-    pub(crate) fn name(&self) -> String {
-        match self {
-            Attempt::FromSoft => "soft".to_owned(),
-            Attempt::FromRest => "rest".to_owned(),
-            Attempt::Exact => "exact".to_owned(),
-            Attempt::OnSurface => "surface".to_owned(),
-            Attempt::Smoother(times) => format!("smoother {times}"),
-            Attempt::Eased(_) => "eased".to_owned(),
-        }
-    }
-
     /// What the run does meanwhile, in words.
     pub(crate) fn words(&self) -> &'static str {
         match self {
@@ -65,17 +53,8 @@ impl Attempt {
     }
 
     /// The factor of the smoothness weight.
-    pub(crate) fn smoother(&self) -> f64 {
+    fn smoother(&self) -> f64 {
         if let Attempt::Smoother(times) = self { *times } else { 1.0 }
-    }
-
-    /// Sets what it changes in the problem of the scene.
-    pub(crate) fn set_in(&self, problem: &mut Problem<'_>) {
-        problem.weights.smooth *= self.smoother();
-        if *self == Attempt::OnSurface {
-            problem.closeness_to = ClosenessTo::Surface;
-            problem.boundary_closeness = Some(BoundaryCloseness::default());
-        }
     }
 
     /// Maximum number of iterations of the approach.
@@ -96,6 +75,7 @@ impl Attempt {
             Attempt::Eased(_) => AttemptStart::Eased,
         };
         let on_surface = *self == Attempt::OnSurface;
-        ChosenAttempt { from, smoother: self.smoother(), on_surface }
+        let smoother = self.smoother();
+        ChosenAttempt { from, smoother, on_surface, ..ChosenAttempt::default() }
     }
 }

@@ -21,8 +21,8 @@ use serde::Serialize;
 /// Factors of the smoothness weight, in order.
 const SMOOTHER: [f64; 2] = [10.0, 30.0];
 
-/// A shape that meets the requirements without folds is no better than one that does not if it is
-/// farther from the design than this multiple of that of the first attempt.
+/// A shape that meets the requirements without folds is the last resort if it is farther from the
+/// design than this multiple of that of the first attempt: one with some larger tolerances is better.
 const FAR: f64 = 3.0;
 
 /// A shape is better if its change of the design, or its number of faults, is at most this fraction
@@ -57,6 +57,8 @@ pub struct Tried {
 #[derive(Debug)]
 pub(crate) struct Attempts {
     search: Search,
+    /// The attempt that the scene names.
+    named: ChosenAttempt,
     now: Attempt,
     /// Whether the current attempt has ended and is the best so far.
     is_best: bool,
@@ -97,8 +99,10 @@ impl Attempts {
             _ => Attempt::FromSoft,
         };
         let mut others = Vec::new();
-        // What the scene names was chosen after the others had been tried.
-        if is_on && named == ChosenAttempt::default() {
+        // What the scene names was chosen after the others had been tried; that the boundary is held
+        // is no attempt.
+        let holds_boundary = named.holds_boundary;
+        if is_on && named == (ChosenAttempt { holds_boundary, ..ChosenAttempt::default() }) {
             others.extend((asked.is_some() && can_slide).then_some(Attempt::OnSurface));
             others.push(Attempt::FromRest);
             let smoother = SMOOTHER.iter().rev().map(|&times| Attempt::Smoother(times));
@@ -107,6 +111,7 @@ impl Attempts {
         }
         Attempts {
             search,
+            named,
             now,
             is_best: false,
             tried: Vec::new(),
@@ -163,8 +168,9 @@ impl Attempts {
                 return Some(other);
             }
         }
-        let is_fine = !folds || self.best.as_ref()?.1.keeps_design();
-        self.is_whole_without_easing = self.best.as_ref()?.1.is_whole();
+        let is_whole = self.has_whole();
+        let is_fine = !folds || (is_whole && self.best.as_ref()?.1.keeps_design());
+        self.is_whole_without_easing = is_whole;
         let easing = self.easing.as_ref().filter(|_| !is_fine)?;
         Some(Attempt::Eased(easing.tolerances()))
     }
@@ -178,7 +184,7 @@ impl Attempts {
     /// Adds an attempt to the list; steps within larger tolerances are one.
     fn record(&mut self, outcome: &Outcome) {
         let is_eased = matches!(self.now, Attempt::Eased(_));
-        let name = self.now.name();
+        let name = self.named.then(self.now.chosen()).name();
         if is_eased && self.tried.last().is_some_and(|last| last.name == name) {
             // Of the steps within larger tolerances, the last that can be built counts.
             if !outcome.is_whole() {
@@ -206,19 +212,19 @@ impl Attempts {
     fn is_better(&self, new: &Outcome) -> bool {
         let (Some(first), Some((_, best))) = (&self.first, &self.best) else { return true };
         let change = |of: &Outcome| of.measure.change(self.edge);
-        let is_near = || new.measure.distance(self.edge) <= FAR * first.measure.distance(self.edge);
+        let is_near = |of: &Outcome| self.is_near(of, first);
         match (new.is_whole(), best.is_whole()) {
-            (true, false) => !best.met || is_near(),
+            (true, false) => true,
             (false, true) => false,
             (false, false) => new.faults() as f64 <= BETTER * best.faults() as f64,
             // With more tolerance than the soft solution needs, the nearer shape is as good.
             (true, true) if first.work == 0 && self.now == Attempt::FromRest => {
                 new.energy < best.energy
             }
+            (true, true) if is_near(new) != is_near(best) => is_near(new),
             // A rough or flat surface is another design, however near it is.
             (true, true) => match [new, best].map(Outcome::keeps_design) {
-                [true, false] => is_near(),
-                [false, true] => false,
+                [is_design, other] if is_design != other => is_design,
                 _ => match [new, best].map(|of| of.level(false, self.edge)) {
                     // At the limit of a good shape, neither is better.
                     [Level::Good, Level::Fair] if BETTER * change(best) > 1.0 => true,
@@ -227,6 +233,18 @@ impl Attempts {
                 },
             },
         }
+    }
+
+    /// Whether a shape is not much farther from the design than that of the first attempt.
+    fn is_near(&self, of: &Outcome, first: &Outcome) -> bool {
+        !first.met || of.measure.distance(self.edge) <= FAR * first.measure.distance(self.edge)
+    }
+
+    /// Whether the best shape can be built, and is near the design.
+    fn has_whole(&self) -> bool {
+        let best = self.best.as_ref().map(|(_, best)| best);
+        best.zip(self.first.as_ref())
+            .is_some_and(|(best, first)| best.is_whole() && self.is_near(best, first))
     }
 
     /// Whether a shape has clearly fewer faults, or is clearly smoother, than that of the first
@@ -242,25 +260,26 @@ impl Attempts {
     /// Whether an attempt may find a better shape than the best so far.
     fn may_help(&self, next: &Attempt) -> bool {
         let (Some(first), Some((_, best))) = (&self.first, &self.best) else { return true };
-        let most = if best.is_whole() { MOST_WORK_ONCE_WHOLE } else { MOST_WORK };
+        let is_whole = self.has_whole();
+        let most = if is_whole { MOST_WORK_ONCE_WHOLE } else { MOST_WORK };
         if self.work > most {
             return false;
         }
         let flaws = best.measure.flaws(false, self.edge);
-        let is_design = best.keeps_design();
+        let is_design = is_whole && best.keeps_design();
         let is_far = || flaws.iter().any(|flaw| matches!(flaw, Flaw::Away | Flaw::Moved));
         match next {
             Attempt::FromRest => {
                 let is_flat = flaws.contains(&Flaw::Flatter);
-                !best.is_whole() || (self.search != Search::Scene && (is_flat || is_far()))
+                !is_whole || (self.search != Search::Scene && (is_flat || is_far()))
             }
             Attempt::Exact => {
                 let folded = first.measure.folded.len();
-                !best.is_whole() && first.met && folded as f64 <= FEW * self.faces as f64
+                !is_whole && first.met && folded as f64 <= FEW * self.faces as f64
             }
             Attempt::Smoother(times) => {
                 let is_next = *times == SMOOTHER[0] || self.smoothness_helps;
-                is_next && (!best.is_whole() || flaws.contains(&Flaw::Rougher))
+                is_next && (!is_whole || flaws.contains(&Flaw::Rougher))
             }
             Attempt::OnSurface => !is_design || is_far(),
             Attempt::FromSoft | Attempt::Eased(_) => true,
@@ -390,8 +409,11 @@ mod tests {
         let near = Outcome { measure: away(0.3).measure, ..away(0.3) };
         let mut folded = near.clone();
         folded.measure.folded = (0..20).collect();
-        assert!(!press(&[folded.clone(), away(1.0)])[1].0);
-        assert!(press(&[folded, away(0.8)])[1].0);
+        assert_eq!(press(&[folded.clone(), away(0.8)])[1], (true, REST));
+        // One that is farther is the last resort: the search goes on for another.
+        let found = press(&[folded.clone(), away(1.0), folds(20), folds(20), folded.clone()]);
+        assert!(found[1].0 && matches!(found[4], (false, Some(Attempt::Eased(_)))), "{found:?}");
+        assert_eq!(press(&[folded, away(1.0), away(0.8)])[2], (true, REST));
     }
 
     #[test]

@@ -43,6 +43,9 @@ pub(crate) struct Meeting {
     best: Option<(Exact, Attempt)>,
     shown: f64,
     converged: bool,
+    /// Whether an attempt ended without an error, and the first error.
+    has_ended: bool,
+    error: Option<SolveError>,
 }
 
 /// The outcome of a meeting.
@@ -75,22 +78,33 @@ impl Meeting {
             best: None,
             shown: clock::now(),
             converged,
+            has_ended: false,
+            error: None,
         }
     }
 
-    /// Runs one iteration or step of the current attempt.
-    ///
-    /// # Errors
-    /// As [`Exact::step`] and [`Solver::step`].
-    pub(crate) fn step(&mut self) -> Result<MeetingStage, SolveError> {
+    /// Runs one iteration or step of the current attempt. One that errs ends, with its best shape so
+    /// far: another may not err.
+    pub(crate) fn step(&mut self) -> MeetingStage {
         let Some(softening) = &mut self.softening else {
-            let ended = self.exact.step()? == Stage::Ended;
-            return Ok(if ended { MeetingStage::Ended } else { MeetingStage::Going });
+            match self.exact.step() {
+                Ok(Stage::Ended) => self.has_ended = true,
+                Ok(_) => return MeetingStage::Going,
+                Err(error) => {
+                    self.error.get_or_insert(error);
+                }
+            }
+            return MeetingStage::Ended;
         };
-        softening.solver.step()?;
+        let has_erred = softening.solver.step().is_err();
         softening.left = softening.left.saturating_sub(1);
-        let ended = softening.left == 0 || softening.solver.converged();
-        Ok(if ended { MeetingStage::Softened } else { MeetingStage::Going })
+        let ended = has_erred || softening.left == 0 || softening.solver.converged();
+        if ended { MeetingStage::Softened } else { MeetingStage::Going }
+    }
+
+    /// Returns the error of the first attempt, if all erred.
+    pub(crate) fn error(&mut self) -> Option<SolveError> {
+        self.error.take_if(|_| !self.has_ended)
     }
 
     /// Begins the next attempt with its soft solution, in at most this number of iterations.

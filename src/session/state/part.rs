@@ -7,7 +7,7 @@ use crate::scene::{
     ConstraintSpec, EasedFaces, Goal, Lesson, Pose, Scene, Slide, Smoothness, SolverSettings,
     Target, Up, Variants, Weights,
 };
-use crate::solve::Require;
+use crate::solve::{Problem, Require};
 use std::mem::{size_of_val, swap};
 
 /// One part of a scene, with another value than in the scene.
@@ -97,11 +97,7 @@ impl Settings {
         if chosen.on_surface {
             self = self.on_surface();
         }
-        self.attempt = ChosenAttempt {
-            from: chosen.from,
-            smoother: self.attempt.smoother * chosen.smoother,
-            on_surface: self.attempt.on_surface || chosen.on_surface,
-        };
+        self.attempt = self.attempt.then(chosen);
         self
     }
 
@@ -110,7 +106,10 @@ impl Settings {
         let chosen = std::mem::take(&mut self.attempt);
         self.weights.smooth /= chosen.smoother;
         if chosen.on_surface {
-            (self.to, self.boundary) = (ClosenessTo::Rest, None);
+            self.to = ClosenessTo::Rest;
+        }
+        if chosen.holds_boundary {
+            self.boundary = None;
         }
         self
     }
@@ -121,29 +120,37 @@ impl Settings {
         if self.weights.smooth != now.weights.smooth {
             attempt.smoother = 1.0;
         }
-        if (self.to, self.boundary) != (now.to, now.boundary) {
-            attempt.on_surface = false;
-        }
+        attempt.on_surface &= self.to == now.to;
+        attempt.holds_boundary &= self.boundary == now.boundary;
         attempt
     }
 
     /// Returns the settings with closeness to the surface, and to its boundary.
-    pub(crate) fn on_surface(self) -> Settings {
-        let boundary = Some(BoundaryCloseness::default());
-        Settings { to: ClosenessTo::Surface, boundary, ..self }
+    fn on_surface(mut self) -> Settings {
+        self.attempt.holds_boundary |= self.boundary.is_none();
+        self.boundary = self.boundary.or(Some(BoundaryCloseness::default()));
+        Settings { to: ClosenessTo::Surface, ..self }
     }
 
     /// Returns the settings with the vertices of the boundary exactly on it.
-    pub(crate) fn on_boundary(self) -> Settings {
+    pub(crate) fn on_boundary(mut self) -> Settings {
+        self.attempt.holds_boundary |= self.boundary.is_none();
         let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..Default::default() };
         Settings { boundary: Some(exact), ..self }
+    }
+
+    /// Sets these settings in the problem of a scene.
+    pub(crate) fn set_in(&self, problem: &mut Problem<'_>) {
+        problem.weights = self.weights;
+        problem.closeness_to = self.to;
+        problem.boundary_closeness = self.boundary;
     }
 
     pub(crate) fn with_weights(self, weights: Weights) -> Settings {
         Settings { weights, ..self }
     }
 
-    fn put_in(self, scene: &mut Scene) {
+    pub(crate) fn put_in(self, scene: &mut Scene) {
         let Settings { weights, to, target, pose, boundary, smoothness, solver, attempt } = self;
         scene.weights = weights;
         scene.closeness.to = to;

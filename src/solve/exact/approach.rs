@@ -3,6 +3,7 @@
 //! only completes it.
 
 use super::model::Model;
+use super::requirement::Requirements;
 use crate::constraint::Row;
 use crate::math::Lane;
 use crate::solve::accelerate::{Acceleration, Iterate};
@@ -25,11 +26,14 @@ struct Rounds {
     least_gain: f64,
 }
 
-/// The rounds of an approach at first, and those after [`PATIENCE`], which must end at the price of
-/// some energy.
+/// The rounds of an approach at first, and those after some iterations, which must end at the price
+/// of some energy.
 struct Schedule {
     patient: Rounds,
     hurried: Rounds,
+    /// Number of iterations after which an approach has to end, and the factor of the greatest number.
+    patience: u32,
+    longer: u32,
 }
 
 /// The schedule if some rows must be exact.
@@ -37,6 +41,8 @@ const TO_THE_SHAPE: Schedule = Schedule {
     patient: Rounds { growth: 1.5, most: 60, least_gain: 1e-4 },
     // With long rounds and a steeply growing weight, the horse model ends where no polish succeeds.
     hurried: Rounds { growth: 1.3, most: 20, least_gain: 3e-4 },
+    patience: PATIENCE,
+    longer: 1,
 };
 
 /// The schedule if a tolerance is enough: a band is reached without a polish. Growth by 1.5 would
@@ -46,10 +52,23 @@ const TO_THE_SHAPE: Schedule = Schedule {
 const INTO_BANDS: Schedule = Schedule {
     patient: Rounds { growth: 1.2, most: 60, least_gain: 1e-4 },
     hurried: Rounds { growth: 1.4, most: 20, least_gain: 3e-4 },
+    patience: PATIENCE,
+    longer: 1,
 };
 
+/// The same on a mesh of at most [`SMALL`] vertices, whose rounds settle. Where the shape must leave
+/// a symmetry, or faces are about to fold, rounds that end before that lead where their rounding
+/// errors do: noise of a millionth of an edge decided which of the attempts of a search succeeded.
+const INTO_BANDS_OF_SMALL: Schedule = Schedule {
+    patient: Rounds { growth: 1.5, most: 1000, least_gain: 1e-6 },
+    hurried: Rounds { growth: 1.4, most: 200, least_gain: 1e-5 },
+    patience: Requirements::LONGER * PATIENCE,
+    longer: Requirements::LONGER,
+};
+const SMALL: usize = 600;
+
 /// Number of iterations after which an approach has to end.
-pub(super) const PATIENCE: u32 = 900;
+const PATIENCE: u32 = 900;
 
 /// Upper bound of the weight, relative to the same as [`START`]: the metric is in single precision,
 /// and must still resolve the energies.
@@ -97,7 +116,11 @@ impl Approach {
         };
         let [metric, hard] = model.stiffness;
         let unit = if metric > 0.0 { metric / hard } else { 1.0 };
-        let schedule = if model.hard.any_exact() { &TO_THE_SHAPE } else { &INTO_BANDS };
+        let schedule = match model.hard.any_exact() {
+            true => &TO_THE_SHAPE,
+            false if model.put.len() <= SMALL => &INTO_BANDS_OF_SMALL,
+            false => &INTO_BANDS,
+        };
         let zeros = || vec![[0.0; 4]; n];
         Approach {
             accelerator: Acceleration::new(&quasi_newton),
@@ -154,8 +177,8 @@ impl Approach {
     }
 
     fn begin_round(&mut self, model: &mut Model) -> Result<(), SolveError> {
-        let Schedule { patient, hurried } = *self.schedule;
-        self.round = if self.iterations < PATIENCE { patient } else { hurried };
+        let Schedule { patient, hurried, .. } = *self.schedule;
+        self.round = if self.is_long() { hurried } else { patient };
         let growth = Lane::min(self.round.growth, self.most / self.rho);
         if growth > 1.0 || self.rounds == 0 {
             self.rho *= growth;
@@ -174,6 +197,16 @@ impl Approach {
         }
         self.evaluate(model);
         Ok(())
+    }
+
+    /// Whether there were so many iterations that it has to end.
+    pub(super) fn is_long(&self) -> bool {
+        self.iterations >= self.schedule.patience
+    }
+
+    /// The factor of the greatest number of iterations.
+    pub(super) fn longer(&self) -> u32 {
+        self.schedule.longer
     }
 
     /// Whether rounds stand still at the `worst` excess of the last one. The constraints then

@@ -37,7 +37,7 @@ use super::settings::SolverSettings;
 use crate::constraint::Row;
 use crate::mesh::Point;
 use crate::sparse::BlockMatrix;
-use approach::{Approach, PATIENCE};
+use approach::Approach;
 use improve::Improve;
 use model::Model;
 use polish::{Polish, Polished};
@@ -140,6 +140,7 @@ impl Exact {
         let can_polish = polish_fits(problem, requirements, model.parts.system.factor_nonzeros());
         // Bands are reached without a polish, unless rounds stand still.
         let near = if model.hard.any_exact() { NEAR * model.parts.extent } else { 0.0 };
+        let most_iterations = approach.longer() * requirements.iterations;
         let mut exact = Exact {
             best: (worst, model.x.clone()),
             model,
@@ -150,7 +151,7 @@ impl Exact {
             stage: Stage::Approach,
             near,
             began: (0, Vec::new()),
-            most_iterations: requirements.iterations,
+            most_iterations,
             can_polish,
             contradicts: false,
             tries: 0,
@@ -234,7 +235,7 @@ impl Exact {
         }
         self.stage = Stage::Round;
         let worst = self.keep_best();
-        let is_long = self.approach.iterations >= PATIENCE && self.tries == 0;
+        let is_long = self.approach.is_long() && self.tries == 0;
         if self.near > 0.0 && self.can_polish && is_long {
             self.near = NEAR_ENOUGH * self.model.parts.extent;
         }

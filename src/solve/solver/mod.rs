@@ -6,6 +6,7 @@
 //! fixed point.
 
 mod handles;
+mod saddle;
 mod step;
 
 use super::accelerate::Acceleration;
@@ -49,6 +50,8 @@ pub struct Solver {
     /// Changes of the total below this are rounding error: positions have no more digits.
     rounding: f64,
     converged: bool,
+    /// The total at the last place that was found to be no saddle.
+    no_saddle: Option<f64>,
     /// Whether the last step was not the plain one.
     accelerated: bool,
     seconds: IterateSeconds,
@@ -88,6 +91,7 @@ impl Solver {
             best: None,
             rounding: 1e-30 * extent * extent * n_vertices as f64,
             converged: false,
+            no_saddle: None,
             accelerated: false,
             seconds: IterateSeconds::default(),
         };

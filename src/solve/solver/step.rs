@@ -59,7 +59,17 @@ impl Solver {
         self.stop_non_finite()?;
         let change = (self.energy.total - before.total).abs();
         let tolerance = self.settings.tolerance;
-        self.converged = tolerance > 0.0 && change <= (tolerance * before.total).max(self.rounding);
+        let standing = (tolerance * before.total).max(self.rounding);
+        self.converged = tolerance > 0.0 && change <= standing;
+        if self.converged {
+            let is_near = |total: f64| (total - self.energy.total).abs() <= 10.0 * standing;
+            let is_known = self.no_saddle.is_some_and(is_near);
+            if !is_known && self.leave_saddle(10.0 * standing) {
+                self.converged = false;
+            } else {
+                self.no_saddle = Some(self.energy.total);
+            }
+        }
         Ok(())
     }
 
