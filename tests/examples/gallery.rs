@@ -63,8 +63,10 @@ impl Results {
 /// Fails if the gallery does not show these results of all examples, or writes them if asked to.
 pub(crate) fn compare_with_gallery(found: &[Results]) {
     if std::env::var_os("UPDATE").is_some() {
-        let text = serde_json::to_string(found).expect("numbers are finite");
-        std::fs::write(PATH, text + "\n").expect("the results can be written");
+        // A line for each example, so that changes are seen.
+        let line = |result| serde_json::to_string(result).expect("numbers are finite");
+        let text = format!("[\n{}\n]\n", found.iter().map(line).collect::<Vec<_>>().join(",\n"));
+        std::fs::write(PATH, text).expect("the results can be written");
     }
     let text = std::fs::read_to_string(PATH).expect("there are results");
     let shown: Vec<Results> = serde_json::from_str(&text).expect("they can be read");
