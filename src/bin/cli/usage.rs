@@ -61,7 +61,8 @@ of where each part goes (key-*.svg, key.pdf), tables (CSV) and, with fins, the b
 in the scene. Lengths are in MM on the sheet or, where it says so, at full size; a LENGTH is in the unit
 of the mesh (--units; else that of the file, or guessed from its size). Settings of build:
 {}
---sheet is the width and height of a sheet in mm, or one of {}.
+--sheet is the width and height of a sheet in mm, or one of
+{}.
 --machine sets kerf and gap. --material also sets the thickness if it is one of
 {}.
 --report-page writes a report as a web page that prints
