@@ -57,9 +57,9 @@ A MESH is solved with settings that preserve its shape, a scene with its own.
 --trace records the energies of every iteration, in the report and on standard output.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
-of where each part goes (key-*.svg, key.pdf), tables (CSV) and, with fins, the beams as solids (OBJ). Settings that are not given are those of `build`
-in the scene. Lengths are in MM on the sheet or, where it says so, at full size; a LENGTH is in the unit
-of the mesh (--units; else that of the file, or guessed from its size). Settings of build:
+of where each part goes (key-*.svg, key.pdf), tables (CSV) and, with fins, the beams as solids (OBJ).
+Settings that are not given are those of `build` in the scene. Lengths are in MM on the sheet or, where
+it says so, at full size; a LENGTH is in the unit of the mesh (--units; else that of the file, or guessed from its size). Settings of build:
 {}
 --sheet is the width and height of a sheet in mm, or one of
 {}.
