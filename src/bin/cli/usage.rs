@@ -59,14 +59,15 @@ build lays panels, fins along the edges, or a paper model of strips or nets flat
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 of where each part goes (key-*.svg, key.pdf), tables (CSV) and, with fins, the beams as solids (OBJ).
 Settings that are not given are those of `build` in the scene. Lengths are in MM on the sheet or, where
-it says so, at full size; a LENGTH is in the unit of the mesh (--units; else that of the file, or guessed from its size). Settings of build:
+it says so, at full size; a LENGTH is in the unit of the mesh (--units; else that of the file, or
+guessed from its size). Settings of build:
 {}
 --sheet is the width and height of a sheet in mm, or one of
 {}.
 --machine sets kerf and gap. --material also sets the thickness if it is one of
 {}.
---report-page writes a report as a web page that prints
-on A4: picture, plan, build check, bill of materials, and the --link.
+--report-page writes a report as a web page that prints on A4: picture, plan, build check, bill of
+materials, and the --link.
 refine divides each face into several, N times; the boundary is refined as a curve of its own, and
 creases and corners that turn by more than DEGREES (75) stay sharp. With --panels it solves before the
 first level and after each; with --adopt the shape of each level is the original of the next, which stays
