@@ -65,7 +65,7 @@ const INTO_BANDS_OF_SMALL: Schedule = Schedule {
     patience: Requirements::LONGER * PATIENCE,
     longer: Requirements::LONGER,
 };
-const SMALL: usize = 300;
+const SMALL: usize = 100;
 
 /// Number of iterations after which an approach has to end.
 const PATIENCE: u32 = 900;
