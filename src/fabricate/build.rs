@@ -246,16 +246,19 @@ impl Build {
     /// What the lines on a sheet mean: which side is seen, and where the arrow of a part points.
     fn legend(&self) -> String {
         let side = match self.settings.product {
-            Product::Fins => return "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL".to_owned(),
+            _ if self.surface.one_sided.is_some() => "",
+            Product::Fins => "",
             Product::Paper if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
-            // Without an outside this is the side of the corners' order.
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };
         let arrow = match self.settings.product {
-            Product::Panels => ", ARROW: TO ITS FIRST EDGE IN THE MODEL",
-            _ => "",
+            Product::Panels => "ARROW: TO ITS FIRST EDGE IN THE MODEL",
+            Product::Fins => "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
+            Product::Paper => "",
         };
-        format!("{side}{arrow}")
+        let words: Vec<&str> =
+            [side, arrow].into_iter().filter(|words| !words.is_empty()).collect();
+        words.join(", ")
     }
 
     /// The title of a sheet, with the units of the model and of the sheet.

@@ -105,6 +105,7 @@ fn what_is_hidden_from_all_sides_is_said() {
     let key = build(&mesh, &BuildSettings::default()).key(true);
     assert_eq!(key.unnamed, ["P6", "P7", "P8", "P9", "P10", "P11"]);
     assert_eq!(all_names(&key.drawings).len(), 6);
+    assert!(key.drawings[0].title.ends_with(", WITHOUT 6 NAMES THAT NO VIEW SHOWS"));
 }
 
 #[test]

@@ -34,32 +34,34 @@ impl Build {
     pub fn key(&self, z_up: bool) -> Key {
         let marks = self.marks();
         let mut missing: Vec<usize> = (0..marks.len()).collect();
-        let mut others = around(z_up);
-        let mut next = Some(from_above(z_up));
+        let view_of = |sight| View::new(&self.surface, sight);
+        let mut others: Vec<View<'_>> = around(z_up).into_iter().map(view_of).collect();
+        let mut next = Some(view_of(from_above(z_up)));
         let mut chosen = Vec::new();
-        while let Some(sight) = next.take() {
-            let view = View::new(&self.surface, sight);
+        while let Some(view) = next.take() {
             let spots = view.spots(&marks, 0..marks.len());
             let page = page::Page::of(&view, &spots);
             missing.retain(|mark| !page.names(&spots, *mark));
-            chosen.push((sight, spots, page));
+            chosen.push((view, spots, page));
             // The side that shows most of what has no name yet.
             let best = (0..others.len())
                 .map(|k| {
-                    let view = View::new(&self.surface, others[k]);
-                    let spots = view.spots(&marks, missing.iter().copied());
-                    let page = page::Page::of(&view, &spots);
+                    let spots = others[k].spots(&marks, missing.iter().copied());
+                    let page = page::Page::of(&others[k], &spots);
                     (missing.iter().filter(|mark| page.names(&spots, **mark)).count(), k)
                 })
                 .max_by_key(|&(count, k)| (count, std::cmp::Reverse(k)));
             next = best.filter(|&(count, _)| count > 0).map(|(_, k)| others.remove(k));
         }
         let count = chosen.len();
-        let drawings = chosen.iter().zip(1..).map(|((sight, spots, page), number)| {
-            let seen = seen_from(*sight, z_up);
-            let title = format!("KEY {number}/{count}, NOT TO BE CUT, SEEN FROM {seen}");
-            let view = View::new(&self.surface, *sight);
-            page.drawing(format!("key-{number}"), title, &view, spots, &marks)
+        let hidden = match missing.len() {
+            0 => String::new(),
+            hidden => format!(", WITHOUT {hidden} NAMES THAT NO VIEW SHOWS"),
+        };
+        let drawings = chosen.iter().zip(1..).map(|((view, spots, page), number)| {
+            let seen = seen_from(view.sight, z_up);
+            let title = format!("KEY {number}/{count}, NOT TO BE CUT, SEEN FROM {seen}{hidden}");
+            page.drawing(format!("key-{number}"), title, view, spots, &marks)
         });
         Key {
             drawings: drawings.collect(),

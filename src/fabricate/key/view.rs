@@ -41,7 +41,7 @@ const OF_NODE: f64 = 0.15;
 
 pub(super) struct View<'a> {
     pub(super) surface: &'a PanelSurface,
-    sight: Sight,
+    pub(super) sight: Sight,
     /// The vertices in the picture, `#V`, and how far away they are.
     pub(super) points: Vec<Point2>,
     depths: Vec<f64>,

@@ -32,7 +32,7 @@ pub struct BuildPreset {
 }
 
 /// The values of a preset, in mm; absent ones stay. See [`BuildSettings`](super::BuildSettings).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[allow(missing_docs, reason = "they are those of the settings")]
 pub struct PresetValues {
     #[serde(skip_serializing_if = "Option::is_none")]

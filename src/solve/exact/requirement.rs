@@ -38,7 +38,7 @@ pub struct Requirements<'a> {
     /// The least ratio of an edge between vertices of hard constraints to its length at rest, at
     /// most one; `None` is no bound.
     pub shortest_edge: Option<f64>,
-    /// Greatest number of iterations of the approach; on meshes of a few hundred vertices, whose rounds
+    /// Greatest number of iterations of the approach; on meshes of at most a hundred vertices, whose rounds
     /// settle, [`LONGER`](Requirements::LONGER) times as many.
     pub iterations: u32,
 }
