@@ -5,9 +5,9 @@
 
 import { itemByKey, placeMenu, oneTabStop } from '../ui/controls/navigation.ts';
 import { byId, element, icon } from '../ui/dom.ts';
+import { narrow } from '../viewport/camera.ts';
 import type { Store } from '../store/state.ts';
 
-const PHONE = matchMedia('(max-width: 699px)');
 /** Touch-sized buttons in a window that is too narrow for all of them. */
 const TABLET = matchMedia('(pointer: coarse) and (min-width: 700px) and (max-width: 1099px)');
 /** Groups of the toolbar that move to the bottom bar of a phone, and to the menu; others stay. */
@@ -33,15 +33,15 @@ export function arrangeForWidth(store: Store) {
 
   function arrange() {
     tools.append(...groups);
-    if (PHONE.matches) bar.append(...IN_BAR.map(byId), moreButton);
+    if (narrow.matches) bar.append(...IN_BAR.map(byId), moreButton);
     else if (TABLET.matches) tools.append(moreButton);
     else moreButton.remove();
     if (!moreButton.isConnected) return;
-    more.append(...IN_MORE[PHONE.matches ? 'phone' : 'tablet'].map(byId));
+    more.append(...IN_MORE[narrow.matches ? 'phone' : 'tablet'].map(byId));
     // In a menu each control is its own tab stop.
     for (const control of more.querySelectorAll('[tabindex]')) control.removeAttribute('tabindex');
   }
-  for (const query of [PHONE, TABLET]) query.addEventListener('change', arrange);
+  for (const query of [narrow, TABLET]) query.addEventListener('change', arrange);
   arrange();
   [tools, bar, byId('select-bar')].forEach(oneTabStop);
   more.addEventListener('click', (event) => {
@@ -74,14 +74,14 @@ function tabs(store: Store) {
   function update() {
     const { tab } = store.get();
     dataset.tab = tab;
-    const open = !PHONE.matches || dataset.sheet === 'open';
+    const open = !narrow.matches || dataset.sheet === 'open';
     buttons.forEach((button, i) => {
       const isShown = names[i] === tab;
       button.setAttribute('aria-selected', String(isShown && open));
       button.tabIndex = isShown ? 0 : -1;
     });
   }
-  PHONE.addEventListener('change', update);
+  narrow.addEventListener('change', update);
   store.subscribe(['tab'], update);
   buttons.forEach((button, i) => {
     button.addEventListener('click', () => show(names[i]));

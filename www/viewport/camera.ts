@@ -25,6 +25,9 @@ export function fly(viewport: Viewport, change: (view: View) => void) {
   requestAnimationFrame(on);
 }
 
+/** Windows in which messages and cards lie below the model. */
+export const narrow = matchMedia('(max-width: 699px)');
+
 /** Gap between the model and the elements that cover the view, in CSS pixels. */
 const GAP = 14;
 

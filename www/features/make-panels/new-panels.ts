@@ -10,7 +10,7 @@ import { once } from '../../ui/once.ts';
 import { Cancelled, messageOf } from '../../solver/errors.ts';
 import { groupDigits } from '../../ui/format.ts';
 import { latestOnly } from '../../store/latest-only.ts';
-import { cover, fly } from '../../viewport/camera.ts';
+import { cover, fly, narrow } from '../../viewport/camera.ts';
 import { boundaryForecasts, paragraphs } from './layout-words.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { KindInfo } from '../../solver/types.ts';
@@ -41,8 +41,6 @@ const BOUNDARIES: [BoundaryForecast['boundary'], string, string][] = [
   ['follow', 'Followed by the panels', 'Followed'],
   ['cut', 'Cuts the panels', 'Cut'],
 ];
-/** Where the card lies along the lower edge of the view. */
-const narrow = matchMedia('(max-width: 699px)');
 /** Followed, unless cut panels move half as far or less. */
 const AUTOMATIC = 'Automatic';
 

@@ -11,12 +11,9 @@ import { count, length } from '../../ui/format.ts';
 import { isHard } from '../../store/state.ts';
 import { showExactVerdict } from './exact-verdict.ts';
 import { meshActions } from '../../store/mesh-actions.ts';
-import { cover, showElements } from '../../viewport/camera.ts';
+import { cover, narrow, showElements } from '../../viewport/camera.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Edit } from '../../solver/types.ts';
-
-/** Windows in which messages are below the model. */
-const narrow = matchMedia('(max-width: 699px)');
 
 const ZERO_SIZE = 'zero-size-faces';
 /** Maximum number of suggestions offered. */
