@@ -38,6 +38,7 @@ impl Ragged {
         &self.indices[self.offsets[i] as usize..self.offsets[i + 1] as usize]
     }
     /// Appends a row.
+    #[inline]
     pub fn push(&mut self, row: &[u32]) {
         self.indices.extend_from_slice(row);
         self.offsets.push(self.indices.len() as u32);
@@ -58,6 +59,7 @@ impl Ragged {
         self.indices.iter_mut().for_each(|v| *v = name[*v as usize]);
     }
     /// All rows in order.
+    #[inline]
     pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
         self.offsets.windows(2).map(|w| &self.indices[w[0] as usize..w[1] as usize])
     }

@@ -9,11 +9,13 @@ pub(crate) type Quad = [f64; 4];
 
 /// Number of rows of all panels of the first `width` columns of a lower triangle with `height`
 /// rows.
+#[inline]
 pub(crate) fn size(width: usize, height: usize) -> usize {
     start(width.div_ceil(4), height)
 }
 
 /// Start of panel `p` of a lower triangle with `height` rows.
+#[inline]
 pub(crate) fn start(p: usize, height: usize) -> usize {
     p * (height + 2) - 2 * p * p
 }
@@ -92,6 +94,7 @@ fn divide(rows: &mut [Quad], below: &[Quad; 3], inverse: &Quad) {
 }
 
 /// Whether any row below the first `width` columns of `panels` has a nonzero in these columns.
+#[inline]
 pub(crate) fn has_below(panels: &[Quad], width: usize, height: usize) -> bool {
     (0..width.div_ceil(4)).any(|p| {
         let rows = &panels[start(p, height)..][..height - 4 * p];
@@ -126,6 +129,7 @@ pub(crate) fn subtract_outer(
 }
 
 /// `D L^T` of the first four rows, or of all rows if there are fewer.
+#[inline]
 fn times_pivots(rows: &[Quad], pivots: &[f64]) -> [Quad; 4] {
     let mut product = [[0.0; 4]; 4];
     for (c, row) in rows.iter().take(4).enumerate() {

@@ -23,6 +23,7 @@ pub(crate) struct Singular {
 }
 
 /// Whether `pivot` is positive relative to the `diagonal` entry of its column; false for NaN.
+#[inline]
 pub(crate) fn is_positive(pivot: f64, diagonal: f64, smallest: f64) -> bool {
     pivot > smallest * diagonal && diagonal > 0.0
 }

@@ -18,6 +18,7 @@ pub(crate) struct Front<'a> {
 
 impl Front<'_> {
     /// Returns the values of column `c`, by ascending rows from row `from` on.
+    #[inline]
     pub(crate) fn column(&self, c: usize, from: usize) -> impl Iterator<Item = f64> {
         let panel = c / 4;
         let first = dense::start(panel, self.height) + from - 4 * panel;
@@ -196,6 +197,7 @@ fn add_column(
     }
 }
 
+#[inline]
 fn clear(quads: &mut Vec<Quad>, size: usize) {
     quads.clear();
     quads.resize(size, [0.0; 4]);

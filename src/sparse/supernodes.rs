@@ -62,6 +62,7 @@ impl Lower {
         Lower { offsets, rows, places }
     }
 
+    #[inline]
     fn range(&self, column: usize) -> Range<usize> {
         self.offsets[column] as usize..self.offsets[column + 1] as usize
     }
@@ -172,16 +173,19 @@ impl Supernodes {
     }
 
     /// The columns of supernode `s`.
+    #[inline]
     pub(crate) fn columns(&self, s: usize) -> Range<usize> {
         self.columns[s] as usize..self.columns[s + 1] as usize
     }
 
     /// All rows of supernode `s`, its own columns first, ascending.
+    #[inline]
     pub(crate) fn rows(&self, s: usize) -> &[u32] {
         &self.rows[self.row_starts[s] as usize..self.row_starts[s + 1] as usize]
     }
 
     /// The rows of supernode `s` below its columns.
+    #[inline]
     pub(crate) fn rows_below(&self, s: usize) -> &[u32] {
         &self.rows(s)[self.columns(s).len()..]
     }
@@ -197,6 +201,7 @@ impl Supernodes {
     }
 
     /// The parent of supernode `s`, or [`NONE`].
+    #[inline]
     pub(crate) fn parent(&self, s: usize) -> u32 {
         self.parents[s]
     }
@@ -208,6 +213,7 @@ impl Supernodes {
 
     /// The entries of column `c` of the lower triangle, its diagonal first: the row of each, and
     /// its index among the values of the upper triangle.
+    #[inline]
     pub(crate) fn lower(&self, c: usize) -> impl Iterator<Item = (u32, u32)> {
         let entries = self.lower.range(c);
         let rows = self.lower.rows[entries.clone()].iter().copied();

@@ -5,8 +5,8 @@
 //! need not be searched.
 
 use super::bvh::{Box3, Bvh};
-use super::safe_region::{TriangleSafeRegion, TriangleSides};
-use super::triangle::{Corners, Planes};
+use super::safe_region::{TriangleSafeRegion, across_corners, exact_distances};
+use super::triangle::{self, Corners, Planes};
 use crate::math::Lane;
 use crate::mesh::{Point, Ragged};
 
@@ -55,22 +55,26 @@ impl TriangleNeighbourhoods {
             let reach = REACH * size;
             let around = boxes[t].grown(reach);
             let mut region = TriangleSafeRegion::up_to(half(reach));
-            let sides = TriangleSides::new(&planes[t], &corners[t]);
+            let across = across_corners(&planes[t]);
             close.clear();
             others.clear();
             bvh.meeting(&around, |leaf| {
                 for s in leaf.filter(|&s| s != t && boxes[s].meets(&around)) {
+                    let mut distances = planes[t].distances_of(&corners[s]);
                     let mut gap = 0.0;
-                    if !corners[t].touches(&corners[s]) {
-                        gap = planes[t].gap(&corners[s].at);
+                    if corners[t].touches(&corners[s]) {
+                        distances = exact_distances(distances, &corners[t], &corners[s]);
+                    } else {
+                        gap = triangle::gap(&distances);
                         if gap <= reach {
-                            gap = Lane::max(gap, planes[s].gap(&corners[t].at));
+                            let others = planes[s].distances_of(&corners[t]);
+                            gap = Lane::max(gap, triangle::gap(&others));
                         }
                     }
                     if gap <= reach {
                         let list = if gap <= CLOSE_REACH * size { &mut close } else { &mut others };
                         list.push(s as u32);
-                        region.exclude(&sides, &corners[s], half(gap));
+                        region.exclude(&distances, across, half(gap));
                     }
                 }
                 close.len() + others.len() <= MOST

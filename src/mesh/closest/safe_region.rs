@@ -44,10 +44,9 @@ use crate::math::{Lane, Vec3};
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub(crate) struct TriangleSafeRegion {
-    /// Largest `tan(theta / 2)` of the triangles beyond the sides ab, bc, ca.
-    beyond_sides: [[f32; 3]; 2],
-    /// The same for triangles beyond the corners a, b, c, multiplied by `|n_i + n_j|`.
-    beyond_corners: [[f32; 3]; 2],
+    /// Largest `tan(theta / 2)` of the triangles beyond the sides ab, bc, ca and the corners a, b, c;
+    /// those of the corners multiplied by `|n_i + n_j|`.
+    beyond: [[f32; 6]; 2],
     /// Heights up to which the region is valid; negative if it is empty.
     heights: [f32; 2],
 }
@@ -58,44 +57,42 @@ const MEETING: [[usize; 2]; 3] = [[2, 0], [0, 1], [1, 2]];
 impl TriangleSafeRegion {
     /// Returns the region of a triangle without neighbours, valid up to `height`.
     pub(crate) fn up_to(height: f64) -> TriangleSafeRegion {
-        let nothing = [[0.0; 3]; 2];
-        let heights = [rounded_down(height); 2];
-        TriangleSafeRegion { beyond_sides: nothing, beyond_corners: nothing, heights }
+        TriangleSafeRegion { beyond: [[0.0; 6]; 2], heights: [rounded_down(height); 2] }
     }
 
-    /// Removes the points that are nearer to `other` than to the triangle `of` this region. Below the
-    /// height `far`, there are none.
-    pub(crate) fn exclude(&mut self, of: &TriangleSides<'_>, other: &Corners, far: f64) {
-        let TriangleSides { planes, corners, across } = of;
-        let distances = other.at.map(|corner| exact_distances(planes, corners, corner));
+    /// Removes the points that are nearer to another triangle than to that of this region, given the
+    /// distances of the other's corners to the planes of this one, and for each corner of this one the
+    /// length `across` of the sum of the outward normals of its sides. Below the height `far`, there
+    /// are none.
+    #[inline(always)]
+    pub(crate) fn exclude(&mut self, other: &[PlaneDistances; 3], across: [f64; 3], far: f64) {
         for (side, sign) in [1.0, -1.0].into_iter().enumerate() {
-            let heights = distances.map(|of| sign * of.height);
+            let heights = other.map(|of| sign * of.height);
             if heights.iter().all(|&height| height <= 0.0) {
                 continue;
             }
-            // Of the lines that `other` is beyond, take the one from which it rises least.
-            let mut least = (f64::INFINITY, 0.0, &mut self.heights[side]);
-            let lines = self.beyond_sides[side].iter_mut().chain(&mut self.beyond_corners[side]);
-            for (k, known) in lines.enumerate() {
-                let (out, times) = match k {
-                    0..3 => (distances.map(|of| of.out[k]), 1.0),
-                    _ => {
-                        let [i, j] = MEETING[k - 3];
-                        (distances.map(|of| of.out[i] + of.out[j]), across[k - 3])
-                    }
-                };
+            let above = heights.map(|height| height > 0.0);
+            let inverse = heights.map(|height| 1.0 / height);
+            // Of the lines that the triangle is beyond, take the one from which it rises least.
+            let (mut widest, mut scale, mut line) = (-1.0, 0.0, 6);
+            let mut compare = |k: usize, out: [f64; 3], times: f64| {
                 if times > 0.0 && out.iter().all(|&out| out >= 0.0) {
-                    let rise = |i: usize| half_tangent(heights[i], out[i] / times);
-                    let rise = Lane::max(rise(0), Lane::max(rise(1), rise(2)));
-                    if rise < least.0 {
-                        least = (rise, times, known);
+                    let cot = |i: usize| if above[i] { out[i] * inverse[i] } else { f64::INFINITY };
+                    let cot = Lane::min(cot(0), Lane::min(cot(1), cot(2))) / times;
+                    if cot > widest {
+                        (widest, scale, line) = (cot, times, k);
                     }
                 }
+            };
+            for k in 0..3 {
+                compare(k, other.map(|of| of.out[k]), 1.0);
+                let [i, j] = MEETING[k];
+                compare(3 + k, other.map(|of| of.out[i] + of.out[j]), across[k]);
             }
-            let (rise, times, known) = least;
-            if rise < f64::INFINITY {
-                *known = known.max(rounded_up(rise * times));
+            if let Some(known) = self.beyond[side].get_mut(line) {
+                *known = known.max(rounded_up(scale * half_tangent(widest)));
             } else {
+                let known = &mut self.heights[side];
                 *known = known.min(rounded_down(far));
             }
         }
@@ -107,12 +104,11 @@ impl TriangleSafeRegion {
         let side = usize::from(distances.height < 0.0);
         let height = distances.height.abs();
         let inside = distances.out.map(|out| -out);
-        let beyond_sides = &self.beyond_sides[side];
-        let beyond_corners = &self.beyond_corners[side];
-        let below_side = |k: usize| height * f64::from(beyond_sides[k]) <= inside[k];
+        let beyond = &self.beyond[side];
+        let below_side = |k: usize| height * f64::from(beyond[k]) <= inside[k];
         let below_corner = |k: usize| {
             let [i, j] = MEETING[k];
-            height * f64::from(beyond_corners[k]) <= inside[i] + inside[j]
+            height * f64::from(beyond[3 + k]) <= inside[i] + inside[j]
         };
         (height <= f64::from(self.heights[side]))
             & (below_side(0) & below_side(1) & below_side(2))
@@ -120,36 +116,32 @@ impl TriangleSafeRegion {
     }
 }
 
-/// A triangle, and for each corner the length of the sum of the outward normals of its sides.
-pub(crate) struct TriangleSides<'a> {
-    planes: &'a Planes,
-    corners: &'a Corners,
-    across: [f64; 3],
+/// Returns for each corner of a triangle the length of the sum of the outward normals of its sides.
+pub(crate) fn across_corners(planes: &Planes) -> [f64; 3] {
+    let normals = planes.side_normals();
+    MEETING.map(|[i, j]| (normals[i] + normals[j]).length())
 }
 
-impl<'a> TriangleSides<'a> {
-    pub(crate) fn new(planes: &'a Planes, corners: &'a Corners) -> TriangleSides<'a> {
-        let normals = planes.side_normals();
-        let across = MEETING.map(|[i, j]| (normals[i] + normals[j]).length());
-        TriangleSides { planes, corners, across }
-    }
-}
-
-/// Returns the distances of a corner of another triangle; exactly zero if it is a shared corner.
+/// Returns the distances of the corners of another triangle; exactly zero where they are shared.
 #[inline(always)]
-fn exact_distances(planes: &Planes, corners: &Corners, corner: Vec3<f64>) -> PlaneDistances {
-    let mut distances = planes.distances(splat(corner));
-    for k in (0..3).filter(|&k| corners.at[k] == corner) {
-        distances.height = 0.0;
-        MEETING[k].into_iter().for_each(|side| distances.out[side] = 0.0);
+pub(crate) fn exact_distances(
+    mut distances: [PlaneDistances; 3],
+    corners: &Corners,
+    other: &Corners,
+) -> [PlaneDistances; 3] {
+    for (distances, corner) in distances.iter_mut().zip(&other.at) {
+        for k in (0..3).filter(|&k| corners.at[k] == *corner) {
+            distances.height = 0.0;
+            MEETING[k].into_iter().for_each(|side| distances.out[side] = 0.0);
+        }
     }
     distances
 }
 
-/// Returns `tan(theta / 2)` of the elevation angle of a point at this height and distance.
+/// Returns `tan(theta / 2)` of `cot(theta)`, for angles of at most 90 degrees.
 #[inline(always)]
-fn half_tangent(height: f64, away: f64) -> f64 {
-    if height > 0.0 { height / (away + (away * away + height * height).sqrt()) } else { 0.0 }
+fn half_tangent(cot: f64) -> f64 {
+    1.0 / (cot + (1.0 + cot * cot).sqrt())
 }
 
 fn rounded_up(x: f64) -> f32 {

@@ -82,20 +82,25 @@ impl Planes {
         [self.normals[0].lane(1), self.normals[1].lane(0), self.normals[1].lane(1)]
     }
 
-    /// Returns a lower bound on the distance between this triangle and another one.
-    pub(crate) fn gap(&self, corners: &[Vec3<f64>; 3]) -> f64 {
-        let [a, b, c] = *corners;
-        let distances =
-            [self.distances(splat(a)), self.distances(splat(b)), self.distances(splat(c))];
-        let least = |of: fn(&PlaneDistances) -> f64| {
-            let [a, b, c] = [of(&distances[0]), of(&distances[1]), of(&distances[2])];
-            Lane::min(a, Lane::min(b, c))
-        };
-        let sides =
-            Lane::max(least(|o| o.out[0]), Lane::max(least(|o| o.out[1]), least(|o| o.out[2])));
-        let plane = Lane::max(least(|o| o.height), least(|o| -o.height));
-        Lane::max(0.0, Lane::max(sides, plane))
+    /// Returns the distances of the corners of another triangle.
+    #[inline(always)]
+    pub(crate) fn distances_of(&self, other: &Corners) -> [PlaneDistances; 3] {
+        let [a, b, c] = other.at;
+        [self.distances(splat(a)), self.distances(splat(b)), self.distances(splat(c))]
     }
+}
+
+/// Returns a lower bound on the distance between two triangles, given the distances of the corners of
+/// one to the planes of the other.
+#[inline(always)]
+pub(crate) fn gap(distances: &[PlaneDistances; 3]) -> f64 {
+    let least = |of: fn(&PlaneDistances) -> f64| {
+        let [a, b, c] = [of(&distances[0]), of(&distances[1]), of(&distances[2])];
+        Lane::min(a, Lane::min(b, c))
+    };
+    let sides = Lane::max(least(|o| o.out[0]), Lane::max(least(|o| o.out[1]), least(|o| o.out[2])));
+    let plane = Lane::max(least(|o| o.height), least(|o| -o.height));
+    Lane::max(0.0, Lane::max(sides, plane))
 }
 
 impl PlaneDistances {
