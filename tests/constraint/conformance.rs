@@ -5,6 +5,7 @@ use crate::constraint::cases::{
     Case, assert_close, cases, centred_as, is_oriented, kind, kinds, scaled, sizes, told, turned,
 };
 use crate::support::degenerate::degenerate;
+use crate::support::long_or;
 use crate::support::minimise::least_distance_squared;
 use crate::support::project::{Project, project};
 use crate::support::random::{Points, Random, distance_squared, in_frame, size};
@@ -178,7 +179,7 @@ fn lanes_and_scalars_give_the_same_bits() {
 
 #[test]
 fn exact_projections_are_never_farther_than_brute_force_finds() {
-    for case in told(12).filter(|case| case.shape.exact && case.n <= 10) {
+    for case in told(long_or(12, 5)).filter(|case| case.shape.exact && case.n <= 10) {
         let found = distance_squared(&case.points, &case.project());
         let Shape { parameters, closest, .. } = case.shape;
         let least = least_distance_squared(&case.points, &case.rest, parameters, closest, 20);
@@ -206,7 +207,8 @@ fn approximate_projections_stay_within_their_stated_excess() {
         for (noise, bound) in NOISE.into_iter().zip(excess) {
             for n in sizes {
                 let (mut sum, mut worst) = (0.0, 0.0f64);
-                for seed in 0..25 {
+                let seeds = long_or(25, 8);
+                for seed in 0..seeds {
                     let mut random = Random::new(seed);
                     let rest = centred_as(centring, &rest(&mut Random::new(!seed), n));
                     let shape = sample(&mut random, &rest);
@@ -229,7 +231,7 @@ fn approximate_projections_stay_within_their_stated_excess() {
                 }
                 println!(
                     "{id} n={n} noise {noise}: excess mean {:.1e} max {worst:.1e}",
-                    sum / 25.0
+                    sum / seeds as f64
                 );
             }
         }
@@ -284,7 +286,9 @@ fn exact_projections_are_closest_on_degenerate_input_too() {
                 }
                 let found = distance_squared(&points, &project(&kind, &rest, &points)).sqrt();
                 let Shape { parameters, closest, .. } = shape;
-                let least = least_distance_squared(&points, &rest, parameters, closest, 5).sqrt();
+                let least =
+                    least_distance_squared(&points, &rest, parameters, closest, long_or(5, 3))
+                        .sqrt();
                 let rounding = 1e-14 * size(&points);
                 assert!(
                     found <= least * (1.0 + 1e-9) + rounding,

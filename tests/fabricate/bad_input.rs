@@ -3,6 +3,7 @@
 use super::identities::revolution;
 use super::{build, metres};
 use crate::support::grid::grid;
+use crate::support::long_or;
 use crate::support::shared;
 use shape_up::fabricate::Build;
 use shape_up::fabricate::panel::is_simple;
@@ -162,7 +163,7 @@ fn real_and_awkward_meshes_are_built_without_a_panic() {
         for path in files.filter(|path| path.is_file()) {
             let bytes = std::fs::read(&path).unwrap();
             // The largest files take too long for what they test.
-            if bytes.len() > 150_000 {
+            if bytes.len() > long_or(150_000, 30_000) {
                 continue;
             }
             let Ok(read) = shape_up::mesh::read(&path.to_string_lossy(), &bytes) else { continue };

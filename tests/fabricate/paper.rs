@@ -3,6 +3,7 @@
 use super::build;
 use super::identities::revolution;
 use crate::support::grid::grid;
+use crate::support::long_or;
 use crate::support::shared;
 use shape_up::fabricate::paper::{JointKind, PaperModel};
 use shape_up::fabricate::{Build, BuildFile};
@@ -350,7 +351,7 @@ fn real_and_awkward_meshes_are_folded_without_a_panic() {
         let files = std::fs::read_dir(path).unwrap().map(|entry| entry.unwrap().path());
         for path in files.filter(|path| path.is_file()) {
             let bytes = std::fs::read(&path).unwrap();
-            if bytes.len() > 60_000 {
+            if bytes.len() > long_or(60_000, 15_000) {
                 continue;
             }
             let Ok(read) = shape_up::mesh::read(&path.to_string_lossy(), &bytes) else { continue };

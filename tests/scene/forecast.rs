@@ -1,6 +1,7 @@
 //! Forecast of the displacement of a mesh for panels of one kind, before solving.
 
 use crate::support::grid::grid;
+use crate::support::long_or;
 use shape_up::constraint::{KINDS, Kind};
 use shape_up::math;
 use shape_up::mesh::{MESH_OPERATIONS, Mesh, Task, Topology};
@@ -190,22 +191,22 @@ fn diagonal_quads_are_not_named_where_they_would_move_as_far() {
     assert_eq!(forecast(&vault(0.1)).suggestion(), None);
 }
 
-/// Quad meshes of `../shared/meshes` that are solved within a second.
+/// Quad meshes of `../shared/meshes`.
 const MESHES: [&str; 9] = [
-    "M2_eq_quad2.obj",
-    "botanic-garden-bubble-0.obj",
     "chebyshev_sphere.obj",
-    "cmc1.obj",
     "compas_hypar.obj",
     "compas_tubemesh.obj",
     "halftunnel.off",
+    "M2_eq_quad2.obj",
+    "botanic-garden-bubble-0.obj",
+    "cmc1.obj",
     "pillow_1.obj",
     "trimesh_quadknot.obj",
 ];
 
 #[test]
 fn what_is_said_of_real_meshes_is_what_becomes_of_them() {
-    for file in MESHES {
+    for &file in long_or(&MESHES[..], &MESHES[..4]) {
         let Some(mesh) = crate::support::shared::mesh(file) else { return };
         for kind in ["circle", "plane"] {
             let (moved, of_kind, forecast) = moved_and_forecast(&mesh, kind);

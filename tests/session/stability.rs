@@ -2,6 +2,7 @@
 //! of vertices and faces, position, orientation and unit. Near a limit rounding used to decide.
 
 use super::search::{opened, press, saddle, sheared};
+use crate::support::long_or;
 use crate::support::random::Random;
 use crate::support::shared;
 use shape_up::math::Vec3;
@@ -124,7 +125,7 @@ fn noise_order_and_position_do_not_change_what_is_chosen() {
 /// Only with `LONG` set: small meshes take seconds each, the largest minutes.
 #[test]
 fn noise_order_and_position_change_nothing_on_real_meshes() {
-    if std::env::var_os("LONG").is_none() {
+    if long_or(false, true) {
         println!("skipped: LONG is not set");
         return;
     }

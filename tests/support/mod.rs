@@ -11,3 +11,8 @@ pub(crate) mod random;
 pub(crate) mod shapes;
 pub(crate) mod shared;
 pub(crate) mod sources;
+
+/// `all` in `npm run test:long`, else `some` of them, which take seconds.
+pub(crate) fn long_or<T>(all: T, some: T) -> T {
+    if std::env::var_os("LONG").is_some() { all } else { some }
+}
