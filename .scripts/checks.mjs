@@ -171,9 +171,14 @@ const all = [
   [[program, ...bench, ...viewTests, ...page]],
 ];
 
+const declarations = {
+  title: 'modules whose types may have changed',
+  run: script('modules', '--declarations'),
+};
+
 /** The stages of each command, one after another; the lanes of a stage run side by side. */
 export const stages = {
-  check: [[[...texts, ...modules.map(module), ...compiled], native]],
+  check: [[[...texts, declarations, ...compiled], native]],
   site: [[[...engine, ...views.map(module), ...viewTests, ...built, program, ...bench]]],
   page: [[[program, ...page]]],
   test: all,

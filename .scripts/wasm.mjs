@@ -1,6 +1,6 @@
 // The crate as WebAssembly modules for the page, each with its JavaScript side.
 
-import { rmSync } from 'node:fs';
+import { readFileSync, rmSync } from 'node:fs';
 import { join, relative } from 'node:path';
 import { bindgen, buildBindgen } from './bindgen.mjs';
 import { at, root, targetFolder, wasmTarget } from './project.mjs';
@@ -30,6 +30,22 @@ export function sourcesOf(feature) {
 export async function buildModules(wanted = modules) {
   await buildBindgen();
   for (const feature of wanted) await buildModule(feature);
+}
+
+/**
+ * Builds modules unless those that are there declare the same to TypeScript: a change of what no
+ * file with declarations says is not waited for before types are checked.
+ */
+export async function buildDeclarations(wanted = modules) {
+  for (const feature of wanted) {
+    const declares = (path) => /tsify|wasm_bindgen/i.test(readFileSync(path, 'utf8'));
+    const work = {
+      name: `${feature}-declarations`,
+      inputs: sourcesOf(feature).filter(declares),
+      output: join(at('www', 'pkg', feature), 'shape_up.d.ts'),
+    };
+    await unlessUnchanged(work, () => buildModules([feature]));
+  }
 }
 
 /** Builds one module into `www/pkg/<feature>/`. */

@@ -97,6 +97,19 @@ fn binary_ply_is_the_same_mesh_in_either_order_of_bytes() {
 }
 
 #[test]
+fn a_number_after_a_header_of_lines_that_end_in_cr_may_begin_like_lf() {
+    // The first byte of the first coordinate, 10, was taken for the rest of the line end.
+    let head = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\n\
+        property float y\nproperty float z\nend_header\n";
+    let x = f32::from_bits(0x3F80_000A);
+    let numbers = [x, 0.0, 0.0].map(f32::to_le_bytes).concat();
+    for end in ["\n", "\r", "\r\n"] {
+        let bytes = [head.replace('\n', end).as_bytes(), &numbers].concat();
+        assert_eq!(ok("a.ply", bytes).mesh.positions, [[f64::from(x), 0.0, 0.0]], "{end:?}");
+    }
+}
+
+#[test]
 fn ply_that_is_wrong_is_refused_with_its_line() {
     for (from, to, message) in [
         ("format ascii 1.0\n", "", "a.ply: the header has no `format`"),
@@ -169,6 +182,13 @@ fn corners_of_stl_at_one_place_are_one_vertex() {
     assert_eq!(problems, []);
     assert_eq!(notes, ["STL has no common vertices: 6 corners are 4 vertices"]);
     assert_eq!(ok("unnamed", STL).mesh, mesh);
+    // Solids of one name are one object.
+    let third = STL[..STL.find("solid right").unwrap()].replace("1 1 0", "0 -1 0");
+    let Read { mesh, notes, .. } = ok("a.stl", STL.to_owned() + &third);
+    let groups: Vec<_> = mesh.groups.iter().map(|group| (&*group.name, &*group.faces)).collect();
+    assert_eq!(groups, [("left", &[0, 2][..]), ("right", &[1])]);
+    let note = "1 name stands for several groups of the file, which are one group each here: left";
+    assert_eq!(notes[0], note);
     // A triangle without a side is said.
     let found = ok("a.stl", STL.replace("vertex 0 1 0", "vertex 1 1 0"));
     assert_eq!(found.problems[0].kind, ProblemKind::TooFewCorners(ElementKind::Face));

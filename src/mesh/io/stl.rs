@@ -5,10 +5,11 @@
 //! is written.
 
 use super::builder::{MeshBuilder, ReadFault};
+use super::groups::Groups;
 use super::lines::{decode, lines, words};
 use super::number::{Decimal, Numbering, coordinate};
 use crate::math::{Vec3, polygon_sides, triangles_in_space};
-use crate::mesh::{ElementKind, Group, GroupKeyword, Mesh, Point, ProblemKind};
+use crate::mesh::{ElementKind, GroupKeyword, Mesh, Point, ProblemKind};
 use crate::words::count;
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -89,7 +90,9 @@ fn read_text(text: &str, corners: &mut Corners) -> Result<(), ReadFault> {
         let Some(word) = words.next() else { continue };
         last = word.to_ascii_lowercase();
         match last.as_str() {
-            "solid" => corners.begin(&words.collect::<Vec<_>>().join(" ")),
+            "solid" => {
+                corners.groups.open(GroupKeyword::Object, text);
+            }
             "vertex" => {
                 let place = std::array::from_fn(|_| coordinate(words.next().unwrap_or_default()));
                 corners.push(place, Some(line));
@@ -120,7 +123,7 @@ struct Corners {
     row: Vec<u32>,
     /// Number of corners in all.
     read: usize,
-    groups: Vec<Group>,
+    groups: Groups,
 }
 
 impl Corners {
@@ -143,23 +146,16 @@ impl Corners {
         let row = std::mem::take(&mut self.row);
         let numbers = row.iter().map(|&v| Some(v as i32));
         let face = self.builder.element(ElementKind::Face, numbers, Numbering::ZeroBased, line);
-        if let (Some(face), Some(group)) = (face, self.groups.last_mut()) {
-            group.faces.push(face);
+        if let Some(face) = face {
+            self.groups.add(ElementKind::Face, face);
         }
     }
 
-    fn begin(&mut self, name: &str) {
-        self.groups.push(Group {
-            name: name.to_owned(),
-            keyword: GroupKeyword::Object,
-            faces: Vec::new(),
-            curves: Vec::new(),
-        });
-    }
-
     fn finish(self) -> MeshBuilder {
-        let Corners { mut builder, read, mut groups, .. } = self;
-        groups.retain(|group| !group.faces.is_empty() && !group.name.is_empty());
+        let Corners { mut builder, read, groups, .. } = self;
+        builder.notes.extend(groups.note());
+        let groups = groups.finish();
+        // A single one is the whole mesh, and is named like the program that wrote it.
         if groups.len() > 1 {
             builder.mesh.groups = groups;
         }
