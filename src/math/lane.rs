@@ -47,10 +47,12 @@ pub trait Lane:
     /// Replaces the value of lane `i`.
     fn set_lane(&mut self, i: usize, x: f64);
     /// Zero in every lane.
+    #[inline(always)]
     fn zero() -> Self {
         Self::splat(0.0)
     }
     /// One in every lane.
+    #[inline(always)]
     fn one() -> Self {
         Self::splat(1.0)
     }
@@ -105,7 +107,11 @@ impl<const P: usize> Lanes<P> {
     /// Returns lanes with the values `value(lane)`.
     #[inline(always)]
     pub fn from_fn(value: impl Fn(usize) -> f64) -> Self {
-        Lanes(std::array::from_fn(|k| Register::new(value(2 * k), value(2 * k + 1))))
+        let mut lanes = [Register::new(0.0, 0.0); P];
+        for (k, register) in lanes.iter_mut().enumerate() {
+            *register = Register::new(value(2 * k), value(2 * k + 1));
+        }
+        Lanes(lanes)
     }
 
     // Loops, because `array::map` and the like may not be inlined.

@@ -230,7 +230,11 @@ impl<S: Scalar> Panels<S> {
     }
 }
 
+// A loop, because `array::from_fn` may not be inlined.
 #[inline(always)]
-fn minus<S: Scalar, const R: usize>(x: [S; R], factor: S, y: [S; R]) -> [S; R] {
-    std::array::from_fn(|i| x[i] - factor * y[i])
+fn minus<S: Scalar, const R: usize>(mut x: [S; R], factor: S, y: [S; R]) -> [S; R] {
+    for i in 0..R {
+        x[i] = x[i] - factor * y[i];
+    }
+    x
 }

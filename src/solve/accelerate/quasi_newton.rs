@@ -211,6 +211,10 @@ fn dot(a: &[F32Row], b: &[F32Row]) -> f64 {
 }
 
 #[inline(always)]
-fn add_product(sum: F32Row, a: F32Row, b: F32Row) -> F32Row {
-    std::array::from_fn(|i| sum[i] + a[i] * b[i])
+fn add_product(mut sum: F32Row, a: F32Row, b: F32Row) -> F32Row {
+    // A loop, because `array::from_fn` may not be inlined.
+    for i in 0..sum.len() {
+        sum[i] += a[i] * b[i];
+    }
+    sum
 }
