@@ -59,8 +59,9 @@
 //! | `app` | wires them; header, menus and keys |
 //! | `pages` | the other pages: gallery, licences, projections |
 //!
-//! The page calls the solver's worker in three ways (`www/worker/interface.ts`): `tell` for commands
+//! The page calls the solver's worker in three ways (`www/solver/solver-client.ts`): `tell` for commands
 //! without an answer, `change` for what changes the model, one after another, and `ask` for questions.
+//! What they may be is in `www/worker/interface.ts`.
 //!
 //! The address of the page takes `?renderer=webgl2` or `webgpu`, which otherwise the view chooses, and
 //! `?embed` for a frame in another page, with `&autoplay`, `&panel=model` or `inspector`, `&measure=` and
@@ -73,7 +74,8 @@
 //!    (`view/state/pick`) and for the target to which a motion of the pointer leads
 //!    (`view/state/gizmo_drag`); `www/store/handles.ts` tells it to the worker.
 //! 2. The worker keeps the latest target until its next slice of time (`www/worker/scheduler.ts`), then
-//!    calls `Session::drag_through` (`session/dragging`), which checks it and passes it to
+//!    calls `drag` (`web/worker/solver`), and that `Session::drag_through` (`session/dragging`), which checks
+//!    it and passes it to
 //!    `Solver::move_handles` (`solve/solver/handles`): no matrix changes. What leads back to the state
 //!    before the drag is kept in `session/undo/transaction`.
 //! 3. Energies, gradients and projections are computed for it, and `Session::step` (`session/iterating`)
@@ -93,7 +95,8 @@
 //! 1. [`mesh`] reads a file, or [`scene`] a scene and its mesh. `Session::open` (`session/load`)
 //!    validates the scene against the mesh and resolves the selectors (`session/state/rows`).
 //! 2. `Solver::new` assembles the normal matrix (`solve::assemble`); [`sparse`] orders and factors it.
-//! 3. `Session::begin_run`, then `Session::step` until it reports the end: converged, collapsed
+//! 3. `Session::begin_run` (`session/dragging`, since a drag is one too), then `Session::step` until it
+//!    reports the end: converged, collapsed
 //!    (`session/run/collapse_guard`), or after as many iterations as the scene allows. Where
 //!    constraints are hard, `solve/exact` then meets them (`session/run/meeting`), by one attempt
 //!    after another (`session/searching`, `session/run/attempts`) until a shape is good by the measure
@@ -104,30 +107,33 @@
 //!    ([`scene::ChosenAttempt`]), so that every host gets the same shape from it.
 //! 5. `Session::report` measures the shape (`mesh/measure`). Verdicts on it are questions of their own
 //!    (`session/queries`): after a press for panels `Session::verdict` (worded in
-//!    `session/report/verdict_words`), after another run `Session::run_verdict` (`run_verdict`), of hard
-//!    constraints `exact_words`. `session/export` writes OBJ or the scene.
+//!    `session/report/verdict_words`), after another run `Session::run_verdict`
+//!    (`session/report/run_verdict`), of hard constraints `session/report/exact_words`. `session/export`
+//!    writes OBJ or the scene.
 //!
 //! # Other ways through the rooms
 //!
 //! - The text of a scene: `session/opened_file` tells what a file is; `Scene::from_json`
 //!   (`scene/json/file`) gives the typed [`scene::Scene`] or an error with its JSON path, `Scene::validate`
-//!   (`scene/validate`) checks it against the mesh, and `scene/problem` makes the [`solve::Problem`] of it.
+//!   (`scene/validate`, for `session/load`) checks it against the mesh, and `scene/problem` makes the
+//!   [`solve::Problem`] of it (for `session/state/solved_scene`).
 //! - A setting of Build: a field of [`scene::BuildSettings`] and its declaration in
 //!   [`scene::BUILD_SETTINGS`], of which hosts make their forms and options. The edit `SetBuild`
 //!   stores it in the scene; the page's second worker passes it to `web::jobs::build`, which calls
-//!   [`fabricate::Build::new`]. A kerf, for instance, is applied in `fabricate/cutting`; `fabricate/file/drawing`
-//!   draws the outline, and `fabricate/output` writes the files.
+//!   [`fabricate::Build::new`]. A kerf, for instance, is applied to outlines in `fabricate/cutting`, and to
+//!   holes in `fabricate/holes`; `fabricate/file/drawing` draws them, and `fabricate/output` writes the files.
 //! - A question of the page: a method in `web/worker`, such as `verdict` in `web/worker/questions`, whose
 //!   TypeScript types tsify and wasm-bindgen write; and its use in the page, `actions.ask.verdict()`. What
 //!   takes long is a method in `web/jobs`, such as `ModelCopy::forecast` on a copy of the model, and its
-//!   use, `jobs.copy(model).forecast()`. Nothing stands between: the calls cross by name
+//!   use in `www/store/trials.ts`, `copy(model).forecast()`. Nothing stands between: the calls cross by name
 //!   (`www/solver/remote.ts`).
 //! - An edit of the page: a variant of [`session::Edit`], whose TypeScript type is generated, and its
 //!   effect in `session/edit/apply`. The page calls `actions.edit({ removeSet: { name } })`; what is no
 //!   field of the variant is refused.
 //! - A setting of the solver: a declaration in [`session::SETTINGS`]. Hosts build their controls from
 //!   that list.
-//! - An operator: a file in `constraint/kinds` with its closed form, and a line in the list there. See
+//! - An operator: a file in `constraint/kinds` with its closed form, which may be one of [`math`] (that of a
+//!   circle is `math/circle_fit`), and a line in the list there. See
 //!   [`constraint`].
 //!
 //! # From a shape to parts

@@ -5,7 +5,7 @@
 
 use crate::fabricate::beam::Prism;
 use crate::fabricate::build::{Build, beam_name, node_name};
-use crate::fabricate::file::{GlbPart, glb};
+use crate::fabricate::file::{GlbLayer, GlbPart, glb};
 use crate::fabricate::panel::triangles_in_space;
 use crate::fabricate::sheet::Role;
 use crate::math::{Vec3, twice_vector_area};
@@ -140,37 +140,50 @@ impl Build {
 /// The name of the file.
 pub const PRESENTATION: &str = "model.glb";
 
+/// Of more panels, each layer of a presentation is one part: viewers draw part by part, and a telephone
+/// would take seconds for it.
+const NAMED_PANELS: usize = 2000;
+
 impl Build {
     /// Writes panels, offset panels and flat beams between them as binary glTF, in metres about the
-    /// centre of the bounding box. `z_up` is whether z is up in the mesh; else y is.
+    /// centre of the bounding box: panels and beams by their names, up to a number. `z_up` is whether z
+    /// is up in the mesh; else y is.
     pub fn presentation(&self, z_up: bool) -> Vec<u8> {
-        let [mut panels, mut offset, mut beams] = [
-            ("panels", [0.80, 0.81, 0.83, 1.0]),
-            ("offset", [0.35, 0.20, 0.65, 0.35]),
-            ("beams", [0.45, 0.30, 0.18, 1.0]),
-        ]
-        .map(|(name, colour)| GlbPart { name, colour, ..GlbPart::default() });
+        let is_named = self.names.len() <= NAMED_PANELS;
+        let layer = |name, colour, polygons: Vec<(String, Vec<Vec3<f64>>)>| {
+            let mut parts = vec![GlbPart::named(name)];
+            for (own, corners) in polygons {
+                if is_named && !own.is_empty() {
+                    parts.push(GlbPart::named(&own));
+                }
+                parts.last_mut().expect("there is the first").add_polygon(&corners);
+            }
+            GlbLayer { name, colour, parts }
+        };
         let metres = self.unit.metres;
         let surface = &self.surface;
         let below = |v: u32| surface.at(v) * metres;
-        for face in surface.faces.iter() {
-            panels.add_polygon(&face.iter().map(|&v| below(v)).collect::<Vec<_>>());
-        }
+        let panels = self.names.iter().cloned().zip(surface.faces.iter());
+        let panels = panels.map(|(name, face)| (name, face.iter().map(|&v| below(v)).collect()));
+        let mut layers = vec![layer("panels", [0.80, 0.81, 0.83, 1.0], panels.collect())];
         if let Some((axes, _)) = &self.offset {
             let by = self.distance() * metres;
             let above = |v: u32| -> Vec3<f64> { below(v) + axes.axes[v as usize] * by };
-            for face in surface.faces.iter() {
-                offset.add_polygon(&face.iter().map(|&v| above(v)).collect::<Vec<_>>());
-            }
-            for [i, j] in surface.edges.iter().map(|edge| edge.ends) {
-                beams.add_polygon(&[below(i), below(j), above(j), above(i)]);
-            }
+            let panels = surface.faces.iter();
+            let panels =
+                panels.map(|face| (String::new(), face.iter().map(|&v| above(v)).collect()));
+            layers.push(layer("offset", [0.35, 0.20, 0.65, 0.35], panels.collect()));
+            let beams = surface.edges.iter().map(|edge| edge.ends);
+            let beams = beams
+                .map(|[i, j]| (beam_name([i, j]), vec![below(i), below(j), above(j), above(i)]));
+            layers.push(layer("beams", [0.45, 0.30, 0.18, 1.0], beams.collect()));
         }
-        glb(&[panels, offset, beams], z_up)
+        glb(&layers, z_up)
     }
 }
 
-/// Panels, the offset, and every prism by its name; none if no beams are made.
+/// Panels and their offset, together and each panel by its name, and every prism by its name; none if no
+/// beams are made.
 pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
     let frame = build.frame.as_ref()?;
     let (axes, _) = build.offset.as_ref()?;
@@ -181,6 +194,8 @@ pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
     };
     let centre = build.surface.centre;
     add(&mut mesh, "panels", &moved(0.0), centre, faces());
+    // The faces of the panels are the first ones of the mesh.
+    mesh.groups.extend((0..).zip(&build.names).map(|(face, name)| group(name, vec![face])));
     add(&mut mesh, "offset", &moved(build.distance()), centre, faces());
     for (edge, prism) in build.surface.edges.iter().zip(&frame.prisms) {
         if let Some(prism) = prism {
@@ -204,7 +219,9 @@ fn add(
     for face in faces {
         mesh.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
     }
-    let faces = (first_face..mesh.faces.len() as u32).collect();
-    let (name, keyword) = (name.to_owned(), GroupKeyword::Group);
-    mesh.groups.push(Group { name, keyword, faces, curves: Vec::new() });
+    mesh.groups.push(group(name, (first_face..mesh.faces.len() as u32).collect()));
+}
+
+fn group(name: &str, faces: Vec<u32>) -> Group {
+    Group { name: name.to_owned(), keyword: GroupKeyword::Group, faces, curves: Vec::new() }
 }

@@ -3,7 +3,7 @@
 use super::build;
 use super::identities::revolution;
 use serde_json::Value;
-use shape_up::fabricate::file::{GlbPart, glb};
+use shape_up::fabricate::file::{GlbLayer, GlbPart, glb};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::scene::BuildSettings;
@@ -29,9 +29,13 @@ fn triangles((json, data): &(Value, Vec<u8>), mesh: usize) -> Vec<[Vec3<f64>; 3]
     let accessor = |key: &Value| &json["accessors"][key.as_u64().unwrap() as usize];
     let chunks = |accessor: &Value| -> Vec<[u8; 4]> {
         let view = &json["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
-        let [from, length] =
-            ["byteOffset", "byteLength"].map(|k| view[k].as_u64().unwrap() as usize);
-        data[from..from + length].as_chunks().0.to_vec()
+        let number = |of: &Value, key: &str| of[key].as_u64().unwrap() as usize;
+        let from = number(accessor, "byteOffset");
+        let size = if accessor["type"] == "VEC3" { 12 } else { 4 };
+        let to = from + size * number(accessor, "count");
+        assert!(to <= number(view, "byteLength"));
+        let start = number(view, "byteOffset");
+        data[start + from..start + to].as_chunks().0.to_vec()
     };
     let points = accessor(&primitive["attributes"]["POSITION"]);
     let numbers: Vec<f32> = chunks(points).into_iter().map(f32::from_le_bytes).collect();
@@ -47,40 +51,78 @@ fn triangles((json, data): &(Value, Vec<u8>), mesh: usize) -> Vec<[Vec3<f64>; 3]
     corners.as_chunks::<3>().0.iter().map(|three| three.each_ref().map(corner)).collect()
 }
 
+/// The layers of a file: for each, its name, and the names and meshes of its parts.
+fn layers(json: &Value) -> Vec<(String, Vec<(String, usize)>)> {
+    let nodes = json["nodes"].as_array().unwrap();
+    let name = |node: &Value| node["name"].as_str().unwrap().to_owned();
+    let children = |node: &Value| -> Vec<Value> {
+        let of = node["children"].as_array().unwrap().iter();
+        of.map(|child| nodes[child.as_u64().unwrap() as usize].clone()).collect()
+    };
+    let part = |node: &Value| (name(node), node["mesh"].as_u64().unwrap() as usize);
+    children(&nodes[0])
+        .iter()
+        .map(|own| (name(own), children(own).iter().map(part).collect()))
+        .collect()
+}
+
 #[test]
-fn panels_offset_and_beams_are_parts_in_metres_with_the_areas_of_the_mesh() {
+fn panels_and_beams_have_their_names_and_areas_in_metres() {
     let made = build(&revolution(9, 7), &BuildSettings::default());
     let file = read(&made.presentation(true));
     let area = |mesh: usize| -> f64 {
         let twice = |[a, b, c]: [Vec3<f64>; 3]| (b - a).cross(c - a).length();
         triangles(&file, mesh).into_iter().map(twice).sum::<f64>() * 0.5
     };
-    let panels: f64 = made.surface.areas.iter().map(|area| area.length()).sum();
-    assert!((area(0) / panels - 1.0).abs() < 1e-5, "{} {panels}", area(0));
-    let names = ["panels", "offset", "beams"];
-    for (k, name) in names.into_iter().enumerate() {
-        assert_eq!(file.0["nodes"][k + 1]["name"], name);
-        assert!(area(k) > 0.0);
+    let layers = layers(&file.0);
+    let names: Vec<&str> = layers.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["panels", "offset", "beams"]);
+    let panels = &layers[0].1;
+    assert_eq!(panels.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>(), made.names);
+    for ((name, mesh), own) in panels.iter().zip(&made.surface.areas) {
+        assert!((area(*mesh) / own.length() - 1.0).abs() < 1e-5, "{name}");
     }
+    assert_eq!(layers[1].1.len(), 1, "it has no names of its own");
+    assert!(area(layers[1].1[0].1) > 0.0);
     // The depth of a beam is the offset distance.
-    let deep =
-        made.distance() * made.surface.edges.iter().map(|e| made.surface.length(e)).sum::<f64>();
-    assert!((area(2) / deep - 1.0).abs() < 0.2, "{} {deep}", area(2));
+    assert_eq!(layers[2].1.len(), made.surface.edges.len());
+    for ((name, mesh), edge) in layers[2].1.iter().zip(&made.surface.edges) {
+        let deep = made.distance() * made.surface.length(edge);
+        assert!((area(*mesh) / deep - 1.0).abs() < 0.5, "{name}: {} {deep}", area(*mesh));
+        let [i, j] = edge.ends;
+        assert_eq!(*name, format!("B{i}-{j}"));
+    }
     assert!(file.0["nodes"][0]["rotation"].is_array());
     assert!(read(&made.presentation(false)).0["nodes"][0]["rotation"].is_null());
 }
 
 #[test]
+fn of_many_panels_each_layer_is_one_part() {
+    let made = build(&revolution(60, 40), &BuildSettings::default());
+    assert!(made.names.len() > 2000);
+    let (json, _) = read(&made.presentation(true));
+    let sizes: Vec<usize> = layers(&json).iter().map(|(_, parts)| parts.len()).collect();
+    assert_eq!(sizes, [1, 1, 1]);
+}
+
+fn layer_of(parts: Vec<GlbPart>) -> GlbLayer {
+    GlbLayer { name: "layer", parts, ..GlbLayer::default() }
+}
+
+#[test]
 fn an_arrow_is_split_without_turning_a_triangle() {
-    let mut part = GlbPart { name: "arrow", ..GlbPart::default() };
+    let mut part = GlbPart::named("arrow");
     let corners = [[0.0, 0.0], [2.0, 1.0], [0.0, 2.0], [0.5, 1.0]];
     part.add_polygon(&corners.map(|[x, y]| Vec3::new(x, y, 0.0)));
-    let file = read(&glb(&[part, GlbPart::default()], false));
+    let layers = [layer_of(vec![part, GlbPart::default()]), layer_of(vec![GlbPart::default()])];
+    let file = read(&glb(&layers, false));
     assert_eq!(file.0["meshes"].as_array().unwrap().len(), 1, "no mesh without triangles");
+    assert_eq!(file.0["materials"].as_array().unwrap().len(), 1, "no layer without meshes");
     let areas = triangles(&file, 0).into_iter().map(|[a, b, c]| (b - a).cross(c - a).z * 0.5);
     let areas: Vec<f64> = areas.collect();
     assert!(areas.iter().all(|area| *area > 0.0), "{areas:?}");
     assert!((areas.iter().sum::<f64>() - 1.5).abs() < 1e-6);
+    assert_eq!(read(&glb(&[], false)).0["meshes"], Value::Null);
 }
 
 /// A panel with two notches, which no fan fills.
@@ -97,9 +139,9 @@ pub(super) const TWO_NOTCHES: [[f64; 2]; 8] = [
 
 #[test]
 fn a_polygon_that_no_fan_fills_is_split_without_turning_a_triangle() {
-    let mut part = GlbPart { name: "part", ..GlbPart::default() };
+    let mut part = GlbPart::named("part");
     part.add_polygon(&TWO_NOTCHES.map(|[x, y]| Vec3::new(1.0, x, y)));
-    let file = read(&glb(&[part], false));
+    let file = read(&glb(&[layer_of(vec![part])], false));
     let areas = triangles(&file, 0).into_iter().map(|[a, b, c]| (b - a).cross(c - a).x * 0.5);
     let areas: Vec<f64> = areas.collect();
     assert!(areas.iter().all(|own| *own > 0.0), "{areas:?}");

@@ -23,6 +23,12 @@ use shape_up::mesh::Mesh;
 use shape_up::scene::BuildSettings;
 
 /// The unit of a mesh in metres.
+/// Whether no file has a number that is none. A PDF is compressed, and has the lines of the SVG.
+pub(crate) fn without_nan(made: &Build) -> bool {
+    let of_text = |name: &str| !name.ends_with(".pdf");
+    made.files(true).iter().all(|file| !(of_text(&file.name) && file.text.contains("NaN")))
+}
+
 pub(crate) fn metres() -> LengthInMetres {
     LengthInMetres { symbol: "m".to_owned(), metres: 1.0 }
 }

@@ -1,16 +1,26 @@
-//! Binary glTF 2.0, for presentations and augmented reality viewers: one buffer, and a node and a
-//! material for each part. There are no normals, so that viewers shade faces flat, as panels are.
+//! Binary glTF 2.0, for presentations and augmented reality viewers: a node for each layer and each of
+//! its parts, and one buffer. There are no normals, so that viewers shade faces flat, as panels are.
 
 use crate::fabricate::panel::triangles_in_space;
 use crate::math::Vec3;
+use serde_json::{Value, json};
 
-/// Faces of one colour.
+/// Parts of one colour.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct GlbPart {
+pub struct GlbLayer {
     /// Its name.
     pub name: &'static str,
     /// Red, green, blue and opacity, linear, from 0 to 1.
     pub colour: [f32; 4],
+    /// What is on it.
+    pub parts: Vec<GlbPart>,
+}
+
+/// Faces that are one object.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GlbPart {
+    /// Its name.
+    pub name: String,
     /// Positions in metres.
     pub positions: Vec<[f32; 3]>,
     /// The corners of each triangle.
@@ -18,6 +28,11 @@ pub struct GlbPart {
 }
 
 impl GlbPart {
+    /// Returns a part without faces.
+    pub fn named(name: &str) -> GlbPart {
+        GlbPart { name: name.to_owned(), ..GlbPart::default() }
+    }
+
     /// Adds a polygon as triangles.
     pub fn add_polygon(&mut self, corners: &[Vec3<f64>]) {
         let first = self.positions.len() as u32;
@@ -27,76 +42,82 @@ impl GlbPart {
     }
 }
 
-/// Writes parts, without those that have no triangles. In glTF y points up: if z points up in the
-/// model, the root node is rotated.
-pub fn glb(parts: &[GlbPart], z_up: bool) -> Vec<u8> {
-    let parts: Vec<_> = parts.iter().filter(|part| !part.triangles.is_empty()).collect();
-    let mut bytes: Vec<u8> = Vec::new();
-    let [mut nodes, mut meshes, mut materials, mut accessors, mut views] =
-        [(); 5].map(|()| Vec::new());
-    for (k, part) in parts.iter().enumerate() {
-        let GlbPart { name, colour: [r, g, b, a], positions, triangles } = part;
-        let (points, corners) = (2 * k, 2 * k + 1);
-        nodes.push(format!("{{\"name\":\"{name}\",\"mesh\":{k}}}"));
-        meshes.push(format!(
-            "{{\"name\":\"{name}\",\"primitives\":[{{\"attributes\":{{\"POSITION\":{points}}},\"indices\":{corners},\"material\":{k}}}]}}"
-        ));
-        let alpha = if *a < 1.0 { ",\"alphaMode\":\"BLEND\"" } else { "" };
-        materials.push(format!(
-            "{{\"name\":\"{name}\",\"pbrMetallicRoughness\":{{\"baseColorFactor\":[{r},{g},{b},{a}],\"metallicFactor\":0,\"roughnessFactor\":0.8}},\"doubleSided\":true{alpha}}}"
-        ));
-        let bound = |pick: fn(f32, f32) -> f32| {
-            let all = positions.iter().copied();
-            all.reduce(|a, b| std::array::from_fn(|k| pick(a[k], b[k]))).unwrap_or_default()
-        };
-        let ([a, b, c], [d, e, f]) = (bound(f32::min), bound(f32::max));
-        accessors.push(format!(
-            "{{\"bufferView\":{points},\"componentType\":5126,\"count\":{},\"type\":\"VEC3\",\"min\":[{a},{b},{c}],\"max\":[{d},{e},{f}]}}",
-            positions.len()
-        ));
-        accessors.push(format!(
-            "{{\"bufferView\":{corners},\"componentType\":5125,\"count\":{},\"type\":\"SCALAR\"}}",
-            3 * triangles.len()
-        ));
-        let mut add = |target: u32, data: Vec<[u8; 4]>| {
-            views.push(format!(
-                "{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{},\"target\":{target}}}",
-                bytes.len(),
-                4 * data.len()
-            ));
-            bytes.extend(data.as_flattened());
-        };
-        add(34962, positions.iter().flatten().map(|x| x.to_le_bytes()).collect());
-        add(34963, triangles.iter().flatten().map(|v| v.to_le_bytes()).collect());
-    }
-    let children: Vec<_> = (1..=parts.len()).map(|k| k.to_string()).collect();
-    let turn = if z_up { ",\"rotation\":[-0.70710677,0,0,0.70710677]" } else { "" };
-    let children = match children.is_empty() {
-        true => String::new(),
-        false => format!(",\"children\":[{}]", children.join(",")),
-    };
-    nodes.insert(0, format!("{{\"name\":\"model\"{turn}{children}}}"));
-    let mut json = format!(
-        "{{\"asset\":{{\"version\":\"2.0\",\"generator\":\"shape-up {}\"}},\"scene\":0,\"scenes\":[{{\"nodes\":[0]}}],\"nodes\":[{}]",
-        env!("CARGO_PKG_VERSION"),
-        nodes.join(",")
-    );
-    // glTF does not allow empty lists.
-    if !parts.is_empty() {
-        for (key, list) in [
-            ("meshes", &meshes),
-            ("materials", &materials),
-            ("accessors", &accessors),
-            ("bufferViews", &views),
-        ] {
-            json += &format!(",\"{key}\":[{}]", list.join(","));
+/// What buffers hold, by the numbers of glTF.
+const POINTS: u32 = 34962;
+const CORNERS: u32 = 34963;
+
+/// Writes layers of parts, without parts that have no triangles and layers that have no parts. In glTF
+/// y points up: if z points up in the model, the root node is rotated.
+pub fn glb(layers: &[GlbLayer], z_up: bool) -> Vec<u8> {
+    // The first node is the root.
+    let mut nodes = vec![Value::Null];
+    let [mut meshes, mut materials, mut accessors] = [(); 3].map(|()| Vec::new());
+    let mut roots: Vec<usize> = Vec::new();
+    let (mut points, mut corners): (Vec<u8>, Vec<u8>) = Default::default();
+    for GlbLayer { name, colour, parts } in layers {
+        let mut children = Vec::new();
+        for part in parts.iter().filter(|part| !part.triangles.is_empty()) {
+            let at = accessors.len();
+            let bound = |pick: fn(f32, f32) -> f32| {
+                let all = part.positions.iter().copied();
+                all.reduce(|a, b| std::array::from_fn(|k| pick(a[k], b[k]))).unwrap_or_default()
+            };
+            accessors.push(json!({
+                "bufferView": 0, "byteOffset": points.len(), "componentType": 5126, "type": "VEC3",
+                "count": part.positions.len(), "min": bound(f32::min), "max": bound(f32::max),
+            }));
+            accessors.push(json!({
+                "bufferView": 1, "byteOffset": corners.len(), "componentType": 5125,
+                "type": "SCALAR", "count": 3 * part.triangles.len(),
+            }));
+            points.extend(part.positions.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+            corners.extend(part.triangles.as_flattened().iter().flat_map(|v| v.to_le_bytes()));
+            children.push(nodes.len());
+            nodes.push(json!({ "name": part.name, "mesh": meshes.len() }));
+            meshes.push(json!({ "name": part.name, "primitives": [{
+                "attributes": { "POSITION": at }, "indices": at + 1, "material": materials.len(),
+            }] }));
         }
-        json += &format!(",\"buffers\":[{{\"byteLength\":{}}}]", bytes.len());
+        if children.is_empty() {
+            continue;
+        }
+        let mut material = json!({
+            "name": name, "doubleSided": true,
+            "pbrMetallicRoughness":
+                { "baseColorFactor": colour, "metallicFactor": 0, "roughnessFactor": 0.8 },
+        });
+        if colour[3] < 1.0 {
+            material["alphaMode"] = "BLEND".into();
+        }
+        materials.push(material);
+        roots.push(nodes.len());
+        nodes.push(json!({ "name": name, "children": children }));
     }
-    json.push('}');
-    let mut json = json.into_bytes();
+    nodes[0] = json!({ "name": "model" });
+    if z_up {
+        nodes[0]["rotation"] = json!([-0.707_106_77_f32, 0, 0, 0.707_106_77_f32]);
+    }
+    let mut json = json!({
+        "asset": {
+            "version": "2.0", "generator": concat!("shape-up ", env!("CARGO_PKG_VERSION")),
+        },
+        "scene": 0, "scenes": [{ "nodes": [0] }],
+    });
+    // glTF does not allow empty lists.
+    if !roots.is_empty() {
+        nodes[0]["children"] = roots.into();
+        let view = |from: usize, length: usize, target: u32| json!({ "buffer": 0, "byteOffset": from, "byteLength": length, "target": target });
+        json["meshes"] = meshes.into();
+        json["materials"] = materials.into();
+        json["accessors"] = accessors.into();
+        json["bufferViews"] =
+            json!([view(0, points.len(), POINTS), view(points.len(), corners.len(), CORNERS),]);
+        json["buffers"] = json!([{ "byteLength": points.len() + corners.len() }]);
+    }
+    json["nodes"] = nodes.into();
+    let mut json = json.to_string().into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
-    let chunks = [(*b"JSON", json), (*b"BIN\0", bytes)];
+    let chunks = [(*b"JSON", json), (*b"BIN\0", [points, corners].concat())];
     let chunks = chunks.iter().filter(|(_, data)| !data.is_empty());
     let body: Vec<u8> = chunks
         .flat_map(|(kind, data)| {

@@ -12,7 +12,7 @@ mod svg;
 pub use csv::{Cell, Table};
 pub use drawing::{Drawing, DrawnLine};
 pub use dxf::dxf;
-pub use glb::{GlbPart, glb};
+pub use glb::{GlbLayer, GlbPart, glb};
 pub use pdf::pdf;
 pub use picture::{PictureLayer, SheetPicture, picture};
 pub(crate) use svg::escaped;
