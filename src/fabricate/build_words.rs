@@ -226,10 +226,6 @@ impl BuildReport {
             ),
             named(bare, format!("No tab between {}.", some(bare))),
             counted(
-                usize::from(self.paper.is_some() && settings.kerf > 0.0),
-                "The kerf changes nothing: outlines of folded pieces are their edges.".to_owned(),
-            ),
-            counted(
                 creased,
                 words::count(creased, "panel is", "panels are")
                     + " not flat and creased along a diagonal.",

@@ -319,20 +319,6 @@ fn tables_tell_what_becomes_of_every_edge() {
 }
 
 #[test]
-fn it_is_said_that_a_kerf_changes_no_folded_piece() {
-    let mesh = revolution(6, 4);
-    let with = |kerf| build(&mesh, &BuildSettings { kerf, ..settings(Pieces::Nets) });
-    let [without, with] = [0.0, 0.2].map(with);
-    let outlines =
-        |made: &Build| made.parts.iter().map(|part| part.outline.clone()).collect::<Vec<_>>();
-    assert_eq!(outlines(&without), outlines(&with));
-    let said = |made: &Build| {
-        made.words(&made.report()).warnings.iter().any(|it| it.starts_with("The kerf"))
-    };
-    assert_eq!([&without, &with].map(said), [false, true]);
-}
-
-#[test]
 fn what_cannot_be_folded_is_told_and_the_rest_is_made() {
     // Triangles instead of quads.
     let mut triangles = Mesh { positions: revolution(6, 4).positions, ..Mesh::default() };
