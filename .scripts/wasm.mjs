@@ -5,7 +5,7 @@ import { join, relative } from 'node:path';
 import { bindgen, buildBindgen } from './bindgen.mjs';
 import { at, root, targetFolder, wasmTarget } from './project.mjs';
 import { outputOf, run, say } from './run.mjs';
-import { filesUnder, unlessUnchanged } from './stamp.mjs';
+import { filesUnder, stampOf, unlessUnchanged } from './stamp.mjs';
 
 /** Cargo features that are modules: the workers' engine, and the page's view for each backend. */
 export const modules = ['engine', 'view-webgpu', 'view-webgl2'];
@@ -26,6 +26,24 @@ export function sourcesOf(feature) {
   return paths.filter((path) => isOfView(relative(root, path)));
 }
 
+/** What else decides over a module. */
+const tools = () => ({
+  paths: ['Cargo.toml', 'Cargo.lock', '.cargo/config.toml', '.scripts/bindgen/main.rs'].map(
+    (name) => at(name),
+  ),
+  settings: [outputOf('rustc', ['--version'])],
+});
+
+/** What decides over the TypeScript that a module declares: files that declare any, and `src/web`. */
+function declarationsOf(feature) {
+  const declares = (path) =>
+    relative(root, path).startsWith(join('src', 'web')) ||
+    /tsify|wasm_bindgen/i.test(readFileSync(path, 'utf8'));
+  const { paths, settings } = tools();
+  const inputs = [...sourcesOf(feature).filter(declares), ...paths];
+  return { name: `${feature}-declarations`, inputs, settings };
+}
+
 /** Builds modules, or all of them. */
 export async function buildModules(wanted = modules) {
   await buildBindgen();
@@ -38,29 +56,20 @@ export async function buildModules(wanted = modules) {
  */
 export async function buildDeclarations(wanted = modules) {
   for (const feature of wanted) {
-    const declares = (path) => /tsify|wasm_bindgen/i.test(readFileSync(path, 'utf8'));
-    const work = {
-      name: `${feature}-declarations`,
-      inputs: sourcesOf(feature).filter(declares),
-      output: join(at('www', 'pkg', feature), 'shape_up.d.ts'),
-    };
-    await unlessUnchanged(work, () => buildModules([feature]));
+    const output = join(at('www', 'pkg', feature), 'shape_up.d.ts');
+    await unlessUnchanged({ ...declarationsOf(feature), output }, () => buildModules([feature]));
   }
 }
 
 /** Builds one module into `www/pkg/<feature>/`. */
 export async function buildModule(feature) {
   const folder = at('www', 'pkg', feature);
+  const { paths, settings } = tools();
   const work = {
     name: feature,
     // Cargo gives all modules the same file name and would link each of them every time.
-    inputs: [
-      ...sourcesOf(feature),
-      ...['Cargo.toml', 'Cargo.lock', '.cargo/config.toml', '.scripts/bindgen/main.rs'].map(
-        (name) => at(name),
-      ),
-    ],
-    settings: [outputOf('rustc', ['--version'])],
+    inputs: [...sourcesOf(feature), ...paths],
+    settings,
     output: join(folder, 'shape_up_bg.wasm'),
   };
   await unlessUnchanged(work, async () => {
@@ -68,5 +77,6 @@ export async function buildModule(feature) {
     await run('cargo', ['build', '--lib', ...moduleArguments(feature)]);
     rmSync(folder, { recursive: true, force: true });
     await bindgen(join(targetFolder, wasmTarget, 'release', 'shape_up.wasm'), folder);
+    stampOf(declarationsOf(feature)).store(true);
   });
 }

@@ -171,6 +171,11 @@ fn fins_are_on_the_sheets_and_in_lists() {
     let solids = text(&made, "beams.obj");
     assert_eq!(solids.lines().filter(|line| line.starts_with("g B")).count(), edges);
     let read = shape_up::mesh::read("beams.obj", solids.as_bytes()).unwrap();
+    // Panels have their names, and each its own face.
+    for (face, name) in (0..).zip(&made.names) {
+        let own = read.mesh.groups.iter().find(|group| group.name == *name);
+        assert_eq!(own.map(|group| &*group.faces), Some(&[face][..]), "{name}");
+    }
     assert_eq!(read.mesh.faces.len(), 2 * made.surface.faces.len() + 8 * edges);
     for name in ["fins.csv", "beams.csv", "node-beams.csv", "node-types.csv", "beams.obj"] {
         assert!(!text(&made, name).contains("NaN"), "{name}");

@@ -22,13 +22,22 @@ use shape_up::fabricate::{Build, LengthInMetres};
 use shape_up::mesh::Mesh;
 use shape_up::scene::BuildSettings;
 
-/// The unit of a mesh in metres.
-/// Whether no file has a number that is none. A PDF is compressed, and has the lines of the SVG.
+/// Whether no file has a number that is none. The pages of a PDF are compressed.
 pub(crate) fn without_nan(made: &Build) -> bool {
-    let of_text = |name: &str| !name.ends_with(".pdf");
-    made.files(true).iter().all(|file| !(of_text(&file.name) && file.text.contains("NaN")))
+    let is_without = |text: &[u8]| !text.windows(3).any(|word| word == b"NaN");
+    made.files(true).iter().all(|file| {
+        if !file.name.ends_with(".pdf") {
+            return is_without(file.text.as_bytes());
+        }
+        let document = lopdf::Document::load_mem(file.text.as_bytes()).expect("it is PDF");
+        document.get_pages().values().all(|page| {
+            let content = document.get_page_content(*page);
+            is_without(&content)
+        })
+    })
 }
 
+/// The unit of a mesh in metres.
 pub(crate) fn metres() -> LengthInMetres {
     LengthInMetres { symbol: "m".to_owned(), metres: 1.0 }
 }

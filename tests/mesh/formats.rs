@@ -107,6 +107,10 @@ fn a_number_after_a_header_of_lines_that_end_in_cr_may_begin_like_lf() {
         let bytes = [head.replace('\n', end).as_bytes(), &numbers].concat();
         assert_eq!(ok("a.ply", bytes).mesh.positions, [[f64::from(x), 0.0, 0.0]], "{end:?}");
     }
+    // Some writers end the last line of a header otherwise than the first.
+    let mixed = head.replace("end_header\n", "end_header\r\n");
+    let found = ok("a.ply", [mixed.as_bytes(), &numbers].concat()).mesh;
+    assert_eq!(found.positions, [[f64::from(x), 0.0, 0.0]]);
 }
 
 #[test]
@@ -189,6 +193,11 @@ fn corners_of_stl_at_one_place_are_one_vertex() {
     assert_eq!(groups, [("left", &[0, 2][..]), ("right", &[1])]);
     let note = "1 name stands for several groups of the file, which are one group each here: left";
     assert_eq!(notes[0], note);
+    // Beside solids without a name, one of a name is an object; one that is the whole mesh is not.
+    let Read { mesh, notes, .. } = ok("a.stl", STL.replace("right", ""));
+    assert_eq!(mesh.groups.iter().map(|group| &*group.faces).collect::<Vec<_>>(), [[0]]);
+    assert_eq!(notes.len(), 1);
+    assert_eq!(ok("a.stl", STL.replace("right", "left")).mesh.groups, []);
     // A triangle without a side is said.
     let found = ok("a.stl", STL.replace("vertex 0 1 0", "vertex 1 1 0"));
     assert_eq!(found.problems[0].kind, ProblemKind::TooFewCorners(ElementKind::Face));

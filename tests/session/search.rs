@@ -98,8 +98,8 @@ fn the_scene_that_a_press_leaves_gives_the_same_shape_everywhere() {
     let all = [
         ("compas_hypar.obj", "plane"),
         ("chebyshev_sphere.obj", "circle"),
-        ("dos_gnet1.obj", "circle"),
         ("M2_eq_quad2.obj", "circle"),
+        ("dos_gnet1.obj", "circle"),
         ("halftunnel.off", "circle"),
         ("ggg_GGGPerf.obj", "plane"),
     ];

@@ -106,12 +106,15 @@ pub fn glb(layers: &[GlbLayer], z_up: bool) -> Vec<u8> {
     // glTF does not allow empty lists.
     if !roots.is_empty() {
         nodes[0]["children"] = roots.into();
-        let view = |from: usize, length: usize, target: u32| json!({ "buffer": 0, "byteOffset": from, "byteLength": length, "target": target });
         json["meshes"] = meshes.into();
         json["materials"] = materials.into();
         json["accessors"] = accessors.into();
-        json["bufferViews"] =
-            json!([view(0, points.len(), POINTS), view(points.len(), corners.len(), CORNERS),]);
+        // Several accessors of points share a view, which then must have a stride.
+        json["bufferViews"] = json!([
+            { "buffer": 0, "byteLength": points.len(), "byteStride": 12, "target": POINTS },
+            { "buffer": 0, "byteOffset": points.len(), "byteLength": corners.len(),
+                "target": CORNERS },
+        ]);
         json["buffers"] = json!([{ "byteLength": points.len() + corners.len() }]);
     }
     json["nodes"] = nodes.into();

@@ -201,3 +201,19 @@ fn assembled(objects: &[String]) -> String {
     }
     file + &format!("trailer\n<< /Size {count} /Root 1 0 R >>\nstartxref\n{table}\n%%EOF\n")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::ascii85;
+
+    #[test]
+    fn bytes_are_written_as_digits_to_the_base_85() {
+        let known =
+            [("", ""), ("sure.", "F*2M7/c"), ("Ma", "9jn"), ("Man", "9jqo"), ("Man ", "9jqo^")];
+        for (bytes, digits) in known {
+            assert_eq!(ascii85(bytes.as_bytes()), format!("{digits}~>"));
+        }
+        assert_eq!(ascii85(&[0; 7]), "z!!!!~>");
+        assert_eq!(ascii85(&[1; 84]).lines().map(str::len).collect::<Vec<_>>(), [100, 7]);
+    }
+}

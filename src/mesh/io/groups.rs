@@ -1,4 +1,4 @@
-//! The named, overlapping groups of an OBJ file.
+//! The named, overlapping groups of an OBJ file, and the solids of STL.
 
 use crate::words;
 use std::collections::{BTreeMap, BTreeSet};

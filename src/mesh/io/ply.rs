@@ -104,9 +104,9 @@ fn header(bytes: &[u8]) -> Result<(Header, usize), ReadFault> {
     let mut header = Header { binary: None, elements: Vec::new(), lines: 0 };
     let mut format = None;
     let mut at = 0;
-    // How its first line ends tells whether LF after CR is of a line or of binary numbers.
-    let begins = bytes.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(0);
-    let is_of_two = bytes[begins..].starts_with(b"\r\n");
+    // If its first line ends in CR alone, LF after CR is the first binary number.
+    let first = bytes.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(0);
+    let is_cr_alone = bytes[first..].starts_with(b"\r") && bytes.get(first + 1) != Some(&b'\n');
     loop {
         let rest = &bytes[at..];
         let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
@@ -114,7 +114,7 @@ fn header(bytes: &[u8]) -> Result<(Header, usize), ReadFault> {
             end.ok_or_else(|| ReadFault::whole("the file ends where `end_header` was expected"))?;
         let line = decode(&rest[..end]);
         at += end + 1;
-        if is_of_two && rest[end..].starts_with(b"\r\n") {
+        if !is_cr_alone && rest[end..].starts_with(b"\r\n") {
             at += 1;
         }
         header.lines += 1;

@@ -1,5 +1,5 @@
 //! Reads and writes STL: triangles without common vertices, as text or binary. Corners at equal
-//! positions are one vertex. Each `solid` of a text file with several is an object.
+//! positions are one vertex. Solids of one name in a text file are an object.
 //!
 //! Binary files have single precision. Where that is too little, as at the coordinates of a site, text
 //! is written.
@@ -93,6 +93,10 @@ fn read_text(text: &str, corners: &mut Corners) -> Result<(), ReadFault> {
             "solid" => {
                 corners.groups.open(GroupKeyword::Object, text);
             }
+            // Without a name: what follows is in no object.
+            "endsolid" => {
+                corners.groups.open(GroupKeyword::Object, "");
+            }
             "vertex" => {
                 let place = std::array::from_fn(|_| coordinate(words.next().unwrap_or_default()));
                 corners.push(place, Some(line));
@@ -153,10 +157,12 @@ impl Corners {
 
     fn finish(self) -> MeshBuilder {
         let Corners { mut builder, read, groups, .. } = self;
-        builder.notes.extend(groups.note());
+        let note = groups.note();
         let groups = groups.finish();
-        // A single one is the whole mesh, and is named like the program that wrote it.
-        if groups.len() > 1 {
+        // One that is the whole mesh is named like the program that wrote it.
+        let faces = builder.mesh.faces.len();
+        if groups.iter().any(|group| group.faces.len() < faces) {
+            builder.notes.extend(note);
             builder.mesh.groups = groups;
         }
         let vertices = count(builder.mesh.positions.len(), "vertex", "vertices");
