@@ -75,9 +75,8 @@
 //!    (`view/state/gizmo_drag`); `www/store/handles.ts` tells it to the worker.
 //! 2. The worker keeps the latest target until its next slice of time (`www/worker/scheduler.ts`), then
 //!    calls `drag` (`web/worker/solver`), and that `Session::drag_through` (`session/dragging`), which checks
-//!    it and passes it to
-//!    `Solver::move_handles` (`solve/solver/handles`): no matrix changes. What leads back to the state
-//!    before the drag is kept in `session/undo/transaction`.
+//!    it and passes it to `Solver::move_handles` (`solve/solver/handles`): no matrix changes. What leads
+//!    back to the state before the drag is kept in `session/undo/transaction`.
 //! 3. Energies, gradients and projections are computed for it, and `Session::step` (`session/iterating`)
 //!    calls `Solver::step` (`solve/solver/step`), which begins with the global step.
 //!    - Global step: `solve::system` applies the inverse of the normal matrix, by triangular sweeps through
@@ -96,10 +95,9 @@
 //!    validates the scene against the mesh and resolves the selectors (`session/state/rows`).
 //! 2. `Solver::new` assembles the normal matrix (`solve::assemble`); [`sparse`] orders and factors it.
 //! 3. `Session::begin_run` (`session/dragging`, since a drag is one too), then `Session::step` until it
-//!    reports the end: converged, collapsed
-//!    (`session/run/collapse_guard`), or after as many iterations as the scene allows. Where
-//!    constraints are hard, `solve/exact` then meets them (`session/run/meeting`), by one attempt
-//!    after another (`session/searching`, `session/run/attempts`) until a shape is good by the measure
+//!    reports the end: converged, collapsed (`session/run/collapse_guard`), or after as many iterations
+//!    as the scene allows. Where constraints are hard, `solve/exact` then meets them
+//!    (`session/run/meeting`), by one attempt after another (`session/searching`, `session/run/attempts`) until a shape is good by the measure
 //!    of `session/run/shape_measure`. A press for panels tries all of them, and at last larger
 //!    tolerances (`session/run/easing`).
 //! 4. `Session::end_run` keeps the iterate of least energy, or the best shape for the hard
@@ -133,8 +131,7 @@
 //! - A setting of the solver: a declaration in [`session::SETTINGS`]. Hosts build their controls from
 //!   that list.
 //! - An operator: a file in `constraint/kinds` with its closed form, which may be one of [`math`] (that of a
-//!   circle is `math/circle_fit`), and a line in the list there. See
-//!   [`constraint`].
+//!   circle is `math/circle_fit`), and a line in the list there. See [`constraint`].
 //!
 //! # From a shape to parts
 //!

@@ -140,8 +140,8 @@ impl Build {
 /// The name of the file.
 pub const PRESENTATION: &str = "model.glb";
 
-/// Of more panels, each layer of a presentation is one part: viewers draw part by part, and a telephone
-/// would take seconds for it.
+/// Of more panels, each layer of a presentation is one part: viewers, also those of telephones, draw part
+/// by part.
 const NAMED_PANELS: usize = 2000;
 
 impl Build {

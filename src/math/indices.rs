@@ -14,7 +14,7 @@ pub fn sort_by_number<T: Clone>(items: &mut Vec<T>, key: impl Fn(&T) -> u64) {
 }
 
 fn order(mut keyed: Vec<(u64, u32)>) -> Vec<u32> {
-    // Of fewer keys, counting takes longer than comparing.
+    // Few keys, as of one face, are not worth the tables of counts.
     if keyed.len() < 500 {
         keyed.sort_unstable();
     } else {
@@ -23,8 +23,8 @@ fn order(mut keyed: Vec<(u64, u32)>) -> Vec<u32> {
     keyed.into_iter().map(|(_, index)| index).collect()
 }
 
-/// Sorts by key, a digit of 11 bits at a time from the lowest on; equal keys keep their order. Half-edges
-/// of a large mesh are sorted three times as fast as by comparing.
+/// Sorts by key, a digit of 11 bits at a time from the lowest on; equal keys keep their order. In wasm,
+/// the half-edges of 10,000 vertices take little more than half the time of comparing.
 fn sort_by_digits(keyed: &mut Vec<(u64, u32)>) {
     const BITS: u32 = 11;
     let digit = |key: u64, at: u32| (key >> at) as usize & ((1 << BITS) - 1);

@@ -107,6 +107,7 @@ impl<const P: usize> Lanes<P> {
     /// Returns lanes with the values `value(lane)`.
     #[inline(always)]
     pub fn from_fn(value: impl Fn(usize) -> f64) -> Self {
+        // A loop, because `array::from_fn` may not be inlined.
         let mut lanes = [Register::new(0.0, 0.0); P];
         for (k, register) in lanes.iter_mut().enumerate() {
             *register = Register::new(value(2 * k), value(2 * k + 1));

@@ -9,7 +9,7 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 
 /// PDF points per mm.
 const POINTS: f64 = 72.0 / 25.4;
-/// How hard it is tried to compress, of 10: more makes files a tenth smaller and takes twice as long.
+/// How hard it is tried to compress, of 10.
 const EFFORT: u8 = 4;
 /// Height of text beside the ruler, in mm.
 const TEXT_HEIGHT: f64 = 2.0;
