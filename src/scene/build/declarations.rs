@@ -62,9 +62,9 @@ impl BuildSetting {
 }
 
 const PRODUCTS: BuildForm = choice(&[
-    option("panels", "Panels", ""),
-    option("fins", "Fins along the edges", ""),
-    option("paper", "Paper model", ""),
+    option("panels", "Panels", "Each panel, cut from flat sheet"),
+    option("fins", "Fins along the edges", "Beams along the edges, cut from flat sheet"),
+    option("paper", "Paper model", "Folded and glued from card"),
 ]);
 const PIECES: BuildForm = choice(&[
     option("nets", "Nets", ""),
