@@ -52,18 +52,12 @@ impl UnitsAndUp {
         UnitsAndUp { units: self.units.or(other.units), up: self.up.or(other.up) }
     }
 
-    /// Returns the comment lines that state unit and up axis. An empty unit gives no line, and
-    /// neither does z.
-    pub fn comments(units: &str, up: Up) -> String {
-        let mut text = String::new();
+    /// Returns the comments that state unit and up axis, a line each. An empty unit gives no line,
+    /// and neither does z.
+    pub fn comments(units: &str, up: Up) -> Vec<String> {
         let units: String = units.chars().filter(|c| !c.is_control()).collect();
-        if !units.is_empty() {
-            text.push_str(&format!("# units: {units}\n"));
-        }
-        if up == Up::Y {
-            text.push_str("# up: y\n");
-        }
-        text
+        let units = (!units.is_empty()).then(|| format!("units: {units}"));
+        units.into_iter().chain((up == Up::Y).then(|| "up: y".to_owned())).collect()
     }
 
     /// Guesses the unit of a mesh from its size; empty if it is not clear.
@@ -118,7 +112,9 @@ mod tests {
     #[test]
     fn what_is_written_is_read_back() {
         for (units, up) in [("m", Up::Y), ("", Up::Y), ("ft", Up::Z), ("", Up::Z)] {
-            let text = UnitsAndUp::comments(units, up) + "v 0 0 0\n# units: km\n";
+            let comments = UnitsAndUp::comments(units, up);
+            let comments: String = comments.iter().map(|line| format!("# {line}\n")).collect();
+            let text = comments + "v 0 0 0\n# units: km\n";
             let frame = UnitsAndUp::stated(text.as_bytes());
             assert_eq!(frame.units.unwrap_or_default(), units);
             assert_eq!(frame.up.unwrap_or(Up::Z), up);

@@ -2,39 +2,26 @@
 
 use super::Session;
 use super::state::grouped;
-use crate::mesh::{Mesh, Weld, write_medit, write_obj, write_obj_with_uv, write_ply, write_stl};
+use crate::mesh::{Weld, write_obj_with_uv, write_with_ending};
 use crate::scene::{MeshSource, Scene, UnitsAndUp};
 
 impl Session {
     /// Returns the current shape as the text of an OBJ file, with its unit and axis if known.
     pub fn obj(&self) -> String {
-        self.obj_comments() + &write_obj(self.mesh(), self.scene.positions())
+        String::from_utf8_lossy(&self.mesh_file("obj", None)).into_owned()
     }
 
     /// Returns the current shape as a mesh file with this ending: `ply`, `stl`, `mesh`, else OBJ; with
-    /// the vertices and faces of the file before it was welded, if it was.
+    /// the vertices and faces of the file before it was welded, if it was, and with its unit and axis,
+    /// if known and if the format has comments.
     pub fn mesh_file(&self, ending: &str, weld: Option<&Weld>) -> Vec<u8> {
         let moved =
             |weld: &Weld| weld.original_positions(self.rest.positions(), self.scene.positions());
         let positions = weld.map_or_else(|| self.scene.positions().to_vec(), moved);
         let mesh = weld.map_or(self.mesh(), |weld| &weld.original);
-        match ending.to_ascii_lowercase().as_str() {
-            "ply" => write_ply(mesh, &positions, &self.comments_of_header()),
-            "stl" => write_stl(mesh, &positions),
-            "mesh" => write_medit(&Mesh { positions, ..mesh.clone() }).into_bytes(),
-            _ => (self.obj_comments() + &write_obj(mesh, &positions)).into_bytes(),
-        }
-    }
-
-    /// The same as [`UnitsAndUp::comments`], without the signs of OBJ.
-    fn comments_of_header(&self) -> Vec<String> {
-        let comments = self.obj_comments();
-        comments.lines().map(|line| line.trim_start_matches("# ").to_owned()).collect()
-    }
-
-    fn obj_comments(&self) -> String {
         let document = self.document();
-        UnitsAndUp::comments(&document.units, document.up)
+        let comments = UnitsAndUp::comments(&document.units, document.up);
+        write_with_ending(ending, mesh, &positions, &comments)
     }
 
     /// The current shape as OBJ with the texture coordinates `uv` of each vertex, `#V by 2`.

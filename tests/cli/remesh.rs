@@ -81,10 +81,29 @@ fn what_remesh_cannot_do_is_one_line_and_no_file() {
         (vec!["tube.obj", "--quads", "9", "--size", "1"], "--quads or --size"),
         (vec!["tube.obj", "--follow", "2"], "0 to 1"),
         (vec!["tube.obj", "--boundary", "keep"], "follow or cut"),
-        (vec!["tube.obj", "--out", "out.mesh"], ".obj"),
+        (vec!["tube.obj", "--out", "out.off"], ".obj, .ply, .stl or .mesh"),
         (vec!["tube.obj", "--trace"], "`--trace`"),
         (vec!["s.json"], "mesh file"),
     ] {
         folder.run(&[vec!["remesh"], options].concat()).misused(words);
     }
+}
+
+#[test]
+fn quads_are_written_in_every_format_with_their_unit() {
+    let folder = Folder::new("remesh-formats");
+    folder.write("tube.obj", "# units: cm\n".to_owned() + &tube());
+    let faces: Vec<usize> = ["out.obj", "out.ply", "out.mesh", "out.stl"]
+        .iter()
+        .map(|name| {
+            folder.run(&["remesh", "tube.obj", "--quads", "100", "--out", name]).done();
+            let file = std::fs::read(folder.0.join(name)).unwrap();
+            shape_up::mesh::read(name, &file).unwrap().mesh.faces.len()
+        })
+        .collect();
+    let [obj, ply, medit, stl] = faces[..] else { unreachable!() };
+    assert_eq!((ply, medit), (obj, obj));
+    // Triangles.
+    assert_eq!(stl, 2 * obj);
+    assert!(folder.read("out.obj").starts_with("# units: cm\n"));
 }

@@ -1,9 +1,9 @@
 //! `shape-up new`: makes a mesh to start from.
 
-use crate::cli::words::{Word, Words};
+use crate::cli::words::{MESHES, Word, Words};
 use crate::cli::{Failure, input, output};
 use shape_up::generate::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
-use shape_up::mesh::{Mesh, write_obj};
+use shape_up::mesh::{Mesh, write_with_ending};
 use shape_up::scene::UnitsAndUp;
 use shape_up::words;
 use std::path::PathBuf;
@@ -71,7 +71,7 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
         let size = kind.sizes.iter().position(|size| name.strip_prefix("--") == Some(size.id));
         match (name.as_str(), size) {
             ("--units", _) => units = Some(words.text(&name)?),
-            ("--out", _) => out = Some(words.mesh(&name, &["obj"])?),
+            ("--out", _) => out = Some(words.mesh(&name, MESHES)?),
             (_, Some(size)) => sizes[size] = words.not_negative(&name)?,
             (_, None) => {
                 let sizes: Vec<_> = kind.sizes.iter().map(|s| format!("--{}", s.id)).collect();
@@ -88,7 +88,7 @@ fn parse_plan(mut words: Words) -> Result<New, String> {
     while let Some(name) = words.option(&mut file)? {
         match name.as_str() {
             "--units" => units = Some(words.text(&name)?),
-            "--out" => out = Some(words.mesh(&name, &["obj"])?),
+            "--out" => out = Some(words.mesh(&name, MESHES)?),
             _ => return Err(format!("new plan takes --units, --out, found `{name}`")),
         }
     }
@@ -102,7 +102,7 @@ fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String>
     while let Some(option) = words.option(&mut file)? {
         match option.as_str() {
             "--units" => units = Some(words.text(&option)?),
-            "--out" => out = Some(words.mesh(&option, &["obj"])?),
+            "--out" => out = Some(words.mesh(&option, MESHES)?),
             "--size" => size = Some(words.positive(&option)?),
             "--curves" => {
                 let list = words.text(&option)?;
@@ -128,9 +128,12 @@ pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     let (mesh, frame) = mesh(&command.from)?;
     let units = command.units.clone().or(frame.units).unwrap_or_default();
     let comments = UnitsAndUp::comments(&units, frame.up.unwrap_or_default());
-    let text = comments + &write_obj(&mesh, &mesh.positions);
-    let Some(path) = &command.out else { return output::print(&text) };
-    output::write(&[(path, text)])?;
+    let ending = command.out.as_deref().map(output::ending).unwrap_or_default();
+    let file = write_with_ending(&ending, &mesh, &mesh.positions, &comments);
+    let Some(path) = &command.out else {
+        return output::print(&String::from_utf8_lossy(&file));
+    };
+    output::write(&[(path, file)])?;
     let vertices = words::count(mesh.positions.len(), "vertex", "vertices");
     let faces = words::count(mesh.faces.len(), "face", "faces");
     output::print(&format!("{}: {vertices}, {faces}\n", path.display()))

@@ -165,7 +165,7 @@ pub(super) fn mesh_file(path: &Path, session: &Session, weld: Option<&Weld>) -> 
 }
 
 /// The ending of a name in lower case; empty without one.
-fn ending(path: &Path) -> String {
+pub(super) fn ending(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 

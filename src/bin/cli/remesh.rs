@@ -1,14 +1,15 @@
 //! `shape-up remesh`: covers a surface with quads along its lines of curvature.
 
 use crate::cli::arguments::{apart, unknown};
-use crate::cli::words::{Word, Words};
+use crate::cli::words::{MESHES, Word, Words};
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::write_obj;
+use shape_up::mesh::write_with_ending;
 use shape_up::quads::{
     Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, RemeshStage, Remeshed,
     direction_weight, follow_weight, remesh,
 };
+use shape_up::scene::UnitsAndUp;
 use shape_up::solve::clock;
 use shape_up::words;
 use std::path::{Path, PathBuf};
@@ -83,7 +84,7 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<Quads, String> {
                 let all = [Boundary::Followed, Boundary::Cut];
                 options.boundary = words.word_of(&name, all, Boundary::word)?;
             }
-            "--out" => out = Some(words.mesh(&name, &["obj"])?),
+            "--out" => out = Some(words.mesh(&name, MESHES)?),
             "--report" => report = Some(words.file(&name)?),
             _ => return Err(unknown(&Word::Option(name), "remesh")),
         }
@@ -127,9 +128,12 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
     let mut text = format!("{path}: {}\n", summary(&found, &scene.units));
     found.notes.iter().for_each(|note| text += &format!("note: {}\n", note.words));
     remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
-    let mut files: Vec<(&Path, String)> = Vec::new();
+    let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(out) = &asked.out {
-        files.push((out, write_obj(&found.mesh, &found.mesh.positions)));
+        let comments = UnitsAndUp::comments(&scene.units, scene.up);
+        let made = &found.mesh;
+        let file = write_with_ending(&output::ending(out), made, &made.positions, &comments);
+        files.push((out, file));
     }
     if let Some(to) = &asked.report {
         let note = |note: &shape_up::quads::RemeshNote| Note {
@@ -138,7 +142,8 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
         };
         let notes = found.notes.iter().map(note).collect();
         let Remeshed { measures, level, .. } = found;
-        files.push((to, output::json(&Report { measures, level, notes, seconds })));
+        let report = Report { measures, level, notes, seconds };
+        files.push((to, output::json(&report).into_bytes()));
     }
     output::write(&files)?;
     output::print(&text)

@@ -21,6 +21,7 @@ pub use obj::{write_obj, write_obj_with_uv};
 pub use ply::write_ply;
 pub use stl::write_stl;
 
+use super::{Mesh, Point};
 use builder::ReadFault;
 
 /// Reads a mesh from the bytes of the file `name`: OBJ, OFF, Medit, PLY or STL, by the extension, else
@@ -55,6 +56,25 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
         text: fault.line.map(|line| lines::excerpt(&text, line)).unwrap_or_default(),
         message: fault.message,
     })
+}
+
+/// Returns the mesh at other positions (`#V by 3`) as a file with this ending: `ply`, `stl`, `mesh`,
+/// else OBJ. `comments` are lines for its header; STL and Medit have none.
+pub fn write_with_ending(
+    ending: &str,
+    mesh: &Mesh,
+    positions: &[Point],
+    comments: &[String],
+) -> Vec<u8> {
+    match ending.to_ascii_lowercase().as_str() {
+        "ply" => write_ply(mesh, positions, comments),
+        "stl" => write_stl(mesh, positions),
+        "mesh" => write_medit(&Mesh { positions: positions.to_vec(), ..mesh.clone() }).into_bytes(),
+        _ => {
+            let comments: String = comments.iter().map(|line| format!("# {line}\n")).collect();
+            (comments + &write_obj(mesh, positions)).into_bytes()
+        }
+    }
 }
 
 fn read_text(format: Option<Format>, text: &str) -> Result<builder::MeshBuilder, ReadFault> {
