@@ -32,6 +32,8 @@ pub struct Operation {
     pub keys: &'static [&'static str],
     /// The kind of element on which a double-click triggers it.
     pub double_click: Option<Mode>,
+    /// The kind of element on which a double-click with Shift triggers it.
+    pub shift_double_click: Option<Mode>,
 }
 
 const ALL_MODES: &[Mode] = &[Mode::Vertices, Mode::Edges, Mode::Faces];
@@ -51,6 +53,7 @@ const PLAIN: Operation = Operation {
     params: &[],
     keys: &[],
     double_click: None,
+    shift_double_click: None,
 };
 
 /// The ids of the measures of faces, as words.
@@ -164,6 +167,7 @@ pub const OPERATIONS: &[Operation] = &[
         group: FOLLOW,
         needs_selection: true,
         modes: &[Mode::Edges],
+        shift_double_click: Some(Mode::Edges),
         ..PLAIN
     },
     Operation {

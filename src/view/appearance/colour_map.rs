@@ -1,6 +1,7 @@
 //! Perceptually uniform colour maps of errors, which are also readable with colour blindness:
-//! viridis (van der Walt and Smith 2015) from its light to its dark end, a grey map, one that
-//! diverges at a tolerance, and one for values beyond a tolerance. In all of them small errors are
+//! viridis (van der Walt and Smith 2015) and cividis (Nuñez, Anderton and Renslow 2018) from their
+//! light to their dark ends, a grey map, one that diverges at a tolerance, and one for values beyond
+//! a tolerance. In all of them small errors are
 //! light and unobtrusive, and large errors stand out.
 //!
 //! Values of both signs have a map that is pale at zero and equally dark at both ends.
@@ -21,6 +22,8 @@ pub const TEXELS: usize = 256;
 pub enum ColourMap {
     /// For all values: from yellow over green to violet.
     Viridis,
+    /// For all values: from yellow over grey to dark blue, nearly the same with red-green blindness.
+    Cividis,
     /// For all values: from nearly white to dark.
     Grey,
     /// For all values: from light blue over nearly white, at this fraction of the range, and orange
@@ -38,6 +41,8 @@ pub enum MapChoice {
     /// [`ColourMap::Viridis`].
     #[default]
     Viridis,
+    /// [`ColourMap::Cividis`].
+    Cividis,
     /// [`ColourMap::Grey`].
     Grey,
     /// [`ColourMap::Diverging`] about this value.
@@ -45,7 +50,8 @@ pub enum MapChoice {
 }
 
 impl MapChoice {
-    /// Returns the map `viridis`, `grey`, or `diverging` about `middle` (viridis without it).
+    /// Returns the map `viridis`, `cividis`, `grey`, or `diverging` about `middle` (viridis without
+    /// it).
     ///
     /// # Errors
     /// Any other name.
@@ -53,9 +59,10 @@ impl MapChoice {
         match (name, middle) {
             ("diverging", Some(middle)) => Ok(MapChoice::Diverging(middle)),
             ("viridis" | "diverging", _) => Ok(MapChoice::Viridis),
+            ("cividis", _) => Ok(MapChoice::Cividis),
             ("grey", _) => Ok(MapChoice::Grey),
             _ => {
-                let (got, known) = (name.to_owned(), "viridis, grey or diverging");
+                let (got, known) = (name.to_owned(), "viridis, cividis, grey or diverging");
                 Err(ViewError::Word { what: "colour map", got, known })
             }
         }
@@ -132,6 +139,7 @@ impl ColourMap {
     fn at(self, part: f64) -> colorous::Color {
         match self {
             ColourMap::Viridis => colorous::VIRIDIS.eval_continuous(1.0 - part),
+            ColourMap::Cividis => colorous::CIVIDIS.eval_continuous(1.0 - part),
             ColourMap::Grey => along(&GREY, part),
             ColourMap::Diverging(middle) if part < middle => along(&WITHIN, part / middle),
             ColourMap::Diverging(middle) if middle >= 1.0 => along(&WITHIN, 1.0),
@@ -191,8 +199,13 @@ mod tests {
     use super::*;
     use crate::view::appearance::{Colour, DARK, LIGHT};
 
-    const ALL: [ColourMap; 4] =
-        [ColourMap::Viridis, ColourMap::Grey, ColourMap::Diverging(0.4), ColourMap::Beyond];
+    const ALL: [ColourMap; 5] = [
+        ColourMap::Viridis,
+        ColourMap::Cividis,
+        ColourMap::Grey,
+        ColourMap::Diverging(0.4),
+        ColourMap::Beyond,
+    ];
 
     #[test]
     fn places_fall_on_the_map_and_stay_on_it() {
@@ -245,6 +258,7 @@ mod tests {
         assert_eq!(MapChoice::named("grey", Some(1.0)), Ok(MapChoice::Grey));
         assert_eq!(MapChoice::named("diverging", Some(0.5)), Ok(MapChoice::Diverging(0.5)));
         assert_eq!(MapChoice::named("diverging", None), Ok(MapChoice::Viridis));
+        assert_eq!(MapChoice::named("cividis", None), Ok(MapChoice::Cividis));
         assert!(MapChoice::named("jet", None).is_err());
     }
 

@@ -171,6 +171,7 @@ impl Appearance {
     fn full_map(&self, scale: Option<&ColourScale>) -> ColourMap {
         match self.map {
             MapChoice::Viridis => ColourMap::Viridis,
+            MapChoice::Cividis => ColourMap::Cividis,
             MapChoice::Grey => ColourMap::Grey,
             MapChoice::Diverging(middle) => {
                 let part = scale.and_then(|scale| scale.part(middle));
