@@ -1,7 +1,8 @@
 /** The analysis region: a tab for each plot and table, which is made when it is first shown. */
 
 import { itemByKey } from '../ui/controls/navigation.ts';
-import { byId, element } from '../ui/dom.ts';
+import { element } from '../ui/dom.ts';
+import { reveal } from '../ui/reveal.ts';
 import { anglesPanel } from '../panels/angles.ts';
 import { Convergence } from '../panels/convergence.ts';
 import { logOf } from '../panels/log.ts';
@@ -75,10 +76,7 @@ export function analysisRegion(place: HTMLElement, app: AppContext): (id: string
   store.subscribe(['plot'], ({ plot }) => show(plot));
   return async (id) => {
     actions.look({ plot: id });
-    store.set({ advanced: true });
     await Promise.resolve();
-    // In a narrow window the panel may be behind another panel or closed.
-    if (place.offsetParent === null) byId('tab-inspector').click();
-    place.scrollIntoView({ block: 'nearest' });
+    reveal(place);
   };
 }

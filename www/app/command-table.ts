@@ -8,7 +8,8 @@ import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
 import { showHelp } from '../features/help/help.ts';
 import { write as writeLesson } from '../features/lesson/dialog.ts';
 import { openEdit } from '../features/make-panels/refine-operation.ts';
-import { newMesh } from '../features/new-mesh/dialog-new-mesh.ts';
+import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';
+import { openPalette } from '../features/palette/palette.tsx';
 import { openSteps } from '../features/present/steps-dialog.ts';
 import { selectCommands } from '../features/selecting/select-commands.ts';
 import { share } from '../features/share/dialog-share.ts';
@@ -18,10 +19,20 @@ import { isDrawn } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
 import { isTypedInto } from '../ui/keys.ts';
 import { inTurn, once, oneAtATime } from '../ui/once.ts';
+import { reveal } from '../ui/reveal.ts';
 import { fly } from '../viewport/camera.ts';
 import { toggleTheme } from './appearance.ts';
 import type { PointerInput } from '../viewport/input/pointer.ts';
 import type { AppContext, Command } from './context.ts';
+
+/** The second levels of the steps. */
+const LEVELS = [
+  ['mesh', 'Show what changes the mesh'],
+  ['weights', 'Show weights and solver'],
+  ['show', 'Choose what is shown'],
+  ['plots', 'Show plots and lists'],
+  ['teach', 'Show presentation and lesson'],
+];
 
 export function commandTable(
   app: AppContext,
@@ -114,6 +125,7 @@ export function commandTable(
       group: 'View',
       label: 'Hold: show the original',
       keys: ['R'],
+      unlisted: true,
       action: () => app.hold.begin(),
       enabled: (state) => state.document !== null && isDrawn(state),
     },
@@ -212,6 +224,7 @@ export function commandTable(
       group: 'Tools',
       label: 'Cancel a drag, close a panel, or clear the selection',
       keys: ['Escape'],
+      unlisted: true,
       action: escape,
     },
     {
@@ -333,6 +346,13 @@ export function commandTable(
       action: opens(() => newMesh(app)),
     },
     {
+      id: 'draw',
+      group: 'File',
+      label: 'New mesh from a drawn plan',
+      keys: [],
+      action: opens(() => newMesh(app, PLAN)),
+    },
+    {
       id: 'present',
       group: 'View',
       label: 'Present: a full-screen sequence of views',
@@ -377,13 +397,20 @@ export function commandTable(
         `Save the current shape${flatMap ? ', with its flat map,' : ''} as OBJ`,
     },
     {
-      id: 'advanced',
+      id: 'palette',
       group: 'Page',
-      label: 'Show all controls or only the essentials',
-      keys: [],
-      action: () => store.set({ advanced: !store.get().advanced }),
-      pressed: ({ advanced }) => advanced,
+      label: 'All commands by name',
+      keys: ['Ctrl+K'],
+      unlisted: true,
+      action: () => openPalette(app),
     },
+    ...LEVELS.map(([id, label]) => ({
+      id: `show-${id}`,
+      group: 'Page',
+      label,
+      keys: [],
+      action: () => reveal(byId(`level-${id}`)),
+    })),
     {
       id: 'theme',
       group: 'Page',

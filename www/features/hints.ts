@@ -23,7 +23,7 @@ const hints = (now: string) => [
 export function firstHints(card: HTMLElement, store: Store) {
   // index.html hides the card in this case.
   if (getItem(KEY) === 'done') return;
-  const text = element('p.step');
+  const text = element('p.said');
   const close = closeButton('Dismiss hint', () => finish());
   byId('claim').after(text, close);
   /** Number of hints followed. */

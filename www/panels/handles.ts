@@ -39,8 +39,7 @@ export function handlesPanel(place: HTMLElement, { store, actions }: AppContext)
     add.disabled = fix.disabled = !chosen;
     const vertices = new Set(actions.selectedVertices());
     remove.disabled = !handles.some(({ vertex }) => vertices.has(vertex));
-    // Hidden if no button could do anything.
-    row.hidden = !chosen && handles.length === 0;
+    row.hidden = !chosen;
   });
 }
 

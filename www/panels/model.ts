@@ -53,7 +53,6 @@ function groups(model: Loaded) {
     element('li', `${group.name}: ${count(group.faces, 'face')}`),
   );
   const shown = details(count(model.groups.length, 'group'), rows, false);
-  shown.classList.add('advanced');
   return [shown];
 }
 
@@ -77,7 +76,6 @@ function report(
       : count(notes.length, 'note');
   const more = button('Details', showLog, { class: 'small bordered' });
   const shown = details(title, [...problems, ...notes], problems.length > 0);
-  shown.classList.toggle('advanced', problems.length === 0);
   shown.append(more);
   return [shown];
 }

@@ -26,15 +26,15 @@ export function statusBar(
   const { store } = app;
   const cells = new Map();
   for (const [key, name, style] of [
-    ['iteration', 'iteration', 'narrow-hidden advanced'],
-    ['energy', 'energy', 'wide narrow-hidden advanced'],
+    ['iteration', 'iteration', 'narrow-hidden'],
+    ['energy', 'energy', 'wide narrow-hidden'],
     ['worst', 'worst panel', 'in-legend'],
     ['moved', 'moved', 'narrow-hidden in-legend'],
     ['step', '', 'narrow-hidden'],
     ['drag', 'drag', 'narrow-hidden'],
-    ['units', '', 'wide narrow-hidden advanced'],
+    ['units', '', 'wide narrow-hidden'],
     ['saved', '', ''],
-    ['renderer', '', 'wide narrow-hidden advanced'],
+    ['renderer', '', 'wide narrow-hidden'],
   ]) {
     const value = element('dd');
     const label = name && element('dt', name);
@@ -56,8 +56,10 @@ export function statusBar(
     const measure = state.measure ?? document?.measure ?? null;
     if (!numbers) return;
     const units = document?.units ?? '';
-    set('iteration', groupDigits(numbers.iteration));
-    set('energy', number(energyOrZero(numbers.energy.total, model?.size ?? 0)));
+    const { timings } = state.display;
+    const energy = energyOrZero(numbers.energy.total, model?.size ?? 0);
+    set('iteration', timings ? groupDigits(numbers.iteration) : '');
+    set('energy', timings ? number(energy) : '');
     const about = declared(state, measure);
     if (about && model?.faces) {
       const worst = worstOf(state, about.id);
@@ -70,8 +72,7 @@ export function statusBar(
       set('worst', '');
     }
     set('moved', movedInWords(state));
-    const isTimed = state.display.timings && numbers.stepMs > 0;
-    set('step', isTimed ? `${duration(numbers.stepMs)} per iteration` : '');
+    set('step', timings && numbers.stepMs > 0 ? `${duration(numbers.stepMs)} per iteration` : '');
   });
 
   store.subscribe(['status'], ({ status }) => setText(places.status, status));
@@ -92,7 +93,9 @@ export function statusBar(
     // Unsaved changes are shown on screens of any width.
     cells.get('saved').row.className = /^Saved/.test(saved) ? 'wide narrow-hidden' : '';
   });
-  store.subscribe(['renderer'], ({ renderer }) => set('renderer', RENDERERS[renderer]));
+  store.subscribe(['renderer', 'display'], ({ renderer, display }) =>
+    set('renderer', display.timings ? RENDERERS[renderer] : ''),
+  );
   store.subscribe(
     [...NEXT_STEP_KEYS, 'tool', 'shape', 'mode', 'selection', 'dragged', 'renderer'],
     (state) => setText(places.hint, hintOf(state)),

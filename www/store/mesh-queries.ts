@@ -97,7 +97,7 @@ export class Selecting {
     this.#store.subscribe(['operations'], ({ operations }) => {
       if (bound || operations.length === 0) return;
       bound = true;
-      for (const operation of operations.filter(({ keys }) => keys.length > 0)) {
+      for (const operation of operations) {
         const { id, label, keys } = operation;
         commands.push({
           id: `select-${id}`,

@@ -3,6 +3,7 @@
  * it (it would be copied and compared needlessly); see `solver-client.ts`.
  */
 
+import { computed, signal, type ReadonlySignal } from '@preact/signals';
 import type {
   BuildReport,
   ConstraintRow,
@@ -73,8 +74,8 @@ export interface State {
   tint: Tint | null;
   /** colours of constraint rows */
   rowColours: RowColours | null;
-  /** the visible panel if there is room for only one */
-  tab: 'model' | 'inspector';
+  /** the visible step if there is room for only one */
+  step: Step;
   /** by which the faces are coloured */
   measure: Measure | null;
   /** whether the user chose it since the model was opened */
@@ -130,8 +131,6 @@ export interface State {
   heldOriginal: HeldOriginal | null;
   /** id of the plot or table of the analysis */
   plot: string;
-  /** whether all controls are shown, not only the essential ones */
-  advanced: boolean;
   dark: boolean;
   renderer: 'webgpu' | 'webgl2' | 'none' | 'starting';
   /** the model is a new mesh that replaced another model */
@@ -167,11 +166,16 @@ export interface FlatMap {
 
 /** User-chosen ends of the colour range and of the legend's axis; null if automatic. */
 export type OwnRange = { low: number | null; high: number | null; top: number | null };
+/** Both ends of the range and the end of the axis are automatic. */
+export const AUTOMATIC: OwnRange = { low: null, high: null, top: null };
 /**
  * A section plane across an axis of the file (0 to 2), at a fraction from 0 to 1 of the model's
  * extent. The part before it along the axis is kept, or the part after it if `turned`.
  */
 export type Section = { axis: number; at: number; turned: boolean };
+/** The steps of the page, in their order. */
+export const STEPS = ['open', 'shape', 'move', 'check', 'build'] as const;
+export type Step = (typeof STEPS)[number];
 export type Mode = 'vertices' | 'edges' | 'faces';
 /** Edges by their index in `Connectivity.edges`. */
 export type Selection = Record<Mode, ReadonlySet<number>>;
@@ -181,6 +185,8 @@ type HeldOriginal = { positions: Float64Array; values: Float32Array | null };
 
 export interface Store {
   get: () => Readonly<State>;
+  /** The current state: a component or an effect follows the parts that it reads here. */
+  state: Readonly<State>;
   /** keys on which commands may depend */
   steady: (keyof State)[];
   set: (patch: Partial<State>) => void;
@@ -220,11 +226,11 @@ const INITIAL: State = {
   dragMs: 0,
   tint: null,
   rowColours: null,
-  tab: 'model',
+  step: 'shape',
   measure: null,
   measureChosen: false,
   range: [0, 0],
-  ownRange: { low: null, high: null, top: null },
+  ownRange: AUTOMATIC,
   greatest: null,
   spread: null,
   corner: null,
@@ -254,7 +260,6 @@ const INITIAL: State = {
   heldOriginal: null,
   build: null,
   plot: 'convergence',
-  advanced: false,
   dark: false,
   renderer: 'starting',
   isNew: false,
@@ -282,7 +287,8 @@ export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
 export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
 
 export function createStore(): Store {
-  let state = INITIAL;
+  const all = signal(INITIAL);
+  const keys = Object.keys(INITIAL) as (keyof State)[];
   let subscriptions: { keys: (keyof State)[]; listener: (state: Readonly<State>) => void }[] = [];
   let changed: Set<keyof State> = new Set();
 
@@ -297,23 +303,25 @@ export function createStore(): Store {
   /** Calls a listener and reports its error. */
   function notifyListener(listener: (state: Readonly<State>) => void) {
     try {
-      listener(state);
+      listener(all.peek());
     } catch (error) {
       reportError(error);
     }
   }
 
   return {
-    get: () => state,
-    steady: (Object.keys(INITIAL) as (keyof State)[]).filter((key) => !LIVE.includes(key)),
+    get: () => all.peek(),
+    state: followed(all, keys),
+    steady: keys.filter((key) => !LIVE.includes(key)),
     set(patch) {
-      const keys = (Object.keys(patch) as (keyof State)[]).filter(
-        (key) => patch[key] !== state[key],
+      const before = all.peek();
+      const others = (Object.keys(patch) as (keyof State)[]).filter(
+        (key) => patch[key] !== before[key],
       );
-      if (keys.length === 0) return;
-      state = { ...state, ...patch };
+      if (others.length === 0) return;
       if (changed.size === 0) queueMicrotask(notify);
-      keys.forEach((key) => changed.add(key));
+      others.forEach((key) => changed.add(key));
+      all.value = { ...before, ...patch };
     },
     subscribe(keys, listener) {
       const own = { keys, listener };
@@ -324,4 +332,13 @@ export function createStore(): Store {
       };
     },
   };
+}
+
+/** The values of a signal, each of which is followed by itself. */
+function followed(all: ReadonlySignal<State>, keys: (keyof State)[]) {
+  const parts = keys.map((key) => {
+    const part = computed(() => all.value[key]);
+    return [key, { enumerable: true, get: () => part.value }] as const;
+  });
+  return Object.defineProperties({}, Object.fromEntries(parts)) as Readonly<State>;
 }

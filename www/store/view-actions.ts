@@ -2,7 +2,7 @@
 
 import { NOTHING } from './selection.ts';
 import type { BetterPress } from '../solver/types.ts';
-import type { State, Store } from './state.ts';
+import { AUTOMATIC, type State, type Store } from './state.ts';
 
 export function createViewActions(store: Store) {
   return {
@@ -18,6 +18,14 @@ export function createViewActions(store: Store) {
     /** @param change of the range of the colours */
     setRange: (change: Partial<State['ownRange']>) =>
       store.set({ ownRange: { ...store.get().ownRange, top: null, ...change } }),
+
+    /** Ends the range of the colours at the worst face of the current shape. */
+    fitRange() {
+      const { spread, range } = store.get();
+      if (!spread || spread.greatest <= range[0]) return store.set({ ownRange: AUTOMATIC });
+      const { greatest } = spread;
+      store.set({ ownRange: { low: null, high: greatest, top: greatest } });
+    },
 
     /** Opens a card in the corner of the view; the one that is there closes. */
     openCorner: (corner: State['corner']) => store.set({ corner }),
@@ -58,7 +66,7 @@ export function createViewActions(store: Store) {
           | 'camera'
           | 'section'
           | 'views'
-          | 'tab'
+          | 'step'
           | 'plot'
           | 'measure'
           | 'measureChosen'

@@ -1,6 +1,6 @@
 // The layout in both windows, the help, and what assistive technology reads.
 
-import { openText, showPanel, tool } from '../actions.ts';
+import { openText, showStep, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, test, windowOf } from '../support.ts';
 
@@ -78,7 +78,7 @@ test('the dialog of a new constraint is beside the view, with all its choices vi
   ];
   for (const size of project.name === 'phone' ? [{ width: 390, height: 844 }] : sizes) {
     await page.setViewportSize(size);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await page.getByRole('button', { name: 'Add constraint' }).click();
     const dialog = page.getByRole('dialog', { name: 'New constraint' });
     await expect(dialog.getByRole('button', { name: 'Add', exact: true })).toBeEnabled();

@@ -2,7 +2,7 @@
 
 import type { Locator } from '@playwright/test';
 import { file, wavyGrid } from '../meshes.ts';
-import { showPanel } from '../actions.ts';
+import { showStep } from '../actions.ts';
 import { boxOf, expect, openPage, screenOf, test, waitForState } from '../support.ts';
 
 /** Whether two elements do not overlap. */
@@ -18,7 +18,7 @@ test('a message does not cover the constraint dialog', async ({ page }, { projec
   await page.getByLabel('Open file').setInputFiles(file('notes.txt', 'not a mesh'));
   const message = page.getByRole('alert').getByText('cannot be read');
   await expect(message).toBeVisible();
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Add constraint' }).click();
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
   await expect(dialog).toBeVisible();

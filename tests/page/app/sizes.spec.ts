@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { file, wavyGrid } from '../meshes.ts';
-import { openText, showPanel, tool } from '../actions.ts';
+import { openText, showStep, tool } from '../actions.ts';
 import { boxOf, expect, openPage, test, waitForState } from '../support.ts';
 
 const SMALL = { width: 1024, height: 768 };
@@ -79,14 +79,14 @@ async function makeFlat(page: Page) {
 
 /** Opens a dialog by its button in the Model panel. */
 async function openBehind(page: Page, button: string, name: string) {
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: button, exact: true }).click();
   return page.getByRole('dialog', { name });
 }
 
-for (const advanced of [false, true])
-  test.describe(advanced ? 'with every control' : 'with the essentials', () => {
-    test.use({ advanced, viewport: SMALL });
+for (const opened of [false, true])
+  test.describe(opened ? 'with everything open' : 'as it is at first', () => {
+    test.use({ opened, viewport: SMALL });
 
     test('the dialog of a new constraint and the parts panel leave room for the view', async ({
       page,

@@ -2,7 +2,7 @@
 // they mean for panels.
 
 import type { Page } from '@playwright/test';
-import { openText, showPanel } from '../actions.ts';
+import { openText, showStep } from '../actions.ts';
 import { tube } from '../meshes.ts';
 import { decodePng } from '../picture.ts';
 import { expect, looks, openPage, state, test } from '../support.ts';
@@ -111,7 +111,7 @@ test('a tube has lines around and along it', async ({ page }) => {
   await openText(page, 'tube.obj', tube(), 60);
   const card = await openCurvature(page);
   await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.evaluate(() => (document.querySelector('#viewport') as HTMLElement).focus());
   await page.keyboard.press('3');
   await page.keyboard.press('Control+A');

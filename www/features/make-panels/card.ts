@@ -25,6 +25,7 @@ import { openEdit } from './refine-operation.ts';
 import type { BetterPress, KindInfo, PanelStart, PanelVerdict } from '../../solver/types.ts';
 import type { MeshSuggestion } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
+import type { State } from '../../store/state.ts';
 
 /** Minimum duration of the transition: a jump would not show what changes. */
 const TRANSITION_MS = 800;
@@ -90,6 +91,7 @@ export class MakePanels {
     const { group } = this.#better;
     this.#changes = element('div.changes', this.#showFolds, this.#again, group);
     addButtons(app, (kind) => this.#make(kind));
+    this.#addCommands();
     const { store, solver } = app;
     store.subscribe(['model', 'kinds', 'document', 'example', 'flatMap'], () => this.#show());
     // The next mesh starts without fitted shapes.
@@ -111,6 +113,24 @@ export class MakePanels {
     // A docked panel hides the card. Noticed here, before the smaller view is framed anew.
     const { body } = document;
     new MutationObserver(() => this.#cover()).observe(body, { attributeFilter: ['data-docked'] });
+  }
+
+  /** Adds the commands that make all panels one shape, once the solver has declared the kinds. */
+  #addCommands() {
+    this.#app.store.subscribe(['kinds'], ({ kinds }) => {
+      const own = kinds.filter(({ panels }) => panels !== null);
+      const made = own.map((kind) => ({
+        id: `make-${kind.id}`,
+        group: 'Shape',
+        label: `Make panels ${kind.panels}`,
+        keys: [],
+        needsModel: true,
+        enabled: ({ model }: Readonly<State>) =>
+          model?.panels.find((one) => one.kind === kind.id)?.reason === null,
+        action: () => this.#make(kind),
+      }));
+      this.#app.commands.push(...made);
+    });
   }
 
   #isUnderWay() {

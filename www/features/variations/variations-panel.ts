@@ -1,6 +1,6 @@
 /**
  * The docked panel of variations, which keep the shape exact, and of the kept shapes, and the button
- * that opens it, in the mesh tools.
+ * that opens it.
  */
 
 import './variations.css';
@@ -23,7 +23,7 @@ const thePanel = once(variationsPanel);
 /** Adds the button. */
 export function offerVariations(app: AppContext) {
   const open = button('Variations', () => thePanel(app).toggle());
-  byId('mesh-tools').prepend(open);
+  byId('move-tools').prepend(open);
   const { store } = app;
   store.subscribe(['document', 'numbers', 'running'], ({ document: scene, numbers, running }) => {
     open.hidden = !scene?.constraints.some(isHard) && !scene?.variants.length;

@@ -1,0 +1,30 @@
+/** The components of the page, each in its place of `index.html`, which is there before them. */
+
+import { render, type ComponentType } from 'preact';
+import { Colours } from '../panels/colours/colours.tsx';
+import { Shown } from '../panels/colours/shown.tsx';
+import { Constraints } from '../panels/constraints/constraints.tsx';
+import { ModelFact, MoveFact, ShapeFact } from '../panels/step-facts.tsx';
+import { AppProvider } from '../store/use-app.ts';
+import { byId } from '../ui/dom.ts';
+import type { AppContext } from './context.ts';
+
+/** The components, by the id of their place. */
+const PLACES: Record<string, ComponentType> = {
+  'fact-open': ModelFact,
+  'fact-shape': ShapeFact,
+  'fact-move': MoveFact,
+  constraints: Constraints,
+  colours: Colours,
+  display: Shown,
+};
+
+export function renderPage(app: AppContext) {
+  for (const [id, Component] of Object.entries(PLACES))
+    render(
+      <AppProvider value={app}>
+        <Component />
+      </AppProvider>,
+      byId(id),
+    );
+}
