@@ -5,7 +5,7 @@
  */
 
 import { NEXT_STEP_KEYS, nextStep, type NextStep } from '../store/next-step.ts';
-import { STEPS, type Step, type Store } from '../store/state.ts';
+import { STEPS, type State, type Step, type Store } from '../store/state.ts';
 import { itemByKey } from '../ui/controls/navigation.ts';
 import { byId } from '../ui/dom.ts';
 import { REVEALED, reveal } from '../ui/reveal.ts';
@@ -42,12 +42,13 @@ export function followSteps(store: Store) {
   openAll();
 
   let next: NextStep | null = null;
+  /** The model that the user has run: an example that is solved when it opens opens no step. */
+  let run: State['model'] = null;
   store.subscribe([...NEXT_STEP_KEYS], (state) => {
+    if (state.running) run = state.model;
     if (!state.document || nextStep(state) === next) return;
-    const isFirst = next === null;
     next = nextStep(state);
-    // Not before the user has done anything: a first visit begins with few controls.
-    if (!isFirst && state.document.undo) placeOf(WHERE[next]).open = true;
+    if (run === state.model) placeOf(WHERE[next]).open = true;
   });
   // The user is to know of problems in a file, and to say its unit.
   store.subscribe(['model'], ({ model }) => {

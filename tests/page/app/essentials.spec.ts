@@ -8,7 +8,7 @@ import { boxOf, expect, openPage, test, visit, waitForState } from '../support.t
 
 test.use({ opened: false });
 
-const heading = (page: Page, name: string) => page.getByText(name, { exact: true });
+const summary = (page: Page, name: string) => page.locator('summary').filter({ hasText: name });
 
 /** The controls of the first screen that can be seen. */
 const controls = (page: Page) =>
@@ -39,12 +39,12 @@ test('what is opened is open at the next visit, too', async ({ page }) => {
   await visit(page);
   const build = page.getByRole('button', { name: 'Build', exact: true });
   const refine = page.getByRole('button', { name: 'Refine' });
-  await heading(page, 'Build and share').click();
-  await heading(page, 'Open or make').click();
-  await heading(page, 'Change the mesh').click();
+  await summary(page, 'Build and share').click();
+  await summary(page, 'Open or make').click();
+  await summary(page, 'Change the mesh').click();
   await expect(build).toBeVisible();
   await expect(refine).toBeVisible();
-  await heading(page, 'Move').click();
+  await summary(page, 'Move').click();
   await page.reload();
   await waitForState(page, (now) => now.vertices > 0);
   await expect(build).toBeVisible();
