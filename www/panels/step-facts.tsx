@@ -12,11 +12,13 @@ export function ModelFact() {
 /** The constraints. */
 export function ShapeFact() {
   const { document } = useApp().store.state;
-  return <>{document && count(document.constraints.length, 'constraint')}</>;
+  return (
+    <>{document?.constraints.length ? count(document.constraints.length, 'constraint') : ''}</>
+  );
 }
 
 /** The handles. */
 export function MoveFact() {
   const { document } = useApp().store.state;
-  return <>{document && count(document.handles.length, 'handle')}</>;
+  return <>{document?.handles.length ? count(document.handles.length, 'handle') : ''}</>;
 }
