@@ -31,7 +31,7 @@ const LEVELS = [
   ['weights', 'Show weights and solver'],
   ['show', 'Choose what is shown'],
   ['plots', 'Show plots and lists'],
-  ['teach', 'Show presentation and lesson'],
+  ['teach', 'Show files, presentation and lesson'],
 ];
 
 export function commandTable(
@@ -304,11 +304,12 @@ export function commandTable(
     {
       id: 'help',
       group: 'Page',
-      label: 'This list',
+      label: 'Help: mouse, keys, files',
       keys: ['?', 'F1'],
       action: () => {
         const { renderer } = store.get();
-        showHelp(byId('help'), app.commands, app.actions.ask.fileFormats(), renderer);
+        const formats = app.actions.ask.fileFormats();
+        showHelp(byId('help'), app.commands, formats, renderer, () => openPalette(app));
       },
       title: () => 'Mouse and keys',
     },

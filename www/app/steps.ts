@@ -5,6 +5,7 @@
  */
 
 import { NEXT_STEP_KEYS, nextStep, type NextStep } from '../store/next-step.ts';
+import { sizeOfSelection } from '../store/selection.ts';
 import { STEPS, type State, type Step, type Store } from '../store/state.ts';
 import { itemByKey } from '../ui/controls/navigation.ts';
 import { byId } from '../ui/dom.ts';
@@ -49,6 +50,13 @@ export function followSteps(store: Store) {
     if (!state.document || nextStep(state) === next) return;
     next = nextStep(state);
     if (run === state.model) placeOf(WHERE[next]).open = true;
+  });
+  // What can be done with a selection is there.
+  let wasEmpty = true;
+  store.subscribe(['selection'], ({ selection }) => {
+    const isEmpty = sizeOfSelection(selection) === 0;
+    if (wasEmpty && !isEmpty) placeOf('move').open = true;
+    wasEmpty = isEmpty;
   });
   // The user is to know of problems in a file, and to say its unit.
   store.subscribe(['model'], ({ model }) => {

@@ -60,7 +60,7 @@ test.describe('at 200 % zoom', () => {
   test('every tool is there, and nothing lies outside the window', async ({ page }) => {
     await visit(page);
     await waitForState(page, (now) => now.renderer.startsWith('web'));
-    const names = ['Run', 'Reset', 'Undo', 'Redo', 'Drag', 'Select', 'Commands', 'Help'];
+    const names = ['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Drag', 'Select', 'Help'];
     for (const name of names) {
       const box = await boxOf(page.getByRole('button', { name, exact: true }));
       expect(box, name).not.toBeNull();

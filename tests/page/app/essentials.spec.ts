@@ -26,30 +26,30 @@ test('a first visit shows five steps, two of them open, and few controls', async
   for (const name of ['Open or make', 'Shape', 'Move', 'Check', 'Build and share'])
     await expect(page.getByRole('heading', { name, exact: true })).toBeVisible();
   for (const name of [
-    ...['Run', 'Reset', 'Undo', 'Redo', 'Commands', 'Add constraint'],
+    ...['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Add constraint', 'Build', 'Export', 'Share'],
     ...['Open your mesh', 'Draw one', 'Make panels circular', 'Make panels flat'],
   ])
-    await expect(page.getByRole('button', { name })).toBeVisible();
-  for (const name of ['Step', 'Refine', 'Edit mesh', 'Write a lesson', 'Export'])
+    await expect(page.getByRole('button', { name, exact: true })).toBeVisible();
+  for (const name of ['New mesh', 'Refine', 'Edit mesh', 'Variations', 'Write a lesson'])
     await expect(page.getByRole('button', { name, exact: true })).toBeHidden();
   expect(await controls(page)).toBeLessThanOrEqual(28);
 });
 
 test('what is opened is open at the next visit, too', async ({ page }) => {
   await visit(page);
-  const build = page.getByRole('button', { name: 'Build', exact: true });
+  const colours = page.getByRole('combobox', { name: 'Colour by' });
   const refine = page.getByRole('button', { name: 'Refine' });
-  await summary(page, 'Build and share').click();
+  await summary(page, 'Check').click();
   await summary(page, 'Open or make').click();
   await summary(page, 'Change the mesh').click();
-  await expect(build).toBeVisible();
+  await expect(colours).toBeVisible();
   await expect(refine).toBeVisible();
-  await summary(page, 'Move').click();
+  await summary(page, 'Shape').click();
   await page.reload();
   await waitForState(page, (now) => now.vertices > 0);
-  await expect(build).toBeVisible();
+  await expect(colours).toBeVisible();
   await expect(refine).toBeVisible();
-  await expect(page.getByText('Drag a blue handle in the view')).toBeHidden();
+  await expect(page.getByRole('button', { name: 'Add constraint' })).toBeHidden();
 });
 
 test('every command is found by its name', async ({ page }) => {
@@ -64,7 +64,8 @@ test('every command is found by its name', async ({ page }) => {
   await expect(palette).toBeHidden();
   await expect.poll(() => constraintCount(page)).toBe(2);
 
-  await page.getByRole('button', { name: 'Commands' }).click();
+  await page.getByRole('button', { name: 'Help' }).click();
+  await page.getByRole('button', { name: 'All commands' }).click();
   await field.fill('plots');
   await field.press('Enter');
   await expect(page.getByRole('tab', { name: 'Convergence' })).toBeVisible();

@@ -2,7 +2,7 @@
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
-import { CloseButton, Icon } from '../../ui/components/buttons.tsx';
+import { Icon } from '../../ui/components/buttons.tsx';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { groupDigits, length, limit } from '../../ui/format.ts';
@@ -94,11 +94,6 @@ function Row({ row }: { row: ConstraintRow }) {
             onChange={({ currentTarget }) => set({ enabled: currentTarget.checked })}
           />
         </label>
-        <CloseButton
-          label={`${name}: remove`}
-          title="Remove"
-          onClick={() => actions.edit({ removeConstraint: { index: row.index } })}
-        />
       </span>
       <span class="on">
         <span>

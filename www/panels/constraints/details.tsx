@@ -33,6 +33,7 @@ export function Details({
   const drawing = useMemo(() => kind && sketch(kind.sketch), [kind]);
   if (!kind || !model || !drawing) return null;
   const { eased } = row;
+  const remove = () => actions.edit({ removeConstraint: { index: row.index } });
   const duplicate = () => actions.edit({ duplicateConstraint: { index: row.index } });
   return (
     <>
@@ -56,6 +57,9 @@ export function Details({
         </Button>
         <Button onClick={rename} aria-label={`${name}: rename`}>
           Rename
+        </Button>
+        <Button onClick={remove} aria-label={`${name}: remove`}>
+          Remove
         </Button>
       </div>
     </>
