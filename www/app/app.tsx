@@ -4,14 +4,13 @@ import { render, type ComponentType } from 'preact';
 import { Colours } from '../panels/colours/colours.tsx';
 import { Shown } from '../panels/colours/shown.tsx';
 import { Constraints } from '../panels/constraints/constraints.tsx';
-import { ModelFact, MoveFact, ShapeFact } from '../panels/step-facts.tsx';
+import { MoveFact, ShapeFact } from '../panels/step-facts.tsx';
 import { AppProvider } from '../store/use-app.ts';
 import { byId } from '../ui/dom.ts';
 import type { AppContext } from './context.ts';
 
 /** The components, by the id of their place. */
 const PLACES: Record<string, ComponentType> = {
-  'fact-open': ModelFact,
   'fact-shape': ShapeFact,
   'fact-move': MoveFact,
   constraints: Constraints,

@@ -1,24 +1,31 @@
-/** What a closed step has, in its heading. */
+/** What a step has, in its heading while it is closed. */
 
+import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../store/use-app.ts';
+import { byId } from '../ui/dom.ts';
 import { count } from '../ui/format.ts';
+import type { Step } from '../store/state.ts';
 
-/** The model. */
-export function ModelFact() {
-  const { model, fileName } = useApp().store.state;
-  return <>{model && (model.title || fileName)}</>;
-}
+/** The number of constraints. */
+export const ShapeFact = () => {
+  const all = useApp().store.state.document?.constraints.length ?? 0;
+  return <Fact step="shape">{all > 0 && count(all, 'constraint')}</Fact>;
+};
 
-/** The constraints. */
-export function ShapeFact() {
-  const { document } = useApp().store.state;
-  return (
-    <>{document?.constraints.length ? count(document.constraints.length, 'constraint') : ''}</>
-  );
-}
+/** The number of handles. */
+export const MoveFact = () => {
+  const all = useApp().store.state.document?.handles.length ?? 0;
+  return <Fact step="move">{all > 0 && count(all, 'handle')}</Fact>;
+};
 
-/** The handles. */
-export function MoveFact() {
-  const { document } = useApp().store.state;
-  return <>{document?.handles.length ? count(document.handles.length, 'handle') : ''}</>;
+function Fact({ step, children }: { step: Step; children: string | false }) {
+  const [isClosed, setClosed] = useState(false);
+  useEffect(() => {
+    const place: HTMLDetailsElement = byId(`step-${step}`);
+    const follow = () => setClosed(!place.open);
+    follow();
+    place.addEventListener('toggle', follow);
+    return () => place.removeEventListener('toggle', follow);
+  }, [step]);
+  return <>{isClosed && children}</>;
 }

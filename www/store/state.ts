@@ -106,7 +106,7 @@ export interface State {
     log: boolean;
     gizmo: boolean;
     timings: boolean;
-    map: 'viridis' | 'diverging' | 'grey';
+    map: 'viridis' | 'cividis' | 'diverging' | 'grey';
   };
   /**
    * in the format of `View.camera`; if anything other than the viewport sets it, the camera moves
@@ -129,6 +129,8 @@ export interface State {
   build: BuildReport | null;
   /** shown instead of the current shape, on request */
   heldOriginal: HeldOriginal | null;
+  /** a presentation covers the page */
+  presenting: boolean;
   /** id of the plot or table of the analysis */
   plot: string;
   dark: boolean;
@@ -259,6 +261,7 @@ const INITIAL: State = {
   verdict: null,
   heldOriginal: null,
   build: null,
+  presenting: false,
   plot: 'convergence',
   dark: false,
   renderer: 'starting',

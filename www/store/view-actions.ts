@@ -68,6 +68,7 @@ export function createViewActions(store: Store) {
           | 'views'
           | 'step'
           | 'plot'
+          | 'presenting'
           | 'measure'
           | 'measureChosen'
           | 'tolerances'

@@ -30,7 +30,7 @@ test('a message does not cover the constraint dialog', async ({ page }, { projec
     await expect.poll(() => apart(place, dialog), `at ${size.width}`).toBe(true);
     await expect(message).toBeInViewport({ ratio: 1 });
     // The dialog is in its place.
-    const panel = page.getByRole('complementary', { name: 'Model', includeHidden: true });
+    const panel = page.getByRole('complementary', { name: 'Steps', includeHidden: true });
     if (project.name !== 'phone') expect(await apart(place, panel), `at ${size.width}`).toBe(true);
     // Nothing else lies under the pointer either.
     await dialog.getByRole('button', { name: 'Close' }).click({ trial: true });
@@ -50,11 +50,11 @@ test('a message does not cover the constraint dialog', async ({ page }, { projec
 const phone = { tag: '@phone' };
 test('on a phone no tab is selected while the sheet is closed', phone, async ({ page }) => {
   await openPage(page);
-  const chosen = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
+  const chosen = page.getByRole('tablist', { name: 'Steps' }).getByRole('tab', { selected: true });
   await expect(chosen).toHaveCount(0);
-  await page.getByRole('tab', { name: 'Model' }).click();
-  await expect(chosen).toHaveText('Model');
-  await page.getByRole('tab', { name: 'Model' }).click();
+  await page.getByRole('tab', { name: 'Check' }).click();
+  await expect(chosen).toHaveText('Check');
+  await page.getByRole('tab', { name: 'Check' }).click();
   await expect(chosen).toHaveCount(0);
 });
 

@@ -104,7 +104,7 @@ test('if no example can be fetched, the page shows what can be opened', async ({
   await page.goto('./');
   await expect(page.getByText(/^Drop a mesh \(\.obj, .*\) or a scene/)).toBeVisible();
   await expect(page.locator('#first-picture')).toHaveCount(0);
-  await showStep(page, 'Shape');
+  await showStep(page, 'Open');
   await expect(page.getByText('Nothing is open.')).toBeVisible();
   await page.unroute('**/examples/*');
   await page.getByRole('button', { name: 'Open an example' }).click();

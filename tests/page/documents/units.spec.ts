@@ -40,7 +40,7 @@ test('the guess is shown in the panel, covers nothing, and is written into saved
   await expect(guess(page)).toBeVisible();
   // The guess is a line of the panel: it does not cover the model and needs no answer.
   await expect(
-    page.getByRole('complementary', { name: 'Model' }).locator(guess(page)),
+    page.getByRole('complementary', { name: 'Steps' }).locator(guess(page)),
   ).toBeVisible();
   await expect(units).toHaveValue('m');
   await expect(up).toHaveValue('z');

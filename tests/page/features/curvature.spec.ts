@@ -2,7 +2,7 @@
 // they mean for panels.
 
 import type { Page } from '@playwright/test';
-import { openText, showStep } from '../actions.ts';
+import { openText, showStep, tool } from '../actions.ts';
 import { tube } from '../meshes.ts';
 import { decodePng } from '../picture.ts';
 import { expect, looks, openPage, state, test } from '../support.ts';
@@ -23,8 +23,7 @@ function hypar(n: number) {
 }
 
 async function openCurvature(page: Page) {
-  await page.getByRole('button', { name: 'Views' }).click();
-  await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+  await tool(page, 'Curvature');
   return page.getByRole('region', { name: 'Curvature' });
 }
 

@@ -1,7 +1,7 @@
 // From a roof of triangles to circular panels along its lines of curvature.
 
 import type { Page } from '@playwright/test';
-import { hidePanels, openText, showStep } from '../actions.ts';
+import { hidePanels, openText, showStep, tool } from '../actions.ts';
 import { vault, wavyGrid } from '../meshes.ts';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
@@ -89,8 +89,7 @@ test('a number typed while panels are laid out stays, and another card takes the
   await panels.press('Enter');
   await expect(card(page).getByText(/^(5|6|7)\d panels, /)).toBeVisible();
   // Both cards draw lines on the surface.
-  await page.getByRole('button', { name: 'Views' }).click();
-  await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+  await tool(page, 'Curvature');
   await expect(card(page)).toBeHidden();
   const curvature = page.getByRole('region', { name: 'Curvature' });
   await expect(curvature).toBeVisible();

@@ -135,7 +135,7 @@ test('the parameters fit into the window', async ({ page }) => {
   const field = row.getByRole('spinbutton', { name: `${LENGTH} to` });
   await field.scrollIntoViewIfNeeded();
   const box = await boxOf(field);
-  const panel = await boxOf(page.getByRole('complementary', { name: 'Model' }));
+  const panel = await boxOf(page.getByRole('complementary', { name: 'Steps' }));
   expect(box.x).toBeGreaterThanOrEqual(panel.x);
   expect(box.x + box.width).toBeLessThanOrEqual(panel.x + panel.width);
 });

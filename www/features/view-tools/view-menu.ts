@@ -53,7 +53,6 @@ export function viewMenu(menu: HTMLElement, opener: HTMLElement, app: AppContext
     button('ground', 'Ground grid'),
     button('tape', 'Measure a distance', true),
     button('section', 'Section plane'),
-    button('curvature', 'Curvature', true),
     button('turn-slowly', 'Turn slowly', true),
     keptViews(app),
   );

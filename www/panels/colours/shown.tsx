@@ -48,6 +48,7 @@ const BEYOND = 'beyond';
 const MAPS = [
   [BEYOND, 'Beyond tolerance', 'Only faces beyond the tolerance are coloured'],
   ['viridis', 'Viridis', 'All faces are coloured'],
+  ['cividis', 'Cividis', 'All faces are coloured, the same with red-green blindness'],
   ['diverging', 'Diverging', 'Blue within the tolerance, red beyond it'],
   ['grey', 'Grey', 'All faces in shades of grey, for print'],
 ] as const;

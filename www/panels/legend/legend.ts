@@ -40,7 +40,7 @@ export function legend(place: HTMLElement, app: AppContext) {
   const unit = element('span.unit');
   const [low, high] = [element('span'), element('span')];
   const within = element('span.within', { title: 'Faces within the tolerance' });
-  const facts = element('p.quiet.facts');
+  const facts = element('p.quiet.summary');
   place.replaceChildren(
     element('div.title', title, within),
     histogram,
