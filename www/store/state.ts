@@ -113,6 +113,8 @@ export interface State {
    * there
    */
   camera: number[] | null;
+  /** whose mouse buttons move the camera */
+  mouse: Mouse;
   /** projection, instead of perspective */
   parallel: boolean;
   /** section plane through the model */
@@ -175,6 +177,9 @@ export const AUTOMATIC: OwnRange = { low: null, high: null, top: null };
  * extent. The part before it along the axis is kept, or the part after it if `turned`.
  */
 export type Section = { axis: number; at: number; turned: boolean };
+/** The programs whose mouse buttons can be had. */
+export const MICE = ['rhino', 'web', 'blender'] as const;
+export type Mouse = (typeof MICE)[number];
 /** The steps of the page, in their order. */
 export const STEPS = ['open', 'shape', 'move', 'check', 'build'] as const;
 export type Step = (typeof STEPS)[number];
@@ -253,6 +258,7 @@ const INITIAL: State = {
     map: 'viridis',
   },
   camera: null,
+  mouse: 'rhino',
   parallel: false,
   section: null,
   views: [],

@@ -2,9 +2,15 @@
 
 import { NOTHING } from './selection.ts';
 import type { BetterPress } from '../solver/types.ts';
-import { AUTOMATIC, type State, type Store } from './state.ts';
+import { getItem, setItem } from '../ui/safe-storage.ts';
+import { AUTOMATIC, MICE, type State, type Store } from './state.ts';
+
+/** Storage key of the mouse. */
+const MOUSE = 'shape-up.mouse';
 
 export function createViewActions(store: Store) {
+  const mouse = MICE.find((one) => one === getItem(MOUSE));
+  if (mouse) store.set({ mouse });
   return {
     /** @param status last event, as text */
     setStatus: (status: string) => store.set({ status }),
@@ -75,6 +81,12 @@ export function createViewActions(store: Store) {
         >
       >,
     ) => store.set(look),
+
+    /** Chooses what the mouse buttons do, now and at later visits. */
+    useMouse(mouse: State['mouse']) {
+      store.set({ mouse });
+      setItem(MOUSE, mouse);
+    },
 
     /** Sets what the pointer is over. */
     pointAt: (over: Pick<State, 'gizmoPart' | 'pointedAt'>) => store.set(over),
