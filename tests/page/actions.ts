@@ -15,7 +15,7 @@ export async function showStep(page: Page, name: Step) {
   } else if (!(await place.evaluate((one: HTMLDetailsElement) => one.open))) {
     await heading.click();
   }
-  await expect(place.locator('> :not(summary)').first()).toBeVisible();
+  await expect(place.locator('> :not(summary):visible').first()).toBeVisible();
 }
 
 type Step = 'Open' | 'Shape' | 'Move' | 'Check' | 'Build';

@@ -1,6 +1,9 @@
 /** The components of the page, each in its place of `index.html`, which is there before them. */
 
 import { render, type ComponentType } from 'preact';
+import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
+import { PanelsCard } from '../features/make-panels/card.tsx';
+import { NewPanels } from '../features/make-panels/new-panels.tsx';
 import { Colours } from '../panels/colours/colours.tsx';
 import { Shown } from '../panels/colours/shown.tsx';
 import { Constraints } from '../panels/constraints/constraints.tsx';
@@ -14,6 +17,10 @@ const PLACES: Record<string, ComponentType> = {
   'fact-open': ModelFact,
   'fact-shape': ShapeFact,
   'fact-move': MoveFact,
+  'mesh-tools': MeshTools,
+  'make-panels-place': PanelsInStep,
+  'panels-card-place': PanelsCard,
+  corner: NewPanels,
   constraints: Constraints,
   colours: Colours,
   display: Shown,

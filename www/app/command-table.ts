@@ -7,7 +7,7 @@ import { showExport } from '../features/export/dialog-export.ts';
 import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
 import { showHelp } from '../features/help/help.ts';
 import { write as writeLesson } from '../features/lesson/dialog.ts';
-import { openEdit } from '../features/make-panels/refine-operation.ts';
+import { openEdit } from '../features/make-panels/edit-dialog.tsx';
 import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';
 import { openPalette } from '../features/palette/palette.tsx';
 import { openSteps } from '../features/present/steps-dialog.ts';
@@ -336,7 +336,7 @@ export function commandTable(
       keys: [],
       enabled: ({ model, document }) =>
         Boolean(model?.faces && !model.tets && !document?.lesson?.lock.includes('mesh')),
-      action: () => byId('new-panels-button').click(),
+      action: () => actions.openCorner('new-panels'),
     },
     {
       id: 'new-mesh',
