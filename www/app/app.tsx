@@ -4,6 +4,8 @@ import { render, type ComponentType } from 'preact';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
+import { RunMessageOnCard } from '../features/warnings/run-message.tsx';
+import { Warnings } from '../features/warnings/warnings.tsx';
 import { Colours } from '../panels/colours/colours.tsx';
 import { Shown } from '../panels/colours/shown.tsx';
 import { Constraints } from '../panels/constraints/constraints.tsx';
@@ -19,7 +21,12 @@ const PLACES: Record<string, ComponentType> = {
   'fact-move': MoveFact,
   'mesh-tools': MeshTools,
   'make-panels-place': PanelsInStep,
-  'panels-card-place': PanelsCard,
+  'panels-card-place': () => (
+    <PanelsCard>
+      <RunMessageOnCard />
+    </PanelsCard>
+  ),
+  'more-messages': Warnings,
   corner: NewPanels,
   constraints: Constraints,
   colours: Colours,

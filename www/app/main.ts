@@ -17,8 +17,6 @@ import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
 import { offerVariations } from '../features/variations/variations-panel.ts';
 import { viewMenu } from '../features/view-tools/view-menu.ts';
-import { watchFreeVertices, watchUnpaired } from '../features/warnings/free-vertices.ts';
-import { watchConditions } from '../features/warnings/warnings.ts';
 import { energiesPanel } from '../panels/energies/energies.ts';
 import { exampleNote } from '../panels/example.ts';
 import { handlesPanel } from '../panels/handles.ts';
@@ -111,9 +109,6 @@ if (isEmbedded) embeddedView(app);
 lessonPanel(app);
 offerPanelCommands(app);
 offerVariations(app);
-watchConditions(app);
-watchUnpaired(app);
-watchFreeVertices(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
 const measureParts = once(() => actions.reportErrors(buildGoals(app)));
 store.subscribe(['document'], ({ document: scene }) => {
