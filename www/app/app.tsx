@@ -4,6 +4,7 @@ import { render, type ComponentType } from 'preact';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
+import { VariationsButton } from '../features/variations/variations-panel.tsx';
 import { RunMessageOnCard } from '../features/warnings/run-message.tsx';
 import { Warnings } from '../features/warnings/warnings.tsx';
 import { Colours } from '../panels/colours/colours.tsx';
@@ -27,6 +28,7 @@ const PLACES: Record<string, ComponentType> = {
     </PanelsCard>
   ),
   'more-messages': Warnings,
+  'move-tools': VariationsButton,
   corner: NewPanels,
   constraints: Constraints,
   colours: Colours,

@@ -15,7 +15,6 @@ import { HoldOriginal } from '../features/hold-original.ts';
 import { lessonPanel } from '../features/lesson/panel.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
-import { offerVariations } from '../features/variations/variations-panel.ts';
 import { viewMenu } from '../features/view-tools/view-menu.ts';
 import { energiesPanel } from '../panels/energies/energies.ts';
 import { exampleNote } from '../panels/example.ts';
@@ -108,7 +107,6 @@ store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 if (isEmbedded) embeddedView(app);
 lessonPanel(app);
 offerPanelCommands(app);
-offerVariations(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
 const measureParts = once(() => actions.reportErrors(buildGoals(app)));
 store.subscribe(['document'], ({ document: scene }) => {
