@@ -1,6 +1,7 @@
 /** The components of the page, each in its place of `index.html`, which is there before them. */
 
 import { render, type ComponentType } from 'preact';
+import { Curvature } from '../features/curvature/curvature-card.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
@@ -29,7 +30,12 @@ const PLACES: Record<string, ComponentType> = {
   ),
   'more-messages': Warnings,
   'move-tools': VariationsButton,
-  corner: NewPanels,
+  corner: () => (
+    <>
+      <NewPanels />
+      <Curvature />
+    </>
+  ),
   constraints: Constraints,
   colours: Colours,
   display: Shown,

@@ -2,7 +2,6 @@
 
 import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.ts';
 import { toggleBuild } from '../features/build/build-panel.ts';
-import { toggle as toggleCurvature } from '../features/curvature/curvature-card.ts';
 import { showExport } from '../features/export/dialog-export.ts';
 import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
 import { showHelp } from '../features/help/help.ts';
@@ -279,7 +278,7 @@ export function commandTable(
       group: 'View',
       label: 'Curvature',
       keys: [],
-      action: () => toggleCurvature(app),
+      action: () => actions.openCorner(store.get().corner === 'curvature' ? null : 'curvature'),
       needsModel: true,
       enabled: ({ model, renderer }) => Boolean(model?.faces) && renderer !== 'none',
     },
