@@ -6,6 +6,7 @@ import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
 import { VariationsButton } from '../features/variations/variations-panel.tsx';
+import { ViewMenu } from '../features/view-tools/view-menu.tsx';
 import { RunMessageOnCard } from '../features/warnings/run-message.tsx';
 import { Warnings } from '../features/warnings/warnings.tsx';
 import { Colours } from '../panels/colours/colours.tsx';
@@ -36,6 +37,7 @@ const PLACES: Record<string, ComponentType> = {
       <Curvature />
     </>
   ),
+  'view-menu': ViewMenu,
   constraints: Constraints,
   colours: Colours,
   display: Shown,

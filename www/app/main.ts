@@ -15,7 +15,6 @@ import { HoldOriginal } from '../features/hold-original.ts';
 import { lessonPanel } from '../features/lesson/panel.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
-import { viewMenu } from '../features/view-tools/view-menu.ts';
 import { energiesPanel } from '../panels/energies/energies.ts';
 import { exampleNote } from '../panels/example.ts';
 import { handlesPanel } from '../panels/handles.ts';
@@ -96,7 +95,6 @@ const app: AppContext = {
   script: scriptApi(store, solver, viewport, files),
 };
 viewport.once('ready', () => legend(byId('legend'), app));
-renderPage(app);
 modelPanel(byId('model'), app, () => showAnalysis('log'));
 handlesPanel(byId('handles'), app);
 energiesPanel(byId('energies'), app);
@@ -133,6 +131,7 @@ files.on('opened', closeAboutModel);
 
 app.commands = commandTable(app, pointer, fileInput);
 const { commands } = app;
+renderPage(app);
 for (const button of document.querySelectorAll('[data-command="reset"]'))
   if (button instanceof HTMLElement) hold.bind(button, { clicks: true });
 bindButtons(commands, store);
@@ -143,7 +142,6 @@ bindHalfStepSwitches(store);
 const early: Window & { earlyPresses?: string[] } = window;
 runEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
-viewMenu(byId('view-menu'), byId('view-menu-button'), app);
 selecting.bindKeys(commands);
 
 viewport.on('none', explainNoPicture);
