@@ -79,7 +79,11 @@ export const roomRules = Object.entries(ROOMS).flatMap(([room, lower]) => {
   if (!APART.includes(room)) return [own(outside, [`www/${room}/**/*.{ts,tsx}`], room)];
   const message = `${outside.message} What is beside it is another part of the page.`;
   return [
-    own({ regex: `${outside.regex}|^\\./(?!.*\\.css$)`, message }, [`www/${room}/*.{ts,tsx}`], room),
+    own(
+      { regex: `${outside.regex}|^\\./(?!.*\\.css$)`, message },
+      [`www/${room}/*.{ts,tsx}`],
+      room,
+    ),
     own({ regex: `${outside.regex}|^\\.\\./[^.]`, message }, [`www/${room}/*/**/*.{ts,tsx}`], room),
   ];
 });

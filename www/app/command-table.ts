@@ -2,12 +2,11 @@
 
 import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.ts';
 import { toggleBuild } from '../features/build/build-panel.ts';
-import { toggle as toggleCurvature } from '../features/curvature/curvature-card.ts';
 import { showExport } from '../features/export/dialog-export.ts';
 import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
 import { showHelp } from '../features/help/help.ts';
 import { write as writeLesson } from '../features/lesson/dialog.ts';
-import { openEdit } from '../features/make-panels/refine-operation.ts';
+import { openEdit } from '../features/make-panels/edit-dialog.tsx';
 import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';
 import { openPalette } from '../features/palette/palette.tsx';
 import { openSteps } from '../features/present/steps-dialog.ts';
@@ -279,7 +278,7 @@ export function commandTable(
       group: 'View',
       label: 'Curvature',
       keys: [],
-      action: () => toggleCurvature(app),
+      action: () => actions.openCorner(store.get().corner === 'curvature' ? null : 'curvature'),
       needsModel: true,
       enabled: ({ model, renderer }) => Boolean(model?.faces) && renderer !== 'none',
     },
@@ -337,7 +336,7 @@ export function commandTable(
       keys: [],
       enabled: ({ model, document }) =>
         Boolean(model?.faces && !model.tets && !document?.lesson?.lock.includes('mesh')),
-      action: () => byId('new-panels-button').click(),
+      action: () => actions.openCorner('new-panels'),
     },
     {
       id: 'new-mesh',

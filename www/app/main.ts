@@ -13,12 +13,8 @@ import { embeddedView } from '../features/embed/embedded-view.ts';
 import { firstHints } from '../features/hints.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
 import { lessonPanel } from '../features/lesson/panel.ts';
-import { MakePanels } from '../features/make-panels/card.ts';
+import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
-import { offerVariations } from '../features/variations/variations-panel.ts';
-import { viewMenu } from '../features/view-tools/view-menu.ts';
-import { watchFreeVertices, watchUnpaired } from '../features/warnings/free-vertices.ts';
-import { watchConditions } from '../features/warnings/warnings.ts';
 import { energiesPanel } from '../panels/energies/energies.ts';
 import { exampleNote } from '../panels/example.ts';
 import { handlesPanel } from '../panels/handles.ts';
@@ -99,7 +95,6 @@ const app: AppContext = {
   script: scriptApi(store, solver, viewport, files),
 };
 viewport.once('ready', () => legend(byId('legend'), app));
-renderPage(app);
 modelPanel(byId('model'), app, () => showAnalysis('log'));
 handlesPanel(byId('handles'), app);
 energiesPanel(byId('energies'), app);
@@ -109,11 +104,7 @@ exampleNote(byId('example-note'), app, showAnalysis);
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 if (isEmbedded) embeddedView(app);
 lessonPanel(app);
-new MakePanels(app);
-offerVariations(app);
-watchConditions(app);
-watchUnpaired(app);
-watchFreeVertices(app);
+offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
 const measureParts = once(() => actions.reportErrors(buildGoals(app)));
 store.subscribe(['document'], ({ document: scene }) => {
@@ -140,6 +131,7 @@ files.on('opened', closeAboutModel);
 
 app.commands = commandTable(app, pointer, fileInput);
 const { commands } = app;
+renderPage(app);
 for (const button of document.querySelectorAll('[data-command="reset"]'))
   if (button instanceof HTMLElement) hold.bind(button, { clicks: true });
 bindButtons(commands, store);
@@ -150,7 +142,6 @@ bindHalfStepSwitches(store);
 const early: Window & { earlyPresses?: string[] } = window;
 runEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
-viewMenu(byId('view-menu'), byId('view-menu-button'), app);
 selecting.bindKeys(commands);
 
 viewport.on('none', explainNoPicture);

@@ -127,6 +127,10 @@ export interface State {
   flatMap: FlatMap | null;
   /** on the panels, the generation of the shape that it is on, and whether the user closed it */
   verdict: { shape: number | undefined; report: PanelVerdict; isClosed?: boolean } | null;
+  /** the last press that made all panels one shape */
+  press: PanelPress | null;
+  /** the model whose card of panels the user closed */
+  closedCard: Loaded | null;
   /** null without fabrication panel */
   build: BuildReport | null;
   /** shown instead of the current shape, on request */
@@ -166,6 +170,17 @@ export interface FlatMap {
   onMap: Look;
   /** number of squares along the longer side of the map */
   squares: number;
+}
+
+export interface PanelPress {
+  /** on which it acts */
+  model: Loaded;
+  /** whether the shape still changes */
+  isUnderWay: boolean;
+  /** of the better choice that was pressed; empty if none was */
+  label: string;
+  /** generation of the shape that it led to, once it is known */
+  shape?: number;
 }
 
 /** User-chosen ends of the colour range and of the legend's axis; null if automatic. */
@@ -265,6 +280,8 @@ const INITIAL: State = {
   tape: null,
   flatMap: null,
   verdict: null,
+  press: null,
+  closedCard: null,
   heldOriginal: null,
   build: null,
   presenting: false,

@@ -3,7 +3,7 @@
 import { NOTHING } from './selection.ts';
 import type { BetterPress } from '../solver/types.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
-import { AUTOMATIC, MICE, type State, type Store } from './state.ts';
+import { AUTOMATIC, MICE, type PanelPress, type State, type Store } from './state.ts';
 
 /** Storage key of the mouse. */
 const MOUSE = 'shape-up.mouse';
@@ -47,6 +47,20 @@ export function createViewActions(store: Store) {
       const { verdict } = store.get();
       if (!verdict || verdict.shape !== shape) return;
       store.set({ verdict: { ...verdict, report: { ...verdict.report, suggestions } } });
+    },
+
+    /** Sets the last press that made all panels one shape; its card is shown. */
+    pressed: (press: PanelPress) => store.set({ press, closedCard: null }),
+    /** Changes what is known of a press, while it is the last one. */
+    pressTurns(press: PanelPress, change: Partial<PanelPress>): PanelPress {
+      const changed = { ...press, ...change };
+      if (store.get().press === press) store.set({ press: changed });
+      return changed;
+    },
+    /** Closes the card of the panels, for this model. */
+    closePanelsCard() {
+      const { model, verdict } = store.get();
+      store.set({ closedCard: model, verdict: verdict && { ...verdict, isClosed: true } });
     },
 
     /** Sets the tolerance of another measure, in its unit. */

@@ -147,8 +147,8 @@ const PLACES: { lock: Lock; id: string; words: string }[] = [
   { lock: 'weights', id: 'energies', words: 'the weights stay as they are' },
   { lock: 'constraints', id: 'add-constraint-button', words: '' },
   { lock: 'constraints', id: 'constraints', words: 'the constraints stay as they are' },
-  { lock: 'constraints', id: 'make-panels', words: '' },
-  { lock: 'constraints', id: 'make-panels-card', words: '' },
+  { lock: 'constraints', id: 'make-panels-place', words: '' },
+  { lock: 'constraints', id: 'panels-card-place', words: '' },
   { lock: 'handles', id: 'handles', words: 'the handles stay as they are' },
 ];
 

@@ -21,7 +21,7 @@ const VIEWS = [
   ['isometric', 'Numpad0'],
 ];
 
-const MOUSE_NAMES = { rhino: 'in Rhino', web: 'on web pages', blender: 'in Blender' };
+export const MOUSE_NAMES = { rhino: 'in Rhino', web: 'on web pages', blender: 'in Blender' };
 const MOUSE_WORDS = {
   rhino: 'Right drag orbits, Shift + right drag and middle drag pan',
   web: 'Left drag orbits, right drag pans, middle drag zooms',

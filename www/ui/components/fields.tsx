@@ -1,6 +1,6 @@
 /** Common fields. */
 
-import { useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { ComponentProps } from 'preact';
 
 /**
@@ -12,6 +12,7 @@ export function AmountField({
   value,
   onAmount,
   onEmpty,
+  isReplaced = false,
   ...rest
 }: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role'> & {
   name: string;
@@ -20,11 +21,17 @@ export function AmountField({
   onAmount: (to: number) => unknown;
   /** called for a field that is emptied; without it, this is invalid too */
   onEmpty?: () => unknown;
+  /** whether what is typed next replaces a value that comes while the field has the focus */
+  isReplaced?: boolean;
 }) {
   /** Input that is not reported yet. */
   const [typed, setTyped] = useState<string | null>(null);
   const shown = value === null ? '' : String(value);
   const field = useRef<HTMLInputElement>(null);
+  useLayoutEffect(() => {
+    const { current } = field;
+    if (isReplaced && typed === null && document.activeElement === current) current?.select();
+  }, [shown]);
   const revert = () => {
     setTyped(null);
     // A rejected text is no value that could change.
