@@ -1,6 +1,6 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
-import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.ts';
+import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
 import { toggleBuild } from '../features/build/build-panel.ts';
 import { toggle as toggleCurvature } from '../features/curvature/curvature-card.ts';
 import { showExport } from '../features/export/dialog-export.ts';
