@@ -5,25 +5,31 @@ import { Colours } from '../panels/colours/colours.tsx';
 import { Shown } from '../panels/colours/shown.tsx';
 import { Constraints } from '../panels/constraints/constraints.tsx';
 import { Energies } from '../panels/energies/energies.tsx';
+import { ExampleNote } from '../panels/example.tsx';
+import { Model } from '../panels/model/model.tsx';
 import { SelectBar } from '../panels/select-bar/select-bar.tsx';
 import { SelectMenu } from '../panels/select-bar/select-menu.tsx';
 import { MoveFact, ShapeFact } from '../panels/step-facts.tsx';
 import { AppProvider } from '../store/use-app.ts';
 import { byId } from '../ui/dom.ts';
+import { Analysis } from './analysis.tsx';
 import type { AppContext } from './context.ts';
 
 /** The components inside a place, by its id. */
 const INSIDE: Record<string, ComponentType> = {
   'fact-shape': ShapeFact,
   'fact-move': MoveFact,
+  model: Model,
   constraints: Constraints,
   energies: Energies,
   colours: Colours,
   display: Shown,
+  analysis: Analysis,
 };
 
 /** The components that are a place, by its id: whether it is hidden is up to them. */
 const WHOLE: Record<string, ComponentType> = {
+  'example-note': ExampleNote,
   'select-bar': SelectBar,
   'select-menu': SelectMenu,
 };
