@@ -5,10 +5,12 @@ import { Colours } from '../panels/colours/colours.tsx';
 import { Shown } from '../panels/colours/shown.tsx';
 import { Constraints } from '../panels/constraints/constraints.tsx';
 import { Energies } from '../panels/energies/energies.tsx';
+import { Handles } from '../panels/handles/handles.tsx';
 import { ExampleNote } from '../panels/example.tsx';
 import { Model } from '../panels/model/model.tsx';
 import { SelectBar } from '../panels/select-bar/select-bar.tsx';
 import { SelectMenu } from '../panels/select-bar/select-menu.tsx';
+import { Hint, Status, StatusNumbers } from '../panels/status-bar/status-bar.tsx';
 import { MoveFact, ShapeFact } from '../panels/step-facts.tsx';
 import { AppProvider } from '../store/use-app.ts';
 import { byId } from '../ui/dom.ts';
@@ -22,9 +24,13 @@ const INSIDE: Record<string, ComponentType> = {
   model: Model,
   constraints: Constraints,
   energies: Energies,
+  handles: Handles,
   colours: Colours,
   display: Shown,
   analysis: Analysis,
+  status: Status,
+  hint: Hint,
+  numbers: StatusNumbers,
 };
 
 /** The components that are a place, by its id: whether it is hidden is up to them. */

@@ -19,9 +19,7 @@ import { offerVariations } from '../features/variations/variations-panel.ts';
 import { viewMenu } from '../features/view-tools/view-menu.ts';
 import { watchFreeVertices, watchUnpaired } from '../features/warnings/free-vertices.ts';
 import { watchConditions } from '../features/warnings/warnings.ts';
-import { handlesPanel } from '../panels/handles.ts';
 import { legend } from '../panels/legend/legend.ts';
-import { statusBar } from '../panels/status-bar.ts';
 import { messageOf } from '../solver/errors.ts';
 import { JobsClient } from '../solver/jobs-client.ts';
 import { SolverClient } from '../solver/solver-client.ts';
@@ -95,7 +93,6 @@ const app: AppContext = {
 };
 viewport.once('ready', () => legend(byId('legend'), app));
 renderPage(app);
-handlesPanel(byId('handles'), app);
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 if (isEmbedded) embeddedView(app);
 lessonPanel(app);
@@ -111,7 +108,6 @@ store.subscribe(['document'], ({ document: scene }) => {
 });
 showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));
-statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, app);
 firstHints(byId('hint-card'), store);
 arrangeForWidth();
 followSteps(store);
