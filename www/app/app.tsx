@@ -1,12 +1,14 @@
 /** The components of the page, each in its place of `index.html`, which is there before them. */
 
 import { render, type ComponentType, type ContainerNode } from 'preact';
+import { FirstHints } from '../features/hints.tsx';
 import { Colours } from '../panels/colours/colours.tsx';
 import { Shown } from '../panels/colours/shown.tsx';
 import { Constraints } from '../panels/constraints/constraints.tsx';
 import { Energies } from '../panels/energies/energies.tsx';
 import { Handles } from '../panels/handles/handles.tsx';
 import { ExampleNote } from '../panels/example.tsx';
+import { Legend } from '../panels/legend/legend.tsx';
 import { Model } from '../panels/model/model.tsx';
 import { SelectBar } from '../panels/select-bar/select-bar.tsx';
 import { SelectMenu } from '../panels/select-bar/select-menu.tsx';
@@ -31,11 +33,13 @@ const INSIDE: Record<string, ComponentType> = {
   status: Status,
   hint: Hint,
   numbers: StatusNumbers,
+  hints: FirstHints,
 };
 
 /** The components that are a place, by its id: whether it is hidden is up to them. */
 const WHOLE: Record<string, ComponentType> = {
   'example-note': ExampleNote,
+  legend: Legend,
   'select-bar': SelectBar,
   'select-menu': SelectMenu,
 };

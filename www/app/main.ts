@@ -10,7 +10,6 @@ import { Files } from '../documents/files.ts';
 import { showRecent } from '../documents/recent-menu.ts';
 import { buildGoals } from '../features/build/build-goals.ts';
 import { embeddedView } from '../features/embed/embedded-view.ts';
-import { firstHints } from '../features/hints.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
 import { lessonPanel } from '../features/lesson/panel.ts';
 import { MakePanels } from '../features/make-panels/card.ts';
@@ -19,7 +18,6 @@ import { offerVariations } from '../features/variations/variations-panel.ts';
 import { viewMenu } from '../features/view-tools/view-menu.ts';
 import { watchFreeVertices, watchUnpaired } from '../features/warnings/free-vertices.ts';
 import { watchConditions } from '../features/warnings/warnings.ts';
-import { legend } from '../panels/legend/legend.ts';
 import { messageOf } from '../solver/errors.ts';
 import { JobsClient } from '../solver/jobs-client.ts';
 import { SolverClient } from '../solver/solver-client.ts';
@@ -91,7 +89,6 @@ const app: AppContext = {
   ...{ store, solver, jobs, viewport, files, actions, selecting, alerts, hold, commands: [] },
   script: scriptApi(store, solver, viewport, files),
 };
-viewport.once('ready', () => legend(byId('legend'), app));
 renderPage(app);
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 if (isEmbedded) embeddedView(app);
@@ -108,7 +105,6 @@ store.subscribe(['document'], ({ document: scene }) => {
 });
 showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));
-firstHints(byId('hint-card'), store);
 arrangeForWidth();
 followSteps(store);
 followNextStep(store);

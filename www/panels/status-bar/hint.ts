@@ -41,4 +41,3 @@ export function hintOf(state: Readonly<State>) {
   if (!one) return `${build}Double-click a vertex to drag it · drag elsewhere to orbit`;
   return `Drag ${one} · drag elsewhere to orbit, wheel to zoom`;
 }
-

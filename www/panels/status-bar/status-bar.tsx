@@ -61,12 +61,7 @@ export function StatusNumbers() {
 }
 
 /** A value with its name; nothing without a value. */
-function Cell(props: {
-  name?: string;
-  title?: string;
-  look: string;
-  children: ComponentChildren;
-}) {
+function Cell(props: { name?: string; title?: string; look: string; children: ComponentChildren }) {
   const { name, title, look, children } = props;
   if (!children) return null;
   return (
@@ -141,11 +136,7 @@ function DragTime() {
   const { state } = useApp().store;
   const time = useThrottled(() => state.dragMs);
   return (
-    <Cell
-      name="drag"
-      look="narrow-hidden"
-      title="Time from a pointer movement to new positions"
-    >
+    <Cell name="drag" look="narrow-hidden" title="Time from a pointer movement to new positions">
       {time > 0 && duration(time)}
     </Cell>
   );
