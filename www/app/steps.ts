@@ -9,7 +9,7 @@ import { sizeOfSelection } from '../store/selection.ts';
 import { STEPS, type State, type Step, type Store } from '../store/state.ts';
 import { itemByKey } from '../ui/controls/navigation.ts';
 import { byId } from '../ui/dom.ts';
-import { REVEALED, reveal } from '../ui/reveal.ts';
+import { REVEALED } from '../ui/reveal.ts';
 import { setItem } from '../ui/safe-storage.ts';
 import { narrow } from '../viewport/camera.ts';
 
