@@ -9,16 +9,27 @@ import { VariationsButton } from '../features/variations/variations-panel.tsx';
 import { ViewMenu } from '../features/view-tools/view-menu.tsx';
 import { RunMessageOnCard } from '../features/warnings/run-message.tsx';
 import { Warnings } from '../features/warnings/warnings.tsx';
+import { FirstHints } from '../features/hints.tsx';
 import { Colours } from '../panels/colours/colours.tsx';
 import { Shown } from '../panels/colours/shown.tsx';
 import { Constraints } from '../panels/constraints/constraints.tsx';
-import { MoveFact, ShapeFact } from '../panels/step-facts.tsx';
+import { Energies } from '../panels/energies/energies.tsx';
+import { Handles } from '../panels/handles/handles.tsx';
+import { ExampleNote } from '../panels/example.tsx';
+import { Legend } from '../panels/legend/legend.tsx';
+import { Model } from '../panels/model/model.tsx';
+import { SelectBar } from '../panels/select-bar/select-bar.tsx';
+import { SelectMenu } from '../panels/select-bar/select-menu.tsx';
+import { Hint, Status, StatusNumbers } from '../panels/status-bar/status-bar.tsx';
+import { ModelFact, MoveFact, ShapeFact } from '../panels/step-facts.tsx';
 import { AppProvider } from '../store/use-app.ts';
 import { byId } from '../ui/dom.ts';
+import { Analysis } from './analysis.tsx';
 import type { AppContext } from './context.ts';
 
 /** The components, by the id of their place. */
 const PLACES: Record<string, ComponentType> = {
+  'fact-open': ModelFact,
   'fact-shape': ShapeFact,
   'fact-move': MoveFact,
   'mesh-tools': MeshTools,
@@ -37,9 +48,21 @@ const PLACES: Record<string, ComponentType> = {
     </>
   ),
   'view-menu': ViewMenu,
+  model: Model,
   constraints: Constraints,
+  energies: Energies,
+  handles: Handles,
   colours: Colours,
   display: Shown,
+  analysis: Analysis,
+  status: Status,
+  hint: Hint,
+  numbers: StatusNumbers,
+  hints: FirstHints,
+  'example-place': ExampleNote,
+  'legend-place': Legend,
+  'select-bar-place': SelectBar,
+  'select-menu-place': SelectMenu,
 };
 
 export function renderPage(app: AppContext) {

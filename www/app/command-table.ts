@@ -1,6 +1,6 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
-import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.ts';
+import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
 import { toggleBuild } from '../features/build/build-panel.ts';
 import { showExport } from '../features/export/dialog-export.ts';
 import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';

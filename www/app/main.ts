@@ -10,18 +10,10 @@ import { Files } from '../documents/files.ts';
 import { showRecent } from '../documents/recent-menu.ts';
 import { buildGoals } from '../features/build/build-goals.ts';
 import { embeddedView } from '../features/embed/embedded-view.ts';
-import { firstHints } from '../features/hints.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
 import { lessonPanel } from '../features/lesson/panel.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
-import { energiesPanel } from '../panels/energies/energies.ts';
-import { exampleNote } from '../panels/example.ts';
-import { handlesPanel } from '../panels/handles.ts';
-import { legend } from '../panels/legend/legend.ts';
-import { modelPanel } from '../panels/model.ts';
-import { selectBar } from '../panels/select-bar/select-bar.ts';
-import { statusBar } from '../panels/status-bar.ts';
 import { messageOf } from '../solver/errors.ts';
 import { JobsClient } from '../solver/jobs-client.ts';
 import { SolverClient } from '../solver/solver-client.ts';
@@ -46,7 +38,6 @@ import { PointerInput } from '../viewport/input/pointer.ts';
 import { RegionSelection } from '../viewport/input/region-selection.ts';
 import { explainNoPicture } from '../viewport/placeholder.ts';
 import { Viewport } from '../viewport/viewport.ts';
-import { analysisRegion } from './analysis.ts';
 import { renderPage } from './app.tsx';
 import { followNextStep, followTheme } from './appearance.ts';
 import { commandTable } from './command-table.ts';
@@ -94,13 +85,6 @@ const app: AppContext = {
   ...{ store, solver, jobs, viewport, files, actions, selecting, alerts, hold, commands: [] },
   script: scriptApi(store, solver, viewport, files),
 };
-viewport.once('ready', () => legend(byId('legend'), app));
-modelPanel(byId('model'), app, () => showAnalysis('log'));
-handlesPanel(byId('handles'), app);
-energiesPanel(byId('energies'), app);
-selectBar(byId('select-bar'), byId('select-menu'), app);
-const showAnalysis = analysisRegion(byId('analysis'), app);
-exampleNote(byId('example-note'), app, showAnalysis);
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 if (isEmbedded) embeddedView(app);
 lessonPanel(app);
@@ -112,12 +96,6 @@ store.subscribe(['document'], ({ document: scene }) => {
 });
 showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));
-statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, app);
-firstHints(byId('hint-card'), store);
-arrangeForWidth();
-followSteps(store);
-followNextStep(store);
-tooltips();
 
 const fileInput: HTMLInputElement = byId('file');
 fileInput.addEventListener('change', async () => {
@@ -132,6 +110,10 @@ files.on('opened', closeAboutModel);
 app.commands = commandTable(app, pointer, fileInput);
 const { commands } = app;
 renderPage(app);
+arrangeForWidth();
+followSteps(store);
+followNextStep(store);
+tooltips();
 for (const button of document.querySelectorAll('[data-command="reset"]'))
   if (button instanceof HTMLElement) hold.bind(button, { clicks: true });
 bindButtons(commands, store);

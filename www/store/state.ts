@@ -37,6 +37,8 @@ export interface State {
   fileName: string;
   /** whether the model is the page's first one */
   firstExample: boolean;
+  /** not even the first example could be opened */
+  nothingOpen: boolean;
   /** whose mesh is open, if any */
   example: Example | null;
   document: SceneDocument | null;
@@ -227,6 +229,7 @@ const INITIAL: State = {
   model: null,
   fileName: '',
   firstExample: false,
+  nothingOpen: false,
   example: null,
   document: null,
   refused: 0,

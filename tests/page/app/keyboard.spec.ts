@@ -198,9 +198,7 @@ test('every tab stop has a focus ring, each toolbar is one stop, and Tab goes al
     stops.push(at.name || at.id);
   }
   expect(stops.length).toBeLessThan(90);
-  expect(
-    stops.filter((name) => /^(Run|Step|Undo|Drag|Help)/.test(name)),
-  ).toHaveLength(1);
+  expect(stops.filter((name) => /^(Run|Step|Undo|Drag|Help)/.test(name))).toHaveLength(1);
   // Backwards too: nothing traps the focus.
   const back = [];
   for (let press = 0; press < stops.length; press++) {

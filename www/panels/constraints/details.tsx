@@ -3,15 +3,14 @@
  */
 
 import '../../ui/styles/lists.css';
-import { useMemo } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Choice } from '../../ui/components/fields.tsx';
-import { Hosted } from '../../ui/components/hosted.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { count, length as lengthText, lengthUnit, part } from '../../ui/format.ts';
-import { Parameters } from '../../ui/kinds/parameters.ts';
-import { sketch } from '../../ui/kinds/sketch.ts';
+import { Drawing } from '../../ui/kinds/drawing.tsx';
+import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
+import { Parameters } from '../../ui/kinds/parameters.tsx';
 import { energyOrZero } from '../../ui/rounding.ts';
 import type { ConstraintRow, KindInfo, Loaded, Require } from '../../solver/types.ts';
 
@@ -30,14 +29,13 @@ export function Details({
   const { store, actions } = useApp();
   const { kinds, model, document } = store.state;
   const kind = kinds.find(({ id }) => id === row.kind);
-  const drawing = useMemo(() => kind && sketch(kind.sketch), [kind]);
-  if (!kind || !model || !drawing) return null;
+  if (!kind || !model) return null;
   const { eased } = row;
   const remove = () => actions.edit({ removeConstraint: { index: row.index } });
   const duplicate = () => actions.edit({ duplicateConstraint: { index: row.index } });
   return (
     <>
-      <Hosted node={drawing} />
+      <Drawing of={kind.sketch} />
       <p class="quiet">{kind.summary}</p>
       <Requirement row={row} name={name} />
       {eased && (
@@ -67,22 +65,21 @@ export function Details({
 }
 
 function ParameterRows({ row, name, kind, model }: Of & { kind: KindInfo; model: Loaded }) {
-  const { store, actions } = useApp();
-  const values = JSON.stringify(row.params);
-  const { refused } = store.state;
-  const parameters = useMemo(() => {
-    const form: Parameters = new Parameters(kind.params, row.params, model, {
-      name,
-      changed: (id, value) =>
-        actions.edit({ setConstraint: { index: row.index, params: { [id]: value } } }, (error) => {
-          form.restore(row.params);
-          return form.refuse(error);
-        }),
-    });
-    return form;
-  }, [kind, model, name, row.index]);
-  useMemo(() => parameters.restore(row.params), [values, refused]);
-  return <Hosted node={parameters.element} />;
+  const { actions } = useApp();
+  const { refusal, refuse, forget } = useRefusal(kind.params);
+  return (
+    <Parameters
+      params={kind.params}
+      values={row.params}
+      model={model}
+      name={name}
+      refusal={refusal}
+      onValue={(id, value) => {
+        forget();
+        void actions.edit({ setConstraint: { index: row.index, params: { [id]: value } } }, refuse);
+      }}
+    />
+  );
 }
 
 /** The requirements: id, label, meaning. */
