@@ -68,7 +68,7 @@ function useProgress() {
   const at = useSignal(0);
   const isDone = useSignal(false);
   /** What has been seen of the user's actions. */
-  const seen = useRef({ at: 0, drags: false, runs: false, hasRun: false });
+  const seen = useRef({ at: 0, drags: false, isStart: false, runs: false, hasRun: false });
 
   function finish() {
     isDone.value = true;
@@ -86,8 +86,9 @@ function useProgress() {
     if (now.drags && dragged.length === 0) now.at = Math.max(now.at, 1);
     if (now.runs && !running) now.hasRun = true;
     now.drags = dragged.length > 0;
-    // A run from the unsolved start.
-    now.runs = running && (now.runs || numbers.iteration === 0);
+    // A run from the unsolved start; its first iterations may be seen together with it.
+    now.runs = running && (now.runs || now.isStart);
+    now.isStart = numbers.iteration === 0;
     if (now.at === 1 && now.hasRun) now.at = 2;
     // The hints are done once the last one is shown.
     if (now.at === 2) setItem(KEY, 'done');

@@ -251,9 +251,7 @@ test('the examples menu opens another model, and the chosen theme is remembered'
   expect((await state(page)).vertices).not.toBe(before.vertices);
   expect(await page.getByRole('menuitem', { includeHidden: true }).count()).toBeGreaterThan(2);
   const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
-  if (!(await page.getByRole('button', { name: 'Light or dark' }).isVisible())) {
-    await page.getByRole('button', { name: 'More' }).click();
-  }
+  await page.getByRole('button', { name: 'Views' }).click();
   await page.getByRole('button', { name: 'Light or dark' }).click();
   const chosen = await theme();
   expect(['light', 'dark']).toContain(chosen);

@@ -1,24 +1,15 @@
 /** The command palette: every command by name, with its key. */
 
 import './palette.css';
-import { render } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { isEnabled, press } from '../../store/press.ts';
-import { AppProvider, useApp } from '../../store/use-app.ts';
-import { openDialog } from '../../ui/controls/dialog.ts';
+import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
+import { useApp } from '../../store/use-app.ts';
 import { keyName } from '../../ui/keys.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 
 export function openPalette(app: AppContext) {
-  const place = document.createElement('div');
-  const dialog = openDialog({ id: 'palette', title: 'Commands', light: true, lasts: true }, place);
-  dialog.addEventListener('close', () => render(null, place));
-  render(
-    <AppProvider value={app}>
-      <Palette close={() => dialog.close()} />
-    </AppProvider>,
-    place,
-  );
+  showDialog(app, { id: 'palette', title: 'Commands', light: true, lasts: true }, Palette);
 }
 
 /** What a command is called in the list. */
@@ -32,7 +23,7 @@ function found(commands: Command[], asked: string) {
   return [...fitting.filter(begins), ...fitting.filter((one) => !begins(one))];
 }
 
-function Palette({ close }: { close: () => void }) {
+function Palette({ close }: InDialog) {
   const { store, commands } = useApp();
   const [asked, setAsked] = useState('');
   const [at, setAt] = useState(0);

@@ -36,6 +36,7 @@ export function ViewMenu() {
       <Item id="tape" label="Measure a distance" closes />
       <Item id="section" label="Section plane" />
       <Item id="turn-slowly" label="Turn slowly" closes />
+      <Item id="theme" label="Light or dark" />
       <MouseChoice />
       <KeptViews />
     </>

@@ -17,7 +17,11 @@ export function KindChoices({ kinds, ...rest }: Props) {
   const own = kinds.filter((kind) => kind.paper);
   const others = kinds.filter((kind) => !kind.paper);
   const radio = useRef<HTMLInputElement>(null);
-  useEffect(() => radio.current?.focus(), []);
+  useEffect(() => {
+    // After the other choices have come into sight, which may scroll this one out of it.
+    const request = requestAnimationFrame(() => radio.current?.focus());
+    return () => cancelAnimationFrame(request);
+  }, []);
   return (
     <div class="kinds">
       {own.length > 0 && <Palette kinds={own} radio={radio} {...rest} />}
