@@ -5,7 +5,7 @@ import globals from 'globals';
 import ts from 'typescript-eslint';
 import { roomRules } from './rooms.mjs';
 
-const typed = ['www/**/*.ts', 'tests/page/**/*.ts'];
+const typed = ['www/**/*.{ts,tsx}', 'tests/page/**/*.ts'];
 
 export default ts.config(
   { ignores: ['dist/', 'target/', 'www/pkg/', 'www/examples/', 'test-results/'] },
@@ -44,7 +44,7 @@ export default ts.config(
   },
   {
     // What an address without encryption lacks, where the page works, too.
-    files: ['www/**/*.ts'],
+    files: ['www/**/*.{ts,tsx}'],
     ignores: ['www/ui/output.ts'],
     rules: {
       'no-restricted-properties': [

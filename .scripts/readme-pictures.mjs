@@ -74,7 +74,7 @@ async function takePage(browser, address) {
   const page = await browser.newPage({ viewport: VIEW, colorScheme: 'light' });
   await page.goto(address);
   await page.waitForFunction(() => window.shapeUp?.state().converged);
-  await page.locator('#hint-card').getByRole('button').click();
+  await page.getByRole('button', { name: 'Dismiss hint' }).click();
   await page.evaluate(() => window.shapeUp.drawn());
   await write('picture', page);
 }

@@ -76,10 +76,14 @@ export const roomRules = Object.entries(ROOMS).flatMap(([room, lower]) => {
     regex: `^(\\.\\./)+(${others.join('|')})/`,
     message: `${room}/ ${may}: see .scripts/rooms.mjs.`,
   };
-  if (!APART.includes(room)) return [own(outside, [`www/${room}/**/*.ts`], room)];
+  if (!APART.includes(room)) return [own(outside, [`www/${room}/**/*.{ts,tsx}`], room)];
   const message = `${outside.message} What is beside it is another part of the page.`;
   return [
-    own({ regex: `${outside.regex}|^\\./(?!.*\\.css$)`, message }, [`www/${room}/*.ts`], room),
-    own({ regex: `${outside.regex}|^\\.\\./[^.]`, message }, [`www/${room}/*/**/*.ts`], room),
+    own(
+      { regex: `${outside.regex}|^\\./(?!.*\\.css$)`, message },
+      [`www/${room}/*.{ts,tsx}`],
+      room,
+    ),
+    own({ regex: `${outside.regex}|^\\.\\./[^.]`, message }, [`www/${room}/*/**/*.{ts,tsx}`], room),
   ];
 });

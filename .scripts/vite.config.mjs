@@ -144,6 +144,7 @@ export default {
   base: './',
   define: { 'import.meta.env.ENGINE_BYTES': String(engineBytes) },
   publicDir: false,
+  oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   plugins: [layers, examples, readingPages, licences, smallPages, told()],
   build: {
     outDir: at('dist'),

@@ -47,24 +47,30 @@
 //!
 //! | room | contents |
 //! |---|---|
-//! | `ui` | controls, dialogs, plots, which know no state |
+//! | `ui` | components, controls, dialogs, plots, which know no state |
 //! | `solver` | the page's side of the two workers, and the types of what crosses |
 //! | `worker` | the workers: one iterates (`solver-worker`, `scheduler`), a second instance of the engine does what takes long (`jobs-worker`) |
 //! | `store` | the state of the page, and the actions, which alone change it |
 //! | `viewport` | the canvas: frames to the view, pointer, keys and touch |
 //! | `documents` | files, links, saved works, examples |
-//! | `panels` | the parts of the side panels |
+//! | `panels` | the contents of the steps |
 //! | `docked` | what a panel beside the view is |
 //! | `features` | what is done with a model, each by itself: make panels, build, export, lessons |
-//! | `app` | wires them; header, menus and keys |
+//! | `app` | wires them; header, steps, menus and keys |
 //! | `pages` | the other pages: gallery, licences, projections |
+//!
+//! The page is five steps: open or make, shape, move, check, build and share. `www/index.html` has them
+//! before any script runs, `www/app/steps.ts` opens and closes them, and `www/app/app.tsx` lists what
+//! fills them: components of Preact, which read `store.state` and are rendered again when what they
+//! read has changed (`www/store/state.ts`). Every command has a name, by which the palette finds it
+//! (`www/app/command-table.ts`).
 //!
 //! The page calls the solver's worker in three ways (`www/solver/solver-client.ts`): `tell` for commands
 //! without an answer, `change` for what changes the model, one after another, and `ask` for questions.
 //! What they may be is in `www/worker/interface.ts`.
 //!
 //! The address of the page takes `?renderer=webgl2` or `webgpu`, which otherwise the view chooses, and
-//! `?embed` for a frame in another page, with `&autoplay`, `&panel=model` or `inspector`, `&measure=` and
+//! `?embed` for a frame in another page, with `&autoplay`, `&panel=model` (the steps), `&measure=` and
 //! the id of a measure, `&theme=light` or `dark`. A shared model is in its fragment, with positions
 //! rounded to a hundredth of the tolerance.
 //!

@@ -1,21 +1,29 @@
-// User actions, by the names that the user sees. On a phone the panels are behind tabs and some
-// tools are behind "More".
+// User actions, by the names that the user sees. On a phone the steps are behind tabs and some tools
+// are behind "More".
 
 import type { Page } from '@playwright/test';
 import { expect, openPage, waitForState } from './support.ts';
 import { file, wavyGrid } from './meshes.ts';
 
-/** Shows the named panel if panels are behind tabs. */
-export async function showPanel(page: Page, name: string) {
-  const tab = page.getByRole('tab', { name });
-  const panel = page.getByRole('complementary', { name });
-  if (!(await panel.isVisible())) await tab.click();
-  await expect(panel).toBeVisible();
+/** Shows a step, which may be closed, or on a phone behind its tab. */
+export async function showStep(page: Page, name: Step) {
+  const place = page.locator(`#step-${name.toLowerCase()}`);
+  const heading = place.locator('> summary');
+  const tab = page.getByRole('tab', { name, exact: true });
+  if (await tab.isVisible()) {
+    if (!(await place.isVisible())) await tab.click();
+  } else if (!(await place.evaluate((one: HTMLDetailsElement) => one.open))) {
+    await heading.click();
+  }
+  await expect(place).toHaveJSProperty('open', true);
+  await expect(place).toBeVisible();
 }
+
+type Step = 'Open' | 'Shape' | 'Move' | 'Check' | 'Build';
 
 /** Closes the sheet on a phone, so that the view is large. */
 export async function hidePanels(page: Page) {
-  const open = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
+  const open = page.getByRole('tablist', { name: 'Steps' }).getByRole('tab', { selected: true });
   const bar = page.getByRole('toolbar', { name: 'Main tools' });
   if ((await bar.isVisible()) && (await open.count()) > 0) await open.click();
 }
@@ -46,7 +54,7 @@ export async function openExample(page: Page, word: string) {
 /** Adds a constraint through the dialog and waits until it is in the list. */
 export async function addConstraint(page: Page, kind: string, where: string) {
   const before = await constraintCount(page);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Add constraint' }).click();
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
   await dialog.getByRole('radio', { name: kind, exact: true }).check();
@@ -66,7 +74,7 @@ export async function openVariations(page: Page, n: number) {
   await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
   await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Variations', exact: true }).click();
   return page.getByRole('region', { name: 'Variations' });
 }
@@ -77,17 +85,19 @@ export async function runToTheEnd(page: Page) {
   return waitForState(page, (state) => state.converged && !state.running);
 }
 
-/** Clicks a toolbar button, which may be behind "More". */
+/** Clicks a button, which may be in a step that is not shown, or behind "More". */
 export async function tool(page: Page, name: string) {
-  const options = { name, exact: true };
-  const button = page
-    .getByRole('button', options)
-    .or(page.getByRole('switch', options))
-    .filter({ visible: true });
-  if (!(await button.isVisible())) {
-    await page.getByRole('button', { name: 'More', exact: true }).click();
+  const options = { name, exact: true, includeHidden: true };
+  const buttons = page.getByRole('button', options).or(page.getByRole('switch', options));
+  const visible = buttons.filter({ visible: true });
+  if (!(await visible.first().isVisible())) {
+    const [step] = await buttons.evaluateAll((all) =>
+      all.flatMap((one) => one.closest('.step')?.querySelector('h2')?.textContent ?? []),
+    );
+    if (step) await showStep(page, step.split(' ')[0] as Step);
+    else await page.getByRole('button', { name: 'More', exact: true }).click();
   }
-  await button.click();
+  await visible.click();
 }
 
 /** Clicks the button and returns the text of the saved file. */

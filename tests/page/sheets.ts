@@ -3,7 +3,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { unzipSync } from 'fflate';
 import type { BuildReport } from '../../www/solver/types.ts';
-import { showPanel } from './actions.ts';
+import { showStep } from './actions.ts';
 import { expect, waitForState, type PageState } from './support.ts';
 
 export const partsPanel = (page: Page) => page.getByRole('region', { name: 'Parts and sheets' });
@@ -16,7 +16,7 @@ export function reportOf({ build }: PageState): BuildReport {
 
 /** Opens the panel of parts, and waits for them. */
 export async function openParts(page: Page) {
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await expect(partsPanel(page)).toBeVisible();
   return reportOf(await waitForState(page, (now) => now.build !== null));

@@ -44,11 +44,13 @@ function leaveOutPixels() {
     prototype[name] = () => {};
 }
 
-/** Runs in the page: it starts with every control shown, as if the user had chosen that. */
-function showAdvanced() {
+/** Runs in the page: it starts with all steps and levels open, as if the user had opened them. */
+function openEverything() {
   // A blank page has no storage.
-  if (self === top && location.protocol === 'http:' && !location.search.includes('embed'))
-    localStorage.setItem('shape-up.advanced', 'shown');
+  if (self !== top || location.protocol !== 'http:' || location.search.includes('embed')) return;
+  const steps = ['open', 'shape', 'move', 'check', 'build'].map((id) => `step-${id}`);
+  const levels = ['mesh', 'weights', 'show', 'plots', 'teach'].map((id) => `level-${id}`);
+  localStorage.setItem('shape-up.open', JSON.stringify([...steps, ...levels]));
 }
 
 /** Whether tests that can go on for long do so: see `npm run test:long`. */
@@ -68,17 +70,17 @@ const HALF = 0.5;
 async function makeContext(
   browser: Browser,
   options: BrowserContextOptions,
-  { advanced = false, isLookedAt = false },
+  { opened = false, isLookedAt = false },
 ) {
   const context = await browser.newContext(options);
   if (!isLookedAt) await context.addInitScript(leaveOutPixels);
-  if (advanced) await context.addInitScript(showAdvanced);
+  if (opened) await context.addInitScript(openEverything);
   return context;
 }
 
 /** What a test may ask for, and what it gets. */
 interface Asked {
-  advanced: boolean;
+  opened: boolean;
   fresh: boolean;
   sameDocument: boolean;
   otherPage: () => Promise<Page>;
@@ -86,14 +88,14 @@ interface Asked {
 }
 
 /**
- * Fails a test if the page throws or the console has an error or a warning. `advanced`: whether the
- * page starts with every control shown; `fresh`: whether the test gets a browser context of its own,
+ * Fails a test if the page throws or the console has an error or a warning. `opened`: whether the
+ * page starts with all steps and their second levels open; `fresh`: whether the test gets a browser context of its own,
  * with nothing in its cache, as those need that are about starting, storage or crashes;
  * `sameDocument`: whether it may begin in the document of another test, where `openPage` comes first
  * and nothing in the page is replaced.
  */
 export const test = base.extend<Asked, { sharedPages: SharedPages }>({
-  advanced: [true, { option: true }],
+  opened: [true, { option: true }],
   fresh: [false, { option: true }],
   sameDocument: [false, { option: true }],
   deviceScaleFactor: async ({ deviceScaleFactor }, use, { tags }) =>
@@ -113,7 +115,7 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
       sharedPages,
       fresh,
       sameDocument,
-      advanced,
+      opened,
       baseURL,
       viewport,
       deviceScaleFactor,
@@ -131,14 +133,14 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
       ...{ baseURL, deviceScaleFactor, hasTouch, isMobile },
       ...{ serviceWorkers, permissions, proxy },
     };
-    const make = () => makeContext(browser, { ...options, viewport }, { advanced, isLookedAt });
+    const make = () => makeContext(browser, { ...options, viewport }, { opened, isLookedAt });
     if (fresh) {
       const context = await make();
       await use(context);
       await closeContext(context);
       return;
     }
-    const kind = JSON.stringify([options, advanced, isLookedAt]);
+    const kind = JSON.stringify([options, opened, isLookedAt]);
     await lend(sharedPages, kind, make, { viewport, sameDocument }, async (context) => {
       await use(context);
       return testInfo.status === testInfo.expectedStatus;

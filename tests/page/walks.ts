@@ -7,7 +7,7 @@ import {
   openExample,
   openText,
   runToTheEnd,
-  showPanel,
+  showStep,
   tool,
 } from './actions.ts';
 import { file, vault, wavyGrid } from './meshes.ts';
@@ -28,7 +28,7 @@ async function softHandle(page: Page) {
 
 /** Brings a tab of the analysis to the front. */
 async function showTab(page: Page, name: string) {
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await page.getByRole('tablist', { name: 'Analysis' }).getByRole('tab', { name }).click();
   await expect(page.getByRole('tabpanel', { name })).toBeVisible();
 }
@@ -210,7 +210,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'energies, all settings and the legend',
       reach: async (page) => {
-        await showPanel(page, 'Energies and display');
+        await showStep(page, 'Check');
         await page.getByText('More settings').click();
         await page.getByRole('button', { name: 'Step' }).click();
         await waitForState(page, (now) => now.iteration === 1);
@@ -241,7 +241,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'parts and sheets',
       reach: async (page) => {
-        await showPanel(page, 'Model');
+        await showStep(page, 'Shape');
         await page.getByRole('button', { name: 'Build', exact: true }).click();
         await waitForState(page, (now) => now.build !== null);
         await expect(page.getByRole('group', { name: 'Sheets' }).getByRole('img')).not.toHaveCount(
@@ -279,7 +279,7 @@ export const walks: Record<string, State[]> = {
       name: 'the question for its unit',
       reach: async (page) => {
         await openText(page, 'roof.obj', wavyGrid(6), 49);
-        await showPanel(page, 'Model');
+        await showStep(page, 'Shape');
         await expect(page.getByRole('button', { name: 'Yes', exact: true })).toBeVisible();
       },
       leave: hidePanels,
@@ -288,7 +288,7 @@ export const walks: Record<string, State[]> = {
       name: 'its report',
       reach: async (page) => {
         await openText(page, 'grid.obj', `${wavyGrid(4)}f 1 2\n`, 25);
-        await showPanel(page, 'Model');
+        await showStep(page, 'Shape');
         await expect(page.getByText('1 problem in the file')).toBeVisible();
       },
       leave: hidePanels,
@@ -296,7 +296,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'parts and sheets',
       reach: async (page) => {
-        await showPanel(page, 'Model');
+        await showStep(page, 'Shape');
         await page.getByRole('button', { name: 'Build', exact: true }).click();
         await waitForState(page, (now) => now.build !== null);
       },
@@ -330,7 +330,7 @@ export const walks: Record<string, State[]> = {
       name: 'the dialog of a new constraint',
       reach: async (page) => {
         await escape(page);
-        await showPanel(page, 'Model');
+        await showStep(page, 'Shape');
         await page.getByRole('button', { name: 'Add constraint' }).click();
         const dialog = page.getByRole('dialog', { name: 'New constraint' });
         await dialog.getByRole('radio', { name: 'Plane', exact: true }).check();
@@ -346,7 +346,7 @@ export const walks: Record<string, State[]> = {
         await selectAllFaces(page);
         await page.keyboard.press('h');
         await waitForState(page, (now) => now.handles.length === 25);
-        await showPanel(page, 'Model');
+        await showStep(page, 'Shape');
         const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem').first();
         await row.getByRole('button', { name: /parameters/ }).click();
       },
@@ -406,7 +406,7 @@ export const walks: Record<string, State[]> = {
       name: 'the flat map',
       reach: async (page) => {
         await openExample(page, 'Mask');
-        await showPanel(page, 'Energies and display');
+        await showStep(page, 'Check');
         await page.getByRole('button', { name: 'Flatten' }).click();
         await expect(page.getByRole('heading', { name: 'Flat map' })).toBeVisible();
       },
@@ -417,7 +417,7 @@ export const walks: Record<string, State[]> = {
       reach: async (page) => {
         await openExample(page, 'Lesson: a glass roof of flat panes');
         await runToTheEnd(page);
-        await showPanel(page, 'Model');
+        await showStep(page, 'Shape');
         const lesson = page.getByRole('region', { name: 'Lesson' });
         await expect(lesson).toContainText('0 of 2 goals met');
       },

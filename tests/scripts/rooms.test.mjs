@@ -17,7 +17,7 @@ const files = ROOM_NAMES.flatMap((room) =>
     .filter((entry) => entry.isFile())
     .map((entry) => relative(WWW, join(entry.parentPath, entry.name)).split(sep).join('/')),
 );
-const scripts = files.filter((file) => file.endsWith('.ts'));
+const scripts = files.filter((file) => /\.tsx?$/.test(file));
 
 const IMPORT = /(?:^(?:im|ex)port (?!type\b)[^;]*?|\bimport\()'(\.[^']+)'/gm;
 const TYPE = /^(?:im|ex)port type [^;]*? from '(\.[^']+)';/gm;
@@ -98,7 +98,7 @@ test('the linter refuses code that breaks the rules of the rooms', async () => {
     overrideConfigFile: at('.scripts', 'eslint.config.mjs'),
     // Where CI is set, the parser reads each file from disk instead of taking the code it is given.
     overrideConfig: {
-      files: ['www/**/*.ts'],
+      files: ['www/**/*.{ts,tsx}'],
       languageOptions: { parserOptions: { disallowAutomaticSingleRunInference: true } },
     },
   });
@@ -111,13 +111,13 @@ test('the linter refuses code that breaks the rules of the rooms', async () => {
   for (const [file, code, broken] of [
     ['ui/dom.ts', "import '../store/state.ts';", imports],
     ['store/state.ts', "import '../app/main.ts';", imports],
-    ['panels/constraints/constraints.ts', "import '../legend/legend.ts';", imports],
+    ['panels/constraints/constraints.tsx', "import '../legend/legend.ts';", imports],
     ['panels/model.ts', "import '../features/hints.ts';", imports],
     ['features/hints.ts', "import './help/help.ts';", imports],
     ['features/lesson/dialog.ts', "import('../share/dialog-share.ts');", later],
     ['viewport/viewport.ts', "import('../features/split/split.ts');", later],
     [
-      'panels/constraints/constraints.ts',
+      'panels/constraints/constraints.tsx',
       "import '../../store/state.ts'; import './details.ts';",
       [],
     ],

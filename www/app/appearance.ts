@@ -1,18 +1,15 @@
 /**
- * Attributes of the page for the style sheets: the theme, the essential controls or all of them, the
- * next step (`shape`, `run` or `build`), whose button is filled, and whether the model moves, which
- * hides the overlays in small windows.
+ * Attributes of the page for the style sheets: the theme, the next step (`shape`, `run` or `build`),
+ * whose button is filled, and whether the model moves, which hides the overlays in small windows.
  */
 
 import './next-step.css';
 import { NEXT_STEP_KEYS, nextStep } from '../store/next-step.ts';
-import { setItem, removeItem } from '../ui/safe-storage.ts';
+import { setItem } from '../ui/safe-storage.ts';
 import type { Store } from '../store/state.ts';
 
 /** Storage key of the theme; every page reads it before its first paint. */
 const THEME = 'shape-up.theme';
-/** Storage key of the controls; `index.html` reads it before the first paint. */
-const ADVANCED = 'shape-up.advanced';
 const { dataset } = document.documentElement;
 const system = matchMedia('(prefers-color-scheme: dark)');
 
@@ -34,23 +31,6 @@ export function toggleTheme(store: Store) {
 function isDark() {
   const { theme } = dataset;
   return theme ? theme === 'dark' : system.matches;
-}
-
-/** Shows the essential controls or all of them, and stores the choice. */
-export function followAdvanced(store: Store) {
-  store.set({ advanced: dataset.advanced !== undefined });
-  store.subscribe(['advanced'], ({ advanced }) => {
-    if (advanced === (dataset.advanced !== undefined)) return;
-    if (advanced) {
-      dataset.advanced = '';
-      setItem(ADVANCED, 'shown');
-    } else {
-      delete dataset.advanced;
-      removeItem(ADVANCED);
-    }
-  });
-  // The controls of the flat map are among the advanced ones.
-  store.subscribe(['flatMap'], ({ flatMap }) => flatMap && store.set({ advanced: true }));
 }
 
 /** `data-next` and `data-moves` of the body. */

@@ -1,14 +1,14 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
-import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.ts';
+import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
 import { toggleBuild } from '../features/build/build-panel.ts';
-import { toggle as toggleCurvature } from '../features/curvature/curvature-card.ts';
 import { showExport } from '../features/export/dialog-export.ts';
 import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
 import { showHelp } from '../features/help/help.ts';
 import { write as writeLesson } from '../features/lesson/dialog.ts';
-import { openEdit } from '../features/make-panels/refine-operation.ts';
-import { newMesh } from '../features/new-mesh/dialog-new-mesh.ts';
+import { openEdit } from '../features/make-panels/edit-dialog.tsx';
+import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';
+import { openPalette } from '../features/palette/palette.tsx';
 import { openSteps } from '../features/present/steps-dialog.ts';
 import { selectCommands } from '../features/selecting/select-commands.ts';
 import { share } from '../features/share/dialog-share.ts';
@@ -18,10 +18,20 @@ import { isDrawn } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
 import { isTypedInto } from '../ui/keys.ts';
 import { inTurn, once, oneAtATime } from '../ui/once.ts';
+import { reveal } from '../ui/reveal.ts';
 import { fly } from '../viewport/camera.ts';
 import { toggleTheme } from './appearance.ts';
 import type { PointerInput } from '../viewport/input/pointer.ts';
 import type { AppContext, Command } from './context.ts';
+
+/** The second levels of the steps. */
+const LEVELS = [
+  ['mesh', 'Show what changes the mesh'],
+  ['weights', 'Show weights and solver'],
+  ['show', 'Choose what is shown'],
+  ['plots', 'Show plots and lists'],
+  ['teach', 'Show files, presentation and lesson'],
+];
 
 export function commandTable(
   app: AppContext,
@@ -114,6 +124,7 @@ export function commandTable(
       group: 'View',
       label: 'Hold: show the original',
       keys: ['R'],
+      unlisted: true,
       action: () => app.hold.begin(),
       enabled: (state) => state.document !== null && isDrawn(state),
     },
@@ -212,6 +223,7 @@ export function commandTable(
       group: 'Tools',
       label: 'Cancel a drag, close a panel, or clear the selection',
       keys: ['Escape'],
+      unlisted: true,
       action: escape,
     },
     {
@@ -266,7 +278,7 @@ export function commandTable(
       group: 'View',
       label: 'Curvature',
       keys: [],
-      action: () => toggleCurvature(app),
+      action: () => actions.openCorner(store.get().corner === 'curvature' ? null : 'curvature'),
       needsModel: true,
       enabled: ({ model, renderer }) => Boolean(model?.faces) && renderer !== 'none',
     },
@@ -291,11 +303,12 @@ export function commandTable(
     {
       id: 'help',
       group: 'Page',
-      label: 'This list',
+      label: 'Help: mouse, keys, files',
       keys: ['?', 'F1'],
       action: () => {
         const { renderer } = store.get();
-        showHelp(byId('help'), app.commands, app.actions.ask.fileFormats(), renderer);
+        const formats = app.actions.ask.fileFormats();
+        showHelp(byId('help'), app.commands, formats, renderer, () => openPalette(app));
       },
       title: () => 'Mouse and keys',
     },
@@ -323,7 +336,7 @@ export function commandTable(
       keys: [],
       enabled: ({ model, document }) =>
         Boolean(model?.faces && !model.tets && !document?.lesson?.lock.includes('mesh')),
-      action: () => byId('new-panels-button').click(),
+      action: () => actions.openCorner('new-panels'),
     },
     {
       id: 'new-mesh',
@@ -331,6 +344,13 @@ export function commandTable(
       label: 'New mesh',
       keys: [],
       action: opens(() => newMesh(app)),
+    },
+    {
+      id: 'draw',
+      group: 'File',
+      label: 'New mesh from a drawn plan',
+      keys: [],
+      action: opens(() => newMesh(app, PLAN)),
     },
     {
       id: 'present',
@@ -377,13 +397,20 @@ export function commandTable(
         `Save the current shape${flatMap ? ', with its flat map,' : ''} as OBJ`,
     },
     {
-      id: 'advanced',
+      id: 'palette',
       group: 'Page',
-      label: 'Show all controls or only the essentials',
-      keys: [],
-      action: () => store.set({ advanced: !store.get().advanced }),
-      pressed: ({ advanced }) => advanced,
+      label: 'All commands by name',
+      keys: ['Ctrl+K'],
+      unlisted: true,
+      action: () => openPalette(app),
     },
+    ...LEVELS.map(([id, label]) => ({
+      id: `show-${id}`,
+      group: 'Page',
+      label,
+      keys: [],
+      action: () => reveal(byId(`level-${id}`)),
+    })),
     {
       id: 'theme',
       group: 'Page',

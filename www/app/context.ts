@@ -25,6 +25,8 @@ export interface Command {
   action: () => unknown;
   /** whether a press waits until the first model is loaded */
   needsModel?: boolean;
+  /** whether the palette leaves it out: what a key is held for, and the palette itself */
+  unlisted?: boolean;
   /** always, if absent */
   enabled?: (state: State) => boolean;
   /** for toggle buttons */

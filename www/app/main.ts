@@ -10,25 +10,10 @@ import { Files } from '../documents/files.ts';
 import { showRecent } from '../documents/recent-menu.ts';
 import { buildGoals } from '../features/build/build-goals.ts';
 import { embeddedView } from '../features/embed/embedded-view.ts';
-import { firstHints } from '../features/hints.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
 import { lessonPanel } from '../features/lesson/panel.ts';
-import { MakePanels } from '../features/make-panels/card.ts';
-import { offerPresentation } from '../features/present/steps-dialog.ts';
+import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
-import { offerVariations } from '../features/variations/variations-panel.ts';
-import { viewMenu } from '../features/view-tools/view-menu.ts';
-import { watchFreeVertices, watchUnpaired } from '../features/warnings/free-vertices.ts';
-import { watchConditions } from '../features/warnings/warnings.ts';
-import { constraintsPanel } from '../panels/constraints/constraints.ts';
-import { displayPanel } from '../panels/display.ts';
-import { energiesPanel } from '../panels/energies/energies.ts';
-import { exampleNote } from '../panels/example.ts';
-import { handlesPanel } from '../panels/handles.ts';
-import { legend } from '../panels/legend/legend.ts';
-import { modelPanel } from '../panels/model.ts';
-import { selectBar } from '../panels/select-bar/select-bar.ts';
-import { statusBar } from '../panels/status-bar.ts';
 import { messageOf } from '../solver/errors.ts';
 import { JobsClient } from '../solver/jobs-client.ts';
 import { SolverClient } from '../solver/solver-client.ts';
@@ -53,8 +38,8 @@ import { PointerInput } from '../viewport/input/pointer.ts';
 import { RegionSelection } from '../viewport/input/region-selection.ts';
 import { explainNoPicture } from '../viewport/placeholder.ts';
 import { Viewport } from '../viewport/viewport.ts';
-import { analysisRegion } from './analysis.ts';
-import { followNextStep, followAdvanced, followTheme } from './appearance.ts';
+import { renderPage } from './app.tsx';
+import { followNextStep, followTheme } from './appearance.ts';
 import { commandTable } from './command-table.ts';
 import { bindButtons, bindKeys, bindRunButton } from './commands.ts';
 import { offerReport, reportUncaughtErrors } from './errors.ts';
@@ -65,11 +50,11 @@ import { stayOffline } from './offline.ts';
 import { offerCancel, showLoading } from './progress.ts';
 import { scriptApi } from './script-api.ts';
 import { Startup } from './startup.ts';
+import { followSteps } from './steps.ts';
 import type { AppContext } from './context.ts';
 
 const store = createStore();
 followTheme(store);
-followAdvanced(store);
 refuseExpressions();
 const alerts = new Alerts(byId('alert'));
 reportUncaughtErrors(alerts, store);
@@ -92,7 +77,7 @@ const pointer = new PointerInput(store, solver, viewport, region, actions, {
 bindHandleKeys(viewport, store, solver, actions);
 bindViewKeys(viewport);
 keepFocus(viewport.element);
-const { fit } = colourFaces(store, solver, () => viewport.view);
+colourFaces(store, solver, () => viewport.view);
 colourRows(store, solver, actions);
 
 const hold = new HoldOriginal(store, actions);
@@ -100,24 +85,10 @@ const app: AppContext = {
   ...{ store, solver, jobs, viewport, files, actions, selecting, alerts, hold, commands: [] },
   script: scriptApi(store, solver, viewport, files),
 };
-viewport.once('ready', () => legend(byId('legend'), app, fit));
-modelPanel(byId('model'), app, () => showAnalysis('log'));
-constraintsPanel(byId('constraints'), app);
-handlesPanel(byId('handles'), app);
-energiesPanel(byId('energies'), app);
-displayPanel(byId('display'), app);
-selectBar(byId('select-bar'), byId('select-menu'), app);
-const showAnalysis = analysisRegion(byId('analysis'), app);
-exampleNote(byId('example-note'), app, showAnalysis);
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 if (isEmbedded) embeddedView(app);
 lessonPanel(app);
-new MakePanels(app);
-offerPresentation(app);
-offerVariations(app);
-watchConditions(app);
-watchUnpaired(app);
-watchFreeVertices(app);
+offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
 const measureParts = once(() => actions.reportErrors(buildGoals(app)));
 store.subscribe(['document'], ({ document: scene }) => {
@@ -125,11 +96,6 @@ store.subscribe(['document'], ({ document: scene }) => {
 });
 showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));
-statusBar({ status: byId('status'), hint: byId('hint'), numbers: byId('numbers') }, app);
-firstHints(byId('hint-card'), store);
-arrangeForWidth(store);
-followNextStep(store);
-tooltips();
 
 const fileInput: HTMLInputElement = byId('file');
 fileInput.addEventListener('change', async () => {
@@ -143,6 +109,11 @@ files.on('opened', closeAboutModel);
 
 app.commands = commandTable(app, pointer, fileInput);
 const { commands } = app;
+renderPage(app);
+arrangeForWidth();
+followSteps(store);
+followNextStep(store);
+tooltips();
 for (const button of document.querySelectorAll('[data-command="reset"]'))
   if (button instanceof HTMLElement) hold.bind(button, { clicks: true });
 bindButtons(commands, store);
@@ -153,7 +124,6 @@ bindHalfStepSwitches(store);
 const early: Window & { earlyPresses?: string[] } = window;
 runEarlyPresses(commands, store, early.earlyPresses ?? []);
 delete early.earlyPresses;
-viewMenu(byId('view-menu'), byId('view-menu-button'), app);
 selecting.bindKeys(commands);
 
 viewport.on('none', explainNoPicture);

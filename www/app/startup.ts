@@ -80,6 +80,7 @@ export class Startup {
       if (!(await opening.isWanted())) return;
       this.#alerts.error(messageOf(error));
       if (this.#solver.isAbsent) return;
+      this.#store.set({ nothingOpen: true });
       showNothingOpen(this.#files, async () => {
         await this.#actions.reportErrors(this.#startFresh());
       });
@@ -261,8 +262,6 @@ const FILES = 'a mesh (.obj, .off, .mesh, .ply, .stl, .3dm) or a scene (.json)';
  */
 function showNothingOpen(files: Files, again: () => Promise<void>) {
   removeFirstPicture();
-  byId('hint-card').hidden = true;
-  byId('model').replaceChildren(element('p.quiet', 'Nothing is open.'));
   const card = element(
     'div',
     { id: 'nothing-open' },

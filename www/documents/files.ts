@@ -12,7 +12,7 @@ import { askToExport } from './collapse.ts';
 import { Openings, type Opening } from './openings.ts';
 import { askRhino } from './rhino/rhino-client.ts';
 import type { FromRhino } from './rhino/rhino-in.ts';
-import { digestOf, rememberedFrame } from './units-prompt.ts';
+import { digestOf, rememberedFrame } from './known-frames.ts';
 import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';

@@ -8,7 +8,11 @@ import type { SolverClient } from '../solver/solver-client.ts';
 export const HANDLES_LOCKED = 'Locked by the lesson: the handles stay as they are.';
 
 /** Returns the handles, with the current targets of dragged ones. */
-export function handlesNow({ document, dragged, moved }: Readonly<State>): Handle[] {
+export function handlesNow({
+  document,
+  dragged,
+  moved,
+}: Pick<State, 'document' | 'dragged' | 'moved'>): Handle[] {
   const handles = document?.handles ?? [];
   if (!moved) return handles;
   const offsets = new Map(dragged.map((vertex, i) => [vertex, 3 * i]));

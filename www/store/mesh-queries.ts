@@ -85,10 +85,14 @@ export class Selecting {
   /** Performs the operation of a double-click on an element, if any. */
   doubleClick(mode: Mode, item: number, event: MouseEvent) {
     const { operations } = this.#store.get();
-    const operation = operations.find(({ doubleClick }) => doubleClick === mode);
+    const withShift = operations.find(({ shiftDoubleClick }) => shiftDoubleClick === mode);
+    const plain = operations.find(({ doubleClick }) => doubleClick === mode);
+    const isOther = event.shiftKey && withShift;
+    const operation = isOther ? withShift : plain;
     if (!operation) return;
     this.#store.set({ mode });
-    void this.applyOrReport(operation, { from: { [mode]: [item] }, combine: combineOf(event) });
+    const combine = isOther ? 'replace' : combineOf(event);
+    void this.applyOrReport(operation, { from: { [mode]: [item] }, combine });
   }
 
   /** Adds the operations with keys to the commands, once the solver has declared them. */
@@ -97,7 +101,7 @@ export class Selecting {
     this.#store.subscribe(['operations'], ({ operations }) => {
       if (bound || operations.length === 0) return;
       bound = true;
-      for (const operation of operations.filter(({ keys }) => keys.length > 0)) {
+      for (const operation of operations) {
         const { id, label, keys } = operation;
         commands.push({
           id: `select-${id}`,

@@ -1,6 +1,6 @@
 /** Execution of commands from buttons, keys and menus, and whether they are enabled. */
 
-import type { Command } from '../app/context.ts';
+import type { AppContext, Command } from '../app/context.ts';
 import type { State, Store } from './state.ts';
 
 /** Commands given before there was a model. */
@@ -23,6 +23,15 @@ export function press(command: Command, store: Store, settled?: () => Promise<vo
   } else if (settled) {
     void settled().then(() => press(command, store));
   }
+}
+
+/** Executes the command of this name. */
+export function pressNamed(
+  id: string,
+  { commands, store }: Pick<AppContext, 'commands' | 'store'>,
+) {
+  const command = commands.find((one) => one.id === id);
+  if (command) press(command, store);
 }
 
 /**

@@ -3,6 +3,7 @@
  * it (it would be copied and compared needlessly); see `solver-client.ts`.
  */
 
+import { computed, signal, type ReadonlySignal } from '@preact/signals';
 import type {
   BuildReport,
   ConstraintRow,
@@ -36,6 +37,8 @@ export interface State {
   fileName: string;
   /** whether the model is the page's first one */
   firstExample: boolean;
+  /** not even the first example could be opened */
+  nothingOpen: boolean;
   /** whose mesh is open, if any */
   example: Example | null;
   document: SceneDocument | null;
@@ -73,8 +76,8 @@ export interface State {
   tint: Tint | null;
   /** colours of constraint rows */
   rowColours: RowColours | null;
-  /** the visible panel if there is room for only one */
-  tab: 'model' | 'inspector';
+  /** the visible step if there is room for only one */
+  step: Step;
   /** by which the faces are coloured */
   measure: Measure | null;
   /** whether the user chose it since the model was opened */
@@ -105,13 +108,15 @@ export interface State {
     log: boolean;
     gizmo: boolean;
     timings: boolean;
-    map: 'viridis' | 'diverging' | 'grey';
+    map: 'viridis' | 'cividis' | 'diverging' | 'grey';
   };
   /**
    * in the format of `View.camera`; if anything other than the viewport sets it, the camera moves
    * there
    */
   camera: number[] | null;
+  /** whose mouse buttons move the camera */
+  mouse: Mouse;
   /** projection, instead of perspective */
   parallel: boolean;
   /** section plane through the model */
@@ -124,14 +129,18 @@ export interface State {
   flatMap: FlatMap | null;
   /** on the panels, the generation of the shape that it is on, and whether the user closed it */
   verdict: { shape: number | undefined; report: PanelVerdict; isClosed?: boolean } | null;
+  /** the last press that made all panels one shape */
+  press: PanelPress | null;
+  /** the model whose card of panels the user closed */
+  closedCard: Loaded | null;
   /** null without fabrication panel */
   build: BuildReport | null;
   /** shown instead of the current shape, on request */
   heldOriginal: HeldOriginal | null;
+  /** a presentation covers the page */
+  presenting: boolean;
   /** id of the plot or table of the analysis */
   plot: string;
-  /** whether all controls are shown, not only the essential ones */
-  advanced: boolean;
   dark: boolean;
   renderer: 'webgpu' | 'webgl2' | 'none' | 'starting';
   /** the model is a new mesh that replaced another model */
@@ -165,13 +174,32 @@ export interface FlatMap {
   squares: number;
 }
 
+export interface PanelPress {
+  /** on which it acts */
+  model: Loaded;
+  /** whether the shape still changes */
+  isUnderWay: boolean;
+  /** of the better choice that was pressed; empty if none was */
+  label: string;
+  /** generation of the shape that it led to, once it is known */
+  shape?: number;
+}
+
 /** User-chosen ends of the colour range and of the legend's axis; null if automatic. */
 export type OwnRange = { low: number | null; high: number | null; top: number | null };
+/** Both ends of the range and the end of the axis are automatic. */
+export const AUTOMATIC: OwnRange = { low: null, high: null, top: null };
 /**
  * A section plane across an axis of the file (0 to 2), at a fraction from 0 to 1 of the model's
  * extent. The part before it along the axis is kept, or the part after it if `turned`.
  */
 export type Section = { axis: number; at: number; turned: boolean };
+/** The programs whose mouse buttons can be had. */
+export const MICE = ['rhino', 'web', 'blender'] as const;
+export type Mouse = (typeof MICE)[number];
+/** The steps of the page, in their order. */
+export const STEPS = ['open', 'shape', 'move', 'check', 'build'] as const;
+export type Step = (typeof STEPS)[number];
 export type Mode = 'vertices' | 'edges' | 'faces';
 /** Edges by their index in `Connectivity.edges`. */
 export type Selection = Record<Mode, ReadonlySet<number>>;
@@ -181,6 +209,8 @@ type HeldOriginal = { positions: Float64Array; values: Float32Array | null };
 
 export interface Store {
   get: () => Readonly<State>;
+  /** The current state: a component or an effect follows the parts that it reads here. */
+  state: Readonly<State>;
   /** keys on which commands may depend */
   steady: (keyof State)[];
   set: (patch: Partial<State>) => void;
@@ -199,6 +229,7 @@ const INITIAL: State = {
   model: null,
   fileName: '',
   firstExample: false,
+  nothingOpen: false,
   example: null,
   document: null,
   refused: 0,
@@ -220,11 +251,11 @@ const INITIAL: State = {
   dragMs: 0,
   tint: null,
   rowColours: null,
-  tab: 'model',
+  step: 'shape',
   measure: null,
   measureChosen: false,
   range: [0, 0],
-  ownRange: { low: null, high: null, top: null },
+  ownRange: AUTOMATIC,
   greatest: null,
   spread: null,
   corner: null,
@@ -245,16 +276,19 @@ const INITIAL: State = {
     map: 'viridis',
   },
   camera: null,
+  mouse: 'rhino',
   parallel: false,
   section: null,
   views: [],
   tape: null,
   flatMap: null,
   verdict: null,
+  press: null,
+  closedCard: null,
   heldOriginal: null,
   build: null,
+  presenting: false,
   plot: 'convergence',
-  advanced: false,
   dark: false,
   renderer: 'starting',
   isNew: false,
@@ -282,7 +316,8 @@ export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
 export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
 
 export function createStore(): Store {
-  let state = INITIAL;
+  const all = signal(INITIAL);
+  const keys = Object.keys(INITIAL) as (keyof State)[];
   let subscriptions: { keys: (keyof State)[]; listener: (state: Readonly<State>) => void }[] = [];
   let changed: Set<keyof State> = new Set();
 
@@ -297,23 +332,25 @@ export function createStore(): Store {
   /** Calls a listener and reports its error. */
   function notifyListener(listener: (state: Readonly<State>) => void) {
     try {
-      listener(state);
+      listener(all.peek());
     } catch (error) {
       reportError(error);
     }
   }
 
   return {
-    get: () => state,
-    steady: (Object.keys(INITIAL) as (keyof State)[]).filter((key) => !LIVE.includes(key)),
+    get: () => all.peek(),
+    state: followed(all, keys),
+    steady: keys.filter((key) => !LIVE.includes(key)),
     set(patch) {
-      const keys = (Object.keys(patch) as (keyof State)[]).filter(
-        (key) => patch[key] !== state[key],
+      const before = all.peek();
+      const others = (Object.keys(patch) as (keyof State)[]).filter(
+        (key) => patch[key] !== before[key],
       );
-      if (keys.length === 0) return;
-      state = { ...state, ...patch };
+      if (others.length === 0) return;
       if (changed.size === 0) queueMicrotask(notify);
-      keys.forEach((key) => changed.add(key));
+      others.forEach((key) => changed.add(key));
+      all.value = { ...before, ...patch };
     },
     subscribe(keys, listener) {
       const own = { keys, listener };
@@ -324,4 +361,13 @@ export function createStore(): Store {
       };
     },
   };
+}
+
+/** The values of a signal, each of which is followed by itself. */
+function followed(all: ReadonlySignal<State>, keys: (keyof State)[]) {
+  const parts = keys.map((key) => {
+    const part = computed(() => all.value[key]);
+    return [key, { enumerable: true, get: () => part.value }] as const;
+  });
+  return Object.defineProperties({}, Object.fromEntries(parts)) as Readonly<State>;
 }

@@ -2,9 +2,15 @@
 
 import { NOTHING } from './selection.ts';
 import type { BetterPress } from '../solver/types.ts';
-import type { State, Store } from './state.ts';
+import { getItem, setItem } from '../ui/safe-storage.ts';
+import { AUTOMATIC, MICE, type PanelPress, type State, type Store } from './state.ts';
+
+/** Storage key of the mouse. */
+const MOUSE = 'shape-up.mouse';
 
 export function createViewActions(store: Store) {
+  const mouse = MICE.find((one) => one === getItem(MOUSE));
+  if (mouse) store.set({ mouse });
   return {
     /** @param status last event, as text */
     setStatus: (status: string) => store.set({ status }),
@@ -18,6 +24,14 @@ export function createViewActions(store: Store) {
     /** @param change of the range of the colours */
     setRange: (change: Partial<State['ownRange']>) =>
       store.set({ ownRange: { ...store.get().ownRange, top: null, ...change } }),
+
+    /** Ends the range of the colours at the worst face of the current shape. */
+    fitRange() {
+      const { spread, range } = store.get();
+      if (!spread || spread.greatest <= range[0]) return store.set({ ownRange: AUTOMATIC });
+      const { greatest } = spread;
+      store.set({ ownRange: { low: null, high: greatest, top: greatest } });
+    },
 
     /** Opens a card in the corner of the view; the one that is there closes. */
     openCorner: (corner: State['corner']) => store.set({ corner }),
@@ -33,6 +47,20 @@ export function createViewActions(store: Store) {
       const { verdict } = store.get();
       if (!verdict || verdict.shape !== shape) return;
       store.set({ verdict: { ...verdict, report: { ...verdict.report, suggestions } } });
+    },
+
+    /** Sets the last press that made all panels one shape; its card is shown. */
+    pressed: (press: PanelPress) => store.set({ press, closedCard: null }),
+    /** Changes what is known of a press, while it is the last one. */
+    pressTurns(press: PanelPress, change: Partial<PanelPress>): PanelPress {
+      const changed = { ...press, ...change };
+      if (store.get().press === press) store.set({ press: changed });
+      return changed;
+    },
+    /** Closes the card of the panels, for this model. */
+    closePanelsCard() {
+      const { model, verdict } = store.get();
+      store.set({ closedCard: model, verdict: verdict && { ...verdict, isClosed: true } });
     },
 
     /** Sets the tolerance of another measure, in its unit. */
@@ -58,14 +86,21 @@ export function createViewActions(store: Store) {
           | 'camera'
           | 'section'
           | 'views'
-          | 'tab'
+          | 'step'
           | 'plot'
+          | 'presenting'
           | 'measure'
           | 'measureChosen'
           | 'tolerances'
         >
       >,
     ) => store.set(look),
+
+    /** Chooses what the mouse buttons do, now and at later visits. */
+    useMouse(mouse: State['mouse']) {
+      store.set({ mouse });
+      setItem(MOUSE, mouse);
+    },
 
     /** Sets what the pointer is over. */
     pointAt: (over: Pick<State, 'gizmoPart' | 'pointedAt'>) => store.set(over),

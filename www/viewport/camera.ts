@@ -51,11 +51,21 @@ export function cover(
     ? GAP + (edge === 'top' ? offsetTop + offsetHeight : height - offsetTop)
     : 0;
   heights.set(element, { top: 0, bottom: 0, [edge ?? 'bottom']: covered });
+  frame(viewport);
+  return covered;
+}
+
+/** Forgets an element that is removed. */
+export function uncover(viewport: Viewport, element: HTMLElement) {
+  if (heights.delete(element)) frame(viewport);
+}
+
+/** Frames the model in the part that is not covered. */
+function frame(viewport: Viewport) {
   const [top, bottom] = (['top', 'bottom'] as const).map((edge) =>
-    Math.max(...[...heights.values()].map((by) => by[edge])),
+    Math.max(0, ...[...heights.values()].map((by) => by[edge])),
   );
   viewport.with((view) => view.cover(top, bottom));
-  return covered;
 }
 
 type Elements = {

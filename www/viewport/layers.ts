@@ -32,7 +32,16 @@ export const LAYERS: [
   ],
   [['tape'], (view, { tape }) => view.setTape(Uint32Array.from(tape ?? []))],
   [
-    ['document', 'dragged', 'moved', 'pointedAt', 'selection', 'model', 'heldOriginal'],
+    [
+      'document',
+      'dragged',
+      'moved',
+      'pointedAt',
+      'selection',
+      'model',
+      'heldOriginal',
+      'presenting',
+    ],
     showHandles,
   ],
   [
@@ -78,8 +87,8 @@ export function showDisplay(view: View, { display, halfway, heldOriginal, docume
 /** Transfers the handles. States: 0 soft, 1 fixed, 2 under the pointer or dragged. */
 function showHandles(view: View, state: State) {
   const { dragged, pointedAt } = state;
-  // Targets refer to the current shape, not to the original.
-  const handles = state.heldOriginal ? [] : handlesNow(state);
+  // Targets refer to the current shape, not to the original; an audience has no use for them.
+  const handles = state.heldOriginal || state.presenting ? [] : handlesNow(state);
   const vertices = Uint32Array.from(handles, (handle) => handle.vertex);
   const states = Uint8Array.from(handles, (handle) =>
     handle.vertex === pointedAt || dragged.includes(handle.vertex) ? 2 : handle.fixed ? 1 : 0,

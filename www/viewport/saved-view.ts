@@ -4,7 +4,7 @@ import type { State, Store } from '../store/state.ts';
 import type { Actions } from '../store/actions.ts';
 
 const PARTS = [
-  ...(['camera', 'parallel', 'views', 'tab', 'plot'] as const),
+  ...(['camera', 'parallel', 'views', 'step', 'plot'] as const),
   ...(['measure', 'measureChosen', 'tolerances'] as const),
 ];
 

@@ -85,7 +85,7 @@ for (const [title, states] of Object.entries(walks)) {
 }
 
 test.describe('with essential controls only', () => {
-  test.use({ advanced: false });
+  test.use({ opened: false });
 
   test('axe: the essentials, at each suggested next step', async ({ page }) => {
     await visit(page);

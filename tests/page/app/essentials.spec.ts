@@ -1,45 +1,80 @@
-// Only the essential controls are shown at first; one button, whose state is remembered, shows the
-// others. In small windows nothing covers the model while it moves.
+// The page is five steps, of which few are open at first; what is opened stays open. In small windows
+// nothing covers the model while it moves.
 
 import type { Page } from '@playwright/test';
-import { openText } from '../actions.ts';
+import { constraintCount, openText } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, test, visit, waitForState } from '../support.ts';
 
-test.use({ advanced: false });
+test.use({ opened: false });
 
-const inspector = (page: Page) => page.getByRole('complementary', { name: 'Energies and display' });
+const summary = (page: Page, name: string) => page.locator('summary').filter({ hasText: name });
 
-test('a first visit shows the essential controls only', async ({ page }) => {
+/** The controls of the first screen that can be seen. */
+const controls = (page: Page) =>
+  page.evaluate(
+    () =>
+      [
+        ...document.querySelectorAll<HTMLElement>(
+          'button, select, input, summary, a[href], [role="slider"]',
+        ),
+      ].filter((one) => one.checkVisibility({ contentVisibilityAuto: true })).length,
+  );
+
+test('a first visit shows five steps, two of them open, and few controls', async ({ page }) => {
   await visit(page);
+  for (const name of ['Open or make', 'Shape', 'Move', 'Check', 'Build and share'])
+    await expect(page.getByRole('heading', { name, exact: true })).toBeVisible();
   for (const name of [
-    ...['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Export', 'Share', 'Add constraint'],
-    ...['Make panels circular', 'Make panels flat'],
+    ...['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Add constraint', 'Build', 'Export', 'Share'],
+    ...['Open your mesh', 'Draw one', 'Make panels circular', 'Make panels flat'],
   ])
-    await expect(page.getByRole('button', { name })).toBeVisible();
-  await expect(page.getByRole('button', { name: 'Build', exact: true })).toBeVisible();
-  await expect(page.getByLabel('Open file')).toBeAttached();
-  await expect(inspector(page)).toBeHidden();
-  for (const name of ['Refine', 'Edit mesh', 'Write a lesson', 'Edges'])
-    await expect(page.getByRole('button', { name })).toBeHidden();
+    await expect(page.getByRole('button', { name, exact: true })).toBeVisible();
+  for (const name of ['New mesh', 'Refine', 'Edit mesh', 'Variations', 'Write a lesson'])
+    await expect(page.getByRole('button', { name, exact: true })).toBeHidden();
+  expect(await controls(page)).toBeLessThanOrEqual(28);
 });
 
-test('Advanced shows every control, now and at the next visit', async ({ page }) => {
+test('what is opened is open at the next visit, too', async ({ page }) => {
   await visit(page);
-  const advanced = page.getByRole('button', { name: 'Advanced' });
-  await expect(advanced).toHaveAttribute('aria-pressed', 'false');
-  await advanced.click();
-  await expect(advanced).toHaveAttribute('aria-pressed', 'true');
-  await expect(inspector(page)).toBeVisible();
-  await expect(page.getByRole('button', { name: 'Edit mesh' })).toBeVisible();
+  const colours = page.getByRole('combobox', { name: 'Colour by' });
+  const refine = page.getByRole('button', { name: 'Refine' });
+  await summary(page, 'Check').click();
+  await summary(page, 'Open or make').click();
+  await summary(page, 'Change the mesh').click();
+  await expect(colours).toBeVisible();
+  await expect(refine).toBeVisible();
+  await summary(page, 'Shape').click();
   await page.reload();
   await waitForState(page, (now) => now.vertices > 0);
-  await expect(inspector(page)).toBeVisible();
-  await page.getByRole('button', { name: 'Advanced' }).click();
-  await expect(inspector(page)).toBeHidden();
-  await page.reload();
-  await waitForState(page, (now) => now.vertices > 0);
-  await expect(inspector(page)).toBeHidden();
+  await expect(colours).toBeVisible();
+  await expect(refine).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Add constraint' })).toBeHidden();
+});
+
+test('every command is found by its name', async ({ page }) => {
+  await visit(page);
+  await page.keyboard.press('Control+k');
+  const palette = page.getByRole('dialog', { name: 'Commands' });
+  const field = palette.getByRole('combobox', { name: 'Command' });
+  await expect(field).toBeFocused();
+  await field.fill('panels flat');
+  await expect(palette.getByRole('option')).toHaveText([/Make panels flat/]);
+  await field.press('Enter');
+  await expect(palette).toBeHidden();
+  await expect.poll(() => constraintCount(page)).toBe(2);
+
+  await page.getByRole('button', { name: 'Help' }).click();
+  await page.getByRole('button', { name: 'All commands' }).click();
+  await field.fill('plots');
+  await field.press('Enter');
+  await expect(page.getByRole('tab', { name: 'Convergence' })).toBeVisible();
+
+  await page.keyboard.press('Control+k');
+  await field.fill('nothing is called so');
+  await expect(palette.getByRole('status')).toContainText('Nothing is called');
+  await field.press('Escape');
+  await expect(palette).toBeHidden();
 });
 
 test('the button of the suggested next step is the filled one', async ({ page }) => {

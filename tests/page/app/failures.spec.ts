@@ -88,6 +88,7 @@ test.describe('the solver', () => {
     expect((await state(page)).running).toBe(true);
     await page.getByRole('button', { name: 'Pause' }).click();
     await expect(page.getByRole('alert')).toBeEmpty();
+    await page.getByRole('tab', { name: 'Convergence' }).scrollIntoViewIfNeeded();
     await expect(page.getByText(/^Iteration/).first()).toBeVisible();
   });
 

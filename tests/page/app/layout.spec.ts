@@ -1,10 +1,10 @@
 // The layout in both windows, the help, and what assistive technology reads.
 
-import { openText, showPanel, tool } from '../actions.ts';
+import { openText, showStep, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, test, windowOf } from '../support.ts';
 
-const NAMES = ['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Export', 'Share'];
+const NAMES = ['Run', 'Step', 'Reset', 'Undo', 'Redo'];
 
 test('nothing is cut off, and the view has at least half of the window', async ({ page }) => {
   await openPage(page);
@@ -27,10 +27,10 @@ test('nothing is cut off, and the view has at least half of the window', async (
     return (box.width * box.height) / (width * height);
   };
   expect(await area()).toBeGreaterThanOrEqual(0.5);
-  const tab = page.getByRole('tab', { name: 'Model' });
+  const tab = page.getByRole('tab', { name: 'Shape' });
   if (await tab.isVisible()) {
     await tab.click();
-    await expect(page.getByRole('complementary', { name: 'Model' })).toBeVisible();
+    await expect(page.getByRole('complementary', { name: 'Steps' })).toBeVisible();
     expect(await area()).toBeGreaterThanOrEqual(0.5);
   }
   const scrolls = await page.evaluate(() => {
@@ -78,7 +78,7 @@ test('the dialog of a new constraint is beside the view, with all its choices vi
   ];
   for (const size of project.name === 'phone' ? [{ width: 390, height: 844 }] : sizes) {
     await page.setViewportSize(size);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await page.getByRole('button', { name: 'Add constraint' }).click();
     const dialog = page.getByRole('dialog', { name: 'New constraint' });
     await expect(dialog.getByRole('button', { name: 'Add', exact: true })).toBeEnabled();

@@ -2,7 +2,7 @@
 
 import type { Locator } from '@playwright/test';
 import { file, wavyGrid } from '../meshes.ts';
-import { showPanel } from '../actions.ts';
+import { showStep } from '../actions.ts';
 import { boxOf, expect, openPage, screenOf, test, waitForState } from '../support.ts';
 
 /** Whether two elements do not overlap. */
@@ -18,7 +18,7 @@ test('a message does not cover the constraint dialog', async ({ page }, { projec
   await page.getByLabel('Open file').setInputFiles(file('notes.txt', 'not a mesh'));
   const message = page.getByRole('alert').getByText('cannot be read');
   await expect(message).toBeVisible();
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Add constraint' }).click();
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
   await expect(dialog).toBeVisible();
@@ -30,7 +30,7 @@ test('a message does not cover the constraint dialog', async ({ page }, { projec
     await expect.poll(() => apart(place, dialog), `at ${size.width}`).toBe(true);
     await expect(message).toBeInViewport({ ratio: 1 });
     // The dialog is in its place.
-    const panel = page.getByRole('complementary', { name: 'Model', includeHidden: true });
+    const panel = page.getByRole('complementary', { name: 'Steps', includeHidden: true });
     if (project.name !== 'phone') expect(await apart(place, panel), `at ${size.width}`).toBe(true);
     // Nothing else lies under the pointer either.
     await dialog.getByRole('button', { name: 'Close' }).click({ trial: true });
@@ -50,11 +50,11 @@ test('a message does not cover the constraint dialog', async ({ page }, { projec
 const phone = { tag: '@phone' };
 test('on a phone no tab is selected while the sheet is closed', phone, async ({ page }) => {
   await openPage(page);
-  const chosen = page.getByRole('tablist', { name: 'Panels' }).getByRole('tab', { selected: true });
+  const chosen = page.getByRole('tablist', { name: 'Steps' }).getByRole('tab', { selected: true });
   await expect(chosen).toHaveCount(0);
-  await page.getByRole('tab', { name: 'Model' }).click();
-  await expect(chosen).toHaveText('Model');
-  await page.getByRole('tab', { name: 'Model' }).click();
+  await page.getByRole('tab', { name: 'Check' }).click();
+  await expect(chosen).toHaveText('Check');
+  await page.getByRole('tab', { name: 'Check' }).click();
   await expect(chosen).toHaveCount(0);
 });
 

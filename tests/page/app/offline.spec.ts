@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { unzipSync } from 'fflate';
 import { at } from '../../../.scripts/project.mjs';
 import { serve } from '../../../.scripts/serve.mjs';
-import { downloaded, exported, openExample, runToTheEnd, showPanel } from '../actions.ts';
+import { downloaded, exported, openExample, runToTheEnd, showStep } from '../actions.ts';
 import { expect, keptOffline, state, test, visit, waitForState } from '../support.ts';
 
 declare global {
@@ -42,7 +42,7 @@ test('parts are built and saved without a network even if Build was never opened
   await keptOffline(page);
   await context.setOffline(true);
   await visit(page);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   const { build } = await waitForState(page, (now) => now.build !== null);
   const save = page.getByRole('button', { name: 'Save drawings' });

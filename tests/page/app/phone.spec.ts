@@ -8,7 +8,7 @@ import {
   openExample,
   openText,
   runToTheEnd,
-  showPanel,
+  showStep,
   tool,
 } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
@@ -26,8 +26,6 @@ import {
   windowOf,
 } from '../support.ts';
 
-const SHEET = 'Energies and display';
-
 test(
   'colours, a banded legend, and the number of faces within a tolerance',
   looks,
@@ -38,7 +36,7 @@ test(
     await runToTheEnd(page);
     // The verdict covers the legend too.
     await page.getByRole('button', { name: 'Dismiss the verdict' }).click();
-    await showPanel(page, SHEET);
+    await showStep(page, 'Check');
     await page.getByLabel('Colour by').selectOption({ label: 'Edge length change' });
     await hidePanels(page);
     const legend = page.locator('#legend');
@@ -46,7 +44,7 @@ test(
     await page.getByRole('button', { name: 'Fit range' }).click();
     await drawn(page);
     const smooth = await coloursOfView(page);
-    await showPanel(page, SHEET);
+    await showStep(page, 'Check');
     await page.getByLabel('Colours in bands').check();
     await hidePanels(page);
     await expect(legend).toContainText('steps of');
@@ -68,7 +66,7 @@ test.describe('behind tabs', () => {
     await openText(page, 'fins.obj', fins, 5);
     const alert = page.getByRole('alert');
     await expect(alert).toContainText(/^\d problems?, see Model: .*edge/);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await expect(page.locator('#model').getByText(/problems? in the file/)).toBeVisible();
   });
 
@@ -105,7 +103,7 @@ test.describe('behind tabs', () => {
     await page.keyboard.press('h');
     await waitForState(page, (now) => now.handles.length === 1);
     const [, , before] = await positionOf(page, 24);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     const height = page.getByRole('textbox', { name: 'Target z' });
     await height.fill(String(before + 1));
     await height.press('Enter');
@@ -133,7 +131,7 @@ test.describe('behind tabs', () => {
     await search.fill('');
     await page.getByRole('link', { name: examples[at].title, exact: true }).click();
     await waitForState(page, (now, count) => now.vertices === count, examples[at].vertices);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     const beside = page.getByRole('navigation', { name: 'Examples one by one' });
     await beside.getByRole('link', { name: 'Next' }).click();
     await waitForState(page, (now, count) => now.vertices === count, examples[at + 1].vertices);
@@ -151,7 +149,7 @@ test.describe('behind tabs', () => {
     await expect(lesson).toContainText('Make every pane flat to a millimetre');
     // Hidden while the goals themselves are visible.
     await expect(line).toBeHidden();
-    await showPanel(page, SHEET);
+    await showStep(page, 'Check');
     await expect(line).toBeVisible();
     await hidePanels(page);
     await openExample(page, 'Hypar');
@@ -162,7 +160,7 @@ test.describe('behind tabs', () => {
     await openPage(page);
     await waitForState(page, (now) => now.renderer.startsWith('web'));
     await openExample(page, 'Hypar');
-    await showPanel(page, SHEET);
+    await showStep(page, 'Check');
     await page.getByRole('button', { name: 'Flatten' }).click();
     const map = page.getByRole('application', { name: 'Flat map' });
     await expect(map).toBeVisible();
@@ -195,7 +193,7 @@ test.describe('by touch', () => {
     await openPage(page);
     await openText(page, 'grid.obj', wavyGrid(3), 16);
     await addConstraint(page, 'Rigid', 'each face');
-    await showPanel(page, SHEET);
+    await showStep(page, 'Check');
     await page.getByText('More settings').click();
     /** Taps the control that opens a file chooser and provides a file. */
     const choose = async (label: string, given: ReturnType<typeof file>) => {

@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { file, wavyGrid } from '../meshes.ts';
-import { openText, showPanel, tool } from '../actions.ts';
+import { openText, tool } from '../actions.ts';
 import { boxOf, expect, openPage, test, waitForState } from '../support.ts';
 
 const SMALL = { width: 1024, height: 768 };
@@ -77,16 +77,15 @@ async function makeFlat(page: Page) {
   await expect(card(page)).toBeVisible();
 }
 
-/** Opens a dialog by its button in the Model panel. */
+/** Opens a dialog by its button in a step. */
 async function openBehind(page: Page, button: string, name: string) {
-  await showPanel(page, 'Model');
-  await page.getByRole('button', { name: button, exact: true }).click();
+  await tool(page, button);
   return page.getByRole('dialog', { name });
 }
 
-for (const advanced of [false, true])
-  test.describe(advanced ? 'with every control' : 'with the essentials', () => {
-    test.use({ advanced, viewport: SMALL });
+for (const opened of [false, true])
+  test.describe(opened ? 'with everything open' : 'as it is at first', () => {
+    test.use({ opened, viewport: SMALL });
 
     test('the dialog of a new constraint and the parts panel leave room for the view', async ({
       page,
@@ -135,8 +134,7 @@ test.describe('colours of a mesh that was just opened', () => {
   test('the whole offer is visible beside the legend', async ({ page }) => {
     await openPage(page);
     await openText(page, 'roof.obj', wavyGrid(6), 49);
-    await page.getByRole('button', { name: 'Views' }).click();
-    await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+    await tool(page, 'Curvature');
     await expect(legend(page)).toBeVisible();
     const [one, other] = [await boxOf(card(page)), await boxOf(legend(page))];
     expect(overlap(one, other)).toBe(false);
@@ -252,8 +250,7 @@ test.describe('a phone in portrait', () => {
   test('the curvature card does not cover the model', async ({ page }) => {
     await openPage(page);
     await openText(page, 'roof.obj', wavyGrid(6), 49);
-    await page.getByRole('button', { name: 'Views' }).click();
-    await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+    await tool(page, 'Curvature');
     const curvature = await boxOf(page.getByRole('region', { name: 'Curvature' }));
     const { y, height } = await boxOf(view(page));
     expect(curvature.y).toBeGreaterThan(y + height / 2);

@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { at } from '../../../.scripts/project.mjs';
-import { openText, showPanel } from '../actions.ts';
+import { openText, showStep } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import { expect, openPage, state, test, waitForState } from '../support.ts';
 
@@ -104,7 +104,7 @@ test('if no example can be fetched, the page shows what can be opened', async ({
   await page.goto('./');
   await expect(page.getByText(/^Drop a mesh \(\.obj, .*\) or a scene/)).toBeVisible();
   await expect(page.locator('#first-picture')).toHaveCount(0);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Open');
   await expect(page.getByText('Nothing is open.')).toBeVisible();
   await page.unroute('**/examples/*');
   await page.getByRole('button', { name: 'Open an example' }).click();

@@ -55,7 +55,7 @@ test('work is restored after the tab was killed', async ({ page, context }) => {
   expect(await positionOf(again, 24)).toEqual(corner);
   await expect(back(again)).toContainText('roof.obj');
   // Shown under its own name, not the name under which the scene was saved.
-  const panel = again.getByRole('complementary', { name: 'Model' });
+  const panel = again.getByRole('complementary', { name: 'Steps' });
   await expect(panel.getByText('roof.obj', { exact: true })).toBeVisible();
 
   await again.getByRole('button', { name: 'Start fresh' }).click();

@@ -5,7 +5,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'nod
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../../.scripts/project.mjs';
-import { addConstraint, exported, openText, runToTheEnd, saved, showPanel } from '../actions.ts';
+import { addConstraint, exported, openText, runToTheEnd, saved, showStep } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import {
   boxOf,
@@ -25,14 +25,14 @@ test.use({ sameDocument: true });
 test('a mesh opens with a report of its errors', async ({ page }) => {
   await openPage(page);
   await openText(page, 'odd.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n', 3);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(page.getByText(/line 4: `f 1 2 x`/)).toBeVisible();
   await openText(page, 'roof.obj', `${wavyGrid(4)}f 1 2\n`, 25);
   const { faces, problems } = await state(page);
   expect(faces).toBe(16);
   expect(problems).toHaveLength(1);
   await expect(page.getByRole('status')).toHaveText(/roof\.obj: 25 vertices, 16 faces/);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(page.getByText('1 problem in the file')).toBeVisible();
 });
 
@@ -125,7 +125,7 @@ test('the model is fitted to a second file, dropped at the bottom of the window 
   await page.keyboard.press('Control+z');
   await expect.poll(closeness).toBeUndefined();
 
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await page.getByText('More settings').click();
   const input = page.getByLabel('Fit to another surface');
   await input.setInputFiles(file('broken.obj', 'v 0 0 0\n'));
@@ -287,7 +287,7 @@ test('the page asks for a file that a scene needs, and takes a pose from another
     16,
   );
 
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await page.getByText('More settings').click();
   const pose = page.getByLabel('Take the pose of another file');
   await pose.setInputFiles(file('house.obj', wavyGrid(3)));

@@ -1,6 +1,6 @@
 // Files as they come: open seams, PLY and STL, what a Rhino file hides, and the table in the help.
 
-import { exported, openText, showPanel } from '../actions.ts';
+import { exported, openText, showStep } from '../actions.ts';
 import { expect, looks, openPage, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -21,7 +21,7 @@ test(
   async ({ page }) => {
     await openPage(page);
     await openText(page, 'patches.obj', PATCHES, 18);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     const panel = page.getByRole('listitem').filter({ hasText: '3 boundary vertices that lie on' });
     await expect(panel).toContainText('line 14');
     await panel.getByRole('button', { name: 'Join them' }).click();

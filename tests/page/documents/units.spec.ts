@@ -1,7 +1,7 @@
 // The unit and up axis of a mesh file, which does not state them.
 
 import type { Page } from '@playwright/test';
-import { exported, hidePanels, openText, saved, showPanel } from '../actions.ts';
+import { exported, hidePanels, openText, saved, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import {
   drawn,
@@ -31,7 +31,7 @@ test('the guess is shown in the panel, covers nothing, and is written into saved
     localStorage.setItem('shape-up.frames', JSON.stringify(others));
   });
   // The example states its unit and axis.
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(guess(page)).toBeHidden();
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   const corner = await positionOf(page, 24);
@@ -40,7 +40,7 @@ test('the guess is shown in the panel, covers nothing, and is written into saved
   await expect(guess(page)).toBeVisible();
   // The guess is a line of the panel: it does not cover the model and needs no answer.
   await expect(
-    page.getByRole('complementary', { name: 'Model' }).locator(guess(page)),
+    page.getByRole('complementary', { name: 'Steps' }).locator(guess(page)),
   ).toBeVisible();
   await expect(units).toHaveValue('m');
   await expect(up).toHaveValue('z');
@@ -86,7 +86,7 @@ test('another axis turns the view, and undo turns it back', async ({ page }) => 
   await page.getByRole('button', { name: 'Make panels flat' }).first().waitFor();
   await drawn(page);
   const before = await screenOf(page, 0);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
   await hidePanels(page);
   await expect.poll(() => page.evaluate(() => window.shapeUp.screen(0))).not.toEqual(before);
@@ -98,9 +98,9 @@ test('another axis turns the view, and undo turns it back', async ({ page }) => 
 test('lengths are shown in the chosen unit', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('combobox', { name: 'Unit' }).selectOption('ft');
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await page.getByLabel('Colour by').selectOption('planarity');
   const worst = page.locator('#numbers').getByText(/^[\d.]+ ft$/);
   await expect(worst.first()).toBeAttached();

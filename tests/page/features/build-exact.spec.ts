@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import DxfParser, { type IDxf, type ILwpolylineEntity } from 'dxf-parser';
 import { unzipSync } from 'fflate';
-import { downloaded, openText, showPanel } from '../actions.ts';
+import { downloaded, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, openPage, sceneOf, test, waitForState, type PageState } from '../support.ts';
 
@@ -105,7 +105,7 @@ test('panels made circular and then exact are the outlines in the saved drawings
   await verdict.getByRole('button', { name: 'Make exact' }).click();
   await waitForState(page, isExact);
 
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await waitForState(page, (now) => now.build !== null);
   const parts = page.getByRole('region', { name: 'Parts and sheets' });

@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import AxeBuilder from '@axe-core/playwright';
-import { openText, showPanel } from '../actions.ts';
+import { openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { outlinesOf } from '../sheets.ts';
 import { partsPanel } from '../sheets.ts';
@@ -52,7 +52,7 @@ const otherWork = (page: Page) =>
 async function openBuild(page: Page) {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(SIDE)}`, VERTICES);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.evaluate(() => {
     const noting = window as Noting;
     noting.busy = [];

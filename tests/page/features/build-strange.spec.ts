@@ -1,6 +1,6 @@
 // What the parts panel says of meshes that are no roof: points, curves, folds, one side, bad coordinates.
 
-import { downloaded, openText, showPanel } from '../actions.ts';
+import { downloaded, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { filesOf, openParts, partsPanel } from '../sheets.ts';
 import { expect, openPage, test, waitForState } from '../support.ts';
@@ -54,7 +54,7 @@ for (const [what, text, vertices, words] of STRANGE) {
   }) => {
     await openPage(page);
     await openText(page, 'strange.obj', text, vertices);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await page.getByRole('button', { name: 'Build', exact: true }).click();
     await expect(partsPanel(page)).toContainText(words);
     const save = partsPanel(page).getByRole('button', { name: 'Save drawings' });

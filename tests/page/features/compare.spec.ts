@@ -1,7 +1,7 @@
 // Iterations in half steps; the histogram and the angles of the original beside those of now.
 
 import type { Page } from '@playwright/test';
-import { downloaded, showPanel, tool } from '../actions.ts';
+import { downloaded, showStep, tool } from '../actions.ts';
 import { decodePng, type Picture } from '../picture.ts';
 import { drawn, expect, looks, positionOf, state, test, waitForState } from '../support.ts';
 
@@ -95,7 +95,7 @@ test('angles before and after are plotted and saved', async ({ page }) => {
   await openExample(page, 'fig-07-quality', 1672);
   await page.getByRole('button', { name: 'Step' }).click();
   await waitForState(page, (state) => state.iteration === 1);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Angles before and after' }).click();
   await expect(page.getByRole('tab', { name: 'Angles' })).toHaveAttribute('aria-selected', 'true');
   const plot = page.getByRole('img', { name: /corners by angle/ });

@@ -2,7 +2,7 @@
 // they mean for panels.
 
 import type { Page } from '@playwright/test';
-import { openText, showPanel } from '../actions.ts';
+import { openText, showStep, tool } from '../actions.ts';
 import { tube } from '../meshes.ts';
 import { decodePng } from '../picture.ts';
 import { expect, looks, openPage, state, test } from '../support.ts';
@@ -23,8 +23,7 @@ function hypar(n: number) {
 }
 
 async function openCurvature(page: Page) {
-  await page.getByRole('button', { name: 'Views' }).click();
-  await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+  await tool(page, 'Curvature');
   return page.getByRole('region', { name: 'Curvature' });
 }
 
@@ -89,8 +88,8 @@ test('Gauss and mean curvature are coloured around zero, with units in metres', 
     'aria-label',
     /^144 faces between −0\.0\d+ 1\/m² and 0\.0\d+ 1\/m²$/,
   );
-  await expect(legend.getByLabel('Tolerance')).toBeHidden();
-  const [low, high] = [legend.getByLabel('Colours from'), legend.getByLabel('Colours to')];
+  await expect(page.getByRole('textbox', { name: 'Tolerance' })).toBeHidden();
+  const [low, high] = ['from', 'to'].map((end) => page.getByLabel(`Colours ${end}`));
   expect(await low.inputValue()).toBe(`−${await high.inputValue()}`);
   await high.fill('0.02');
   await high.press('Enter');
@@ -111,7 +110,7 @@ test('a tube has lines around and along it', async ({ page }) => {
   await openText(page, 'tube.obj', tube(), 60);
   const card = await openCurvature(page);
   await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.evaluate(() => (document.querySelector('#viewport') as HTMLElement).focus());
   await page.keyboard.press('3');
   await page.keyboard.press('Control+A');

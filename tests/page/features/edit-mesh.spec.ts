@@ -1,7 +1,7 @@
 // Editing the mesh: the forecast of the dialog is met, on the selection too, and undo works.
 
 import type { Page } from '@playwright/test';
-import { hidePanels, openText, showPanel } from '../actions.ts';
+import { hidePanels, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, openPage, sceneOf, screenOf, test, waitForState } from '../support.ts';
 
@@ -9,7 +9,7 @@ const N = 4;
 const VERTICES = (N + 1) ** 2;
 
 async function openEdit(page: Page) {
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Edit mesh', exact: true }).click();
   return page.getByRole('dialog', { name: 'Edit mesh' });
 }

@@ -1,7 +1,7 @@
 // Exact constraints: from a tolerance to exact, kept so by a drag, and contradictions.
 
 import type { Page } from '@playwright/test';
-import { openText, showPanel } from '../actions.ts';
+import { openText, showStep } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
 import { expect, openPage, screenOf, test, waitForState } from '../support.ts';
 
@@ -87,7 +87,7 @@ test.describe('with every row closed', () => {
     await waitForState(page, (now) => !now.running && now.exact?.met);
 
     // The row shows it and can change it.
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await page.getByRole('button', { name: /^Length 0\.5 on .*: parameters/ }).click();
     const required = page.getByRole('combobox', { name: /^Length 0\.5 on .*: required/ });
     await expect(required).toHaveValue('exact');

@@ -127,7 +127,7 @@ test("the first minute: drag, Reset and Run, then a model of one's own, and no m
   await visit(page);
   const before = await waitForState(page, (now) => now.converged);
   await expect(page.getByText('Make any mesh buildable:')).toBeVisible();
-  const hint = page.locator('#hint-card .step');
+  const hint = page.locator('#hint-card .said');
   await expect(hint).toHaveText(
     /^The corners of each panel lie on a circle, exactly\. Drag a blue handle/,
   );
@@ -180,7 +180,7 @@ test('hints follow another order of actions too, and stay away once dismissed', 
   page,
 }) => {
   await visit(page);
-  const hint = page.locator('#hint-card .step');
+  const hint = page.locator('#hint-card .said');
   await page.getByRole('button', { name: 'Reset' }).click();
   await expect(hint).toContainText('Press Run');
   await runToTheEnd(page);
@@ -251,9 +251,7 @@ test('the examples menu opens another model, and the chosen theme is remembered'
   expect((await state(page)).vertices).not.toBe(before.vertices);
   expect(await page.getByRole('menuitem', { includeHidden: true }).count()).toBeGreaterThan(2);
   const theme = () => page.evaluate(() => document.documentElement.dataset.theme);
-  if (!(await page.getByRole('button', { name: 'Light or dark' }).isVisible())) {
-    await page.getByRole('button', { name: 'More' }).click();
-  }
+  await page.getByRole('button', { name: 'Views' }).click();
   await page.getByRole('button', { name: 'Light or dark' }).click();
   const chosen = await theme();
   expect(['light', 'dark']).toContain(chosen);

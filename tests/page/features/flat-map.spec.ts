@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../../.scripts/project.mjs';
-import { openExample, openText, runToTheEnd, saved, showPanel } from '../actions.ts';
+import { openExample, openText, runToTheEnd, saved, showStep } from '../actions.ts';
 import { box, tube, wavyGrid } from '../meshes.ts';
 import { decodePng, differingBytes } from '../picture.ts';
 import { boxOf, drawn, expect, looks, openPage, screenOf, test, waitForState } from '../support.ts';
@@ -17,7 +17,7 @@ const map = (page: Page) => page.getByRole('application', { name: 'Flat map' });
 const value = (page: Page, name: string) => page.locator(`dt:text-is("${name}") + dd`);
 
 async function parametrize(page: Page) {
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await page.getByRole('button', { name: 'Flatten' }).click();
   await expect(page.getByRole('heading', { name: 'Flat map' })).toBeVisible();
 }
@@ -125,7 +125,7 @@ test('a map belongs to the flattened shape, and can be renewed once the shape ch
   const again = page.getByRole('button', { name: 'Flatten again' });
   await expect(again).toBeHidden();
   await runToTheEnd(page);
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await again.click();
   await expect(again).toBeHidden();
   await expect(value(page, 'Mean error')).not.toHaveText(mean);
@@ -140,7 +140,7 @@ test('a model without faces is not offered a map, and one without a boundary get
   await openPage(page);
   const corners = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n';
   await openText(page, 'line.obj', `${corners}l 1 2 3 4\n`, 4);
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const button = page.getByRole('button', { name: 'Flatten' });
   await expect(button).toBeHidden();
   await page.keyboard.press('u');

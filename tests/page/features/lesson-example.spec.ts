@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
 import { at, program } from '../../../.scripts/project.mjs';
-import { downloaded, openExample, runToTheEnd, showPanel } from '../actions.ts';
+import { downloaded, openExample, runToTheEnd, showStep } from '../actions.ts';
 import { expect, openPage, test, waitForState } from '../support.ts';
 
 const ID = 'lesson-glass-roof';
@@ -27,7 +27,7 @@ test('the gallery shows a lesson with its goals, which opens as a lesson', async
   await expect(page.getByRole('article')).toHaveCount(4);
   await card.getByRole('link', { name: TITLE }).click();
   await waitForState(page, (now) => now.vertices === 315);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(lesson(page)).toContainText('Make every pane flat to a millimetre');
   await expect(goals(page)).toHaveCount(2);
 });

@@ -1,14 +1,14 @@
 // An example lesson, done by following its text. That each text leads to its goals is shown natively.
 
 import type { Page } from '@playwright/test';
-import { openExample, showPanel } from '../actions.ts';
+import { openExample, showStep } from '../actions.ts';
 import { expect, openPage, test, waitForState } from '../support.ts';
 
 const lesson = (page: Page) => page.getByRole('region', { name: 'Lesson' });
 
 /** "Under Constraints open …, and set Required to …": the constraint is made exact at once. */
 async function require(page: Page, kind: string, word: string) {
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   const row = page.getByRole('button', { name: new RegExp(`^${kind} on .*: parameters`) });
   if ((await row.getAttribute('aria-expanded')) !== 'true') await row.click();
   await page

@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { promisify } from 'node:util';
 import { program } from '../../../.scripts/project.mjs';
-import { addConstraint, openText, runToTheEnd, showPanel } from '../actions.ts';
+import { addConstraint, openText, runToTheEnd, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, openPage, sceneOf, test, waitForState } from '../support.ts';
 
@@ -33,7 +33,7 @@ const most = (dialog: Locator, name: string) =>
 
 /** Writes a lesson with two goals, up to the last button. */
 async function write(page: Page) {
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Write a lesson' }).click();
   const dialog = page.getByRole('dialog', { name: 'Lesson' });
   await dialog.getByLabel('Task').fill(WORDS);
@@ -67,18 +67,18 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
       { constraint: 'Plane', at_most: 0.01 },
     ],
   });
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(lesson(page)).toContainText('Make every panel flat.');
   await expect(goals(page)).toHaveCount(2);
   await expect(goals(page).first()).toContainText(/at most 5\.00 mm.*not met: /);
   await expect(lesson(page)).toContainText('0 of 2 goals met');
   await runToTheEnd(page);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(goals(page).first()).toContainText('✓');
   await expect(lesson(page)).toContainText('Passed: 2 goals met');
 
   const handedIn = async () => {
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await lesson(page).getByRole('button', { name: 'Results for hand-in' }).click();
     const form = page.getByRole('dialog', { name: 'Results for hand-in' });
     await form.getByLabel('Your name').fill('Ada Lovelace');
@@ -92,7 +92,7 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
   expect(results.positions).toHaveLength(VERTICES);
 
   await page.getByRole('button', { name: 'Reset' }).click();
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(lesson(page)).toContainText('0 of 2 goals met');
   const failed = await handedIn();
   expect(JSON.parse(failed.text).passed).toBe(false);
@@ -128,7 +128,7 @@ test('a lesson is opened from a link, and undone', async ({ page, context }) => 
   const student = await context.newPage();
   await student.goto(link);
   await waitForState(student, (now, count) => now.vertices === count, VERTICES);
-  await showPanel(student, 'Model');
+  await showStep(student, 'Shape');
   await expect(lesson(student)).toContainText('Stay near.');
   await expect(goals(student)).toHaveCount(2);
   await student.close();
@@ -157,7 +157,7 @@ test('a lesson with a missing limit or without goals is not saved, and can be re
   await dialog.getByLabel(/^Goal 1: .* at most/).fill('2');
   await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toBeHidden();
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(goals(page)).toHaveCount(1);
   await page.getByRole('button', { name: 'Write a lesson' }).click();
   await expect(dialog.getByLabel('Task')).toHaveValue(WORDS);

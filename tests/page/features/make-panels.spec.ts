@@ -1,7 +1,7 @@
 // One press for all panels: from a file to the verdict, and runs that collapse a mesh.
 
 import type { Page } from '@playwright/test';
-import { downloaded, openText, showPanel, tool } from '../actions.ts';
+import { downloaded, openText, showStep, tool } from '../actions.ts';
 import { bumpyGrid, columns, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
@@ -39,11 +39,11 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   await expect(page.getByRole('status')).toHaveText(/^Converged after \d+ iterations/);
 
   // The circles are drawn once the mesh is there.
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await expect(page.getByRole('checkbox', { name: 'Fitted shapes' })).toBeChecked();
 
   // The other button is in the panel by now; it replaces the first constraint.
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await press(page, 'flat').click();
   await expect(verdict('flat')).toBeVisible();
   const flat = await waitForState(page, (now) => !now.running);
@@ -51,9 +51,9 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   expect(flat.planarity?.max_distance).toBeLessThan(0.01);
 
   // Colours, legend and numbers are those of what was asked for last.
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await expect(page.getByRole('combobox', { name: 'Colour by' })).toHaveValue('planarity');
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
 
   await page.getByLabel('Tolerance').fill('0.00001');
   await page.getByLabel('Tolerance').press('Enter');
@@ -81,7 +81,7 @@ test.describe('with every row closed', () => {
     await expect(offer(page).getByText(/folded or dented/)).toBeHidden();
     await expect(offer(page).getByRole('button', { name: 'Show the folds' })).toBeHidden();
     // The row shows it, too.
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
     await row.getByRole('button', { name: /parameters/ }).click();
     await expect(
@@ -242,7 +242,7 @@ test('a run that collapses the mesh is stopped, and can be undone, held closer o
   scene.constraints = [{ kind: 'circle', on: 'faces' }];
   await openText(page, 'roof.shapeup.json', JSON.stringify(scene), VERTICES);
   // Only smoothness acts on the mesh, which shrinks to a point.
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const weight = page.getByRole('spinbutton', { name: 'Smooth weight' });
   await weight.fill('10');
   await weight.press('Enter');

@@ -1,7 +1,7 @@
 // From a roof of triangles to circular panels along its lines of curvature.
 
 import type { Page } from '@playwright/test';
-import { hidePanels, openText, showPanel } from '../actions.ts';
+import { hidePanels, openText, showStep, tool } from '../actions.ts';
 import { vault, wavyGrid } from '../meshes.ts';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
@@ -58,7 +58,7 @@ test('a roof of triangles gets panels along its lines of curvature, which become
 test('a refused size changes nothing, and Escape leaves the mesh as it was', async ({ page }) => {
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(6), 49);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'New panels', exact: true }).click();
   await expect(use(page)).toBeEnabled();
   await card(page).getByLabel('Side').fill('1000');
@@ -72,7 +72,7 @@ test('a refused size changes nothing, and Escape leaves the mesh as it was', asy
   await page.keyboard.press('Escape');
   await expect(card(page)).toBeHidden();
   expect((await state(page)).vertices).toBe(49);
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await expect(page.getByRole('checkbox', { name: 'Edges', exact: true })).toBeChecked();
 });
 
@@ -89,8 +89,7 @@ test('a number typed while panels are laid out stays, and another card takes the
   await panels.press('Enter');
   await expect(card(page).getByText(/^(5|6|7)\d panels, /)).toBeVisible();
   // Both cards draw lines on the surface.
-  await page.getByRole('button', { name: 'Views' }).click();
-  await page.getByRole('button', { name: 'Curvature', exact: true }).click();
+  await tool(page, 'Curvature');
   await expect(card(page)).toBeHidden();
   const curvature = page.getByRole('region', { name: 'Curvature' });
   await expect(curvature).toBeVisible();
@@ -174,7 +173,7 @@ test('selected faces stay as they are, if that is asked', async ({ page }) => {
   const [from, to] = await Promise.all([screenOf(page, 40), screenOf(page, 50)]);
   await page.mouse.click((from[0] + to[0]) / 2, (from[1] + to[1]) / 2);
   await expect(page.getByRole('status')).toHaveText('1 face selected');
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'New panels', exact: true }).click();
   await expect(use(page)).toBeEnabled();
   await card(page).getByLabel('The selected face stays as it is').check();

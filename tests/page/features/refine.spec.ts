@@ -2,7 +2,7 @@
 // over, each level is solved, and undo restores the opened mesh.
 
 import type { Page } from '@playwright/test';
-import { openText, showPanel } from '../actions.ts';
+import { openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
@@ -13,7 +13,7 @@ const VERTICES = (N + 1) ** 2;
 const FACES = N ** 2;
 
 async function openRefine(page: Page) {
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Refine', exact: true }).click();
   return page.getByRole('dialog', { name: 'Refine' });
 }

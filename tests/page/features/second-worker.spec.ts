@@ -1,6 +1,6 @@
 // What takes long runs in a second worker: the first one answers meanwhile, and it can be cancelled.
 
-import { openText, showPanel } from '../actions.ts';
+import { openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, openPage, screenOf, test, waitForState } from '../support.ts';
 
@@ -16,7 +16,7 @@ test('while parts are made, edits are answered; making them can be cancelled and
   const [x, y] = await screenOf(page, (VERTICES - 1) / 2);
   await page.mouse.dblclick(x, y);
   await waitForState(page, (now) => now.handles.length === 1);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   const work = page.getByRole('group', { name: 'Long work' });
   await expect(work).toBeVisible();

@@ -1,7 +1,7 @@
 // A link contains the scene, which is solved when the link is opened.
 
 import type { Page } from '@playwright/test';
-import { addConstraint, openExample, openText, runToTheEnd, showPanel, tool } from '../actions.ts';
+import { addConstraint, openExample, openText, runToTheEnd, showStep, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import {
   dragVertex,
@@ -56,7 +56,7 @@ test("a link contains the user's mesh, which is solved again", async ({ page, ot
   // The tolerance and the name were those of the reader's page.
   await expect(other.getByLabel('Tolerance')).toHaveValue('4');
   await expect(within(other)).toHaveText((await within(page).textContent()) ?? '');
-  await showPanel(other, 'Model');
+  await showStep(other, 'Shape');
   await expect(other.getByText('roof.shapeup.json')).toBeVisible();
 
   // The link stayed in the address, and a reload opened it in place of the later file.

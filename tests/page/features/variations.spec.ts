@@ -2,7 +2,7 @@
 // opened again.
 
 import type { Locator, Page } from '@playwright/test';
-import { openText, openVariations, showPanel } from '../actions.ts';
+import { openText, openVariations, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { everything, expect, openPage, state, test, waitForState } from '../support.ts';
 
@@ -30,7 +30,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   if (await make.isVisible()) await make.click();
   await waitForState(page, (now) => now.exact?.met && now.exact.tolerance < 1e-8);
 
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Variations', exact: true }).click();
   const panel = page.getByRole('region', { name: 'Variations' });
   await expect(panel.getByRole('slider')).toHaveCount(8);
@@ -85,7 +85,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   expect(opened.scene.variants).toEqual(kept.scene.variants);
 
   // A second press before the strip is drawn anew does not remove the next shape.
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Variations', exact: true }).click();
   await strip.getByRole('button', { name: 'Remove Start' }).evaluate((button: HTMLElement) => {
     button.click();

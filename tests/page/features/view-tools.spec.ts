@@ -7,7 +7,7 @@ import {
   hidePanels,
   openText,
   runToTheEnd,
-  showPanel,
+  showStep,
   addConstraint,
 } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
@@ -167,7 +167,7 @@ test('the ghost stays at the original, and the ground shows the scale', looks, a
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Plane', 'each face');
   await runToTheEnd(page);
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const ghost = page.getByLabel('Original ghost');
   await ghost.check();
   await page.getByLabel('Ground grid').check();
@@ -187,7 +187,7 @@ test(
     await openText(page, 'roof.obj', wavyGrid(6), 49);
     await addConstraint(page, 'Plane', 'each face');
     await runToTheEnd(page);
-    await showPanel(page, 'Energies and display');
+    await showStep(page, 'Check');
     const legend = page.locator('#legend');
     const bands = page.getByLabel('Colours in bands');
     for (const measure of ['Edge length change', 'Moved']) {

@@ -1,7 +1,7 @@
 // The list of constraints, the settings below the energies, and handles by numbers and keys.
 
 import type { Page } from '@playwright/test';
-import { addConstraint, hidePanels, openGrid, showPanel } from '../actions.ts';
+import { addConstraint, hidePanels, openGrid, showStep } from '../actions.ts';
 import { expect, positionOf, sceneOf, screenOf, state, test, waitForState } from '../support.ts';
 
 const N = 6;
@@ -23,7 +23,7 @@ test.describe('with every row closed', () => {
   }) => {
     await addConstraint(page, 'Plane', 'each face');
     await addConstraint(page, 'Circle', 'each face');
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     const share = async (row: number) => {
       const text = await rows(page).nth(row).innerText();
       return Number(/(\d+) % of energy/.exec(text)?.[1]);
@@ -59,7 +59,7 @@ test('shapes that do not apply are named with the reason', async ({ page }) => {
   await page.keyboard.press('1');
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Add constraint' }).click();
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
   const misfits = dialog.getByText(/shapes? do(es)? not fit here/);
@@ -68,7 +68,7 @@ test('shapes that do not apply are named with the reason', async ({ page }) => {
 });
 
 test('settings come from the declared list, take effect, and can be undone', async ({ page }) => {
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await page.getByText('More settings').click();
   const near = page.getByRole('combobox', { name: 'Stay near: kind of value' });
   // By default each vertex of an opened mesh stays near its original position.
@@ -101,7 +101,7 @@ test('settings come from the declared list, take effect, and can be undone', asy
 test('a preset sets all its weights and settings, and shows its assumptions beforehand', async ({
   page,
 }) => {
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const preset = page.getByRole('combobox', { name: 'Preset' });
   const weights = async () => (await sceneOf(page)).weights;
   await preset.selectOption('Fig. 5: 5, 10, 2');
@@ -126,7 +126,7 @@ test('a preset sets all its weights and settings, and shows its assumptions befo
 test('the selection is held closer than the rest, and evenly again', async ({ page }) => {
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await page.getByText('More settings').click();
   await page.getByRole('button', { name: 'Closeness of the selection: more' }).click();
   const weights = async () => (await sceneOf(page)).closeness?.weights;
@@ -143,7 +143,7 @@ test('a handle is moved by numbers, fixed, and weighted', async ({ page }) => {
   await page.keyboard.press('h');
   await waitForState(page, (now) => now.handles.length === 1);
   const before = await positionOf(page, MIDDLE);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   const height = page.getByRole('textbox', { name: 'Target z' });
   await height.fill(String(before[2] + 1));
   await height.press('Enter');

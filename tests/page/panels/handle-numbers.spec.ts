@@ -1,7 +1,7 @@
 // Handles by numbers: several at once, relative values, and room for the digits.
 
 import type { Locator, Page } from '@playwright/test';
-import { addConstraint, hidePanels, openText, showPanel } from '../actions.ts';
+import { addConstraint, hidePanels, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
@@ -39,7 +39,7 @@ async function makeHandles(page: Page, vertices: number[]) {
   }
   await page.keyboard.press('h');
   await waitForState(page, (now, count) => now.handles.length === count, vertices.length);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(details(page)).toBeVisible();
 }
 
@@ -144,7 +144,7 @@ test('weight, Soft and Fixed apply to all selected handles', async ({ page }) =>
   await hidePanels(page);
   await page.mouse.click(...(await screenOf(page, MIDDLE)));
   await waitForState(page, (now) => now.selection.vertices.length === 1);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   const weight = details(page).getByRole('spinbutton', { name: 'Weight of the handle' });
   await enter(weight, '7');
   await waitForState(page, (now) => now.handles.some((handle) => handle.weight === 7));
@@ -154,7 +154,7 @@ test('weight, Soft and Fixed apply to all selected handles', async ({ page }) =>
   await page.mouse.click(...(await screenOf(page, MIDDLE + 1)));
   await page.keyboard.up('Shift');
   await waitForState(page, (now) => now.selection.vertices.length === 2);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(weight).toHaveValue('');
   await expect(weight).toHaveAttribute('placeholder', 'mixed');
   await enter(weight, '12');
@@ -191,7 +191,7 @@ for (const far of [-321, -4321]) {
     await expect(target(page, 'y')).toHaveValue('-123456.789');
     expect(await fits()).toEqual([true, true, true]);
     await page.setViewportSize({ width: 390, height: 844 });
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await expect.poll(fits, 'on a phone').toEqual([true, true, true]);
   });
 }

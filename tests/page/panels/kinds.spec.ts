@@ -1,7 +1,7 @@
 // The list of kinds: each can be added to a suitable mesh and changes something there.
 
 import type { Locator, Page } from '@playwright/test';
-import { constraintCount, openGrid, openText, showPanel } from '../actions.ts';
+import { constraintCount, openGrid, openText, showStep } from '../actions.ts';
 import { quadScene, tetScene, triangleScene } from '../meshes.ts';
 import {
   boxOf,
@@ -38,7 +38,7 @@ const dialogOf = (page: Page) => page.getByRole('dialog', { name: 'New constrain
 
 /** Opens the dialog and waits until its choices have loaded. */
 async function openDialog(page: Page) {
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Add constraint' }).click();
   const dialog = dialogOf(page);
   await expect(dialog.getByRole('button', { name: 'Add', exact: true })).toBeEnabled();

@@ -1,7 +1,7 @@
 // Lists in words and numbers: names of constraints, the worst elements, the log, and verdicts.
 
 import type { Page } from '@playwright/test';
-import { addConstraint, openText, runToTheEnd, showPanel } from '../actions.ts';
+import { addConstraint, openText, runToTheEnd, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, known, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
@@ -18,7 +18,7 @@ test.beforeEach(async ({ page }) => {
 
 /** Brings a tab of the analysis to the front. */
 async function showTab(page: Page, name: string) {
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const tab = page.getByRole('tablist', { name: 'Analysis' }).getByRole('tab', { name });
   await tab.click();
   await expect(page.getByRole('tabpanel', { name })).toBeVisible();
@@ -26,7 +26,7 @@ async function showTab(page: Page, name: string) {
 
 test('a constraint is renamed in its row, and the name is saved', async ({ page }) => {
   await addConstraint(page, 'Plane', 'each face');
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
   const field = page.getByRole('textbox', { name: 'Name of the constraint' });
   const name = async () => (await sceneOf(page)).constraints[0].name;
@@ -86,7 +86,7 @@ test('the worst elements are in a table that selects them, also by keyboard', as
   await expect(first).toHaveText(`face ${face}`);
   const before = known((await state(page)).planarity).max_distance;
   await runToTheEnd(page);
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const cell = table.getByRole('row').nth(1).getByRole('cell').last();
   await expect(cell).toHaveText(/ mm$/);
   const metres = async () => Number.parseFloat(await cell.innerText()) / 1000;
@@ -99,7 +99,7 @@ test('the log contains the report of the file, and selects the elements of a pro
 }) => {
   const odd = `${wavyGrid(N)}v 9 9 9\nwiggle 3\n`;
   await openText(page, 'odd.obj', odd, VERTICES + 1);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Details' }).click();
   const log = page.getByRole('tabpanel', { name: 'Log' });
   await expect(log).toBeVisible();

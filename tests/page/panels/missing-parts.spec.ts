@@ -1,7 +1,7 @@
 // Parts of the page that are fetched when they are first needed, and cannot be fetched: an error is
 // shown in plain words, and Rhino's worker is fetched at the next attempt.
 
-import { addConstraint, downloaded, hidePanels, openText, showPanel, tool } from '../actions.ts';
+import { addConstraint, downloaded, hidePanels, openText, showStep, tool } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import { dragVertex, expect, openPage, screenOf, test, waitForState } from '../support.ts';
 
@@ -27,7 +27,7 @@ test('a plot that cannot be fetched is reported in plain words', async ({ page, 
   const part = '**/plot-*.js';
   await page.route(part, (route) => route.abort());
   await addConstraint(page, 'Plane', 'each face');
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const plot = page.getByRole('tabpanel', { name: 'Convergence' });
   await plot.scrollIntoViewIfNeeded();
   await page.keyboard.press('.');

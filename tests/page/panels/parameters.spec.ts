@@ -1,7 +1,7 @@
 // Parameters: in the dialog before a constraint is added, and in its row afterwards.
 
 import type { Locator, Page } from '@playwright/test';
-import { addConstraint, openText, showPanel, tool } from '../actions.ts';
+import { addConstraint, openText, showStep, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, state, test, waitForState } from '../support.ts';
 
@@ -29,7 +29,7 @@ async function openRow(page: Page) {
 const LENGTH = 'Line segment on all edges: Length';
 
 test('a constraint is added with the parameters of the dialog', async ({ page }) => {
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Add constraint' }).click();
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
   await dialog.getByRole('radio', { name: 'Line segment', exact: true }).check();
@@ -50,7 +50,7 @@ test('a constraint is added with the parameters of the dialog', async ({ page })
 });
 
 test('an error of the solver is shown at the field of the dialog', async ({ page }) => {
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Add constraint' }).click();
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
   await dialog.getByRole('radio', { name: 'Line segment', exact: true }).check();
@@ -135,7 +135,7 @@ test('the parameters fit into the window', async ({ page }) => {
   const field = row.getByRole('spinbutton', { name: `${LENGTH} to` });
   await field.scrollIntoViewIfNeeded();
   const box = await boxOf(field);
-  const panel = await boxOf(page.getByRole('complementary', { name: 'Model' }));
+  const panel = await boxOf(page.getByRole('complementary', { name: 'Steps' }));
   expect(box.x).toBeGreaterThanOrEqual(panel.x);
   expect(box.x + box.width).toBeLessThanOrEqual(panel.x + panel.width);
 });

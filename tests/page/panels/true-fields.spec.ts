@@ -1,6 +1,6 @@
 // Fields, hints and messages say what is, also after a refusal.
 
-import { addConstraint, openGrid, openText, showPanel } from '../actions.ts';
+import { addConstraint, openGrid, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, sceneOf, test, waitForState } from '../support.ts';
 
@@ -20,7 +20,7 @@ test('a number that is refused does not stay in its field', async ({ page }) => 
   await weight.press('Enter');
   await expect.poll(async () => (await sceneOf(page)).weights.smooth).toBe(3);
   await expect(page.getByRole('alert')).toBeEmpty();
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   const own = page.getByRole('spinbutton', { name: /^Plane.*: weight/ });
   await own.fill('1e300');
   await own.press('Enter');

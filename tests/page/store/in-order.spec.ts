@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { unzipSync } from 'fflate';
-import { constraintCount, downloaded, openGrid, openText, showPanel } from '../actions.ts';
+import { constraintCount, downloaded, openGrid, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import {
   expect,
@@ -45,7 +45,7 @@ test.describe('in one document', () => {
   test('parts saved at once after a setting was typed have it', async ({ page }) => {
     await openPage(page);
     await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await page.getByRole('button', { name: 'Build', exact: true }).click();
     await waitForState(page, (now) => now.build !== null);
     const panel = page.getByRole('region', { name: 'Parts and sheets' });
@@ -69,7 +69,7 @@ test.describe('in one document', () => {
 
   test('a scene saved by its key from within a field has what is typed there', async ({ page }) => {
     await openGrid(page, N);
-    await showPanel(page, 'Energies and display');
+    await showStep(page, 'Check');
     const field = page.getByRole('spinbutton', { name: 'Close weight' });
     await field.fill('7.5');
     const file = await downloaded(page, () => page.keyboard.press('Control+s'));
@@ -119,7 +119,7 @@ test.describe('in one document', () => {
     };
     await page.evaluate((given) => window.shapeUp.open(given, 'lesson.shapeup.json'), scene);
     await waitForState(page, (now) => now.handles.length === 1);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await expect(page.getByText('1 handle.', { exact: true })).toBeVisible();
     await expect(page.getByText(/blue handle/).filter({ visible: true })).toHaveCount(0);
     const before = await state(page);
@@ -184,7 +184,7 @@ test.describe('with slow answers', () => {
     await page.keyboard.press('3');
     await page.mouse.click(...(await middleOf(page, cornersOf(4, 4))));
     await waitForState(page, (now) => now.selection.faces.length === 1);
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await page.getByRole('button', { name: 'Add constraint' }).click();
     const dialog = page.getByRole('dialog', { name: 'New constraint' });
     await dialog.getByRole('radio', { name: 'Plane', exact: true }).check();

@@ -2,7 +2,7 @@
 // as a step yet.
 
 import type { Page } from '@playwright/test';
-import { openText, openVariations, showPanel } from '../actions.ts';
+import { openText, openVariations, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { everything, expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
@@ -39,7 +39,7 @@ test('a coordinate typed just before Undo is undone, not the step before', async
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await waitForState(page, (now) => now.renderer.startsWith('web'));
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('application', { name: '3D view' }).focus();
   const [x, y] = await page.evaluate(() => window.shapeUp.screen(12) ?? [0, 0]);
   await page.mouse.click(x, y);
@@ -77,7 +77,7 @@ test('Undo ends Refine and solve, whenever it is pressed', async ({ page }) => {
   await openText(page, 'roof.obj', wavyGrid(12), 169);
   await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Refine', exact: true }).click();
   const dialog = page.getByRole('dialog', { name: 'Refine' });
   await dialog.getByLabel('How many times').selectOption('3');

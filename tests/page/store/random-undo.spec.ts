@@ -1,7 +1,7 @@
 // Undo over a random sequence of edits: exactly back to the start, and forward again.
 
 import type { Locator, Page } from '@playwright/test';
-import { addConstraint, hidePanels, openGrid, showPanel } from '../actions.ts';
+import { addConstraint, hidePanels, openGrid, showStep } from '../actions.ts';
 import {
   dragVertex,
   everything,
@@ -78,7 +78,7 @@ const DOINGS: Record<string, (page: Page, draw: Draw) => Promise<void>> = {
     await page.keyboard.press('Shift+R');
   },
   async unit(page, draw) {
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await page.getByRole('combobox', { name: 'Unit' }).selectOption(['cm', 'm', 'ft'][draw(3)]);
   },
   async back(page) {

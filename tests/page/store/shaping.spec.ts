@@ -1,7 +1,7 @@
 // Constraints, handles, runs and undo.
 
 import type { Page } from '@playwright/test';
-import { addConstraint, hidePanels, openGrid, runToTheEnd, showPanel, tool } from '../actions.ts';
+import { addConstraint, hidePanels, openGrid, runToTheEnd, showStep, tool } from '../actions.ts';
 import {
   dragVertex,
   expect,
@@ -48,7 +48,7 @@ test('circles on all faces and a sphere on a box selection: the errors fall', as
     0.1 * known(before.circularity).max_distance,
   );
   expect(after.energy?.shape).toBeLessThan(known(before.energy).shape);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await expect(page.getByRole('list', { name: 'Constraints' }).getByRole('listitem')).toHaveCount(
     2,
   );
@@ -157,7 +157,7 @@ test('run, pause, step and reset work by keys, and changing a weight is an edit'
   await waitForState(page, (now) => now.iteration === 0);
 
   // Changing the weights of the energies is an edit too.
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const weight = page.getByRole('spinbutton', { name: 'Close weight' });
   await weight.fill('12');
   await weight.press('Enter');

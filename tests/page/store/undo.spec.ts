@@ -1,6 +1,6 @@
 // Every action can be undone, in one step each.
 
-import { addConstraint, openText, runToTheEnd, showPanel, tool } from '../actions.ts';
+import { addConstraint, openText, runToTheEnd, showStep, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import {
   dragVertex,
@@ -21,7 +21,7 @@ test('all actions are undone step by step to the start, and redone', async ({ pa
   const start = await everything(page);
 
   await addConstraint(page, 'Plane', 'each face');
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   await page.getByRole('combobox', { name: 'Unit' }).selectOption('cm');
   await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
   await page.getByRole('switch', { name: /^Plane/ }).click();

@@ -1,7 +1,7 @@
 // Fitted circles over the surface: visible lines from near, no solid patch of ink from afar.
 
 import type { Page } from '@playwright/test';
-import { openExample, runToTheEnd, showPanel } from '../actions.ts';
+import { openExample, runToTheEnd, showStep } from '../actions.ts';
 import { decodePng, type Picture } from '../picture.ts';
 import { drawn, expect, looks, openPage, test } from '../support.ts';
 
@@ -46,7 +46,7 @@ test('circles are thin lines from near, and fade from afar', looks, async ({ pag
   await openPage(page);
   await openExample(page, 'Canopy');
   await runToTheEnd(page);
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const shown = page.getByLabel('Fitted shapes');
   const both = async () => {
     await shown.check();

@@ -7,7 +7,7 @@ import {
   openExample,
   openText,
   runToTheEnd,
-  showPanel,
+  showStep,
   tool,
 } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
@@ -31,7 +31,7 @@ test("faces are coloured by their constraint's measure until the user chooses an
   page,
 }) => {
   await openPage(page);
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const colours = page.getByLabel('Colour by');
   const legend = page.getByText('Fit range');
   await expect(colours).toHaveValue('circularity');
@@ -45,14 +45,14 @@ test("faces are coloured by their constraint's measure until the user chooses an
   await expect(legend).toBeHidden();
   await addConstraint(page, 'Circle', 'each face');
   await expect(legend).toBeVisible();
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await expect(colours).toHaveValue('circularity');
 
   await colours.selectOption('planarity');
   await tool(page, 'Undo');
   await waitForState(page, (now) => now.constraints.circle === undefined);
   await addConstraint(page, 'Circle', 'each face');
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await expect(colours).toHaveValue('planarity');
 });
 
@@ -60,7 +60,7 @@ test('faces can be coloured by their distance from any constraint', async ({ pag
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Square', 'each face');
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await expect(page.getByLabel('Colour by')).toHaveValue('residual');
   await expect(page.getByText('Fit range')).toBeVisible();
   await expect.poll(() => worst(page)).toBeGreaterThan(0);
@@ -83,7 +83,7 @@ test('rounding does not colour flat faces', async ({ page }) => {
   await openText(page, 'flat.obj', `${rows.join('\n')}\nf 1 2 4 3\nf 3 4 6 5\nf 5 6 8 7\n`, 8);
   await addConstraint(page, 'Plane', 'each face');
   await expect(page.getByText('worst 0', { exact: true })).toBeVisible();
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await expect(page.getByTitle('Shape energy, without its weight')).toHaveText('0');
 });
 
@@ -129,14 +129,14 @@ test(
     await waitForState(page, (now) => now.selection.faces.length === 1);
     await addConstraint(page, 'Sphere', 'whole selection together');
     await page.keyboard.press('Escape');
-    await showPanel(page, 'Energies and display');
+    await showStep(page, 'Check');
     await page.getByLabel('Colour by').selectOption('');
     const [round, others] = await tints();
     expect(round).toBeLessThan(plain - 20);
     expect(others).toBeGreaterThan(plain + 20);
 
     // A constraint that is off has no colour; the one behind it shows.
-    await showPanel(page, 'Model');
+    await showStep(page, 'Shape');
     await page.getByRole('switch', { name: /^Sphere/ }).uncheck();
     await waitForState(page, (now) => now.constraints.sphere === undefined);
     expect((await tints())[0]).toBeGreaterThan(plain + 20);
@@ -170,7 +170,7 @@ test(
     await addConstraint(page, 'Plane', 'each face');
     /** The number of bytes of the picture that the arrows change, with outlines shown. */
     const changes = async () => {
-      await showPanel(page, 'Energies and display');
+      await showStep(page, 'Check');
       const [outlines, arrows] = ['Projected shapes', 'Residual arrows'].map((name) =>
         page.getByRole('checkbox', { name }),
       );
@@ -195,7 +195,7 @@ test(
 
 test('the legend counts the faces within a tolerance', async ({ page }) => {
   await openPage(page);
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const colours = page.getByLabel('Colour by');
   const names = await colours.getByRole('option').allTextContents();
   expect(names.length).toBeGreaterThan(10);
@@ -242,7 +242,7 @@ test('choosing a measure again restores the same picture', looks, async ({ page 
     await press('Step');
     await waitForState(page, (now, steps) => now.iteration === steps, k);
   }
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   const colours = page.getByLabel('Colour by');
   // A tolerance that some errors exceed.
   await page.getByLabel('Tolerance').fill('0.1');
@@ -325,7 +325,7 @@ test('errors are in the unit of the tolerance, beside how far the mesh moved', a
   await expect(page.getByLabel('Tolerance')).toHaveValue('1');
   await expect(page.getByTitle('Faces within the tolerance')).toHaveText('3 of 4');
   await expect(legend).toContainText(/Worst 398 mm/);
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
   await expect(row).toContainText(/worst \d+ mm/);
   await expect(row).toContainText('beyond 1 mm');
@@ -334,7 +334,7 @@ test('errors are in the unit of the tolerance, beside how far the mesh moved', a
   await expect(legend).toContainText(/Moved \d.* m, mean \d/);
   // Each number is there once.
   await expect(page.locator('#numbers').getByText('moved')).toBeHidden();
-  await expect(page.getByRole('complementary', { name: 'Model' })).not.toContainText('Moved');
+  await expect(page.getByRole('complementary', { name: 'Steps' })).not.toContainText('Moved');
   // Another measure keeps the tolerance.
   await page.getByLabel('Tolerance').fill('200');
   await page.getByLabel('Tolerance').press('Enter');

@@ -3,7 +3,7 @@
 // measurement. The page's work is counted per shape shown, not per picture: while the worker is
 // computing, a picture shows only the dot at the pointer as new.
 
-import { showPanel } from '../actions.ts';
+import { showStep } from '../actions.ts';
 import { expect, screenOf, state, test, visit, waitForState } from '../support.ts';
 
 declare global {
@@ -115,7 +115,7 @@ test('a drag on 2500 vertices is answered quickly, with even less work in the pa
   // The time is shown only on request.
   const told = page.getByTitle('Time from a pointer movement to new positions');
   await expect(told).toBeHidden();
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await page.getByLabel('Timings').check();
   await expect(told).toContainText('ms');
 });

@@ -9,7 +9,7 @@ import { coloursOfView, expect, looks, state, test, waitForState } from '../supp
 test.use({ fresh: true });
 
 // As a visitor sees the page for the first time.
-test.use({ advanced: false });
+test.use({ opened: false });
 
 const viewOf = (page: Page) => page.getByRole('application', { name: '3D view' });
 

@@ -1,7 +1,7 @@
 // Handles: the gizmo, making and moving in one drag, numbers, keys, and the menu.
 
 import type { Page } from '@playwright/test';
-import { addConstraint, hidePanels, openGrid, showPanel } from '../actions.ts';
+import { addConstraint, hidePanels, openGrid, showStep } from '../actions.ts';
 import {
   everything,
   expect,
@@ -100,7 +100,7 @@ test('the gizmo is shown for selected handles only, and can be switched off', as
   await page.keyboard.press('h');
   await waitForState(page, (now) => now.handles.length === 1);
   await partOf(page, 'z');
-  await showPanel(page, 'Energies and display');
+  await showStep(page, 'Check');
   await page.getByRole('checkbox', { name: 'Gizmo' }).uncheck();
   await expect.poll(gizmo).toBeNull();
   await page.getByRole('checkbox', { name: 'Gizmo' }).check();
@@ -161,7 +161,7 @@ test('keys move a handle at its height or along an axis; numbers and Fixed work 
   expect(upwards.slice(0, 2)).toEqual([0, 0]);
   expect(upwards[2]).toBeGreaterThan(0);
 
-  await showPanel(page, 'Model');
+  await showStep(page, 'Shape');
   const target = page.getByRole('textbox', { name: 'Target z' });
   await target.fill('7.5');
   await target.press('Enter');

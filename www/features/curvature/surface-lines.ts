@@ -14,7 +14,7 @@ export function surfaceLines(
   /** Generation of the shape that the worker has; 0 if none. */
   let known = 0;
   /** The last question. */
-  let asked = '';
+  let asked: unknown[] = [];
   /** The lines drawn now. */
   let drawn: Lines | null = null;
 
@@ -28,7 +28,7 @@ export function surfaceLines(
     const { geometry } = solver;
     const how = wanted();
     if (!how || !model || !geometry) {
-      asked = '';
+      asked = [];
       // Lines that another card draws stay.
       if (drawn) {
         drawn = null;
@@ -39,14 +39,8 @@ export function surfaceLines(
     if (running && model.vertices > MOST_LIVE_VERTICES) return;
     const { generation, positions, connectivity } = geometry;
     const { faceOffsets: offsets, faceIndices: indices } = connectivity;
-    const question = JSON.stringify([
-      generation,
-      how.draw,
-      how.distance,
-      [...how.vertices],
-      [...how.faces],
-    ]);
-    if (question === asked) return;
+    const question = [generation, how.draw, how.distance, how.vertices, how.faces];
+    if (question.every((part, i) => part === asked[i])) return;
     asked = question;
     const shape = { positions: positions.slice(), offsets, indices };
     const ask = (how: LinesQuestion) => jobs.ask.surfaceLines(how);

@@ -52,12 +52,14 @@ const INTERFACES: {
 /**
  * @param formats of files; without an engine there are none
  * @param renderer what draws the view
+ * @param showAll shows all commands
  */
 export function showHelp(
   dialog: HTMLDialogElement,
   commands: Command[],
   formats: Promise<FileFormat[]>,
   renderer: Renderer,
+  showAll: () => void,
 ) {
   const drawn = element('p.about', { 'aria-live': 'polite' });
   void cardInWords(renderer).then((words) => setText(drawn, words));
@@ -67,7 +69,22 @@ export function showHelp(
   const groups = [...new Set(bound.map((command) => command.group))];
   dialog.replaceChildren(
     dialogHead(dialog, 'help-title', 'Mouse and keys'),
-    singleKeysSwitch(),
+    element(
+      'div.help-top',
+      singleKeysSwitch(),
+      element(
+        'button.bordered',
+        {
+          'aria-haspopup': 'dialog',
+          onclick: () => {
+            dialog.close();
+            showAll();
+          },
+        },
+        'All commands',
+        element('kbd', keyName('Ctrl+K')),
+      ),
+    ),
     element(
       'div.columns',
       section(

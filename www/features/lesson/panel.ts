@@ -7,6 +7,7 @@ import './lesson.css';
 import { movedInWords } from '../../store/colours/measures.ts';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { RENEW_MS, byId, element, icon, setText, throttled } from '../../ui/dom.ts';
+import { reveal } from '../../ui/reveal.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { LessonWords } from '../../solver/types.ts';
 
@@ -36,7 +37,7 @@ export function lessonPanel(app: AppContext) {
       'Results for hand-in',
     ),
   );
-  byId('model-panel').prepend(place);
+  byId('steps').prepend(place);
   const line = element('span', 'Goals');
   const card = element(
     'div',
@@ -49,8 +50,7 @@ export function lessonPanel(app: AppContext) {
 
   /** The panel is hidden while the card is shown. */
   function showGoals() {
-    byId('tab-model').click();
-    byId('model-panel').scrollTo(0, 0);
+    reveal(place);
   }
 
   const showNumbers = throttled(RENEW_MS, () => {
@@ -147,8 +147,8 @@ const PLACES: { lock: Lock; id: string; words: string }[] = [
   { lock: 'weights', id: 'energies', words: 'the weights stay as they are' },
   { lock: 'constraints', id: 'add-constraint-button', words: '' },
   { lock: 'constraints', id: 'constraints', words: 'the constraints stay as they are' },
-  { lock: 'constraints', id: 'make-panels', words: '' },
-  { lock: 'constraints', id: 'make-panels-card', words: '' },
+  { lock: 'constraints', id: 'make-panels-place', words: '' },
+  { lock: 'constraints', id: 'panels-card-place', words: '' },
   { lock: 'handles', id: 'handles', words: 'the handles stay as they are' },
 ];
 

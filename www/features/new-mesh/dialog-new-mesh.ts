@@ -20,12 +20,16 @@ import type { AppContext } from '../../app/context.ts';
 /** The unit of the defaults. */
 const METRE = 'm';
 /** Choices that are not kinds of the solver. */
-const PLAN = { id: 'plan', label: 'From a plan' };
+export const PLAN = { id: 'plan', label: 'From a plan' };
 const SPAN = { id: 'span', label: 'Between curves' };
 /** Pause in typing after which the mesh is made. */
 const QUIET_MS = 150;
 
-export async function newMesh({ store, solver, files, actions, alerts }: AppContext) {
+/** @param first what is chosen at first; by default the first kind */
+export async function newMesh(
+  { store, solver, files, actions, alerts }: AppContext,
+  first?: { id: string },
+) {
   await init({ module_or_path: solver.module });
   const kinds = newKinds();
   const before = await files.asItIs();
@@ -46,6 +50,7 @@ export async function newMesh({ store, solver, files, actions, alerts }: AppCont
     showForm,
     [...kinds, PLAN, SPAN].map(({ id, label }) => [id, label]),
   );
+  if (first) kind.value = first.id;
   const units = choice(
     {},
     convert,

@@ -106,6 +106,7 @@ export async function present(app: AppContext, withNotes: boolean) {
     removeEventListener('keydown', press, true);
     document.removeEventListener('fullscreenchange', leftScreen);
     delete dataset.presenting;
+    actions.look({ presenting: false });
     stage.remove();
     notes?.close();
     if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
@@ -113,6 +114,7 @@ export async function present(app: AppContext, withNotes: boolean) {
   }
 
   dataset.presenting = '';
+  actions.look({ presenting: true });
   byId('main').append(stage);
   addEventListener('keydown', press, true);
   document.addEventListener('fullscreenchange', leftScreen);

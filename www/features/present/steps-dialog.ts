@@ -3,20 +3,13 @@
 import './present.css';
 import { openDialog } from '../../ui/controls/dialog.ts';
 import { button, checkbox, choice, closeButton } from '../../ui/controls/fields.ts';
-import { byId, element, setText } from '../../ui/dom.ts';
+import { element, setText } from '../../ui/dom.ts';
 import { count } from '../../ui/format.ts';
 import { presentActions } from '../../store/present-actions.ts';
 import { present } from './stage.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
 import type { Slide } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
-
-/** Shows the button of the dialog also among the essentials once a scene has steps. */
-export function offerPresentation({ store }: AppContext) {
-  store.subscribe(['document'], ({ document: scene }) => {
-    if (scene?.steps.length) byId('present-button').classList.remove('advanced');
-  });
-}
 
 export function openSteps(app: AppContext) {
   const { store, actions } = app;

@@ -3,7 +3,9 @@
  * tape.
  */
 
+import { ViewHistory } from './view-history.ts';
 import { ViewTools } from './view-tools.ts';
+import { MICE } from '../../store/state.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
 import type { Viewport } from '../../viewport/viewport.ts';
@@ -19,9 +21,17 @@ const VIEWS = [
   ['isometric', 'Numpad0'],
 ];
 
+export const MOUSE_NAMES = { rhino: 'in Rhino', web: 'on web pages', blender: 'in Blender' };
+const MOUSE_WORDS = {
+  rhino: 'Right drag orbits, Shift + right drag and middle drag pan',
+  web: 'Left drag orbits, right drag pans, middle drag zooms',
+  blender: 'Middle drag orbits, Shift + middle drag pans, Ctrl + middle drag zooms',
+};
+
 export function viewCommands(app: AppContext): Command[] {
   const { store, actions } = app;
   const tools = new ViewTools(app);
+  const history = new ViewHistory(app);
   const enabled = ({ renderer }: State) => renderer !== 'none';
   return [
     ...VIEWS.map(([name, ...keys], i) => ({
@@ -31,6 +41,33 @@ export function viewCommands(app: AppContext): Command[] {
       keys: [`Shift+${i + 1}`, ...keys],
       action: () => tools.flyTo(name),
       enabled,
+    })),
+    {
+      id: 'camera-back',
+      group: 'View',
+      label: 'Back to the view before',
+      keys: ['Backspace'],
+      action: () => history.go(-1),
+      enabled,
+    },
+    {
+      id: 'camera-forward',
+      group: 'View',
+      label: 'Forward to the view after',
+      keys: ['Shift+Backspace'],
+      action: () => history.go(1),
+      enabled,
+    },
+    ...MICE.map((mouse) => ({
+      id: `mouse-${mouse}`,
+      group: 'View',
+      label: `Mouse buttons as ${MOUSE_NAMES[mouse]}`,
+      keys: [],
+      action: () => {
+        actions.useMouse(mouse);
+        actions.setStatus(MOUSE_WORDS[mouse]);
+      },
+      pressed: (state: State) => state.mouse === mouse,
     })),
     {
       id: 'parallel',

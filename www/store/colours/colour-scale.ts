@@ -9,12 +9,9 @@ import type { Measure } from '../../solver/types.ts';
 import { newestOnly } from '../newest-only.ts';
 import { declared } from './measures.ts';
 import { spreadOf } from './spread.ts';
-import type { OwnRange, State, Store } from '../state.ts';
+import { AUTOMATIC, type State, type Store } from '../state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { View } from '../../pkg/view-webgl2/shape_up.js';
-
-/** Both ends and the end of the axis are automatic. */
-const AUTOMATIC: OwnRange = { low: null, high: null, top: null };
 
 /** No values yet. */
 const NONE: Pick<State, 'spread' | 'range' | 'ownRange'> = {
@@ -23,15 +20,8 @@ const NONE: Pick<State, 'spread' | 'range' | 'ownRange'> = {
   ownRange: AUTOMATIC,
 };
 
-/**
- * @param view null while nothing can draw
- * @returns sets the end of the range to the worst face of the current shape
- */
-export function colourFaces(
-  store: Store,
-  solver: SolverClient,
-  view: () => View | null,
-): { fit: () => void } {
+/** @param view null while nothing can draw */
+export function colourFaces(store: Store, solver: SolverClient, view: () => View | null) {
   /** The measure that the document suggests; undefined before a document. */
   let suggested: Measure | null | undefined;
 
@@ -105,13 +95,4 @@ export function colourFaces(
     if (range.some((end, i) => end !== state.range[i])) store.set({ range });
     if (JSON.stringify(spread) !== JSON.stringify(state.spread)) store.set({ spread });
   }
-
-  return {
-    fit: () => {
-      const { spread, range } = store.get();
-      if (!spread || spread.greatest <= range[0]) return store.set({ ownRange: AUTOMATIC });
-      const { greatest } = spread;
-      store.set({ ownRange: { low: null, high: greatest, top: greatest } });
-    },
-  };
 }

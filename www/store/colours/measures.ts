@@ -45,6 +45,17 @@ export function unitOf({ unit }: FaceMeasure, size: number, units: string) {
 }
 
 /**
+ * Returns one unit for all values of the measure that colours the faces, and the factor to it: the
+ * unit of the tolerance, or else of the greatest value.
+ */
+export function shownUnit(state: State) {
+  const about = declared(state, state.measure);
+  if (!about) return { unit: '', factor: 1 };
+  const size = toleranceOf(state, about) ?? state.spread?.axis.high ?? 0;
+  return unitOf(about, size, state.document?.units ?? '');
+}
+
+/**
  * Formats a value with its unit.
  * @param units of the mesh
  * @param like value that determines the unit: for errors, their tolerance

@@ -1,18 +1,25 @@
 /** Important messages: errors and notices, in the page's only `role="alert"`. */
 
+import { signal } from '@preact/signals';
 import { element, removeKeepingFocus } from '../dom.ts';
 import { button, closeButton } from './fields.ts';
 
 /** A button of a message. */
 export type Offer = { label: string; action: () => void };
 
+/** A message of the journal; `id` numbers them all. */
+export interface Entry {
+  id: number;
+  time: Date;
+  kind: 'error' | 'notice' | 'status';
+  text: string;
+}
+
 /** The most entries of the journal; older ones are dropped. */
 const MOST_ENTRIES = 500;
 
 export class Alerts {
-  /** The messages since the page was opened, oldest first. */
-  journal: { time: Date; kind: 'error' | 'notice' | 'status'; text: string }[] = [];
-  #listener: (() => void) | undefined;
+  #journal = signal<Entry[]>([]);
   /** What clears other messages of the view. */
   #others: (() => void)[] = [];
   #place;
@@ -48,17 +55,18 @@ export class Alerts {
     this.#isFatal = true;
   }
 
-  /** Calls `listener` after every message. */
-  listen(listener: () => void) {
-    this.#listener = listener;
+  /** The messages since the page was opened, oldest first; a component that reads them follows. */
+  get journal(): readonly Entry[] {
+    return this.#journal.value;
   }
 
   /** Adds a message to the journal. */
-  note(text: string, kind: 'error' | 'notice' | 'status' = 'status') {
-    if (this.journal.at(-1)?.text === text) return;
-    this.journal.push({ time: new Date(), kind, text });
-    if (this.journal.length > MOST_ENTRIES) this.journal.shift();
-    this.#listener?.();
+  note(text: string, kind: Entry['kind'] = 'status') {
+    const before = this.#journal.peek();
+    const last = before.at(-1);
+    if (last?.text === text) return;
+    const entry = { id: (last?.id ?? 0) + 1, time: new Date(), kind, text };
+    this.#journal.value = [...before, entry].slice(-MOST_ENTRIES);
   }
 
   /** Clears the message, as Escape does, and others of the view. */

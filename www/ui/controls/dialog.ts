@@ -25,7 +25,8 @@ export function closeAboutModel() {
 }
 
 /**
- * Shows a dialog, and removes it when it is closed.
+ * Shows a dialog, and removes it when it is closed. The one that a quick second press asks for takes
+ * the place of the first.
  * @param about `light`: a click outside closes it; `lasts`: it is not about the open model
  */
 export function openDialog(
@@ -37,6 +38,8 @@ export function openDialog(
   }: { id: string; title: string; light?: boolean; lasts?: boolean },
   ...body: Node[]
 ) {
+  const before = document.getElementById(id);
+  if (before instanceof HTMLDialogElement) before.close();
   const dialog = element('dialog', {
     id,
     'aria-labelledby': `${id}-title`,

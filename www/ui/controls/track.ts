@@ -57,15 +57,3 @@ export function followTrack(
     event.stopPropagation();
   });
 }
-
-/**
- * Sets the position of a handle and its accessible value, in per cent and in words.
- * @param at from 0 to 1
- */
-export function placeOnTrack(handle: HTMLElement, at: number, words: string) {
-  handle.style.left = `${100 * at}%`;
-  handle.ariaValueMin = '0';
-  handle.ariaValueMax = '100';
-  handle.ariaValueNow = String(Math.round(100 * at));
-  handle.ariaValueText = words;
-}

@@ -9,7 +9,7 @@
  * | Alt + left on a vertex | makes it a handle and moves it | same |
  * | left click | selects; Shift adds, Ctrl or Cmd removes | same |
  * | double-click | vertex: handle; edge: loop; face: flat patch; nothing: fit all | same |
- * | right, middle or Shift+right | orbits, pans | same |
+ * | right, middle | orbit, pan, zoom: see `mouse.ts` | same |
  * | wheel, pinch | zooms to the cursor | same |
  * | right click, long press | opens the context menu of the element hit | same |
  * | touch | one finger as left, two pan and zoom | same |
@@ -24,6 +24,7 @@ import {
 } from '../../store/handles.ts';
 import { near, clickTolerance, pair, wheelFactor } from './gestures.ts';
 import { combineOf, select } from '../../store/selection.ts';
+import { cameraDrag, type CameraDrag } from './mouse.ts';
 import type { Mode, Store } from '../../store/state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { Viewport } from '../viewport.ts';
@@ -35,12 +36,14 @@ const ON_HANDLE = 9;
 /** Radii in CSS pixels of a double-click: it hits a vertex, else an edge, else the face. */
 const ON_VERTEX = 8;
 const ON_EDGE = 5;
+/** How much a drag by one pixel zooms, as the logarithm of the factor. */
+const ZOOM_PER_PIXEL = 0.01;
 /** Duration of a long press with a finger, in milliseconds. */
 const LONG_PRESS_MS = 500;
 
 /** State of a press until it is released. */
 type Gesture =
-  | { kind: 'press' | 'orbit' | 'pan' | 'region' | 'pinch' | 'making' | 'spent' }
+  | { kind: 'press' | CameraDrag | 'region' | 'pinch' | 'making' | 'spent' }
   | { kind: 'handle'; drag: HandleDrag };
 
 export class PointerInput {
@@ -144,7 +147,7 @@ export class PointerInput {
     this.#handle = undefined;
     if (event.button === 1) {
       event.preventDefault();
-      this.#become({ kind: 'pan' });
+      this.#moveCamera(1, event);
     } else if (event.button === 2) {
       this.#aim(event, at);
       this.#become({ kind: 'press' });
@@ -252,9 +255,8 @@ export class PointerInput {
     if (this.#gesture?.kind === 'press') {
       const moved = Math.hypot(at[0] - this.#start[0], at[1] - this.#start[1]);
       if (moved < clickTolerance(event)) return;
-      if (event.buttons !== 2) this.#begin();
-      else if (event.shiftKey) this.#become({ kind: 'pan' });
-      else this.#beginTurn();
+      if (event.buttons === 2) this.#moveCamera(2, event);
+      else this.#begin();
     }
     const [dx, dy] = [at[0] - last[0], at[1] - last[1]];
     switch (this.#gesture?.kind) {
@@ -265,9 +267,20 @@ export class PointerInput {
         return void this.#viewport.with((view) => view.turn(dx, dy));
       case 'pan':
         return void this.#viewport.with((view) => view.pan(dx, dy));
+      case 'zoom':
+        return void this.#viewport.with((view) =>
+          view.zoom(Math.exp(-ZOOM_PER_PIXEL * dy), ...this.#start),
+        );
       case 'region':
         return this.#region.move(at);
     }
+  }
+
+  /** Starts what a drag with the middle (1) or right (2) button does to the camera. */
+  #moveCamera(button: 1 | 2, event: PointerEvent) {
+    const kind = cameraDrag(this.#store.get().mouse, button, event);
+    if (kind === 'orbit') this.#beginTurn();
+    else this.#become({ kind });
   }
 
   /**

@@ -1,0 +1,84 @@
+// The mouse buttons as in other programs, and the views that were looked through before.
+
+import type { Page } from '@playwright/test';
+import { openGrid } from '../actions.ts';
+import { boxOf, expect, test } from '../support.ts';
+
+type Button = 'left' | 'middle' | 'right';
+
+const camera = (page: Page) => page.evaluate(() => window.shapeUp.camera() as number[]);
+const view = (page: Page) => page.getByRole('application', { name: '3D view' });
+
+/** Chooses a command by its name. */
+async function command(page: Page, name: string) {
+  await page.keyboard.press('Control+k');
+  await page.getByRole('combobox', { name: 'Command' }).fill(name);
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('dialog', { name: 'Commands' })).toBeHidden();
+}
+
+/** Drags across the view with a button, and returns what that did to the camera. */
+async function drag(page: Page, button: Button, ...keys: string[]) {
+  const before = await camera(page);
+  const { x, y, width, height } = await boxOf(view(page));
+  const [at, to] = [
+    [x + 0.9 * width, y + 0.3 * height],
+    [x + 0.8 * width, y + 0.4 * height],
+  ];
+  await page.mouse.move(at[0], at[1]);
+  for (const key of keys) await page.keyboard.down(key);
+  await page.mouse.down({ button });
+  await page.mouse.move(to[0], to[1], { steps: 4 });
+  await page.mouse.up({ button });
+  for (const key of keys) await page.keyboard.up(key);
+  return { before, after: await camera(page) };
+}
+
+test('the right and the middle button do what they do in Rhino, on web pages and in Blender', async ({
+  page,
+}) => {
+  await openGrid(page, 4);
+  /** Whether the camera turned, came nearer, or moved sideways. */
+  const deed = async (button: Button, ...keys: string[]) => {
+    const { before, after } = await drag(page, button, ...keys);
+    const differs = (from: number, to: number) =>
+      before.slice(from, to).some((value, i) => Math.abs(value - after[from + i]) > 1e-6);
+    // Pivot, distance, turn and tilt: see `camera_numbers` of the view.
+    if (differs(4, 6)) return 'orbit';
+    if (differs(3, 4)) return 'zoom';
+    return differs(0, 3) ? 'pan' : 'nothing';
+  };
+  expect(await deed('right')).toBe('orbit');
+  expect(await deed('right', 'Shift')).toBe('pan');
+  expect(await deed('middle')).toBe('pan');
+  await command(page, 'web pages');
+  expect(await deed('left')).toBe('orbit');
+  expect(await deed('right')).toBe('pan');
+  expect(await deed('middle')).toBe('zoom');
+  await command(page, 'in Blender');
+  expect(await deed('middle')).toBe('orbit');
+  expect(await deed('middle', 'Shift')).toBe('pan');
+  expect(await deed('middle', 'Control')).toBe('zoom');
+  await command(page, 'in Rhino');
+});
+
+test('Backspace goes back to the view before, and with Shift forward', async ({ page }) => {
+  await openGrid(page, 4);
+  const first = await camera(page);
+  await page.waitForTimeout(500);
+  await page.keyboard.press('Shift+Digit1');
+  await page.waitForTimeout(900);
+  const top = await camera(page);
+  expect(top).not.toEqual(first);
+  const isAt = (wanted: number[]) => async () => {
+    const now = await camera(page);
+    return Math.max(...now.map((value, i) => Math.abs(value - wanted[i]))) < 1e-3;
+  };
+  await view(page).focus();
+  await page.keyboard.press('Backspace');
+  await expect.poll(isAt(first)).toBe(true);
+  await page.keyboard.press('Shift+Backspace');
+  await expect.poll(isAt(top)).toBe(true);
+  await page.keyboard.press('Shift+Backspace');
+  await expect(page.getByRole('status')).toHaveText('No view to go on to');
+});

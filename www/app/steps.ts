@@ -1,0 +1,103 @@
+/**
+ * The five steps, one below the other: which of them and of their second levels are open is
+ * remembered. Something that needs the user opens its step. In a narrow window the steps are tabs,
+ * whose sheet the tab that is pressed again closes.
+ */
+
+import { NEXT_STEP_KEYS, nextStep, type NextStep } from '../store/next-step.ts';
+import { sizeOfSelection } from '../store/selection.ts';
+import { STEPS, type State, type Step, type Store } from '../store/state.ts';
+import { itemByKey } from '../ui/controls/navigation.ts';
+import { byId } from '../ui/dom.ts';
+import { REVEALED } from '../ui/reveal.ts';
+import { setItem } from '../ui/safe-storage.ts';
+import { narrow } from '../viewport/camera.ts';
+
+/** Storage key of the ids of what is open; `index.html` reads it before the first paint. */
+const OPEN = 'shape-up.open';
+
+const placeOf = (step: Step): HTMLDetailsElement => byId(`step-${step}`);
+
+/** Where the next step is done. */
+const WHERE: Record<NextStep, Step> = {
+  shape: 'shape',
+  run: 'shape',
+  choose: 'shape',
+  build: 'build',
+};
+
+export function followSteps(store: Store) {
+  const panel = byId('steps');
+  const levels = [...panel.querySelectorAll<HTMLDetailsElement>('details[id]')];
+  const remember = () => {
+    // All steps of a narrow window are open, one of them in sight.
+    if (narrow.matches) return;
+    const open = levels.filter((level) => level.open).map(({ id }) => id);
+    setItem(OPEN, JSON.stringify(open));
+  };
+  for (const level of levels) level.addEventListener('toggle', remember);
+  const openAll = () => {
+    if (narrow.matches) for (const step of STEPS) placeOf(step).open = true;
+  };
+  narrow.addEventListener('change', openAll);
+  openAll();
+
+  let next: NextStep | null = null;
+  /** The model that the user has run: an example that is solved when it opens opens no step. */
+  let run: State['model'] = null;
+  store.subscribe([...NEXT_STEP_KEYS], (state) => {
+    if (state.running) run = state.model;
+    if (!state.document || nextStep(state) === next) return;
+    next = nextStep(state);
+    if (run === state.model) placeOf(WHERE[next]).open = true;
+  });
+  // What can be done with a selection is there.
+  let wasEmpty = true;
+  store.subscribe(['selection'], ({ selection }) => {
+    const isEmpty = sizeOfSelection(selection) === 0;
+    if (wasEmpty && !isEmpty) placeOf('move').open = true;
+    wasEmpty = isEmpty;
+  });
+  // The user is to know of problems in a file, and to say its unit.
+  store.subscribe(['model'], ({ model }) => {
+    const { units, up } = model?.guessed ?? {};
+    const asks = units || up || (model && model.problems.length > 0);
+    if (asks) placeOf('open').open = true;
+  });
+  tabs(store, panel);
+}
+
+/** The tabs of a narrow window. */
+function tabs(store: Store, panel: HTMLElement) {
+  const { dataset } = document.body;
+  const buttons = STEPS.map((step) => byId(`tab-${step}`));
+  const show = (step: Step, isOpen: boolean) => {
+    dataset.sheet = isOpen ? 'open' : 'closed';
+    store.set({ step });
+    update();
+  };
+  function update() {
+    const { step } = store.get();
+    dataset.step = step;
+    const isOpen = dataset.sheet === 'open';
+    buttons.forEach((button, i) => {
+      const isShown = STEPS[i] === step;
+      button.setAttribute('aria-selected', String(isShown && isOpen));
+      button.tabIndex = isShown ? 0 : -1;
+    });
+  }
+  store.subscribe(['step'], update);
+  panel.addEventListener(REVEALED, ({ target }) => {
+    const step = STEPS.find((one) => target instanceof Node && placeOf(one).contains(target));
+    if (step) show(step, true);
+  });
+  buttons.forEach((button, i) => {
+    const isAgain = () => store.get().step === STEPS[i] && dataset.sheet === 'open';
+    button.addEventListener('click', () => show(STEPS[i], !isAgain()));
+    button.addEventListener('keydown', (event) => {
+      const next = itemByKey(event, buttons, { along: 'x' });
+      next?.focus();
+      next?.click();
+    });
+  });
+}

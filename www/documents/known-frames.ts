@@ -1,0 +1,44 @@
+/** The unit and the vertical axis of files that have none, remembered by their contents. */
+
+import { getItem, setItem } from '../ui/safe-storage.ts';
+
+export type Frame = { units: string; up: 'y' | 'z' };
+
+const KEY = 'shape-up.frames';
+/** Number of files remembered. */
+const MOST_FILES = 40;
+
+/** @returns newest last */
+function remembered(): [string, Frame][] {
+  try {
+    return JSON.parse(getItem(KEY) ?? '[]');
+  } catch {
+    // Other code has written to this key.
+    return [];
+  }
+}
+
+/**
+ * Returns what tells the contents of a file from those of any other; null where the browser has no
+ * hash function, as at an address without encryption: then nothing is remembered.
+ */
+export async function digestOf(bytes: BufferSource): Promise<string | null> {
+  const hash = await crypto.subtle?.digest('SHA-256', bytes);
+  return hash ? btoa(String.fromCharCode(...new Uint8Array(hash))) : null;
+}
+
+/**
+ * Returns the remembered frame as comment lines of a mesh file.
+ * @param digest of the file
+ */
+export function rememberedFrame(digest: string | null) {
+  const frame = remembered().find(([known]) => known === digest)?.[1];
+  return frame ? `# units: ${frame.units}\n# up: ${frame.up}\n` : '';
+}
+
+/** @param digest of a file */
+export function rememberFrame(digest: string, frame: Frame) {
+  const others = remembered().filter(([known]) => known !== digest);
+  const all = [...others, [digest, frame]].slice(-MOST_FILES);
+  setItem(KEY, JSON.stringify(all));
+}

@@ -1,0 +1,180 @@
+/**
+ * The curvature card: strokes along the principal directions or lines of curvature on the surface,
+ * a curvature measure as colours, and the consequences for panels.
+ */
+
+import './curvature.css';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { declared, unitOf } from '../../store/colours/measures.ts';
+import { newestOnly } from '../../store/newest-only.ts';
+import { useApp } from '../../store/use-app.ts';
+import { CloseButton } from '../../ui/components/buttons.tsx';
+import { AmountField, Choice } from '../../ui/components/fields.tsx';
+import { useThrottled } from '../../ui/components/use-throttled.ts';
+import { number } from '../../ui/format.ts';
+import { curvatureLines } from './curvature-lines.ts';
+import type { Lines, LinesQuestion } from '../../solver/types.ts';
+
+type Drawn = LinesQuestion['draw'] | '';
+const LINES: [Drawn, string][] = [
+  ['strokes', 'Principal directions'],
+  ['lines', 'Lines of curvature'],
+  ['through', 'Lines through the selection'],
+  ['', 'No lines'],
+];
+const KEYS = ['Larger curvature', 'Smaller curvature'];
+
+export function Curvature() {
+  return useApp().store.state.corner === 'curvature' ? <Card /> : null;
+}
+
+function Card() {
+  const { store, actions, viewport } = useApp();
+  const { document, model } = store.state;
+  const [draw, setDraw] = useState<Drawn>('strokes');
+  /** Between lines; null for one that suits the model. */
+  const [distance, setDistance] = useState<number | null>(null);
+  useEffect(() => setDistance(null), [model]);
+  const { answer, refused } = useLines(draw, distance);
+  useCurvatureColours();
+  const place = useRef<HTMLElement>(null);
+  useEffect(() => place.current?.querySelector('select')?.focus(), []);
+  const close = () => actions.leaveCorner('curvature');
+  return (
+    <section
+      id="curvature"
+      ref={place}
+      class="card"
+      aria-labelledby="heading-curvature"
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape') return;
+        event.stopPropagation();
+        close();
+        viewport.element.focus();
+      }}
+    >
+      <div class="title">
+        <h2 id="heading-curvature">Curvature</h2>
+        <CloseButton label="Close curvature" onClick={close} />
+      </div>
+      <Choice
+        aria-label="Lines"
+        value={draw}
+        options={LINES}
+        onChoose={(value) => setDraw(value as Drawn)}
+      />
+      {draw === 'lines' && (
+        <label class="apart">
+          <span>Spacing</span>
+          <AmountField
+            name="Distance between lines"
+            value={distance}
+            placeholder={answer ? number(answer.distance) : ''}
+            onAmount={(value) => setDistance(value || null)}
+            onEmpty={() => setDistance(null)}
+          />
+          <span class="unit">{document?.units ?? ''}</span>
+        </label>
+      )}
+      <div class="key">{draw && <Keys />}</div>
+      <label class="by">
+        <span>Colours</span>
+        <Colours />
+      </label>
+      <p class="quiet" aria-live="polite">
+        {refused || wordsOf(draw, answer)}
+      </p>
+      <Consequences />
+    </section>
+  );
+}
+
+/** What is missing, in words. */
+function wordsOf(draw: Drawn, answer: Lines | null) {
+  const found = (answer?.offsets.length ?? 1) - 1;
+  if (found || draw === '' || !answer) return '';
+  if (draw === 'strokes')
+    return 'No directions: the surface is flat or equally curved in all directions.';
+  return draw === 'through'
+    ? 'Select vertices or faces to draw the lines through them.'
+    : 'No lines of curvature: the surface is flat or equally curved in all directions.';
+}
+
+/** What the colours of the lines mean; they depend on the colours of the faces. */
+function Keys() {
+  const { store, viewport } = useApp();
+  const { state } = store;
+  useThrottled(() => [state.dark, state.measure, state.spread]);
+  const colours = viewport.unmeasured((view) => view.lineColours());
+  return (
+    <>
+      {KEYS.map((words, i) => (
+        <span key={words}>
+          <i style={{ background: colours?.[i] ?? '' }} />
+          {words}
+        </span>
+      ))}
+    </>
+  );
+}
+
+/** The measures of curvature, which can colour the faces. */
+function Colours() {
+  const { store, actions } = useApp();
+  const { measures, measure, document } = store.state;
+  const own = measures.filter(({ curvature }) => curvature);
+  const options = own.map((about) => {
+    const { unit } = unitOf(about, 1, document?.units ?? '');
+    return [about.id, `${about.label}${unit && ` (${unit})`}`] as const;
+  });
+  return (
+    <Choice
+      aria-label="Coloured by"
+      value={own.some(({ id }) => id === measure) ? (measure ?? '') : ''}
+      options={[...options, ['', 'Another measure']]}
+      onChoose={(id) => actions.colourBy(id || null)}
+    />
+  );
+}
+
+/** What the curvature means for panels; requested once for each model. */
+function Consequences() {
+  const { store, actions } = useApp();
+  const { model } = store.state;
+  const newest = useMemo(() => newestOnly(() => store.get().model), [store]);
+  const [words, setWords] = useState('');
+  useEffect(() => {
+    setWords('');
+    void newest(actions.trials.forecast().catch(() => null)).then((forecast) => {
+      if (forecast !== undefined) setWords(forecast?.words ?? '');
+    });
+  }, [model]);
+  return <p hidden={!words}>{words}</p>;
+}
+
+/** Draws the lines of the current shape and selection. */
+function useLines(draw: Drawn, distance: number | null) {
+  const app = useApp();
+  const { mode, selection } = app.store.state;
+  const lines = curvatureLines(app);
+  useEffect(() => lines.follow(), [lines]);
+  useEffect(
+    () => lines.draw(draw || null, draw === 'lines' ? distance : null),
+    [draw, distance, mode, selection],
+  );
+  return lines.told.value;
+}
+
+/** Colours the faces by a curvature, and by what they had before when the card is closed. */
+function useCurvatureColours() {
+  const { store, actions } = useApp();
+  useEffect(() => {
+    const { measure, measureChosen, measures } = store.get();
+    const own = measures.filter(({ curvature }) => curvature);
+    if (!own.some(({ id }) => id === measure)) actions.look({ measure: own[0]?.id ?? null });
+    return () => {
+      const now = store.get();
+      if (declared(now, now.measure)?.curvature) actions.look({ measure, measureChosen });
+    };
+  }, []);
+}

@@ -1,0 +1,166 @@
+/**
+ * Buttons that make all panels one shape, and those that change the mesh. A disabled one gives the
+ * reason; if a change of the mesh is needed first, there is a button for that instead.
+ */
+
+import './make-panels.css';
+import { useMemo } from 'preact/hooks';
+import type { ComponentChildren } from 'preact';
+import { isMeshLocked, offersPanels, panelsCard } from '../../store/panels-card.ts';
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
+import { Hosted } from '../../ui/components/hosted.tsx';
+import { sketch } from '../../ui/kinds/sketch.ts';
+import { openEdit } from './edit-dialog.tsx';
+import { makePanels } from './press.ts';
+import { openRefine } from './refine-dialog.tsx';
+import type { KindInfo } from '../../solver/types.ts';
+
+/** Describes the buttons. */
+const REASON = 'make-panels-reason';
+
+/** The buttons in the step, where they are unless the card over the view has them. */
+export function PanelsInStep() {
+  const { state } = useApp().store;
+  if (!offersPanels(state) || panelsCard(state) === 'offer') return null;
+  return (
+    <div id="make-panels" role="group" aria-label="Make panels">
+      <PanelButtons isBelow />
+    </div>
+  );
+}
+
+/**
+ * The reasons and the buttons.
+ * @param isBelow whether the reasons are below the buttons
+ * @param recommended id of the kind that moves the mesh least
+ * @param between the reasons and the buttons
+ * @param before the first button
+ * @param children after the last button
+ */
+export function PanelButtons({
+  isBelow = false,
+  recommended,
+  between,
+  before,
+  children,
+}: {
+  isBelow?: boolean;
+  recommended?: string;
+  between?: ComponentChildren;
+  before?: ComponentChildren;
+  children?: ComponentChildren;
+}) {
+  const { kinds, model } = useApp().store.state;
+  const reasonOf = new Map(model?.panels.map(({ kind, reason }) => [kind, reason]));
+  // Kinds are listed from the weakest to the strongest requirement; here the strongest comes first.
+  const offered = kinds.filter((kind) => kind.panels !== null && reasonOf.has(kind.id)).reverse();
+  const reasons = new Set(offered.map(({ id }) => reasonOf.get(id)).filter(Boolean));
+  const suggestion = model?.panelSuggestion;
+  const words = suggestion ? suggestion.words : [...reasons].join(' ');
+  const why = words && (
+    <p class="quiet" id={REASON}>
+      {words}
+    </p>
+  );
+  return (
+    <>
+      {!isBelow && why}
+      {between}
+      <div>
+        {before}
+        {suggestion ? (
+          <ChangeFirst {...suggestion} />
+        ) : (
+          offered.map((kind) => (
+            <KindButton
+              key={kind.id}
+              kind={kind}
+              reason={reasonOf.get(kind.id) ?? ''}
+              isRecommended={kind.id === recommended}
+            />
+          ))
+        )}
+        {children}
+      </div>
+      {isBelow && why}
+    </>
+  );
+}
+
+function KindButton({
+  kind,
+  reason,
+  isRecommended,
+}: {
+  kind: KindInfo;
+  /** why it is not possible, if it is not */
+  reason: string;
+  isRecommended: boolean;
+}) {
+  const app = useApp();
+  const drawing = useMemo(() => sketch(kind.sketch), [kind]);
+  return (
+    <Button
+      class={isRecommended ? 'bordered recommended' : 'bordered'}
+      disabled={Boolean(reason)}
+      title={reason || kind.summary}
+      style={{ '--chip': `rgb(${kind.colour.join(' ')})` }}
+      aria-describedby={reason ? REASON : undefined}
+      onClick={() => makePanels(app, kind)}
+    >
+      <Hosted node={drawing} />
+      <span>Make panels {kind.panels}</span>
+    </Button>
+  );
+}
+
+/** Changes the mesh, which is needed first. */
+function ChangeFirst({ label, operation }: { label: string; operation: string }) {
+  const app = useApp();
+  const isLocked = isMeshLocked(app.store.state);
+  return (
+    <Button
+      aria-haspopup="dialog"
+      aria-describedby={REASON}
+      disabled={isLocked}
+      title={isLocked ? 'Locked by the lesson' : ''}
+      onClick={() => app.actions.reportErrors(openEdit(app, operation))}
+    >
+      {label}
+    </Button>
+  );
+}
+
+/** The buttons that change the mesh. */
+export function MeshTools() {
+  const app = useApp();
+  const { store, actions } = app;
+  const { model, document } = store.state;
+  const isLocked = isMeshLocked({ document });
+  const tools = {
+    disabled: !model?.faces || model.tets > 0 || !document || isLocked,
+    title: isLocked ? 'Locked by the lesson' : '',
+  };
+  return (
+    <>
+      <Button
+        {...tools}
+        title={tools.title || 'Lays out panels along the lines of curvature'}
+        onClick={() => actions.openCorner('new-panels')}
+      >
+        New panels
+      </Button>
+      <Button
+        {...tools}
+        aria-haspopup="dialog"
+        onClick={() => actions.reportErrors(openRefine(app))}
+      >
+        Refine
+      </Button>
+      <Button {...tools} aria-haspopup="dialog" onClick={() => actions.reportErrors(openEdit(app))}>
+        Edit mesh
+      </Button>
+    </>
+  );
+}

@@ -1,0 +1,247 @@
+/**
+ * Layouts of new panels along the lines of curvature, in the second worker: one after another for the
+ * newest wishes of the user, drawn over the mesh.
+ */
+
+import { effect, signal } from '@preact/signals';
+import { Cancelled, messageOf } from '../../solver/errors.ts';
+import { latestOnly } from '../../store/latest-only.ts';
+import type { AppContext } from '../../app/context.ts';
+import type {
+  BoundaryForecast,
+  LaidOut,
+  LayoutNote,
+  LayoutSettings,
+  RefusedAt,
+} from '../../pkg/engine/shape_up.js';
+
+type Fields = Required<Pick<LayoutSettings, 'count' | 'size'>>;
+
+/** What the user asks for. */
+export interface Wishes extends Fields, Pick<LayoutSettings, 'follow' | 'even'> {
+  boundary: BoundaryForecast['boundary'] | null;
+  /** whether the selected faces stay as they are */
+  keeps: boolean;
+}
+
+/** Initial positions of the sliders, from 0 to 1. */
+const AT_FIRST: Wishes = {
+  ...{ count: null, size: null, boundary: null, keeps: false },
+  follow: 2 / 3,
+  even: 0.25,
+};
+
+/** Panels with what they were asked for, and the generations of the model and of the shape. */
+interface LaidOutFor {
+  panels: LaidOut;
+  asked: Wishes;
+  generation: number;
+  shape: number | undefined;
+}
+
+/** Time without another wish after which both choices at the boundary are forecast. */
+const IDLE_MS = 1000;
+
+export class Layouts {
+  readonly wishes = signal(AT_FIRST);
+  /** Number and side in their fields: what was typed, or what came of it. */
+  readonly fields = signal<Fields>({ count: null, size: null });
+  readonly laidOut = signal<LaidOutFor | null>(null);
+  readonly said = signal<{ words: string; notes: LayoutNote[] }>({ words: '', notes: [] });
+  /** What is being done, which can be cancelled; null if nothing is. */
+  readonly doing = signal<string | null>(null);
+  /** Both choices at the boundary, once they are known. */
+  readonly forecast = signal<BoundaryForecast[] | null>(null);
+  /** The faces that were selected at the beginning. */
+  readonly selected: Uint32Array<ArrayBuffer>;
+  #app;
+  #close;
+  /** The place of a refusal. */
+  #refused = signal<RefusedAt | null>(null);
+  #layouts = latestOnly(() => this.#layOut());
+  /** The layout under way. */
+  #laying: Promise<unknown> = Promise.resolve();
+  /** The number of layouts that were begun. */
+  #turn = 0;
+  #isForecasting = false;
+  #isOpen = false;
+
+  /** @param close leaves the layouts: another model was opened, or the first one was cancelled */
+  constructor(app: AppContext, close: () => void) {
+    this.#app = app;
+    this.#close = close;
+    this.selected = Uint32Array.from(app.store.get().selection.faces);
+  }
+
+  /** Lays out and draws, until the returned function is called. */
+  begin() {
+    const { store, solver, jobs, viewport } = this.#app;
+    const { model: about } = store.get();
+    this.#isOpen = true;
+    const stops = [
+      this.#draws(),
+      jobs.on('told', ({ words }) => {
+        if (this.#layouts.isBusy()) this.doing.value = words;
+      }),
+      store.subscribe(['model'], ({ model }) => {
+        if (model !== about) this.#close();
+      }),
+      solver.on('frame', () => {
+        const laidOut = this.laidOut.value;
+        if (laidOut && laidOut.shape !== solver.geometry?.generation) this.#withdraw();
+      }),
+      // The solver is idle again, after a change.
+      solver.on('scene', () => {
+        if (this.laidOut.value?.generation !== solver.copy()?.generation) this.#update();
+      }),
+      viewport.on('ready', () => this.#draw()),
+    ];
+    this.#update();
+    return () => {
+      this.#isOpen = false;
+      stops.forEach((stop) => stop());
+      // The second worker is free for the next question.
+      if (this.#layouts.isBusy() || this.#isForecasting) jobs.cancel();
+    };
+  }
+
+  wish(wishes: Partial<Wishes>) {
+    this.wishes.value = { ...this.wishes.value, ...wishes };
+    // Both forecasts stay for the choice between them.
+    if (!('boundary' in wishes)) this.forecast.value = null;
+    const { count, size } = this.fields.value;
+    this.fields.value = { count: wishes.count ?? count, size: wishes.size ?? size };
+    this.#ask();
+  }
+
+  cancel() {
+    this.#app.jobs.cancel();
+  }
+
+  /**
+   * Puts the panels in place of the mesh.
+   * @returns whether this was done
+   */
+  async use() {
+    const { store, actions, alerts } = this.#app;
+    // A number that was typed last.
+    await this.#laying;
+    const laidOut = this.laidOut.value;
+    if (!laidOut || !this.#isOpen) return false;
+    const { panels, generation } = laidOut;
+    const taken = await actions.reportErrors(actions.takePanels(generation, panels));
+    if (taken === false) this.#update();
+    // The new model has ended the layouts.
+    if (!taken) return false;
+    const lost = store.get().model?.notes ?? [];
+    if (lost.length) alerts.notice(lost.join(' '));
+    actions.setStatus(panels.words);
+    return true;
+  }
+
+  #update() {
+    this.forecast.value = null;
+    this.#ask();
+  }
+
+  #ask() {
+    if (this.#layouts.isBusy()) void this.#layouts.ask();
+    else this.#laying = this.#layouts.ask();
+  }
+
+  async #layOut() {
+    const { solver, jobs } = this.#app;
+    const model = solver.copy();
+    if (!this.#isOpen || !model) return;
+    this.#turn += 1;
+    const shape = solver.geometry?.generation;
+    this.doing.value = 'Laying out panels …';
+    const asked = this.wishes.value;
+    const { keeps, ...settings } = asked;
+    const kept = keeps ? this.selected : new Uint32Array(0);
+    try {
+      const panels = await jobs.copy(model).layOutPanels(settings, kept);
+      // Another wish, or another shape, has come meanwhile.
+      if (!this.#isOpen || this.#layouts.hasNext()) return;
+      this.#refused.value = null;
+      this.#show({ panels, asked, generation: model.generation, shape });
+      if (panels.boundary)
+        void this.#foretell(() => jobs.copy(model).panelsAtBoundaries(settings, kept));
+    } catch (error) {
+      if (this.#isOpen) await this.#refuse(error);
+    } finally {
+      if (!this.#layouts.hasNext()) this.doing.value = null;
+    }
+  }
+
+  async #refuse(error: unknown) {
+    const before = this.laidOut.value;
+    if (error instanceof Cancelled) {
+      if (!before) return this.#close();
+      this.wishes.value = before.asked;
+      return this.#show(before);
+    }
+    const refused = (await this.#app.jobs.ask.panelsRefusedAt().catch(() => null)) ?? null;
+    if (this.#layouts.hasNext()) return;
+    this.laidOut.value = this.forecast.value = null;
+    this.#refused.value = refused;
+    const words = `Not possible: ${messageOf(error)}.`;
+    this.said.value = refused
+      ? { words: '', notes: [{ words, places: [Array.from(refused.vertices)] }] }
+      : { words, notes: [] };
+  }
+
+  #show(laidOut: LaidOutFor) {
+    const { words, notes, count, size } = laidOut.panels;
+    this.laidOut.value = laidOut;
+    this.said.value = { words, notes };
+    this.fields.value = { count, size };
+  }
+
+  /** Forecasts both choices at the boundary, unless another wish comes first. */
+  async #foretell(ask: () => Promise<BoundaryForecast[]>) {
+    const mine = this.#turn;
+    await new Promise((later) => setTimeout(later, IDLE_MS));
+    if (!this.#isOpen || mine !== this.#turn) return;
+    this.#isForecasting = true;
+    this.doing.value = 'Comparing both choices at the boundary …';
+    const found = await ask().catch(() => null);
+    this.#isForecasting = false;
+    if (!this.#layouts.isBusy()) this.doing.value = null;
+    if (this.#isOpen && mine === this.#turn && found) this.forecast.value = found;
+  }
+
+  /** Removes panels that are for another shape. */
+  #withdraw() {
+    this.laidOut.value = null;
+    this.said.value = { words: 'The shape has changed …', notes: [] };
+  }
+
+  /** Draws over the mesh, whose own edges are hidden under panels. */
+  #draws() {
+    const { store, actions, viewport } = this.#app;
+    let hidesEdges = false;
+    const stop = effect(() => {
+      this.#draw();
+      if (!this.laidOut.value || hidesEdges || !store.get().display.edges) return;
+      hidesEdges = true;
+      actions.display({ edges: false });
+    });
+    return () => {
+      stop();
+      viewport.unmeasured((view) =>
+        view.setSurfaceLines(new Float64Array(0), Uint32Array.from([0]), 0),
+      );
+      if (hidesEdges) actions.display({ edges: true });
+    };
+  }
+
+  /** Draws the panels, or else the place of a refusal. */
+  #draw() {
+    const panels = this.laidOut.value?.panels;
+    const ring = panels ? undefined : this.#refused.value?.points;
+    const { points = ring ?? new Float64Array(0), marked = ring ? 1 : 0 } = panels ?? {};
+    const ends = panels?.ends ?? Uint32Array.from(ring ? [0, ring.length / 3] : [0]);
+    this.#app.viewport.unmeasured((view) => view.setSurfaceLines(points, ends, marked));
+  }
+}

@@ -1,0 +1,89 @@
+/** One press for all panels: the run, its transition, and commands for it. */
+
+import { endOfRun } from '../../store/end-of-run.ts';
+import type { KindInfo, PanelStart } from '../../solver/types.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { State } from '../../store/state.ts';
+
+/** Minimum duration of the transition: a jump would not show what changes. */
+const TRANSITION_MS = 800;
+const still = matchMedia('(prefers-reduced-motion: reduce)');
+
+interface How {
+  /** the shape to start from */
+  from?: PanelStart;
+  /** the tolerance, if other than the displayed one */
+  within?: number;
+  /** of the better choice that was pressed */
+  label?: string;
+}
+
+/** Makes all panels of this kind, with a transition. */
+export async function makePanels(
+  app: AppContext,
+  kind: KindInfo,
+  { from = 'now', within, label = '' }: How = {},
+) {
+  const { store, solver, viewport, actions, files } = app;
+  if (files.openings.coming && !(await nextTakes(app, kind.id))) return;
+  const { model, display } = store.get();
+  if (!model) return;
+  const press = { model, isUnderWay: true, label };
+  actions.pressed(press);
+  const settle = () => actions.pressTurns(press, { isUnderWay: false });
+  const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
+  const show = (shapes: boolean) => actions.display({ shapes });
+  // The fitted shapes are those of the final shape.
+  if (arrived) show(false);
+  const { ended, stop } = endOfRun(solver);
+  if ((await actions.makePanels(kind.id, within, from)) === undefined) {
+    stop();
+    settle();
+    viewport.endTransition();
+    return show(display.shapes);
+  }
+  await arrived;
+  if (store.get().model !== model) return;
+  show(true);
+  if (!display.shapes) hideWithNextModel(app);
+  await ended;
+  settle();
+}
+
+/** Waits for the next model. Returns whether its panels can be this kind. */
+async function nextTakes({ store, actions, files }: AppContext, id: string) {
+  const { model: before } = store.get();
+  actions.setStatus('Starts when the model is loaded');
+  await files.openings.coming;
+  const { model } = store.get();
+  const offered = model?.panels.find(({ kind }) => kind === id);
+  return model !== before && offered !== undefined && !offered.reason;
+}
+
+/** The next mesh starts without fitted shapes. */
+function hideWithNextModel({ store, actions }: AppContext) {
+  const { model } = store.get();
+  const stop = store.subscribe(['model'], (now) => {
+    if (now.model === model) return;
+    stop();
+    actions.display({ shapes: false });
+  });
+}
+
+/** Adds the commands that make all panels one shape, once the solver has declared the kinds. */
+export function offerPanelCommands(app: AppContext) {
+  app.store.subscribe(['kinds'], ({ kinds }) => {
+    const own = kinds.filter(({ panels }) => panels !== null);
+    const made = own.map((kind) => ({
+      id: `make-${kind.id}`,
+      group: 'Shape',
+      label: `Make panels ${kind.panels}`,
+      keys: [],
+      needsModel: true,
+      enabled: ({ model }: Readonly<State>) =>
+        model?.panels.find((one) => one.kind === kind.id)?.reason === null,
+      action: () => makePanels(app, kind),
+    }));
+    app.commands.push(...made);
+  });
+}

@@ -1,0 +1,160 @@
+/** The Refine dialog: scheme, number of levels, and resulting number of faces. */
+
+import './refine.css';
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import { messageOf } from '../../solver/errors.ts';
+import { meshActions } from '../../store/mesh-actions.ts';
+import { newestOnly } from '../../store/newest-only.ts';
+import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
+import { Choice } from '../../ui/components/fields.tsx';
+import { count, length } from '../../ui/format.ts';
+import type { Refinement } from '../../pkg/engine/shape_up.js';
+import type { AppContext } from '../../app/context.ts';
+
+type Scheme = 'catmull-clark' | 'linear' | 'loop';
+const SCHEMES: [Scheme, string][] = [
+  ['catmull-clark', 'Catmull-Clark, smooth'],
+  ['linear', 'Linear, same shape'],
+];
+const FOR_TRIANGLES: [Scheme, string] = ['loop', 'Loop, smooth'];
+type Reference = 'solved' | 'original';
+/** The reference of each level of Refine and solve. */
+const CLOSE_TO: [Reference, string][] = [
+  ['solved', 'The solved level: faster, smoother'],
+  ['original', 'The original: nearer to it'],
+];
+const FROM: Record<Reference, string> = {
+  solved: 'Refine and solve measures “Moved” from the last level that was solved.',
+  original: '“Moved” is measured from the refined original.',
+};
+const OFTEN = ['Once', 'Twice', 'Three times', 'Four times', 'Five times'];
+/** Default angle in degrees above which creases and corners stay sharp. */
+const KEEP = 75;
+
+/** Opens the dialog. */
+export function openRefine(app: AppContext) {
+  showDialog(app, { id: 'refine', title: 'Refine', light: true }, RefineDialog);
+}
+
+function RefineDialog({ close }: InDialog) {
+  const { store, solver, actions, alerts } = useApp();
+  const { geometry } = solver;
+  const { document, model } = store.state;
+  const hasRows = document?.constraints.some((row) => row.enabled) ?? false;
+  const schemes = useMemo(() => {
+    const { faceOffsets, faceIndices } = geometry?.connectivity ?? {};
+    const faces = (faceOffsets?.length ?? 1) - 1;
+    return faceIndices?.length === 3 * faces ? [FOR_TRIANGLES, ...SCHEMES] : SCHEMES;
+  }, []);
+  const [scheme, setScheme] = useState(schemes[0][0]);
+  const [keep, setKeep] = useState(KEEP);
+  /** The chosen level, from 1. */
+  const [level, setLevel] = useState(1);
+  const [closeTo, setCloseTo] = useState<Reference>('solved');
+  const { made, refused } = useRefinements(scheme, keep);
+  const isAdopted = hasRows && closeTo === 'solved';
+  const chosen = made[level - 1];
+  const units = document?.units ?? '';
+
+  /** The option for a number of levels, with its result. */
+  function option({ faces, edge }: Refinement, i: number) {
+    const far = length(Number(edge.toPrecision(2)), units);
+    const times = OFTEN[i] ?? `${i + 1} times`;
+    return [String(i + 1), `${times}: ${count(faces, 'face')} of about ${far}`] as const;
+  }
+  async function start(solves: boolean) {
+    close();
+    const how = { scheme, levels: level, keep, adopt: solves && isAdopted };
+    const refining = meshActions(store, solver, actions);
+    const lost = await actions.reportErrors(refining.refine(how, solves));
+    if (lost?.length) alerts.notice(lost.join(' '));
+  }
+
+  return (
+    <div class="dialog-body">
+      <label>
+        <span>New faces</span>
+        <Choice value={scheme} options={schemes} onChoose={(value) => setScheme(value as Scheme)} />
+      </label>
+      <label>
+        <span>How many times</span>
+        <Choice
+          value={String(level)}
+          options={made.map(option)}
+          onChoose={(value) => setLevel(Number(value))}
+        />
+      </label>
+      <label>
+        <span>Keep creases above, in degrees</span>
+        <input
+          type="number"
+          min="0"
+          max="180"
+          step="1"
+          defaultValue={String(KEEP)}
+          onChange={({ currentTarget: { validity, value } }) =>
+            setKeep(validity.valid && value !== '' ? Number(value) : KEEP)
+          }
+        />
+      </label>
+      {hasRows && (
+        <label>
+          <span>Each level stays close to</span>
+          <Choice
+            value={closeTo}
+            options={CLOSE_TO}
+            onChoose={(value) => setCloseTo(value as Reference)}
+          />
+        </label>
+      )}
+      <p aria-live="polite">
+        {refused}
+        {chosen &&
+          `${count(model?.faces ?? 0, 'face')} become ${count(chosen.faces, 'face')}, with ${count(chosen.vertices, 'vertex', 'vertices')}.`}
+      </p>
+      <p class="quiet">
+        The boundary is refined as a curve of its own; creases and corners that turn by more than
+        this angle stay sharp. Sets, constraints and handles are carried over.{' '}
+        <span>{isAdopted ? FROM.solved : FROM.original}</span>
+      </p>
+      <div class="dialog-buttons">
+        {hasRows && (
+          <Button
+            class="primary"
+            title="Solves, refines and solves again, level by level; Pause stops it"
+            disabled={!chosen}
+            onClick={() => start(true)}
+          >
+            Refine and solve
+          </Button>
+        )}
+        <Button
+          class={hasRows ? 'bordered' : 'primary'}
+          disabled={!chosen}
+          onClick={() => start(false)}
+        >
+          Refine now
+        </Button>
+      </div>
+    </div>
+  );
+}
+
+/** The result of each number of levels, or why there is none. */
+function useRefinements(scheme: Scheme, keep: number) {
+  const { actions } = useApp();
+  const newest = useMemo(() => newestOnly(), []);
+  const [found, setFound] = useState<{ made: Refinement[]; refused: string }>({
+    made: [],
+    refused: '',
+  });
+  useEffect(() => {
+    newest(actions.ask.refinements(scheme, keep)).then(
+      (made) => made && setFound({ made, refused: '' }),
+      (error) => setFound({ made: [], refused: messageOf(error) }),
+    );
+  }, [scheme, keep]);
+  return found;
+}

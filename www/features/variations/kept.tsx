@@ -1,0 +1,160 @@
+/** The kept shapes: a strip of thumbnails, and a table of their numbers. */
+
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { newestOnly } from '../../store/newest-only.ts';
+import { useApp } from '../../store/use-app.ts';
+import { CloseButton } from '../../ui/components/buttons.tsx';
+import { groupDigits, length, number } from '../../ui/format.ts';
+import { Thumbnail } from './thumbnail.tsx';
+import type { Connectivity, SceneDocument, VariantRow } from '../../solver/types.ts';
+
+/** Headings and tooltips of the table. */
+const COLUMNS = [
+  ['', ''],
+  ['Worst', 'The greatest distance of a vertex from its exact constraints'],
+  ['Moved', 'The greatest distance from the model as it was opened'],
+  ['Area', 'Of all faces'],
+  ['Beyond', 'Panels beyond the tolerance'],
+];
+
+/** The kept shapes with their numbers, and the scene that has them. */
+interface KeptShapes {
+  scene: SceneDocument;
+  connectivity: Connectivity;
+  rows: VariantRow[];
+  /** of each, `#V by 3` */
+  shapes: Float64Array[];
+}
+
+export function Kept() {
+  const { store } = useApp();
+  const kept = useKept();
+  const remove = useRemoval();
+  const hasAny = (store.state.document?.variants.length ?? 0) > 0;
+  return (
+    <div class="kept">
+      <h3>Kept</h3>
+      {!hasAny && (
+        <p class="quiet">The shapes that you keep appear here, to compare and to return to.</p>
+      )}
+      {hasAny && (
+        <div class="kept-strip" role="group" aria-label="Kept">
+          {kept?.rows.map((row, index) => (
+            <KeptCard
+              key={row.name}
+              row={row}
+              index={index}
+              of={kept}
+              remove={() => remove(index, kept.scene)}
+            />
+          ))}
+        </div>
+      )}
+      {hasAny && (
+        <table class="kept-table" aria-label="Kept shapes compared">
+          <thead>
+            <tr>
+              {COLUMNS.map(([name, title]) => (
+                <th key={name} scope="col" title={title}>
+                  {name}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {kept?.rows.map((row) => (
+              <Numbers key={row.name} row={row} scene={kept.scene} />
+            ))}
+          </tbody>
+        </table>
+      )}
+    </div>
+  );
+}
+
+function KeptCard({
+  row: { name, isCurrent, isDesign },
+  index,
+  of: { scene, connectivity, shapes },
+  remove,
+}: {
+  row: VariantRow;
+  index: number;
+  of: KeptShapes;
+  remove: () => unknown;
+}) {
+  const { actions } = useApp();
+  const place = useRef<HTMLButtonElement>(null);
+  useLayoutEffect(() => {
+    if (isCurrent) place.current?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  }, [isCurrent]);
+  return (
+    <div class="kept-card">
+      <button
+        ref={place}
+        type="button"
+        class="kept-picture"
+        title={isCurrent ? 'This shape is open' : `Go to ${name}`}
+        aria-current={isCurrent || undefined}
+        onClick={() => actions.edit({ goToVariant: { index } })}
+      >
+        <Thumbnail connectivity={connectivity} shape={shapes[index]} up={scene.up} />
+        <span>{name}</span>
+      </button>
+      <div>{!isDesign && <CloseButton label={`Remove ${name}`} onClick={remove} />}</div>
+    </div>
+  );
+}
+
+function Numbers({ row, scene }: { row: VariantRow; scene: SceneDocument }) {
+  const { name, isCurrent, distance, moved, area, panels, beyond } = row;
+  const { units, tolerance } = scene;
+  return (
+    <tr aria-current={isCurrent || undefined}>
+      <th scope="row">{name}</th>
+      <td class="figure">{distance === null ? '–' : length(distance, units, tolerance)}</td>
+      <td class="figure">{length(moved.max, units)}</td>
+      <td class="figure">{units ? `${number(area)} ${units}²` : number(area)}</td>
+      <td class="figure">
+        {panels > 0 ? `${groupDigits(beyond)} of ${groupDigits(panels)}` : '–'}
+      </td>
+    </tr>
+  );
+}
+
+/** The kept shapes, asked for again when the scene or the shape has changed. */
+function useKept() {
+  const { store, solver, actions } = useApp();
+  const { document: scene, running } = store.state;
+  const newest = useMemo(() => newestOnly(), []);
+  const [kept, setKept] = useState<KeptShapes | null>(null);
+  useEffect(() => {
+    const ask = async (): Promise<KeptShapes | null> => {
+      const { connectivity } = solver.geometry ?? {};
+      if (!scene || !connectivity || scene.variants.length === 0) return null;
+      const rows = await actions.ask.variantTable();
+      const shapes: Float64Array[] = [];
+      for (const index of rows.keys()) shapes.push(await actions.ask.variantPositions(index));
+      return { scene, connectivity, rows, shapes };
+    };
+    void actions.reportErrors(newest(ask())).then((found) => {
+      if (found !== undefined) setKept(found);
+    });
+  }, [scene, running]);
+  return kept;
+}
+
+/**
+ * Removes a shape of the scene that is shown. Until the next one is shown, an index may be that of
+ * another shape.
+ */
+function useRemoval() {
+  const { store, actions } = useApp();
+  const isRemoving = useRef(false);
+  return async (index: number, scene: SceneDocument) => {
+    if (isRemoving.current || scene !== store.get().document) return;
+    isRemoving.current = true;
+    await actions.edit({ removeVariant: { index } });
+    isRemoving.current = false;
+  };
+}

@@ -1,0 +1,61 @@
+/** The card of a variation: a thumbnail of the deformed shape, and a slider. */
+
+import { useMemo } from 'preact/hooks';
+import { useApp } from '../../store/use-app.ts';
+import { Thumbnail } from './thumbnail.tsx';
+import { STEPS, type Variations } from './variations.ts';
+
+/** Slider position shown in the thumbnail, as a fraction of half the slider's length. */
+const PICTURED = 0.6;
+
+const percentage = (part: number) => `${(100 * part).toFixed(1).replace('-', '−')} %`;
+
+export function VariationCard({ index, of }: { index: number; of: Variations }) {
+  const { document } = useApp().store.state;
+  const { shape, connectivity, displacements, slide } = of.found.value[index];
+  const step = of.steps.value[index];
+  const range = of.ranges.value[index];
+  const known = range?.every(Number.isFinite) ? range : null;
+  const [from, to] = known?.map((end) => `${50 + (50 * end) / slide}%`) ?? [];
+  const words = `${step > 0 ? '+' : ''}${percentage((slide * step) / STEPS)}`;
+  const deformed = useMemo(
+    () => shape.map((at, i) => at + PICTURED * slide * displacements[i]),
+    [shape, displacements],
+  );
+  return (
+    <div
+      class="variation-card"
+      data-known={known ? '' : undefined}
+      style={known ? { '--from': from, '--to': to } : undefined}
+    >
+      <Thumbnail
+        connectivity={connectivity}
+        shape={deformed}
+        up={document?.up ?? 'z'}
+        displacements={displacements}
+      />
+      <div class="heading-row">
+        <span>{index + 1}</span>
+        <span class="figure">{step !== 0 && words}</span>
+      </div>
+      <input
+        type="range"
+        min={-STEPS}
+        max={STEPS}
+        value={step}
+        aria-label={`Variation ${index + 1}`}
+        aria-valuetext={`${words} of the size`}
+        title={
+          known ? `Possible from ${known.map(percentage).join(' to ')} of the size` : undefined
+        }
+        onInput={({ currentTarget }) => of.move(index, currentTarget.valueAsNumber)}
+        onChange={() => of.release()}
+        // Double click resets, as is usual.
+        onDblClick={() => {
+          of.move(index, 0);
+          of.release();
+        }}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,57 @@
+/** The cameras that the user has looked through: back to the last one, and forward again. */
+
+import { fly } from '../../viewport/camera.ts';
+import type { AppContext } from '../../app/context.ts';
+
+/** How long the camera rests before it counts as one to go back to, in milliseconds. */
+const REST_MS = 400;
+/** The number of cameras kept. */
+const MOST = 50;
+
+export class ViewHistory {
+  #app;
+  #seen: number[][] = [];
+  /** The place of the current camera in them. */
+  #at = -1;
+  #timer = 0;
+
+  constructor(app: AppContext) {
+    this.#app = app;
+    app.store.subscribe(['camera'], ({ camera }) => {
+      clearTimeout(this.#timer);
+      if (camera) this.#timer = window.setTimeout(() => this.#rest(camera), REST_MS);
+    });
+    app.solver.on('model', () => {
+      this.#seen = [];
+      this.#at = -1;
+    });
+  }
+
+  /** Keeps a camera that has come to rest; those that were gone back from are forgotten. */
+  #rest(camera: number[]) {
+    if (this.#at >= 0 && isSame(camera, this.#seen[this.#at])) return;
+    this.#seen = [...this.#seen.slice(0, this.#at + 1), camera].slice(-MOST);
+    this.#at = this.#seen.length - 1;
+  }
+
+  /** Whether there is a camera before the current one (-1) or after it (1). */
+  has(step: -1 | 1) {
+    return this.#seen[this.#at + step] !== undefined;
+  }
+
+  /** Goes back (-1) or forward (1). */
+  go(step: -1 | 1) {
+    const { actions, viewport } = this.#app;
+    if (!this.has(step)) return actions.setStatus(`No view to go ${step < 0 ? 'back' : 'on'} to`);
+    this.#at += step;
+    const camera = Float64Array.from(this.#seen[this.#at]);
+    fly(viewport, (view) => view.placeCamera(camera));
+    actions.setStatus(step < 0 ? 'The view before' : 'The view after');
+  }
+}
+
+/** Whether two cameras look the same, up to the rounding of a flight. */
+function isSame(a: number[], b: number[]) {
+  const size = Math.max(...a.map(Math.abs), 1e-12);
+  return a.length === b.length && a.every((value, i) => Math.abs(value - b[i]) < 1e-5 * size);
+}

@@ -1,0 +1,132 @@
+/**
+ * The menu of the view: directions, projection, what is drawn besides the model, and the views that the
+ * user has kept.
+ */
+
+import { useEffect } from 'preact/hooks';
+import { isEnabled, press } from '../../store/press.ts';
+import { useApp } from '../../store/use-app.ts';
+import { MICE } from '../../store/state.ts';
+import { CloseButton } from '../../ui/components/buttons.tsx';
+import { Choice } from '../../ui/components/fields.tsx';
+import { MOUSE_NAMES } from './view-commands.ts';
+import { placeMenu } from '../../ui/controls/navigation.ts';
+import { byId } from '../../ui/dom.ts';
+import { keyName } from '../../ui/keys.ts';
+import { fly } from '../../viewport/camera.ts';
+import type { State } from '../../store/state.ts';
+
+/** The popover that the menu is in, which its button opens. */
+const popover = () => byId('view-menu');
+
+export function ViewMenu() {
+  const { commands } = useApp();
+  useEffect(() => placeMenu(popover(), () => byId('view-menu-button')), []);
+  const sides = commands.flatMap(({ id }) => /^view-(.*)/.exec(id)?.slice(1) ?? []);
+  return (
+    <>
+      <div class="view-cross" role="group" aria-label="Look from">
+        {sides.map((name) => (
+          <Item key={name} id={`view-${name}`} label={name[0].toUpperCase() + name.slice(1)} />
+        ))}
+      </div>
+      <Item id="parallel" label="Parallel projection" />
+      <Item id="ghost" label="Original ghost" />
+      <Item id="ground" label="Ground grid" />
+      <Item id="tape" label="Measure a distance" closes />
+      <Item id="section" label="Section plane" />
+      <Item id="turn-slowly" label="Turn slowly" closes />
+      <Item id="theme" label="Light or dark" />
+      <MouseChoice />
+      <KeptViews />
+    </>
+  );
+}
+
+/** The button of a command. */
+function Item({ id, label, closes = false }: { id: string; label: string; closes?: boolean }) {
+  const { store, commands } = useApp();
+  const command = commands.find((known) => known.id === id);
+  if (!command) throw new Error(`no command is called ${id}`);
+  // What a command depends on is followed where it reads it.
+  const state = store.state as State;
+  const { keys, pressed } = command;
+  return (
+    <button
+      type="button"
+      class={id}
+      title={keys.map(keyName).join(', ')}
+      aria-pressed={pressed?.(state)}
+      disabled={!isEnabled(command, state)}
+      onClick={() => {
+        press(command, store);
+        if (closes) popover().hidePopover();
+      }}
+    >
+      {label}
+      {pressed && keys[0] && <kbd>{keyName(keys[0])}</kbd>}
+    </button>
+  );
+}
+
+/** Whose mouse buttons move the camera. */
+function MouseChoice() {
+  const { store, actions } = useApp();
+  return (
+    <div class="field-row">
+      <label for="mouse">Mouse as</label>
+      <Choice
+        id="mouse"
+        value={store.state.mouse}
+        options={MICE.map((mouse) => [mouse, MOUSE_NAMES[mouse]] as const)}
+        onChoose={(mouse) => actions.useMouse(mouse as State['mouse'])}
+      />
+    </div>
+  );
+}
+
+/** Maximum number of kept views. */
+const MOST = 9;
+
+/** The views that the user has kept: the camera of each, saved with the model. */
+function KeptViews() {
+  const { store, actions, viewport } = useApp();
+  const { views } = store.state;
+
+  function keepView() {
+    const camera = viewport.with((view) => {
+      view.arrive();
+      return [...view.camera()];
+    });
+    if (!camera) return;
+    const { parallel } = store.get();
+    const taken = views.map(({ name }) => Number(name.replace(/\D/g, '')));
+    const name = `View ${Math.max(0, ...taken) + 1}`;
+    actions.look({ views: [...views, { name, camera, parallel }], status: `${name} is kept` });
+  }
+  function show({ name, camera, parallel }: State['views'][number]) {
+    actions.look({ parallel, status: name });
+    fly(viewport, (view) => view.placeCamera(Float64Array.from(camera)));
+  }
+
+  return (
+    <div class="kept-views" role="group" aria-label="Kept views">
+      <button type="button" disabled={views.length >= MOST} onClick={keepView}>
+        Keep this view
+      </button>
+      <ul>
+        {views.map((kept) => (
+          <li key={kept.name}>
+            <button type="button" onClick={() => show(kept)}>
+              {kept.name}
+            </button>
+            <CloseButton
+              label={`Remove ${kept.name}`}
+              onClick={() => actions.look({ views: views.filter((view) => view !== kept) })}
+            />
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}

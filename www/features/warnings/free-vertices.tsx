@@ -1,0 +1,82 @@
+/**
+ * Vertices on which a constraint does not act: those that none acts on, which stay in place while the
+ * rest moves, and those of a constraint on pairs, such as a symmetry, that have no partner.
+ */
+
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import { newestOnly } from '../../store/newest-only.ts';
+import { useApp } from '../../store/use-app.ts';
+import { Button, CloseButton } from '../../ui/components/buttons.tsx';
+import { count } from '../../ui/format.ts';
+import type { Tint } from '../../store/state.ts';
+
+/** The colour of their dots, sRGB bytes. */
+const COLOUR: [number, number, number] = [214, 132, 24];
+const NONE = new Uint32Array(0);
+const ALL_FREE = { operation: 'free', mode: 'vertices' as const, from: {}, params: {} };
+
+/** Marks vertices that no constraint acts on, and offers to let them follow or to fix them. */
+export function FreeVertices() {
+  const { store, actions } = useApp();
+  const { document, model, tint } = store.state;
+  const acts = document?.constraints.some(({ enabled }) => enabled);
+  const free = document && acts ? document.free : 0;
+  const newest = useMemo(() => newestOnly(() => store.get().model), [store]);
+  /** The marks of those that are reported. */
+  const [marks, setMarks] = useState<Tint | null>(null);
+  useEffect(() => {
+    setMarks(null);
+    const asked = free > 0 ? actions.reportErrors(actions.ask.select(ALL_FREE)) : null;
+    void newest(asked).then((found) => {
+      if (found) setMarks({ vertices: found.vertices, faces: NONE, colour: COLOUR });
+    });
+  }, [free, model]);
+  useEffect(() => {
+    if (!marks) return;
+    actions.tint(marks);
+    return () => {
+      if (store.get().tint === marks) actions.tint(null);
+    };
+  }, [marks]);
+  // Pointing at a constraint replaces them for that time.
+  useEffect(() => {
+    if (marks && !tint) actions.tint(marks);
+  }, [marks, tint]);
+  if (!marks) return null;
+
+  const vertices = [...marks.vertices];
+  const stand =
+    free === 1
+      ? 'vertex stands still: nothing acts on it.'
+      : 'vertices stand still: nothing acts on them.';
+  return (
+    <div class="message notice" role="group" aria-label="Vertices that stand still">
+      <p>{count(free, stand, stand)}</p>
+      <Button class="small bordered" onClick={() => actions.edit({ preset: { id: 'opened' } })}>
+        Let them follow
+      </Button>
+      <Button class="small bordered" onClick={() => actions.addHandles(vertices, true)}>
+        Fix them
+      </Button>
+      <Button class="small bordered" onClick={() => actions.select({ vertices, faces: [] })}>
+        Select
+      </Button>
+      <CloseButton label="Close" onClick={() => setMarks(null)} />
+    </div>
+  );
+}
+
+/** Reports how many vertices have no partner. They are free; if none has one, the constraint does nothing. */
+export function Unpaired() {
+  const { document } = useApp().store.state;
+  const words = (document?.unpaired ?? []).join(' ');
+  const [isClosed, setClosed] = useState(false);
+  useEffect(() => setClosed(false), [words]);
+  if (!words || isClosed) return null;
+  return (
+    <div class="message notice" role="group" aria-label="Vertices without an image">
+      <p>{words}</p>
+      <CloseButton label="Close" onClick={() => setClosed(true)} />
+    </div>
+  );
+}

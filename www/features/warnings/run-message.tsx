@@ -1,0 +1,93 @@
+/** The message on the last run, among the messages or on the card of the panels. */
+
+import './exact-verdict.css';
+import { useApp } from '../../store/use-app.ts';
+import { Button, CloseButton } from '../../ui/components/buttons.tsx';
+import { byId } from '../../ui/dom.ts';
+import { useCover, useNarrow } from '../../viewport/use-cover.ts';
+import { panelsCard } from '../../store/panels-card.ts';
+import { conditions } from './conditions.ts';
+import type { Message, Said } from './run-messages.ts';
+
+/** Among the messages. */
+export function RunMessage() {
+  const message = conditions(useApp()).messages.now.value;
+  return message && !message.isOnCard ? <Notice message={message} /> : null;
+}
+
+/** On the card of the panels. */
+export function RunMessageOnCard() {
+  const app = useApp();
+  const message = conditions(app).messages.now.value;
+  if (!message?.isOnCard || panelsCard(app.store.state) !== 'verdict') return null;
+  return (
+    <div class="suggestions" role="group" aria-label="Verdict">
+      <Content message={message} />
+    </div>
+  );
+}
+
+function Notice({ message }: { message: Message }) {
+  const { messages } = conditions(useApp());
+  // The model is framed beside a verdict; other messages move no camera.
+  const place = useCover<HTMLDivElement>(
+    useNarrow() ? 'bottom' : 'top',
+    () => {},
+    () => byId('messages'),
+  );
+  return (
+    <div ref={place} class="suggestions message notice" role="group" aria-label="Verdict">
+      <Content message={message} />
+      <CloseButton label="Dismiss the verdict" onClick={() => messages.withdraw()} />
+    </div>
+  );
+}
+
+function Content({ message: { words, offers = [], waits, table } }: { message: Message }) {
+  const { messages } = conditions(useApp());
+  return (
+    <>
+      <p>{words}</p>
+      {offers.map(({ label, title, act }) => (
+        <Button
+          key={label}
+          class="small bordered"
+          title={title}
+          onClick={() => {
+            messages.withdraw();
+            act();
+          }}
+        >
+          {label}
+        </Button>
+      ))}
+      {waits && <p class="quiet">{waits}</p>}
+      {table && <Table {...table} />}
+    </>
+  );
+}
+
+/** The numbers of two shapes beside each other. */
+function Table({ words, of }: NonNullable<Said['table']>) {
+  const isExact = of === 'Exact';
+  return (
+    <table class="cost" aria-label={isExact ? 'Cost of exactness' : 'Improvement'}>
+      <thead>
+        <tr>
+          <td />
+          <th scope="col">{isExact ? 'Now' : 'Before'}</th>
+          <th scope="col">{of}</th>
+        </tr>
+      </thead>
+      <tbody>
+        {words.table.map(([name, now, then]) => (
+          <tr key={name}>
+            <th scope="row">{name}</th>
+            <td class="figure">{now}</td>
+            <td class="figure">{then}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}

@@ -1,0 +1,62 @@
+/** The message on the last run: one at a time, which another one replaces. */
+
+import { signal } from '@preact/signals';
+import { panelsCard } from '../../store/panels-card.ts';
+import type { Store } from '../../store/state.ts';
+import type { TrialWords } from '../../solver/types.ts';
+
+/** A button of a message; pressing it withdraws the message first. */
+export interface Offer {
+  label: string;
+  title?: string;
+  act: () => unknown;
+}
+
+export interface Said {
+  words: string;
+  offers?: Offer[];
+  /** what is still looked for */
+  waits?: string;
+  /** the numbers of two shapes, and what the second one is */
+  table?: { words: TrialWords; of: 'Exact' | 'Improved' };
+}
+
+export interface Message extends Said {
+  /** whether it is on the card of the panels, which has the verdict on them */
+  isOnCard: boolean;
+}
+
+export class RunMessages {
+  readonly now = signal<Message | null>(null);
+  #store;
+
+  constructor(store: Store) {
+    this.#store = store;
+  }
+
+  /** Whether the card already shows the verdict on the panels. */
+  hasCard() {
+    return panelsCard(this.#store.get()) === 'verdict';
+  }
+
+  /** Shows a message in place of the current one. */
+  say(said: Said): Message {
+    const message = { ...said, isOnCard: this.hasCard() };
+    this.now.value = message;
+    return message;
+  }
+
+  isShown(message: Message) {
+    return this.now.value === message && (!message.isOnCard || this.hasCard());
+  }
+
+  /** Changes a message, if it is still shown. */
+  turn(message: Message, change: Partial<Said>) {
+    if (this.isShown(message)) this.now.value = { ...message, ...change };
+  }
+
+  /** @param message if it is still shown; any, without it */
+  withdraw(message?: Message) {
+    if (!message || this.now.value === message) this.now.value = null;
+  }
+}

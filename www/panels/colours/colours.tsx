@@ -1,0 +1,52 @@
+/** What colours the faces, and its tolerance. */
+
+import { declared, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
+import { useApp } from '../../store/use-app.ts';
+import { Choice } from '../../ui/components/fields.tsx';
+import { round } from '../../ui/format.ts';
+import { ValueField } from './value-field.tsx';
+
+export function Colours() {
+  const { store, actions } = useApp();
+  const { state } = store;
+  const unit = shownUnit(state);
+  // A flat map has colours and controls of its own, which take precedence.
+  if (state.flatMap) return null;
+  const about = declared(state, state.measure);
+  const allowed = about && toleranceOf(state, about);
+  const options = state.measures.map(({ id, label }) => [id, label] as const);
+
+  function setTolerance(value: number | null) {
+    if (about?.toleranced) void actions.edit({ setTolerance: { tolerance: value } });
+    else if (about) actions.setToleranceOf(about.id, value);
+  }
+
+  return (
+    <>
+      <div class="field-row">
+        <label for="colour-by">Colour by</label>
+        <Choice
+          id="colour-by"
+          value={state.measure ?? ''}
+          options={[['', 'nothing'], ...options]}
+          onChoose={(measure) => actions.colourBy(measure || null)}
+        />
+      </div>
+      {about && !about.signed && state.model?.faces ? (
+        <div class="field-row">
+          <label for="tolerance">Tolerance</label>
+          <span class="with-unit">
+            <ValueField
+              id="tolerance"
+              placeholder="none"
+              shown={allowed === null || !allowed ? '' : round(allowed * unit.factor)}
+              isPositive
+              onValue={(value) => setTolerance(value === null ? null : value / unit.factor)}
+            />
+            <span class="quiet">{unit.unit}</span>
+          </span>
+        </div>
+      ) : null}
+    </>
+  );
+}

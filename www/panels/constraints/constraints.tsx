@@ -1,0 +1,265 @@
+/** The list of constraints. */
+
+import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { useApp } from '../../store/use-app.ts';
+import { Icon } from '../../ui/components/buttons.tsx';
+import { AmountField } from '../../ui/components/fields.tsx';
+import { useThrottled } from '../../ui/components/use-throttled.ts';
+import { groupDigits, length, limit } from '../../ui/format.ts';
+import { valueInWords } from '../../ui/kinds/parameter-forms.ts';
+import { lengthOrZero } from '../../ui/rounding.ts';
+import { Details } from './details.tsx';
+import type { ConstraintRow, ParamInfo } from '../../solver/types.ts';
+
+const NONE = new Uint32Array(0);
+
+export function Constraints() {
+  const { document } = useApp().store.state;
+  if (!document) return null;
+  if (document.constraints.length === 0)
+    return <p class="quiet">No constraints yet. Add one, then press Run.</p>;
+  return (
+    <ul aria-label="Constraints">
+      {document.constraints.map((row, index, rows) => (
+        <Row key={keyOf(row, rows.slice(0, index))} row={row} />
+      ))}
+    </ul>
+  );
+}
+
+/** A key that stays unique while other rows come and go. */
+function keyOf({ kind, on }: ConstraintRow, before: ConstraintRow[]) {
+  return `${kind} ${on} ${before.filter((row) => row.kind === kind && row.on === on).length}`;
+}
+
+function Row({ row }: { row: ConstraintRow }) {
+  const { store, actions } = useApp();
+  const { kinds } = store.state;
+  const [isOpen, setOpen] = useState(false);
+  const [isRenamed, setRenamed] = useState(false);
+  const place = useRef<HTMLLIElement>(null);
+  const kind = kinds.find(({ id }) => id === row.kind);
+  const name = `${row.label} on ${row.on}`;
+  const details = `constraint-${row.index}-details`;
+  const set = (change: { weight?: number; enabled?: boolean }) =>
+    actions.edit({ setConstraint: { index: row.index, ...change } });
+
+  const untint = () => actions.tint(null);
+  useEffect(() => untint, []);
+  /** Tints the members in the view. */
+  async function tint() {
+    const members = await actions.reportErrors(actions.ask.members(row.index));
+    if (!members || !place.current?.matches(':is(:hover, :focus-within)')) return;
+    // Dots on the corners of tinted faces would be redundant.
+    const vertices = members.faces.length > 0 ? NONE : members.vertices;
+    actions.tint({ faces: members.faces, vertices, colour: row.colour });
+  }
+
+  async function select() {
+    const members = await actions.reportErrors(actions.ask.members(row.index));
+    if (members) actions.select(members);
+  }
+
+  useEffect(() => {
+    if (isOpen) place.current?.querySelector('.details')?.scrollIntoView({ block: 'nearest' });
+  }, [isOpen]);
+
+  return (
+    <li
+      ref={place}
+      class={`constraint${row.enabled ? '' : ' off'}`}
+      data-index={row.index}
+      style={{ '--chip': `rgb(${row.colour.join(' ')})` }}
+      onPointerEnter={({ pointerType }) => {
+        if (pointerType !== 'touch') void tint();
+      }}
+      onPointerLeave={untint}
+      onFocusIn={tint}
+      onFocusOut={untint}
+    >
+      <span class="chip" />
+      <Name
+        {...{ row, name, details, isOpen, isRenamed, setRenamed }}
+        usual={kind?.label ?? ''}
+        toggle={() => setOpen(!isOpen)}
+      />
+      <span class="buttons">
+        <label class="switch">
+          <input
+            type="checkbox"
+            role="switch"
+            aria-label={`${name}: on`}
+            title={row.enabled ? 'On' : 'Off'}
+            checked={row.enabled}
+            onChange={({ currentTarget }) => set({ enabled: currentTarget.checked })}
+          />
+        </label>
+      </span>
+      <span class="on">
+        <span>
+          {row.name && `${kind?.label}, `}
+          {row.on}
+          {row.count > 1 && ` (${groupDigits(row.count)})`}
+          {row.skipped > 0 && `, ${groupDigits(row.skipped)} skipped`}
+          <Settings row={row} params={kind?.params ?? []} />
+        </span>
+      </span>
+      <span class="measures">
+        {/* What must be met is not weighed against the rest. */}
+        {row.require === 'soft' && (
+          <label>
+            weight
+            <AmountField
+              name={`${name}: weight`}
+              value={row.weight}
+              onAmount={(weight) => set({ weight })}
+            />
+          </label>
+        )}
+        <Worst row={row} />
+      </span>
+      <div class="details" id={details} hidden={!isOpen}>
+        {isOpen && (
+          <Details
+            row={row}
+            name={name}
+            select={() => actions.begin(select())}
+            rename={() => setRenamed(true)}
+          />
+        )}
+      </div>
+    </li>
+  );
+}
+
+/** The button with the name of a row, which opens its details, or the field for another name. */
+function Name(props: {
+  row: ConstraintRow;
+  /** what controls of the row are called */
+  name: string;
+  /** the label of the kind, which is the name if there is no other */
+  usual: string;
+  /** the id of the details */
+  details: string;
+  isOpen: boolean;
+  toggle: () => void;
+  isRenamed: boolean;
+  setRenamed: (is: boolean) => void;
+}) {
+  const { row, name, usual, details, isOpen, toggle, isRenamed, setRenamed } = props;
+  const { actions } = useApp();
+  const opener = useRef<HTMLButtonElement>(null);
+  /** Whether the focus was in the field, which is gone. */
+  const returns = useRef(false);
+  useLayoutEffect(() => {
+    if (isRenamed || !returns.current) return;
+    returns.current = false;
+    opener.current?.focus();
+  }, [isRenamed]);
+
+  function finish(to: string | null, hadFocus: boolean) {
+    returns.current = hadFocus;
+    setRenamed(false);
+    if (to === null || to === row.name) return;
+    void actions.edit({ renameConstraint: { index: row.index, name: to === usual ? '' : to } });
+  }
+
+  if (isRenamed) return <NameField name={row.name} usual={usual} finish={finish} />;
+  return (
+    <button
+      type="button"
+      class="name"
+      ref={opener}
+      aria-label={`${name}: parameters`}
+      aria-expanded={isOpen}
+      aria-controls={details}
+      onClick={toggle}
+      onDblClick={() => setRenamed(true)}
+      onKeyDown={({ key }) => key === 'F2' && setRenamed(true)}
+    >
+      <span>{row.label}</span>
+      <Icon name="chevron" />
+    </button>
+  );
+}
+
+/** The name as a field: Enter or leaving it accepts the name, Escape restores the old one. */
+function NameField({
+  name,
+  usual,
+  finish,
+}: {
+  name: string;
+  usual: string;
+  finish: (to: string | null, hadFocus: boolean) => void;
+}) {
+  const field = useRef<HTMLInputElement>(null);
+  const isDone = useRef(false);
+  useEffect(() => field.current?.select(), []);
+  /** Once: a field that is removed loses the focus, too. */
+  const end = (to: string | null, hadFocus: boolean) => {
+    if (isDone.current) return;
+    isDone.current = true;
+    finish(to, hadFocus);
+  };
+  return (
+    <input
+      ref={field}
+      class="rename"
+      type="text"
+      aria-label="Name of the constraint"
+      placeholder={usual}
+      defaultValue={name}
+      maxLength={80}
+      autocomplete="off"
+      onBlur={({ currentTarget }) => end(currentTarget.value.trim(), false)}
+      onKeyDown={(event) => {
+        if (event.key !== 'Enter' && event.key !== 'Escape') return;
+        event.preventDefault();
+        event.stopPropagation();
+        end(event.key === 'Enter' ? event.currentTarget.value.trim() : null, true);
+      }}
+    />
+  );
+}
+
+/** The largest distance of a row from its shape, and whether it is within what is allowed. */
+function Worst({ row }: { row: ConstraintRow }) {
+  const { state } = useApp().store;
+  const value = useThrottled(() => state.numbers?.worst[row.index]);
+  const { document, model } = state;
+  const known = row.enabled && value !== undefined && document !== null;
+  const { units, tolerance } = document ?? { units: '', tolerance: 0 };
+  // The row says what it requires.
+  const required = typeof row.require === 'object' ? row.require.within : null;
+  const allowed = required ?? tolerance;
+  const isWithin = known && value <= allowed;
+  const side = `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`;
+  return (
+    <>
+      <span
+        class="worst figure"
+        title="The largest distance of a vertex from the shape of this constraint"
+      >
+        {known && `worst ${length(lengthOrZero(value, model?.size ?? 0), units, tolerance)}`}
+      </span>
+      <span class={isWithin ? 'within met' : 'within'}>
+        {known && (isWithin && required !== null ? 'met' : side)}
+      </span>
+    </>
+  );
+}
+
+/** The requirement, and the parameters that differ from their defaults. */
+function Settings({ row, params }: { row: ConstraintRow; params: ParamInfo[] }) {
+  const units = useApp().store.state.document?.units ?? '';
+  const changed = params.filter(
+    ({ id, default: usual }) => JSON.stringify(row.params[id]) !== JSON.stringify(usual),
+  );
+  const words = changed.map(
+    (param) => `${param.label.toLowerCase()} ${valueInWords(param, row.params[param.id], units)}`,
+  );
+  if (row.require === 'exact') words.unshift('exact');
+  else if (row.require !== 'soft') words.unshift(`within ${limit(row.require.within, units)}`);
+  return <>{words.map((one) => ` · ${one}`).join('')}</>;
+}

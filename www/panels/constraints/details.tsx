@@ -1,0 +1,135 @@
+/**
+ * The details of a constraint in its row: drawing, requirement and parameters. Changes act at once.
+ */
+
+import '../../ui/styles/lists.css';
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
+import { AmountField, Choice } from '../../ui/components/fields.tsx';
+import { useThrottled } from '../../ui/components/use-throttled.ts';
+import { count, length as lengthText, lengthUnit, part } from '../../ui/format.ts';
+import { Drawing } from '../../ui/kinds/drawing.tsx';
+import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
+import { Parameters } from '../../ui/kinds/parameters.tsx';
+import { energyOrZero } from '../../ui/rounding.ts';
+import type { ConstraintRow, KindInfo, Loaded, Require } from '../../solver/types.ts';
+
+interface Of {
+  row: ConstraintRow;
+  /** what controls of the row are called */
+  name: string;
+}
+
+export function Details({
+  row,
+  name,
+  select,
+  rename,
+}: Of & { select: () => unknown; rename: () => void }) {
+  const { store, actions } = useApp();
+  const { kinds, model, document } = store.state;
+  const kind = kinds.find(({ id }) => id === row.kind);
+  if (!kind || !model) return null;
+  const { eased } = row;
+  const remove = () => actions.edit({ removeConstraint: { index: row.index } });
+  const duplicate = () => actions.edit({ duplicateConstraint: { index: row.index } });
+  return (
+    <>
+      <Drawing of={kind.sketch} />
+      <p class="quiet">{kind.summary}</p>
+      <Requirement row={row} name={name} />
+      {eased && (
+        <p class="quiet">
+          {count(eased.panels, 'panel')} only within{' '}
+          {lengthText(eased.within, document?.units ?? '')}, so that no face folds.
+        </p>
+      )}
+      <ParameterRows row={row} name={name} kind={kind} model={model} />
+      <Share row={row} />
+      <div class="row-buttons">
+        <Button onClick={select} aria-label={`${name}: select what it acts on`}>
+          Select
+        </Button>
+        <Button onClick={duplicate} aria-label={`${name}: duplicate`}>
+          Duplicate
+        </Button>
+        <Button onClick={rename} aria-label={`${name}: rename`}>
+          Rename
+        </Button>
+        <Button onClick={remove} aria-label={`${name}: remove`}>
+          Remove
+        </Button>
+      </div>
+    </>
+  );
+}
+
+function ParameterRows({ row, name, kind, model }: Of & { kind: KindInfo; model: Loaded }) {
+  const { actions } = useApp();
+  const { refusal, refuse, forget } = useRefusal(kind.params);
+  return (
+    <Parameters
+      params={kind.params}
+      values={row.params}
+      model={model}
+      name={name}
+      refusal={refusal}
+      onValue={(id, value) => {
+        forget();
+        void actions.edit({ setConstraint: { index: row.index, params: { [id]: value } } }, refuse);
+      }}
+    />
+  );
+}
+
+/** The requirements: id, label, meaning. */
+const OPTIONS = [
+  ['soft', 'Soft', 'Balanced against the other goals by its weight'],
+  ['within', 'Within', 'No vertex is farther from the shape than this length'],
+  ['exact', 'Exact', 'Met exactly, as close to the original as possible'],
+] as const;
+
+/** The requirement of a constraint: soft, within a length, or exact. */
+function Requirement({ row: { index, require }, name }: Of) {
+  const { store, actions } = useApp();
+  const { document } = store.state;
+  const tolerance = document?.tolerance ?? 0;
+  const isTooLarge = Boolean(document?.tooLargeForExact);
+  const length = typeof require === 'object' ? require.within : tolerance;
+  const { unit, factor } = lengthUnit(length, document?.units ?? '');
+  const required = typeof require === 'object' ? 'within' : require;
+  const ask = (asked: Require) => actions.exact.require(index, asked);
+  return (
+    <label class="requirement">
+      Required
+      <Choice
+        aria-label={`${name}: required`}
+        title={OPTIONS.find(([id]) => id === required)?.[2]}
+        value={required}
+        options={OPTIONS}
+        isDisabled={(id) => isTooLarge && id === 'exact' && required !== 'exact'}
+        onChoose={(value) => ask(value === 'within' ? { within: tolerance } : (value as Require))}
+      />
+      {required === 'within' && (
+        <>
+          <AmountField
+            name={`${name}: within`}
+            value={Number((length * factor).toPrecision(6))}
+            onAmount={(value) => ask({ within: value / factor })}
+          />
+          <span>{unit}</span>
+        </>
+      )}
+      {isTooLarge && <small>The mesh is too large for Exact. Within is possible.</small>}
+    </label>
+  );
+}
+
+/** The share of a row in the energy. */
+function Share({ row }: { row: ConstraintRow }) {
+  const { state } = useApp().store;
+  const numbers = useThrottled(() => state.numbers);
+  const total = energyOrZero(numbers?.energy.total ?? 0, state.model?.size ?? 0);
+  if (!row.enabled || !numbers || total <= 0) return null;
+  return <p class="quiet figure">{part(numbers.shares[row.index])} of the energy</p>;
+}

@@ -1,0 +1,91 @@
+/**
+ * The energies of the iterations since the model was opened or reset, plotted while visible. The
+ * plotting library is loaded with the first iteration, not with the page.
+ */
+
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { newestOnly } from '../store/newest-only.ts';
+import { useApp } from '../store/use-app.ts';
+import { useAnswer } from '../ui/components/use-answer.ts';
+import { messageOf } from '../solver/errors.ts';
+import { energyOrZero } from '../ui/rounding.ts';
+import type { EnergyPlot } from '../ui/plot/plot.ts';
+
+/** Numbers per iteration in a trace. */
+const TRACE_WIDTH = 6;
+
+/**
+ * The least interval between redraws: a plot of thousands of iterations takes some milliseconds.
+ */
+const PLOT_EVERY_MS = 250;
+
+export function Convergence() {
+  const { store, actions } = useApp();
+  const { state } = store;
+  const place = useRef<HTMLDivElement>(null);
+  const newest = useMemo(() => newestOnly(() => store.get().model), []);
+  const trace = useAnswer(
+    place,
+    PLOT_EVERY_MS,
+    () => [state.model, state.numbers],
+    async () => {
+      const { model } = store.get();
+      // A stopped solver reports its own error.
+      const found = model && (await newest(actions.ask.trace().catch(() => null)));
+      return found ? { model, numbers: found } : undefined;
+    },
+  );
+  // Those of the model before are of no use.
+  const isDrawn = trace?.model === state.model && trace.numbers.length >= 2 * TRACE_WIDTH;
+  return (
+    <div ref={place}>
+      {isDrawn ? (
+        <Curves trace={trace.numbers} />
+      ) : (
+        <p class="quiet">The energies of each iteration appear here.</p>
+      )}
+    </div>
+  );
+}
+
+function Curves({ trace }: { trace: Float64Array }) {
+  const { document, model, dark } = useApp().store.state;
+  const place = useRef<HTMLDivElement>(null);
+  const [plot, setPlot] = useState<EnergyPlot | null>(null);
+  const [problem, setProblem] = useState('');
+
+  useEffect(() => {
+    let made: EnergyPlot | null = null;
+    let isGone = false;
+    async function load() {
+      const { EnergyPlot } = await import('../ui/plot/plot.ts');
+      if (isGone || !place.current) return;
+      made = new EnergyPlot(place.current);
+      setPlot(made);
+    }
+    load().catch((error) => setProblem(messageOf(error)));
+    return () => {
+      isGone = true;
+      made?.destroy();
+    };
+  }, []);
+  useEffect(
+    () =>
+      plot?.show(columnsOf(trace, model?.size ?? 0), document?.units ? `${document.units}²` : ''),
+    [plot, trace],
+  );
+  useEffect(() => plot?.restyle(), [dark]);
+
+  return <div ref={place}>{problem && <p>The plot could not be loaded: {problem}</p>}</div>;
+}
+
+/** Returns columns: iteration, shape, close, smooth, handles, total; rounding errors as zero. */
+function columnsOf(trace: Float64Array, size: number) {
+  const rows = trace.length / TRACE_WIDTH;
+  return Array.from({ length: TRACE_WIDTH }, (_, column) =>
+    Array.from({ length: rows }, (_, row) => {
+      const value = trace[row * TRACE_WIDTH + column];
+      return column === 0 ? value : energyOrZero(value, size);
+    }),
+  );
+}

@@ -1,0 +1,152 @@
+/** The three weights of Eq. 13 in plain words, and the current energies. */
+
+import { useState } from 'preact/hooks';
+import { useApp } from '../../store/use-app.ts';
+import { AmountField } from '../../ui/components/fields.tsx';
+import { useThrottled } from '../../ui/components/use-throttled.ts';
+import { number } from '../../ui/format.ts';
+import { energyOrZero } from '../../ui/rounding.ts';
+import { Settings } from './settings.tsx';
+import { WeightPresets } from './weight-presets.tsx';
+import type { Energy, SceneDocument } from '../../solver/types.ts';
+
+/** The ends of the slider as powers of ten; position 0 means a weight of 0. */
+const LEAST = -3;
+const MOST = 4;
+const STEPS_PER_DECADE = 20;
+const LAST = (MOST - LEAST) * STEPS_PER_DECADE;
+
+interface Term {
+  id: 'shape' | 'close' | 'smooth';
+  label: string;
+  words: (document: SceneDocument) => string;
+}
+
+/** The terms; the explanation depends on the settings of the scene. */
+const TERMS: Term[] = [
+  { id: 'shape', label: 'Shape', words: () => 'meet the constraints' },
+  { id: 'close', label: 'Close', words: ({ closeness }) => CLOSENESS[closeness] },
+  { id: 'smooth', label: 'Smooth', words: ({ smoothness }) => SMOOTHNESS[smoothness.of] },
+];
+const CLOSENESS = {
+  surface: 'stay near the original',
+  rest: 'stay where each vertex was',
+  none: 'not used in this scene',
+  target: 'lie on the other surface',
+};
+const SMOOTHNESS = { surface: 'keep it smooth', displacement: 'keep the change smooth' };
+
+export function Energies() {
+  return (
+    <>
+      <WeightPresets />
+      {TERMS.map((term) => (
+        <TermRow key={term.id} term={term} />
+      ))}
+      <dl class="totals">
+        <dt>
+          <Swatch of="handles" />
+          Handles
+        </dt>
+        <dd>
+          <Amount of="handles" />
+        </dd>
+        <dt>
+          <Swatch of="total" />
+          Total
+        </dt>
+        <dd>
+          <Amount of="total" />
+        </dd>
+      </dl>
+      <MoreSettings />
+    </>
+  );
+}
+
+/** A term, its weight and its energy. */
+function TermRow({ term: { id, label, words } }: { term: Term }) {
+  const { store, actions } = useApp();
+  const { document } = store.state;
+  /** Where the slider is held, until that weight is set. */
+  const [held, setHeld] = useState<{ weight: number } | null>(null);
+  const weight = held?.weight ?? document?.weights[id] ?? 0;
+  const send = (value: number) => actions.edit({ setWeights: { [id]: value } });
+
+  // The weight is set on release, so that one gesture is one edit.
+  async function release(value: number) {
+    const released = { weight: value };
+    setHeld(released);
+    await send(value);
+    setHeld((now) => (now === released ? null : now));
+  }
+
+  return (
+    <div class="energy">
+      <span class="name">
+        <Swatch of={id} />
+        {label}
+        <span class="value figure" title={`${label} energy, without its weight`}>
+          <Amount of={id} />
+        </span>
+      </span>
+      <span class="weight">
+        <AmountField name={`${label} weight`} value={weight} onAmount={send} />
+      </span>
+      <span class="words">{document && words(document)}</span>
+      <span class="slider">
+        <input
+          type="range"
+          min="0"
+          max={LAST}
+          step="1"
+          aria-label={`${label} weight, slider`}
+          aria-valuetext={String(weight)}
+          value={placeOf(weight)}
+          onInput={({ currentTarget }) => setHeld({ weight: weightAt(currentTarget) })}
+          onChange={({ currentTarget }) => release(weightAt(currentTarget))}
+        />
+      </span>
+    </div>
+  );
+}
+
+/** Returns the weight at the position of a slider: 0 at its left end, else two digits. */
+function weightAt({ valueAsNumber: place }: HTMLInputElement) {
+  return place === 0 ? 0 : Number((10 ** (LEAST + place / STEPS_PER_DECADE)).toPrecision(2));
+}
+
+function placeOf(weight: number) {
+  if (weight <= 0) return 0;
+  const place = Math.round((Math.log10(weight) - LEAST) * STEPS_PER_DECADE);
+  return Math.min(Math.max(place, 1), LAST);
+}
+
+/** A swatch in the colour of the term in the plot. */
+const Swatch = ({ of }: { of: keyof Energy }) => (
+  <span class="swatch" style={{ '--chip': `var(--series-${of})` }} />
+);
+
+/** The current energy of a term. */
+function Amount({ of }: { of: keyof Energy }) {
+  const { state } = useApp().store;
+  const words = useThrottled(() => {
+    const { numbers, model } = state;
+    return numbers && number(energyOrZero(numbers.energy[of], model?.size ?? 0));
+  });
+  return <>{words}</>;
+}
+
+/** Settings for experts, made when first opened. */
+function MoreSettings() {
+  const [wasOpened, setWasOpened] = useState(false);
+  return (
+    <details
+      class="more-settings"
+      onToggle={({ currentTarget }) => currentTarget.open && setWasOpened(true)}
+    >
+      <summary>More settings</summary>
+      <div class="settings">{wasOpened && <Settings />}</div>
+    </details>
+  );
+}

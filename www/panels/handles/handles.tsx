@@ -1,0 +1,77 @@
+/** The handles: their number, and buttons and fields for the selected ones. */
+
+import './handles.css';
+import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
+import { sizeOfSelection } from '../../store/selection.ts';
+import { useApp } from '../../store/use-app.ts';
+import { count } from '../../ui/format.ts';
+import { SelectedHandles } from './selected.tsx';
+import type { SceneDocument } from '../../solver/types.ts';
+
+export function Handles() {
+  const { document } = useApp().store.state;
+  return (
+    <>
+      <p class="quiet">{document && wordsFor(document) + automatic(document)}</p>
+      <Verbs />
+      <SelectedHandles />
+    </>
+  );
+}
+
+/** Says how many handles there are, and what to do with them. */
+function wordsFor(scene: SceneDocument) {
+  const all = scene.handles.length;
+  const isLocked = areHandlesLocked(scene);
+  if (all === 0)
+    return isLocked
+      ? 'No handles.'
+      : 'No handles yet. Double-click a vertex to make one, then drag it.';
+  const fixed = scene.handles.filter((handle) => handle.fixed).length;
+  const share = fixed === all ? ', fixed' : fixed > 0 ? `, ${fixed} of them fixed` : '';
+  const one = draggableInWords(scene);
+  return `${count(all, 'handle')}${share}.${one && ` Drag ${one} in the view.`}`;
+}
+
+/** Says which vertices are fixed without handles. */
+function automatic({ pinned, constraints }: SceneDocument) {
+  // Without constraints nothing moves, so pinned vertices do not matter.
+  if (pinned.length === 0 || constraints.length === 0) return '';
+  const vertices = count(pinned.length, 'vertex is', 'vertices are');
+  return ` ${vertices} fixed automatically, because nothing else holds that part. Add a handle to hold it where you want.`;
+}
+
+/** What can be done with the selected vertices. */
+function Verbs() {
+  const { store, actions } = useApp();
+  const { document, selection } = store.state;
+  if (sizeOfSelection(selection) === 0) return null;
+  const vertices = new Set(actions.selectedVertices());
+  const hasHandle = document?.handles.some(({ vertex }) => vertices.has(vertex));
+  return (
+    <div class="handles-row">
+      <button
+        type="button"
+        title="Turn the selected vertices into handles (H)"
+        onClick={() => actions.holdSelected(false)}
+      >
+        Make handle
+      </button>
+      <button
+        type="button"
+        title="Fix the selected vertices where they are"
+        onClick={() => actions.holdSelected(true)}
+      >
+        Fix
+      </button>
+      <button
+        type="button"
+        title="Remove the selected handles (Shift+H)"
+        disabled={!hasHandle}
+        onClick={() => actions.releaseSelected()}
+      >
+        Remove
+      </button>
+    </div>
+  );
+}

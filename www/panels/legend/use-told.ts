@@ -1,0 +1,29 @@
+/** What the view knows about its colours. */
+
+import { useSignal } from '@preact/signals';
+import { useEffect } from 'preact/hooks';
+import { useApp } from '../../store/use-app.ts';
+import type { State } from '../../store/state.ts';
+
+/** What changes the colours. */
+const KEYS: (keyof State)[] = [
+  ...(['measure', 'measures', 'range', 'spread', 'tolerances', 'document'] as const),
+  ...(['renderer', 'model', 'dark', 'flatMap', 'display'] as const),
+];
+
+/**
+ * Reads something of the view after it has been told the state: the subscriptions of the view are
+ * older, while a component may be rendered before them.
+ */
+export function useTold<Value>(read: (state: Readonly<State>) => Value): Value {
+  const { store } = useApp();
+  const value = useSignal(read(store.get()));
+  useEffect(
+    () =>
+      store.subscribe(KEYS, (state) => {
+        value.value = read(state);
+      }),
+    [],
+  );
+  return value.value;
+}

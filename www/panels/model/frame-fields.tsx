@@ -1,0 +1,77 @@
+/**
+ * The unit and the vertical axis of the model: fields that show whether they were guessed and
+ * remember the choice by the contents of the file. The coordinates never change.
+ */
+
+import { useState } from 'preact/hooks';
+import { rememberFrame, type Frame } from '../../documents/known-frames.ts';
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
+import { Choice } from '../../ui/components/fields.tsx';
+import { UNITS } from '../../ui/units.ts';
+import type { Loaded } from '../../solver/types.ts';
+
+/** Units, and the empty string for a mesh without a unit. */
+const SYMBOLS = [...UNITS.map(({ symbol }) => symbol), ''];
+const NO_UNIT = 'no unit';
+
+export function FrameFields({ model }: { model: Loaded }) {
+  const { store, actions, files } = useApp();
+  /** The model whose guess the user has confirmed or corrected. */
+  const [confirmed, setConfirmed] = useState<Loaded | null>(null);
+  const { units = model.units, up = model.up } = store.state.document ?? {};
+  const symbols = SYMBOLS.includes(units) ? SYMBOLS : [units, ...SYMBOLS];
+  const guess = model === confirmed ? '' : guessInWords(model);
+
+  /** Changes unit and axis, each as one step of undo. */
+  async function change(part: Partial<Frame>) {
+    const frame = { units, up, ...part };
+    if (frame.units !== units) await actions.edit({ setUnits: { units: frame.units } });
+    if (frame.up !== up) await actions.edit({ setUp: { up: frame.up } });
+    if (files.digest) rememberFrame(files.digest, frame);
+    setConfirmed(store.get().model);
+  }
+
+  return (
+    <div
+      class="frame-fields"
+      title="Unit and vertical axis of the coordinates. The coordinates do not change."
+    >
+      {guess && (
+        <p class="guess">
+          <span>{guess}</span>
+          {/* Confirms the guess: nothing changes, but the file is remembered. */}
+          <Button class="small bordered" onClick={() => change({})}>
+            Yes
+          </Button>
+        </p>
+      )}
+      <label for="units">Unit</label>
+      <Choice
+        id="units"
+        value={units}
+        options={symbols.map((unit) => [unit, unit || NO_UNIT] as const)}
+        onChoose={(chosen) => change({ units: chosen })}
+      />
+      <label for="up">Up axis</label>
+      <Choice
+        id="up"
+        value={up}
+        options={[
+          ['z', 'z'],
+          ['y', 'y'],
+        ]}
+        onChoose={(chosen) => change({ up: chosen === 'y' ? 'y' : 'z' })}
+      />
+    </div>
+  );
+}
+
+/**
+ * Asks about the unit or axis that was guessed because the file has none; empty if nothing was.
+ */
+function guessInWords({ guessed }: Loaded) {
+  if (guessed.units && guessed.up) return 'Unit and up axis are not in the file. Are these right?';
+  if (guessed.units) return 'The unit is not in the file. Is this right?';
+  return guessed.up ? 'The up axis is not in the file. Is this right?' : '';
+}

@@ -1,0 +1,108 @@
+/** The contents of the model, and the problems of its file. */
+
+import { useMemo } from 'preact/hooks';
+import { meshActions } from '../../store/mesh-actions.ts';
+import { showPlot } from '../../store/show-plot.ts';
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
+import { count, groupDigits } from '../../ui/format.ts';
+import { FrameFields } from './frame-fields.tsx';
+import type { ComponentChildren } from 'preact';
+import type { Loaded, MeshSuggestion } from '../../solver/types.ts';
+
+export function Model() {
+  const { model, nothingOpen } = useApp().store.state;
+  if (!model)
+    return <p class="quiet">{nothingOpen ? 'Nothing is open.' : 'Loading an example.'}</p>;
+  return (
+    <>
+      <dl class="facts">
+        <Fact name="Vertices" value={model.vertices} />
+        <Fact name="Faces" value={model.faces} />
+        {model.curves > 0 && <Fact name="Curves" value={model.curves} />}
+        {model.tets > 0 && <Fact name="Tetrahedra" value={model.tets} />}
+        {model.groups.length > 0 && <Fact name="Groups" value={model.groups.length} />}
+      </dl>
+      <FrameFields model={model} />
+      <Groups model={model} />
+      {/* Each file is reported anew. */}
+      <Report key={model} model={model} />
+    </>
+  );
+}
+
+const Fact = ({ name, value }: { name: string; value: number }) => (
+  <>
+    <dt>{name}</dt>
+    <dd>{groupDigits(value)}</dd>
+  </>
+);
+
+function Groups({ model: { groups } }: { model: Loaded }) {
+  if (groups.length === 0) return null;
+  return (
+    <Details title={count(groups.length, 'group')}>
+      <ul>
+        {groups.map(({ name, faces }) => (
+          <li key={name}>
+            {name}: {count(faces, 'face')}
+          </li>
+        ))}
+      </ul>
+    </Details>
+  );
+}
+
+/** The import report. */
+function Report({ model: { problems, notes } }: { model: Loaded }) {
+  const { actions } = useApp();
+  if (problems.length + notes.length === 0) return null;
+  const title =
+    problems.length > 0
+      ? `${count(problems.length, 'problem')} in the file`
+      : count(notes.length, 'note');
+  return (
+    <Details title={title} open={problems.length > 0}>
+      <ul>
+        {problems.map(({ message, suggestion }) => (
+          <li key={message}>
+            {message} {suggestion && <Mend suggestion={suggestion} />}
+          </li>
+        ))}
+        {notes.map((note) => (
+          <li key={note} class="quiet">
+            {note}
+          </li>
+        ))}
+      </ul>
+      <Button class="small bordered" onClick={() => showPlot(actions, 'log')}>
+        Details
+      </Button>
+    </Details>
+  );
+}
+
+/** Changes the mesh so that a problem is gone. */
+function Mend({ suggestion: { label, words, operation } }: { suggestion: MeshSuggestion }) {
+  const { store, solver, actions } = useApp();
+  const mesh = useMemo(() => meshActions(store, solver, actions), []);
+  return (
+    <Button
+      class="small bordered"
+      title={words}
+      onClick={() => actions.reportErrors(mesh.remesh({ operation }, label))}
+    >
+      {label}
+    </Button>
+  );
+}
+
+function Details(props: { title: string; open?: boolean; children: ComponentChildren }) {
+  const { title, open = false, children } = props;
+  return (
+    <details class="report" open={open}>
+      <summary>{title}</summary>
+      {children}
+    </details>
+  );
+}

@@ -1,0 +1,97 @@
+/**
+ * The selection bar over the view: shape of the drag, selecting through the surface, and the menu
+ * of other operations. Shown while the Select tool is active, or something is selected.
+ */
+
+import './select-bar.css';
+import { createRef } from 'preact';
+import { describe } from '../../store/selection.ts';
+import { useApp } from '../../store/use-app.ts';
+import { CloseButton, Icon } from '../../ui/components/buttons.tsx';
+import type { State } from '../../store/state.ts';
+
+const SHAPES: { id: State['shape']; label: string; key: string; title: string }[] = [
+  {
+    id: 'box',
+    label: 'Box',
+    key: 'B',
+    title: 'Drag right to select what is inside, left to select also what it touches',
+  },
+  { id: 'lasso', label: 'Lasso', key: 'L', title: 'Draw around what to select' },
+  { id: 'paint', label: 'Paint', key: 'P', title: 'Brush over what to select' },
+];
+
+/** The button that opens the menu, which opens at it. */
+export const opener = createRef<HTMLButtonElement>();
+
+export function SelectBar() {
+  const { store, actions } = useApp();
+  const { tool, shape, through, brush, selection, model } = store.state;
+  const selects = tool === 'select';
+  const words = describe(selection);
+  return (
+    <div
+      id="select-bar"
+      class="card"
+      role="toolbar"
+      aria-label="Selection"
+      hidden={!model || (!selects && !words)}
+    >
+      <div class="segmented" role="group" aria-label="Shape of the selection">
+        {SHAPES.map(({ id, label, key, title }) => (
+          <button
+            key={id}
+            type="button"
+            title={`${title} (${key})`}
+            aria-pressed={selects && id === shape}
+            onClick={() => actions.useTool({ tool: 'select', shape: id })}
+          >
+            <Icon name={id} />
+            <span>{label}</span>
+          </button>
+        ))}
+      </div>
+      <button
+        type="button"
+        class="toggle"
+        title="Also select what the surface hides (T)"
+        aria-pressed={through}
+        hidden={!selects}
+        onClick={() => actions.useTool({ through: !through })}
+      >
+        <Icon name="through" />
+        <span>Select through</span>
+      </button>
+      <input
+        type="range"
+        min="4"
+        max="120"
+        step="2"
+        aria-label="Brush radius"
+        title="Brush radius ([ and ])"
+        aria-valuetext={`${brush} pixels`}
+        value={brush}
+        hidden={!selects || shape !== 'paint'}
+        onInput={({ currentTarget }) => actions.useTool({ brush: currentTarget.valueAsNumber })}
+      />
+      <button
+        ref={opener}
+        type="button"
+        class="bordered"
+        popovertarget="select-menu"
+        aria-haspopup="dialog"
+        aria-label={words ? `${words}: select by…` : 'Select by…'}
+      >
+        <span class="said">{words || 'Select by…'}</span>
+        <Icon name="chevron" />
+      </button>
+      <CloseButton
+        label="Clear"
+        class="square"
+        title="Clear the selection (Esc)"
+        hidden={!words}
+        onClick={actions.selectNothing}
+      />
+    </div>
+  );
+}

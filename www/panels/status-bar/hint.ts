@@ -1,0 +1,43 @@
+/** The hint for the next action. */
+
+import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
+import { nextStep } from '../../store/next-step.ts';
+import { sizeOfSelection } from '../../store/selection.ts';
+import type { State } from '../../store/state.ts';
+
+/** Hints for the Select tool, by shape of the drag. */
+const SHAPES = { box: 'Drag a box', lasso: 'Draw a lasso', paint: 'Brush' };
+
+/** Returns the hint; empty without a model. */
+export function hintOf(state: Readonly<State>) {
+  const { model, document, tool, shape, mode, selection, dragged, renderer } = state;
+  if (!model || !document) return '';
+  if (dragged.length > 0) return 'Release to place it · Esc cancels';
+  const next = nextStep(state);
+  if (document.constraints.length === 0)
+    return next === 'shape'
+      ? 'Next: make its panels circular or flat, or add another constraint'
+      : 'Next: add a constraint to say what shape its parts should have';
+  const isLocked = areHandlesLocked(document);
+  if (!isLocked && document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
+    return 'Drag the handle, an arrow or a square · Enter, then arrow keys, moves it';
+  if (sizeOfSelection(selection) > 0) {
+    const makes = isLocked ? '' : 'H turns the selection into handles · ';
+    return `${makes}Add constraint can use it · Esc clears the selection`;
+  }
+  if (renderer === 'none') return 'Run, Export and the panels work without the 3D view';
+  if (tool === 'select')
+    return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
+  if (next === 'choose' && state.verdict)
+    return 'Next: see the verdict in the view · drag elsewhere to orbit';
+  const { running, converged } = state;
+  const one = draggableInWords(document);
+  if (!running && !converged)
+    return one
+      ? `Next: Run, or drag ${one} · drag elsewhere to orbit`
+      : 'Next: Run · drag to orbit';
+  const build = next === 'build' ? 'Next: Build · ' : '';
+  if (isLocked) return `${build}Drag to orbit, wheel to zoom`;
+  if (!one) return `${build}Double-click a vertex to drag it · drag elsewhere to orbit`;
+  return `Drag ${one} · drag elsewhere to orbit, wheel to zoom`;
+}

@@ -1,0 +1,194 @@
+/** The status bar: status message, hint, numbers of the iteration, and the environment. */
+
+import { useEffect, useMemo, useState } from 'preact/hooks';
+import {
+  declared,
+  movedInWords,
+  toleranceOf,
+  valueInWords,
+  worstOf,
+} from '../../store/colours/measures.ts';
+import { isDrawn } from '../../store/state.ts';
+import { useApp } from '../../store/use-app.ts';
+import { useThrottled } from '../../ui/components/use-throttled.ts';
+import { duration, groupDigits, number } from '../../ui/format.ts';
+import { energyOrZero } from '../../ui/rounding.ts';
+import { hintOf } from './hint.ts';
+import type { ComponentChildren } from 'preact';
+
+const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting: '' };
+/** What there is room for in a wide window only. */
+const WIDE = 'wide narrow-hidden';
+
+/** The last event. */
+export const Status = () => <>{useApp().store.state.status}</>;
+
+/** What to do next. */
+export function Hint() {
+  const { state } = useApp().store;
+  return <>{useThrottled(() => hintOf(state))}</>;
+}
+
+/** The numbers, and the environment. */
+export function StatusNumbers() {
+  const { document, model, display, renderer, saved } = useApp().store.state;
+  return (
+    <>
+      {display.timings && (
+        <>
+          <Iteration />
+          <TotalEnergy />
+        </>
+      )}
+      <WorstPanel />
+      <Moved />
+      {display.timings && (
+        <>
+          <StepTime />
+          <DragTime />
+        </>
+      )}
+      {document && model && (
+        <Cell look={WIDE}>{`${document.units || 'no unit'} · ${document.up}-up`}</Cell>
+      )}
+      {/* Unsaved changes are shown on screens of any width. */}
+      <Cell look={/^Saved/.test(saved) ? WIDE : ''}>{saved}</Cell>
+      <Cell look={WIDE}>{display.timings && RENDERERS[renderer]}</Cell>
+      <SoftwareRendering />
+      <Offline />
+    </>
+  );
+}
+
+/** A value with its name; nothing without a value. */
+function Cell(props: { name?: string; title?: string; look: string; children: ComponentChildren }) {
+  const { name, title, look, children } = props;
+  if (!children) return null;
+  return (
+    <div class={look} title={title}>
+      {name && <dt>{name}</dt>}
+      <dd>{children}</dd>
+    </div>
+  );
+}
+
+function Iteration() {
+  const { state } = useApp().store;
+  const iteration = useThrottled(() => state.numbers?.iteration);
+  return (
+    <Cell name="iteration" look="narrow-hidden">
+      {iteration !== undefined && groupDigits(iteration)}
+    </Cell>
+  );
+}
+
+function TotalEnergy() {
+  const { state } = useApp().store;
+  const total = useThrottled(() => state.numbers?.energy.total);
+  return (
+    <Cell name="energy" look={WIDE}>
+      {total !== undefined && number(energyOrZero(total, state.model?.size ?? 0))}
+    </Cell>
+  );
+}
+
+/** The greatest value of the measure that colours the faces, or would by default. */
+function WorstPanel() {
+  const { state } = useApp().store;
+  const { document, model } = state;
+  const about = declared(state, state.measure ?? document?.measure ?? null);
+  const words = useThrottled(() => {
+    const now = declared(state, state.measure ?? state.document?.measure ?? null);
+    if (!now || !state.numbers) return '';
+    const units = state.document?.units ?? '';
+    return valueInWords(now, worstOf(state, now.id), units, toleranceOf(state, now));
+  });
+  if (!about || !model?.faces) return null;
+  // The residual also applies to constraints that are not on panels.
+  const what = about.signed ? 'greatest' : 'worst panel';
+  return (
+    <Cell
+      name={about.id === 'residual' ? 'worst distance' : what}
+      title={`${about.label}: ${about.words}`}
+      look="in-legend"
+    >
+      {words}
+    </Cell>
+  );
+}
+
+function Moved() {
+  const { state } = useApp().store;
+  return (
+    <Cell name="moved" look="narrow-hidden in-legend">
+      {useThrottled(() => movedInWords(state))}
+    </Cell>
+  );
+}
+
+function StepTime() {
+  const { state } = useApp().store;
+  const time = useThrottled(() => state.numbers?.stepMs ?? 0);
+  return <Cell look="narrow-hidden">{time > 0 && `${duration(time)} per iteration`}</Cell>;
+}
+
+function DragTime() {
+  const { state } = useApp().store;
+  const time = useThrottled(() => state.dragMs);
+  return (
+    <Cell name="drag" look="narrow-hidden" title="Time from a pointer movement to new positions">
+      {time > 0 && duration(time)}
+    </Cell>
+  );
+}
+
+/** Names of software renderers. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+const SLOW = 'Software rendering is slow. Turn on graphics acceleration in the browser settings.';
+
+function SoftwareRendering() {
+  const { renderer } = useApp().store.state;
+  const isSlow = useMemo(() => isDrawn({ renderer }) && drawsInSoftware(), [renderer]);
+  return (
+    <Cell look={WIDE} title={SLOW}>
+      {isSlow && 'Software rendering'}
+    </Cell>
+  );
+}
+
+/** Shows that the browser is offline, while it is. */
+function Offline() {
+  const { actions } = useApp();
+  const [isOffline, setOffline] = useState(false);
+  const kept = Boolean(navigator.serviceWorker?.controller);
+  const words = `Offline: ${kept ? 'everything still works' : 'what is loaded still works'}`;
+  useEffect(() => {
+    const update = () => setOffline(!navigator.onLine);
+    window.addEventListener('online', update);
+    window.addEventListener('offline', update);
+    update();
+    return () => {
+      window.removeEventListener('online', update);
+      window.removeEventListener('offline', update);
+    };
+  }, []);
+  useEffect(() => {
+    if (!isOffline) return undefined;
+    actions.setStatus(words);
+    return () => actions.setStatus('Online again');
+  }, [isOffline]);
+  return (
+    <Cell look="" title={words}>
+      {isOffline && 'Offline'}
+    </Cell>
+  );
+}
+
+/** Whether WebGL is rendered in software. */
+function drawsInSoftware() {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = names && context?.getParameter(names.UNMASKED_RENDERER_WEBGL);
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return SOFTWARE.test(String(name));
+}

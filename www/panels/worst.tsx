@@ -1,0 +1,148 @@
+/**
+ * The table of the worst elements: the values behind the colours. The worker finds them; it is
+ * queried while the table is visible, a few times a second during a run.
+ */
+
+import '../ui/styles/lists.css';
+import { useMemo, useRef } from 'preact/hooks';
+import { useSignal, type ReadonlySignal } from '@preact/signals';
+import { declared, movedInWords, toleranceOf } from '../store/colours/measures.ts';
+import { newestOnly } from '../store/newest-only.ts';
+import { useApp } from '../store/use-app.ts';
+import { Choice } from '../ui/components/fields.tsx';
+import { useAnswer } from '../ui/components/use-answer.ts';
+import { itemByKey } from '../ui/controls/navigation.ts';
+import { showElements } from '../viewport/camera.ts';
+import type { State } from '../store/state.ts';
+import type { RefObject } from 'preact';
+import type { WorstRow } from '../solver/types.ts';
+
+const ROWS = 20;
+const ASK_EVERY_MS = 300;
+/** The option for the measure that colours the faces, or would by default. */
+const COLOURS = 'colours';
+
+/** The measure that colours the faces, or would by default. */
+const colouring = (state: Readonly<State>) =>
+  declared(state, state.measure ?? state.document?.measure ?? null);
+
+/** What the table can be about: id and label. */
+function choicesOf(state: Readonly<State>): [string, string][] {
+  const about = colouring(state);
+  const rows = state.document?.constraints ?? [];
+  return [
+    ...(about && state.model?.faces ? ([[COLOURS, about.label]] as [string, string][]) : []),
+    ...rows.map(({ index, label, on }): [string, string] => [
+      String(index),
+      `Constraint: ${label} on ${on}`,
+    ]),
+  ];
+}
+
+/** The choice in effect: the first one, if the chosen one is gone. */
+function inEffect(state: Readonly<State>, chosen: string) {
+  const ids = choicesOf(state).map(([id]) => id);
+  return ids.includes(chosen) ? chosen : (ids[0] ?? '');
+}
+
+export function WorstElements() {
+  const { state } = useApp().store;
+  const place = useRef<HTMLDivElement>(null);
+  const chosen = useSignal('');
+  const choices = choicesOf(state);
+  const answer = useWorst(place, chosen);
+  const isEmpty = !answer || answer.rows.length === 0;
+  return (
+    <div ref={place}>
+      <label class="worst-by">
+        By
+        <Choice
+          aria-label="Worst by"
+          value={inEffect(state, chosen.value)}
+          options={choices}
+          disabled={choices.length === 0}
+          onChoose={(id) => {
+            chosen.value = id;
+          }}
+        />
+      </label>
+      <p class="quiet">{answer && (isEmpty ? 'No constraints, or no values.' : answer.words)}</p>
+      {!isEmpty && <Table rows={answer.rows} />}
+    </div>
+  );
+}
+
+/** The worst elements by a choice, and what their values are. */
+function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<string>) {
+  const { store, actions } = useApp();
+  const newest = useMemo(() => newestOnly(), []);
+
+  async function ask() {
+    const now = store.get();
+    if (!now.model) return undefined;
+    const by = inEffect(now, chosen.peek());
+    const about = by === COLOURS ? colouring(now) : undefined;
+    const tolerance = (about ? toleranceOf(now, about) : now.document?.tolerance) ?? undefined;
+    const worst = (): Promise<WorstRow[]> | WorstRow[] => {
+      if (by === '') return [];
+      if (about) return actions.ask.worstFaces(about.id, ROWS, tolerance);
+      return actions.ask.worstConstraints(Number(by), ROWS, tolerance);
+    };
+    const rows = await newest(actions.reportErrors(worst()));
+    if (!rows) return undefined;
+    const what = about?.words ?? 'largest distance of a vertex from the shape of its constraint';
+    const moved = movedInWords(store.get());
+    return { rows, words: `The ${what}.${moved && ` Moved ${moved}.`}` };
+  }
+
+  function follow() {
+    const { numbers, running, document, tolerances, measure, model } = store.state;
+    return [chosen.value, numbers, running, document, tolerances, measure, model];
+  }
+
+  return useAnswer(place, ASK_EVERY_MS, follow, ask);
+}
+
+function Table({ rows }: { rows: WorstRow[] }) {
+  const app = useApp();
+  const buttons = useRef<(HTMLButtonElement | null)[]>([]);
+  return (
+    <table class="worst-elements" aria-label="Worst elements">
+      <thead>
+        <tr>
+          <th scope="col">Element</th>
+          <th scope="col">Constraint</th>
+          <th scope="col" class="figure">
+            Error
+          </th>
+        </tr>
+      </thead>
+      <tbody
+        onKeyDown={(event) => {
+          const all = buttons.current.filter((button) => button !== null);
+          itemByKey(event, all, { along: 'y', wraps: false, ends: true })?.focus();
+        }}
+      >
+        {/* The focus stays at a rank, whatever element has it. */}
+        {rows.map((worst, rank) => (
+          <tr key={rank}>
+            <th scope="row">
+              <button
+                ref={(button) => {
+                  buttons.current[rank] = button;
+                }}
+                type="button"
+                title="Select and zoom to it"
+                onClick={() => showElements(app, worst)}
+              >
+                {worst.element}
+              </button>
+            </th>
+            <td>{worst.about}</td>
+            <td class="figure">{worst.words}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}

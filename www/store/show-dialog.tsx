@@ -1,0 +1,29 @@
+/** Dialogs whose content is a component. */
+
+import { render, type ComponentType } from 'preact';
+import { openDialog } from '../ui/controls/dialog.ts';
+import { AppProvider } from './use-app.ts';
+import type { AppContext } from '../app/context.ts';
+
+/** What a dialog gives to its content. */
+export interface InDialog {
+  close: () => void;
+}
+
+/** Opens a dialog, and removes it and its content when it is closed. */
+export function showDialog(
+  app: AppContext,
+  about: Parameters<typeof openDialog>[0],
+  Content: ComponentType<InDialog>,
+) {
+  const place = document.createElement('div');
+  place.className = 'hosted';
+  const dialog = openDialog(about, place);
+  dialog.addEventListener('close', () => render(null, place));
+  render(
+    <AppProvider value={app}>
+      <Content close={() => dialog.close()} />
+    </AppProvider>,
+    place,
+  );
+}

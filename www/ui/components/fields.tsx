@@ -1,0 +1,123 @@
+/** Common fields. */
+
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import type { ComponentProps } from 'preact';
+
+/**
+ * A field for a non-negative number, reported on change. Invalid input is reverted, and so is input
+ * that Escape ends.
+ */
+export function AmountField({
+  name,
+  value,
+  onAmount,
+  onEmpty,
+  isReplaced = false,
+  ...rest
+}: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role'> & {
+  name: string;
+  /** null for none */
+  value: number | null;
+  onAmount: (to: number) => unknown;
+  /** called for a field that is emptied; without it, this is invalid too */
+  onEmpty?: () => unknown;
+  /** whether what is typed next replaces a value that comes while the field has the focus */
+  isReplaced?: boolean;
+}) {
+  /** Input that is not reported yet. */
+  const [typed, setTyped] = useState<string | null>(null);
+  const shown = value === null ? '' : String(value);
+  const field = useRef<HTMLInputElement>(null);
+  useLayoutEffect(() => {
+    const { current } = field;
+    if (isReplaced && typed === null && document.activeElement === current) current?.select();
+  }, [shown]);
+  const revert = () => {
+    setTyped(null);
+    // A rejected text is no value that could change.
+    if (field.current) field.current.value = shown;
+  };
+  return (
+    <input
+      ref={field}
+      type="number"
+      min="0"
+      step="any"
+      aria-label={name}
+      value={typed ?? shown}
+      onInput={({ currentTarget }) => setTyped(currentTarget.value)}
+      onChange={({ currentTarget: { validity, value: text, valueAsNumber } }) => {
+        if (validity.valid && text !== '') onAmount(valueAsNumber);
+        else if (validity.valid && onEmpty) onEmpty();
+        revert();
+      }}
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape' || typed === null) return;
+        event.stopPropagation();
+        revert();
+      }}
+      // Input that ends at the value shown before changes nothing.
+      onBlur={() => typed !== null && revert()}
+      {...rest}
+    />
+  );
+}
+
+/** Value, label and optional tooltip. */
+type Option = readonly [value: string, label: string, title?: string];
+
+/** A list box for one choice. */
+export function Choice({
+  value,
+  options,
+  onChoose,
+  isDisabled,
+  ...rest
+}: Omit<ComponentProps<'select'>, 'value' | 'options' | 'role'> & {
+  value: string;
+  options: readonly Option[];
+  onChoose: (value: string) => unknown;
+  isDisabled?: (value: string) => boolean;
+}) {
+  return (
+    <select
+      value={value}
+      onChange={({ currentTarget }) => {
+        const chosen = currentTarget.value;
+        // What was chosen is shown when it is in effect.
+        currentTarget.value = value;
+        onChoose(chosen);
+      }}
+      {...rest}
+    >
+      {options.map(([id, label, title = '']) => (
+        <option key={id} value={id} title={title} disabled={isDisabled?.(id)}>
+          {label}
+        </option>
+      ))}
+    </select>
+  );
+}
+
+/** A check box with its label. */
+export function Checkbox({
+  label,
+  checked,
+  onCheck,
+  ...rest
+}: Omit<ComponentProps<'label'>, 'label'> & {
+  label: string;
+  checked: boolean;
+  onCheck: (checked: boolean) => unknown;
+}) {
+  return (
+    <label {...rest}>
+      <input
+        type="checkbox"
+        checked={checked}
+        onChange={({ currentTarget }) => onCheck(currentTarget.checked)}
+      />
+      {label}
+    </label>
+  );
+}

@@ -1,0 +1,195 @@
+/** Controls for the parameters of a kind, made from their declaration: forms and their fields. */
+
+import { Fragment } from 'preact';
+import { useLayoutEffect, useState } from 'preact/hooks';
+import { Choice } from '../components/fields.tsx';
+import {
+  AXES,
+  FIELD_NAMES,
+  axis,
+  converted,
+  keyOf,
+  keyOfValue,
+  labelOf,
+  unitOf,
+  type Model,
+} from './parameter-forms.ts';
+import type { ParamInfo, ParamValue } from '../../solver/types.ts';
+import type { Refusal } from './parameter-refusal.ts';
+
+/** Used if no model is open. */
+const NO_MODEL: Model = { units: '', meanEdge: 0, up: 'z' };
+
+/** The parameters of one kind as rows of controls; nothing for a kind without parameters. */
+export function Parameters({
+  params,
+  values,
+  model,
+  name = '',
+  refusal = null,
+  onValue,
+}: {
+  params: ParamInfo[];
+  /** missing ones have their default */
+  values: Record<string, ParamValue>;
+  model: Model | null;
+  /** prefixes the accessible names of the controls */
+  name?: string;
+  /** shown at its parameter until that is edited */
+  refusal?: Refusal | null;
+  /** called with a value that is entered, unless a field of it is invalid */
+  onValue: (id: string, value: ParamValue) => unknown;
+}) {
+  if (params.length === 0) return null;
+  const prefix = name && `${name}: `;
+  return (
+    <div class="parameters">
+      {params.map((param) => (
+        <Parameter
+          key={param.id}
+          param={param}
+          name={`${prefix}${param.label}`}
+          value={param.id in values ? values[param.id] : param.default}
+          model={model ?? NO_MODEL}
+          refusal={refusal?.id === param.id ? refusal : null}
+          onValue={(value) => onValue(param.id, value)}
+        />
+      ))}
+      <Problem message={refusal?.id === '' ? refusal.message : ''} />
+    </div>
+  );
+}
+
+function Problem({ id, message }: { id?: string; message: string }) {
+  return (
+    <p class="error" aria-live="polite" id={id} hidden={message === ''}>
+      {message}
+    </p>
+  );
+}
+
+interface Of {
+  param: ParamInfo;
+  /** its accessible name */
+  name: string;
+  value: ParamValue;
+  onValue: (value: ParamValue) => unknown;
+}
+
+/** What has been typed and is not entered yet. */
+interface Typed {
+  /** per field; undefined for those that were left alone */
+  texts: (string | undefined)[];
+  /** what is wrong with them */
+  problems: (string | undefined)[];
+}
+const NOTHING: Typed = { texts: [], problems: [] };
+
+/** The row of one parameter. */
+function Parameter({
+  param,
+  name,
+  value,
+  model,
+  refusal,
+  onValue,
+}: Of & { model: Model; refusal: Refusal | null }) {
+  const [{ texts, problems }, setTyped] = useState(NOTHING);
+  /** The refusal after which a field was edited. */
+  const [settled, setSettled] = useState<Refusal | null>(null);
+  // What was typed over another value is out of date.
+  useLayoutEffect(() => setTyped(NOTHING), [String(value)]);
+  const key = keyOfValue(value);
+  const numbers = Array.isArray(value) ? value : typeof value === 'number' ? [value] : [];
+  const isVector = key === 'vector';
+  const unit = isVector || numbers.length === 0 ? '' : unitOf(param, model.units);
+  const error = `error-${name.replace(/\W+/g, '-')}`;
+
+  const wrong = problems.findIndex(Boolean);
+  const refused = refusal === settled ? null : refusal;
+  const refusedPlace = refused && (refused.place < numbers.length ? refused.place : 0);
+  const place = wrong >= 0 ? wrong : refusedPlace;
+
+  function type(at: number, field: HTMLInputElement) {
+    setTyped({
+      texts: numbers.map((_, i) => (i === at ? field.value : texts[i])),
+      // An error that appears on blur would move the page under the pointer that leaves the field
+      // for a button.
+      problems: numbers.map((_, i) => (i === at ? field.validationMessage : problems[i])),
+    });
+    setSettled(refusal);
+  }
+
+  function enter(at: number, field: HTMLInputElement) {
+    type(at, field);
+    if (!field.validity.valid || problems.some((problem, i) => i !== at && problem)) return;
+    const entered = numbers.map((number, i) => {
+      const text = i === at ? field.value : texts[i];
+      return text === undefined ? number : text === '' ? null : Number(text);
+    });
+    setTyped(NOTHING);
+    onValue((entered.length === 1 ? entered[0] : entered) as ParamValue);
+  }
+
+  return (
+    <div class="parameter" role="group" aria-label={name}>
+      <span class="label">{param.label}</span>
+      {param.forms.length > 1 && (
+        <Choice
+          aria-label={`${name}: kind of value`}
+          value={key}
+          options={param.forms.map((form) => [keyOf(form), labelOf(form)] as const)}
+          onChoose={(chosen) => {
+            const form = param.forms.find((one) => keyOf(one) === chosen);
+            setSettled(refusal);
+            if (form) onValue(converted(param, form, value, model));
+          }}
+        />
+      )}
+      <span class={`fields ${key.split(' ')[0]}`}>
+        {isVector && <Axes {...{ name, value, onValue }} />}
+        {numbers.map((number, i) => (
+          <Fragment key={i}>
+            {key === 'range' && i === 1 && '–'}
+            <input
+              type="number"
+              step="any"
+              min={isVector ? undefined : param.range[0]}
+              max={isVector || !Number.isFinite(param.range[1]) ? undefined : param.range[1]}
+              placeholder={key === 'range' ? 'no limit' : ''}
+              required={key !== 'range'}
+              value={texts[i] ?? (number === null ? '' : String(number))}
+              aria-label={name + FIELD_NAMES[key][i]}
+              aria-describedby={error}
+              aria-invalid={i === place ? 'true' : undefined}
+              onInput={({ currentTarget }) => type(i, currentTarget)}
+              onChange={({ currentTarget }) => enter(i, currentTarget)}
+            />
+          </Fragment>
+        ))}
+        {unit && <span class="quiet">{unit}</span>}
+      </span>
+      <Problem id={error} message={(wrong >= 0 ? problems[wrong] : refused?.message) ?? ''} />
+    </div>
+  );
+}
+
+/** The buttons for the directions of the axes. */
+function Axes({ name, value, onValue }: Omit<Of, 'param'>) {
+  const vector = Array.isArray(value) ? value : [];
+  return (
+    <span class="segmented">
+      {AXES.map((along) => (
+        <button
+          key={along}
+          type="button"
+          aria-label={`${name} along ${along.toUpperCase()}`}
+          aria-pressed={axis(along).every((part, i) => part === vector[i])}
+          onClick={() => onValue(axis(along))}
+        >
+          {along.toUpperCase()}
+        </button>
+      ))}
+    </span>
+  );
+}

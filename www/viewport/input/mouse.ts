@@ -1,0 +1,28 @@
+/** What a drag with each mouse button does to the camera: as in Rhino, on web pages, or in Blender. */
+
+import type { Mouse } from '../../store/state.ts';
+
+/** What a drag does to the camera. */
+export type CameraDrag = 'orbit' | 'pan' | 'zoom';
+
+/** A drag with Shift, with Ctrl, and with neither. */
+type Drags = { plain: CameraDrag; shift: CameraDrag; ctrl: CameraDrag };
+
+const all = (plain: CameraDrag): Drags => ({ plain, shift: plain, ctrl: plain });
+
+/** The drags with the middle and the right button; the left one is that of the tool. */
+const DRAGS: Record<Mouse, Record<1 | 2, Drags>> = {
+  rhino: { 1: all('pan'), 2: { plain: 'orbit', shift: 'pan', ctrl: 'zoom' } },
+  web: { 1: all('zoom'), 2: all('pan') },
+  blender: {
+    1: { plain: 'orbit', shift: 'pan', ctrl: 'zoom' },
+    2: { plain: 'orbit', shift: 'pan', ctrl: 'zoom' },
+  },
+};
+
+/** Returns what a drag with the middle (1) or right (2) button does. */
+export function cameraDrag(mouse: Mouse, button: 1 | 2, event: MouseEvent): CameraDrag {
+  const drags = DRAGS[mouse][button];
+  if (event.shiftKey) return drags.shift;
+  return event.ctrlKey || event.metaKey ? drags.ctrl : drags.plain;
+}
