@@ -191,7 +191,7 @@ for (const far of [-321, -4321]) {
     await expect(target(page, 'y')).toHaveValue('-123456.789');
     expect(await fits()).toEqual([true, true, true]);
     await page.setViewportSize({ width: 390, height: 844 });
-    await showStep(page, 'Shape');
+    await showStep(page, 'Move');
     await expect.poll(fits, 'on a phone').toEqual([true, true, true]);
   });
 }

@@ -74,6 +74,7 @@ test('a constraint is weighted, switched off and removed', async ({ page }) => {
   await expect.poll(async () => (await first()).weight).toBe(7);
   await row.getByRole('switch').uncheck();
   await waitForState(page, (now) => now.constraints.plane === undefined);
+  await row.getByRole('button', { name: /parameters/ }).click();
   await row.getByRole('button', { name: /remove/ }).click();
   await expect(row).toHaveCount(0);
 });

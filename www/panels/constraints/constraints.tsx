@@ -12,6 +12,8 @@ import { Details } from './details.tsx';
 import type { ConstraintRow, ParamInfo } from '../../solver/types.ts';
 
 const NONE = new Uint32Array(0);
+/** What a press opens is brought into sight only when no second one may follow it to the same place. */
+const DOUBLE_CLICK_MS = 400;
 
 export function Constraints() {
   const { document } = useApp().store.state;
@@ -61,7 +63,10 @@ function Row({ row }: { row: ConstraintRow }) {
   }
 
   useEffect(() => {
-    if (isOpen) place.current?.querySelector('.details')?.scrollIntoView({ block: 'nearest' });
+    if (!isOpen) return undefined;
+    const show = () => place.current?.scrollIntoView({ block: 'nearest' });
+    const timer = setTimeout(show, DOUBLE_CLICK_MS);
+    return () => clearTimeout(timer);
   }, [isOpen]);
 
   return (
