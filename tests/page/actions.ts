@@ -74,7 +74,7 @@ export async function openVariations(page: Page, n: number) {
   await openText(page, 'grid.obj', wavyGrid(n), (n + 1) ** 2);
   await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
-  await showStep(page, 'Shape');
+  await showStep(page, 'Move');
   await page.getByRole('button', { name: 'Variations', exact: true }).click();
   return page.getByRole('region', { name: 'Variations' });
 }

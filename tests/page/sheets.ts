@@ -16,7 +16,7 @@ export function reportOf({ build }: PageState): BuildReport {
 
 /** Opens the panel of parts, and waits for them. */
 export async function openParts(page: Page) {
-  await showStep(page, 'Shape');
+  await showStep(page, 'Build');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await expect(partsPanel(page)).toBeVisible();
   return reportOf(await waitForState(page, (now) => now.build !== null));

@@ -210,7 +210,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'energies, all settings and the legend',
       reach: async (page) => {
-        await showStep(page, 'Check');
+        await showStep(page, 'Shape');
         await page.getByText('More settings').click();
         await page.getByRole('button', { name: 'Step' }).click();
         await waitForState(page, (now) => now.iteration === 1);
@@ -241,7 +241,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'parts and sheets',
       reach: async (page) => {
-        await showStep(page, 'Shape');
+        await showStep(page, 'Build');
         await page.getByRole('button', { name: 'Build', exact: true }).click();
         await waitForState(page, (now) => now.build !== null);
         await expect(page.getByRole('group', { name: 'Sheets' }).getByRole('img')).not.toHaveCount(
@@ -279,7 +279,7 @@ export const walks: Record<string, State[]> = {
       name: 'the question for its unit',
       reach: async (page) => {
         await openText(page, 'roof.obj', wavyGrid(6), 49);
-        await showStep(page, 'Shape');
+        await showStep(page, 'Open');
         await expect(page.getByRole('button', { name: 'Yes', exact: true })).toBeVisible();
       },
       leave: hidePanels,
@@ -288,7 +288,7 @@ export const walks: Record<string, State[]> = {
       name: 'its report',
       reach: async (page) => {
         await openText(page, 'grid.obj', `${wavyGrid(4)}f 1 2\n`, 25);
-        await showStep(page, 'Shape');
+        await showStep(page, 'Open');
         await expect(page.getByText('1 problem in the file')).toBeVisible();
       },
       leave: hidePanels,
@@ -296,7 +296,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'parts and sheets',
       reach: async (page) => {
-        await showStep(page, 'Shape');
+        await showStep(page, 'Build');
         await page.getByRole('button', { name: 'Build', exact: true }).click();
         await waitForState(page, (now) => now.build !== null);
       },
@@ -417,7 +417,7 @@ export const walks: Record<string, State[]> = {
       reach: async (page) => {
         await openExample(page, 'Lesson: a glass roof of flat panes');
         await runToTheEnd(page);
-        await showStep(page, 'Shape');
+        await showStep(page, 'Open');
         const lesson = page.getByRole('region', { name: 'Lesson' });
         await expect(lesson).toContainText('0 of 2 goals met');
       },

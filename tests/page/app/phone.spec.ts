@@ -41,7 +41,8 @@ test(
     await hidePanels(page);
     const legend = page.locator('#legend');
     await expect(legend).toContainText('Edge length change');
-    await page.getByRole('button', { name: 'Fit range' }).click();
+    await tool(page, 'Fit range');
+    await hidePanels(page);
     await drawn(page);
     const smooth = await coloursOfView(page);
     await showStep(page, 'Check');
@@ -51,6 +52,7 @@ test(
     await drawn(page);
     expect(await coloursOfView(page)).not.toBe(smooth);
 
+    await showStep(page, 'Check');
     const tolerance = page.getByLabel('Tolerance');
     await tolerance.fill('1000');
     await tolerance.press('Enter');
@@ -65,8 +67,8 @@ test.describe('behind tabs', () => {
     const fins = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n';
     await openText(page, 'fins.obj', fins, 5);
     const alert = page.getByRole('alert');
-    await expect(alert).toContainText(/^\d problems?, see Model: .*edge/);
-    await showStep(page, 'Shape');
+    await expect(alert).toContainText(/^\d problems?, see Open: .*edge/);
+    await showStep(page, 'Open');
     await expect(page.locator('#model').getByText(/problems? in the file/)).toBeVisible();
   });
 
@@ -103,7 +105,7 @@ test.describe('behind tabs', () => {
     await page.keyboard.press('h');
     await waitForState(page, (now) => now.handles.length === 1);
     const [, , before] = await positionOf(page, 24);
-    await showStep(page, 'Shape');
+    await showStep(page, 'Move');
     const height = page.getByRole('textbox', { name: 'Target z' });
     await height.fill(String(before + 1));
     await height.press('Enter');
@@ -131,7 +133,7 @@ test.describe('behind tabs', () => {
     await search.fill('');
     await page.getByRole('link', { name: examples[at].title, exact: true }).click();
     await waitForState(page, (now, count) => now.vertices === count, examples[at].vertices);
-    await showStep(page, 'Shape');
+    await showStep(page, 'Open');
     const beside = page.getByRole('navigation', { name: 'Examples one by one' });
     await beside.getByRole('link', { name: 'Next' }).click();
     await waitForState(page, (now, count) => now.vertices === count, examples[at + 1].vertices);
@@ -193,7 +195,7 @@ test.describe('by touch', () => {
     await openPage(page);
     await openText(page, 'grid.obj', wavyGrid(3), 16);
     await addConstraint(page, 'Rigid', 'each face');
-    await showStep(page, 'Check');
+    await showStep(page, 'Shape');
     await page.getByText('More settings').click();
     /** Taps the control that opens a file chooser and provides a file. */
     const choose = async (label: string, given: ReturnType<typeof file>) => {

@@ -158,7 +158,7 @@ test('run, pause, step and reset work by keys, and changing a weight is an edit'
   await waitForState(page, (now) => now.iteration === 0);
 
   // Changing the weights of the energies is an edit too.
-  await showStep(page, 'Check');
+  await showStep(page, 'Shape');
   const weight = page.getByRole('spinbutton', { name: 'Close weight' });
   await weight.fill('12');
   await weight.press('Enter');

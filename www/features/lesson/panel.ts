@@ -37,7 +37,7 @@ export function lessonPanel(app: AppContext) {
       'Results for hand-in',
     ),
   );
-  byId('steps').prepend(place);
+  byId('step-open').querySelector('summary')?.after(place);
   const line = element('span', 'Goals');
   const card = element(
     'div',
@@ -76,8 +76,11 @@ export function lessonPanel(app: AppContext) {
     const lesson = document?.lesson ?? null;
     const isNew = lesson && place.hidden;
     if (document) place.hidden = card.hidden = !lesson;
-    // The button of the lesson dialog is farther down.
-    if (isNew) place.parentElement?.scrollTo(0, 0);
+    // Its step may be closed, and the button of the lesson dialog is farther down.
+    if (isNew) {
+      byId<HTMLDetailsElement>('step-open').open = true;
+      byId('steps').scrollTo(0, 0);
+    }
     const lock = lesson?.lock ?? [];
     if (document && (lock.length > 0 || showLocks)) (showLocks ??= lockedPlaces())(lock);
     setText(locked, lock.length > 0 ? `Locked: ${locksInWords(lock)}` : '');
