@@ -43,10 +43,7 @@ export async function openGrid(page: Page, n: number) {
 
 /** Opens the example whose title contains the word. */
 export async function openExample(page: Page, word: string) {
-  const examples = page.getByRole('button', { name: 'Examples' });
-  if (!(await examples.isVisible()))
-    await page.getByRole('button', { name: 'More', exact: true }).click();
-  await examples.click();
+  await tool(page, 'Examples');
   await page.getByRole('menuitem', { name: word }).click();
   await expect(page.getByRole('status')).toHaveText(new RegExp(`Opened the example .*${word}`));
 }

@@ -354,6 +354,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'the numbers of several handles, one of them refused',
       reach: async (page) => {
+        await showStep(page, 'Move');
         const details = page.getByRole('group', { name: 'Selected handles' });
         const field = details.getByRole('textbox', { name: 'Target x' });
         await expect(field).toHaveAttribute('placeholder', 'mixed');

@@ -6,6 +6,7 @@ import { showExport } from '../features/export/dialog-export.ts';
 import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
 import { showHelp } from '../features/help/help.ts';
 import { write as writeLesson } from '../features/lesson/dialog.ts';
+import { openRefine } from '../features/make-panels/refine-dialog.tsx';
 import { openEdit } from '../features/make-panels/edit-dialog.tsx';
 import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';
 import { openPalette } from '../features/palette/palette.tsx';
@@ -14,8 +15,10 @@ import { selectCommands } from '../features/selecting/select-commands.ts';
 import { share } from '../features/share/dialog-share.ts';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
-import { isDrawn } from '../store/state.ts';
+import { isMeshLocked } from '../store/panels-card.ts';
+import { isDrawn, type State } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
+import { isEmbedded } from '../ui/embedded.ts';
 import { isTypedInto } from '../ui/keys.ts';
 import { inTurn, once, oneAtATime } from '../ui/once.ts';
 import { reveal } from '../ui/reveal.ts';
@@ -23,6 +26,10 @@ import { fly } from '../viewport/camera.ts';
 import { toggleTheme } from './appearance.ts';
 import type { PointerInput } from '../viewport/input/pointer.ts';
 import type { AppContext, Command } from './context.ts';
+
+/** Whether the mesh is a surface, and no lesson locks it. */
+const canChangeMesh = ({ model, document }: State) =>
+  Boolean(model?.faces && !model.tets && !isMeshLocked({ document }));
 
 /** The second levels of the steps. */
 const LEVELS = [
@@ -263,6 +270,7 @@ export function commandTable(
       keys: [],
       action: () => toggleAddConstraint(app),
       needsModel: true,
+      enabled: ({ document }) => !document?.lesson?.lock.includes('constraints'),
     },
     {
       id: 'build',
@@ -306,9 +314,9 @@ export function commandTable(
       label: 'Help: mouse, keys, files',
       keys: ['?', 'F1'],
       action: () => {
-        const { renderer } = store.get();
+        const { renderer, mouse } = store.get();
         const formats = app.actions.ask.fileFormats();
-        showHelp(byId('help'), app.commands, formats, renderer, () => openPalette(app));
+        showHelp(byId('help'), app.commands, formats, { renderer, mouse }, () => openPalette(app));
       },
       title: () => 'Mouse and keys',
     },
@@ -325,17 +333,23 @@ export function commandTable(
       group: 'Edit',
       label: 'Edit mesh',
       keys: [],
-      enabled: ({ model, document }) =>
-        Boolean(model?.faces && !model.tets && !document?.lesson?.lock.includes('mesh')),
+      enabled: canChangeMesh,
       action: opens(() => openEdit(app)),
+    },
+    {
+      id: 'refine',
+      group: 'Edit',
+      label: 'Refine',
+      keys: [],
+      enabled: canChangeMesh,
+      action: opens(() => openRefine(app)),
     },
     {
       id: 'new-panels',
       group: 'Edit',
       label: 'New panels along the lines of curvature',
       keys: [],
-      enabled: ({ model, document }) =>
-        Boolean(model?.faces && !model.tets && !document?.lesson?.lock.includes('mesh')),
+      enabled: canChangeMesh,
       action: () => actions.openCorner('new-panels'),
     },
     {
@@ -402,7 +416,8 @@ export function commandTable(
       label: 'All commands by name',
       keys: ['Ctrl+K'],
       unlisted: true,
-      action: () => openPalette(app),
+      // Another page has no steps that a command could show.
+      action: () => !isEmbedded && openPalette(app),
     },
     ...LEVELS.map(([id, label]) => ({
       id: `show-${id}`,

@@ -9,6 +9,7 @@ import { sizeOfSelection } from '../store/selection.ts';
 import { STEPS, type State, type Step, type Store } from '../store/state.ts';
 import { itemByKey } from '../ui/controls/navigation.ts';
 import { byId } from '../ui/dom.ts';
+import { isEmbedded } from '../ui/embedded.ts';
 import { REVEALED } from '../ui/reveal.ts';
 import { setItem } from '../ui/safe-storage.ts';
 import { narrow } from '../viewport/camera.ts';
@@ -30,17 +31,33 @@ export function followSteps(store: Store) {
   const panel = byId('steps');
   const levels = [...panel.querySelectorAll<HTMLDetailsElement>('details[id]')];
   const remember = () => {
-    // All steps of a narrow window are open, one of them in sight.
-    if (narrow.matches) return;
+    // All steps of a narrow window are open, one of them in sight; another page has no tabs.
+    if (narrow.matches || isEmbedded) return;
     const open = levels.filter((level) => level.open).map(({ id }) => id);
     setItem(OPEN, JSON.stringify(open));
   };
   for (const level of levels) level.addEventListener('toggle', remember);
   const openAll = () => {
-    if (narrow.matches) for (const step of STEPS) placeOf(step).open = true;
+    for (const step of STEPS) placeOf(step).open = true;
   };
-  narrow.addEventListener('change', openAll);
-  openAll();
+  const wide = () => STEPS.filter((step) => placeOf(step).open);
+  /** What was open when the window became narrow. */
+  let open = wide();
+  const summaries = STEPS.map((step) => placeOf(step).querySelector('summary'));
+  const leaveOutOfTabs = () => {
+    for (const summary of summaries) if (summary) summary.tabIndex = narrow.matches ? -1 : 0;
+  };
+  leaveOutOfTabs();
+  narrow.addEventListener('change', () => {
+    leaveOutOfTabs();
+    if (narrow.matches) {
+      open = wide();
+      openAll();
+    } else {
+      for (const step of STEPS) placeOf(step).open = open.includes(step);
+    }
+  });
+  if (narrow.matches || isEmbedded) openAll();
 
   let next: NextStep | null = null;
   /** The model that the user has run: an example that is solved when it opens opens no step. */
@@ -57,6 +74,10 @@ export function followSteps(store: Store) {
     const isEmpty = sizeOfSelection(selection) === 0;
     if (wasEmpty && !isEmpty) placeOf('move').open = true;
     wasEmpty = isEmpty;
+  });
+  // Something has to be opened.
+  store.subscribe(['nothingOpen'], ({ nothingOpen }) => {
+    if (nothingOpen) placeOf('open').open = true;
   });
   // The user is to know of problems in a file, and to say its unit.
   store.subscribe(['model'], ({ model }) => {

@@ -101,7 +101,7 @@ export class Selecting {
     this.#store.subscribe(['operations'], ({ operations }) => {
       if (bound || operations.length === 0) return;
       bound = true;
-      for (const operation of operations) {
+      for (const operation of operations.filter(isCommand)) {
         const { id, label, keys } = operation;
         commands.push({
           id: `select-${id}`,
@@ -129,3 +129,7 @@ export class Selecting {
     });
   }
 }
+
+/** Whether an operation can be a command: one that asks for something has a form instead. */
+const isCommand = ({ keys, params, takesName }: Operation) =>
+  keys.length > 0 || (params.length === 0 && !takesName);

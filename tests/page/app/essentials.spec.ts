@@ -32,6 +32,7 @@ test('a first visit shows five steps, two of them open, and few controls', async
     await expect(page.getByRole('button', { name, exact: true })).toBeVisible();
   for (const name of ['New mesh', 'Refine', 'Edit mesh', 'Variations', 'Write a lesson'])
     await expect(page.getByRole('button', { name, exact: true })).toBeHidden();
+  await expect(page.getByLabel('Open file')).toBeAttached();
   expect(await controls(page)).toBeLessThanOrEqual(28);
 });
 

@@ -34,6 +34,10 @@ test.describe('the solver', () => {
       12,
     );
     await runToTheEnd(page);
+    // The new solver declares its kinds again, which makes no second command of each.
+    await page.keyboard.press('Control+k');
+    await page.getByRole('combobox', { name: 'Command' }).fill('panels flat');
+    await expect(page.getByRole('option')).toHaveText([/Make panels flat/]);
   });
 
   test('a solver that stops answering is replaced within five seconds, and undo still works', async ({

@@ -1,6 +1,7 @@
 /** The panel of the flat map: its errors, its settings, and the look of the two surfaces. */
 
 import { element, setText } from '../../ui/dom.ts';
+import { reveal } from '../../ui/reveal.ts';
 import { duration, groupDigits, ratio } from '../../ui/format.ts';
 import type { FlatMap, Store } from '../../store/state.ts';
 import type { FlatMapController } from './flat-map-controller.ts';
@@ -79,8 +80,8 @@ export function flatMapPanel(place: HTMLElement, store: Store, control: FlatMapC
     const isNew = place.hidden && flatMap !== null;
     place.hidden = !flatMap;
     if (!flatMap) return;
-    // The panel appears above the scroll position.
-    if (isNew) place.scrollIntoView({ block: 'nearest' });
+    // The panel appears above the scroll position, in a step that may be closed.
+    if (isNew) reveal(place);
     const { found } = flatMap;
     const isStale = state.numbers?.iteration !== flatMap.iteration;
     showFacts(facts, found);

@@ -6,12 +6,13 @@ import { dialogHead, openDialog } from '../../ui/controls/dialog.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { copyText } from '../../ui/output.ts';
 import { webgl2Card, webgpuCard, type GraphicsCard } from '../../viewport/graphics-card.ts';
+import { MOUSE_WORDS } from '../../viewport/input/mouse.ts';
 import type { Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
 import type { FileFormat } from '../../solver/types.ts';
 
 /** Actions of the pointer; see `pointer.ts`. */
-const POINTER: [string, string][] = [
+const pointer = (mouse: State['mouse']): [string, string][] => [
   ['Drag a handle', 'move it, parallel to the screen'],
   ['Drag an arrow', 'move the selected handles along it; a square: in its plane'],
   ['Drag elsewhere', 'orbit; with Select: a box, a lasso or a brush'],
@@ -20,10 +21,10 @@ const POINTER: [string, string][] = [
   ['Click', 'select; Shift adds, Ctrl removes'],
   [
     'Double-click',
-    'a vertex: make a handle; an edge: select its loop; a face: select its flat patch',
+    'a vertex: make a handle; an edge: select its loop, with Shift its ring; a face: select its flat patch',
   ],
-  ['Right drag', 'orbit; a right click or a long press opens the menu'],
-  ['Middle drag', 'pan; so does Shift + right drag'],
+  ['Other buttons', `${MOUSE_WORDS[mouse]} (the menu Views has other settings)`],
+  ['Right click', 'open the menu; so does a long press'],
   ['Wheel, pinch', 'zoom to the cursor'],
   ['Two fingers', 'pan and zoom'],
   ['Hold Reset', 'show the original as long as it is held'],
@@ -52,13 +53,14 @@ const INTERFACES: {
 /**
  * @param formats of files; without an engine there are none
  * @param renderer what draws the view
+ * @param mouse what its buttons do
  * @param showAll shows all commands
  */
 export function showHelp(
   dialog: HTMLDialogElement,
   commands: Command[],
   formats: Promise<FileFormat[]>,
-  renderer: Renderer,
+  { renderer, mouse }: Pick<State, 'renderer' | 'mouse'>,
   showAll: () => void,
 ) {
   const drawn = element('p.about', { 'aria-live': 'polite' });
@@ -89,7 +91,7 @@ export function showHelp(
       'div.columns',
       section(
         'Mouse and touch',
-        POINTER.map(([what, effect]) => [[what], effect]),
+        pointer(mouse).map(([what, effect]) => [[what], effect]),
       ),
       ...groups.map((group) =>
         section(group, [

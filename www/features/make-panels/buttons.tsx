@@ -4,13 +4,11 @@
  */
 
 import './make-panels.css';
-import { useMemo } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
 import { isMeshLocked, offersPanels, panelsCard } from '../../store/panels-card.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
-import { Hosted } from '../../ui/components/hosted.tsx';
-import { sketch } from '../../ui/kinds/sketch.ts';
+import { Drawing } from '../../ui/kinds/drawing.tsx';
 import { openEdit } from './edit-dialog.tsx';
 import { makePanels } from './press.ts';
 import { openRefine } from './refine-dialog.tsx';
@@ -99,7 +97,6 @@ function KindButton({
   isRecommended: boolean;
 }) {
   const app = useApp();
-  const drawing = useMemo(() => sketch(kind.sketch), [kind]);
   return (
     <Button
       class={isRecommended ? 'bordered recommended' : 'bordered'}
@@ -109,7 +106,7 @@ function KindButton({
       aria-describedby={reason ? REASON : undefined}
       onClick={() => makePanels(app, kind)}
     >
-      <Hosted node={drawing} />
+      <Drawing of={kind.sketch} />
       <span>Make panels {kind.panels}</span>
     </Button>
   );

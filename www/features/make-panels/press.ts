@@ -72,7 +72,11 @@ function hideWithNextModel({ store, actions }: AppContext) {
 
 /** Adds the commands that make all panels one shape, once the solver has declared the kinds. */
 export function offerPanelCommands(app: AppContext) {
+  let isOffered = false;
   app.store.subscribe(['kinds'], ({ kinds }) => {
+    // A solver that was started again declares the same.
+    if (isOffered || kinds.length === 0) return;
+    isOffered = true;
     const own = kinds.filter(({ panels }) => panels !== null);
     const made = own.map((kind) => ({
       id: `make-${kind.id}`,
@@ -80,7 +84,8 @@ export function offerPanelCommands(app: AppContext) {
       label: `Make panels ${kind.panels}`,
       keys: [],
       needsModel: true,
-      enabled: ({ model }: Readonly<State>) =>
+      enabled: ({ model, document }: Readonly<State>) =>
+        !document?.lesson?.lock.includes('constraints') &&
         model?.panels.find((one) => one.kind === kind.id)?.reason === null,
       action: () => makePanels(app, kind),
     }));

@@ -6,6 +6,7 @@ import { isEnabled, press } from '../../store/press.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { keyName } from '../../ui/keys.ts';
+import type { State } from '../../store/state.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 
 export function openPalette(app: AppContext) {
@@ -32,7 +33,7 @@ function Palette({ close }: InDialog) {
   useEffect(() => field.current?.focus(), []);
   useEffect(() => chosen.current?.scrollIntoView({ block: 'nearest' }), [at, asked]);
 
-  const state = store.get();
+  const state = store.state as State;
   const rows = found(
     commands.filter((one) => !one.unlisted && (one.needsModel ? state.document : true)),
     asked,

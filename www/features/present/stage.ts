@@ -88,6 +88,8 @@ export async function present(app: AppContext, withNotes: boolean) {
 
   function press(event: KeyboardEvent) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    // A dialog over it has its own keys.
+    if (document.querySelector('dialog:modal')) return;
     // Presenter remotes send F5; it must not reload the page.
     if (event.key === 'F5') return event.preventDefault();
     const what = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];

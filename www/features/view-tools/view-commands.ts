@@ -6,6 +6,7 @@
 import { ViewHistory } from './view-history.ts';
 import { ViewTools } from './view-tools.ts';
 import { MICE } from '../../store/state.ts';
+import { MOUSE_NAMES, MOUSE_WORDS } from '../../viewport/input/mouse.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
 import type { Viewport } from '../../viewport/viewport.ts';
@@ -20,13 +21,6 @@ const VIEWS = [
   ['bottom'],
   ['isometric', 'Numpad0'],
 ];
-
-export const MOUSE_NAMES = { rhino: 'in Rhino', web: 'on web pages', blender: 'in Blender' };
-const MOUSE_WORDS = {
-  rhino: 'Right drag orbits, Shift + right drag and middle drag pan',
-  web: 'Left drag orbits, right drag pans, middle drag zooms',
-  blender: 'Middle drag orbits, Shift + middle drag pans, Ctrl + middle drag zooms',
-};
 
 export function viewCommands(app: AppContext): Command[] {
   const { store, actions } = app;
@@ -65,7 +59,7 @@ export function viewCommands(app: AppContext): Command[] {
       keys: [],
       action: () => {
         actions.useMouse(mouse);
-        actions.setStatus(MOUSE_WORDS[mouse]);
+        actions.setStatus(`Mouse: ${MOUSE_WORDS[mouse]}`);
       },
       pressed: (state: State) => state.mouse === mouse,
     })),

@@ -29,7 +29,13 @@ export class ViewHistory {
 
   /** Keeps a camera that has come to rest; those that were gone back from are forgotten. */
   #rest(camera: number[]) {
-    if (this.#at >= 0 && isSame(camera, this.#seen[this.#at])) return;
+    const last = this.#seen[this.#at];
+    if (last && isSame(camera, last)) return;
+    // The page frames the model anew when something covers the view: nobody looked there.
+    if (last && isFramed(last) && isFramed(camera)) {
+      this.#seen[this.#at] = camera;
+      return;
+    }
     this.#seen = [...this.#seen.slice(0, this.#at + 1), camera].slice(-MOST);
     this.#at = this.#seen.length - 1;
   }
@@ -55,3 +61,6 @@ function isSame(a: number[], b: number[]) {
   const size = Math.max(...a.map(Math.abs), 1e-12);
   return a.length === b.length && a.every((value, i) => Math.abs(value - b[i]) < 1e-5 * size);
 }
+
+/** Whether the page chose the camera: its last number says so. */
+const isFramed = (camera: number[]) => camera[camera.length - 1] === 1;

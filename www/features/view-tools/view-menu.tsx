@@ -9,7 +9,7 @@ import { useApp } from '../../store/use-app.ts';
 import { MICE } from '../../store/state.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
-import { MOUSE_NAMES } from './view-commands.ts';
+import { MOUSE_NAMES } from '../../viewport/input/mouse.ts';
 import { placeMenu } from '../../ui/controls/navigation.ts';
 import { byId } from '../../ui/dom.ts';
 import { keyName } from '../../ui/keys.ts';

@@ -1,5 +1,5 @@
 /**
- * What is said about a shape beyond its numbers: problems of its file if the Model panel is hidden,
+ * What is said about a shape beyond its numbers: problems of its file if its step is hidden,
  * faces of zero area, and the verdict on a run. Each is said once.
  */
 

@@ -23,12 +23,16 @@ export function FreeVertices() {
   const free = document && acts ? document.free : 0;
   const newest = useMemo(() => newestOnly(() => store.get().model), [store]);
   /** The marks of those that are reported. */
-  const [marks, setMarks] = useState<Tint | null>(null);
+  const [found, setFound] = useState<{ of: typeof model; tint: Tint } | null>(null);
+  // Those of a mesh that was replaced mean nothing on the next one.
+  const marks = found?.of === model ? (found?.tint ?? null) : null;
   useEffect(() => {
-    setMarks(null);
+    setFound(null);
     const asked = free > 0 ? actions.reportErrors(actions.ask.select(ALL_FREE)) : null;
-    void newest(asked).then((found) => {
-      if (found) setMarks({ vertices: found.vertices, faces: NONE, colour: COLOUR });
+    void newest(asked).then((all) => {
+      if (!all) return;
+      const tint = { vertices: all.vertices, faces: NONE, colour: COLOUR };
+      setFound({ of: model, tint });
     });
   }, [free, model]);
   useEffect(() => {
@@ -61,7 +65,7 @@ export function FreeVertices() {
       <Button class="small bordered" onClick={() => actions.select({ vertices, faces: [] })}>
         Select
       </Button>
-      <CloseButton label="Close" onClick={() => setMarks(null)} />
+      <CloseButton label="Close" onClick={() => setFound(null)} />
     </div>
   );
 }

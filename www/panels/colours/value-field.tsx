@@ -1,6 +1,6 @@
 /** A field for a value of a measure, with a point or a comma. */
 
-import { useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import type { ComponentProps } from 'preact';
 
 /** A decimal number, which `Number` reads, and nothing else that it reads. */
@@ -20,7 +20,6 @@ export function ValueField({
 }) {
   /** Input that is not accepted yet. */
   const [typed, setTyped] = useState<string | null>(null);
-  const field = useRef<HTMLInputElement>(null);
 
   function accept(input: HTMLInputElement) {
     const value = numberIn(input.value);
@@ -36,7 +35,6 @@ export function ValueField({
 
   return (
     <input
-      ref={field}
       type="text"
       inputMode="decimal"
       autocomplete="off"
@@ -47,6 +45,13 @@ export function ValueField({
         setTyped(currentTarget.value);
       }}
       onChange={({ currentTarget }) => accept(currentTarget)}
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape' || typed === null) return;
+        event.stopPropagation();
+        event.currentTarget.setCustomValidity('');
+        event.currentTarget.value = shown;
+        setTyped(null);
+      }}
       onBlur={({ currentTarget }) => {
         currentTarget.setCustomValidity('');
         setTyped(null);

@@ -36,7 +36,12 @@ function keyOf({ kind, on }: ConstraintRow, before: ConstraintRow[]) {
 
 function Row({ row }: { row: ConstraintRow }) {
   const { store, actions } = useApp();
-  const { kinds } = store.state;
+  const { kinds, refused } = store.state;
+  const toggle = useRef<HTMLInputElement>(null);
+  // A change that was refused is taken back.
+  useLayoutEffect(() => {
+    if (toggle.current) toggle.current.checked = row.enabled;
+  }, [refused]);
   const [isOpen, setOpen] = useState(false);
   const [isRenamed, setRenamed] = useState(false);
   const place = useRef<HTMLLIElement>(null);
@@ -96,6 +101,7 @@ function Row({ row }: { row: ConstraintRow }) {
             aria-label={`${name}: on`}
             title={row.enabled ? 'On' : 'Off'}
             checked={row.enabled}
+            ref={toggle}
             onChange={({ currentTarget }) => set({ enabled: currentTarget.checked })}
           />
         </label>

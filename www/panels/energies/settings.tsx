@@ -1,4 +1,4 @@
-/** Advanced settings of a scene: closeness, smoothness, solver. Built from their declarations. */
+/** More settings of a scene: closeness, smoothness, solver. Built from their declarations. */
 
 import './settings.css';
 import { Fragment, type ComponentChildren } from 'preact';

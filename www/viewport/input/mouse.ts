@@ -26,3 +26,17 @@ export function cameraDrag(mouse: Mouse, button: 1 | 2, event: MouseEvent): Came
   if (event.shiftKey) return drags.shift;
   return event.ctrlKey || event.metaKey ? drags.ctrl : drags.plain;
 }
+
+/** What the settings are called, after "as". */
+export const MOUSE_NAMES: Record<Mouse, string> = {
+  rhino: 'in Rhino',
+  web: 'on web pages',
+  blender: 'in Blender',
+};
+
+/** What the middle and the right button do. */
+export const MOUSE_WORDS: Record<Mouse, string> = {
+  rhino: 'right drag orbits; Shift + right drag and middle drag pan',
+  web: 'right drag pans, middle drag zooms',
+  blender: 'middle drag orbits, with Shift pans, with Ctrl zooms',
+};
