@@ -46,6 +46,7 @@ export async function openExample(page: Page, word: string) {
   await tool(page, 'Examples');
   await page.getByRole('menuitem', { name: word }).click();
   await expect(page.getByRole('status')).toHaveText(new RegExp(`Opened the example .*${word}`));
+  await hidePanels(page);
 }
 
 /** Adds a constraint through the dialog and waits until it is in the list. */
