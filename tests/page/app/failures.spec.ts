@@ -36,8 +36,9 @@ test.describe('the solver', () => {
     await runToTheEnd(page);
     // The new solver declares its kinds again, which makes no second command of each.
     await page.keyboard.press('Control+k');
-    await page.getByRole('combobox', { name: 'Command' }).fill('panels flat');
-    await expect(page.getByRole('option')).toHaveText([/Make panels flat/]);
+    const palette = page.getByRole('dialog', { name: 'Commands' });
+    await palette.getByRole('combobox').fill('panels flat');
+    await expect(palette.getByRole('option')).toHaveText([/Make panels flat/]);
   });
 
   test('a solver that stops answering is replaced within five seconds, and undo still works', async ({
