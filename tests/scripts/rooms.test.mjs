@@ -111,19 +111,19 @@ test('the linter refuses code that breaks the rules of the rooms', async () => {
   for (const [file, code, broken] of [
     ['ui/dom.ts', "import '../store/state.ts';", imports],
     ['store/state.ts', "import '../app/main.ts';", imports],
-    ['panels/constraints/constraints.tsx', "import '../legend/legend.ts';", imports],
-    ['panels/model.ts', "import '../features/hints.ts';", imports],
-    ['features/hints.ts', "import './help/help.ts';", imports],
+    ['panels/constraints/constraints.tsx', "import '../legend/legend.tsx';", imports],
+    ['panels/example.tsx', "import '../features/hints.tsx';", imports],
+    ['features/hints.tsx', "import './help/help.ts';", imports],
     ['features/lesson/dialog.ts', "import('../share/dialog-share.ts');", later],
     ['viewport/viewport.ts', "import('../features/split/split.ts');", later],
     [
       'panels/constraints/constraints.tsx',
-      "import '../../store/state.ts'; import './details.ts';",
+      "import '../../store/state.ts'; import './details.tsx';",
       [],
     ],
-    ['app/main.ts', "import('../features/hints.ts');", []],
-    ['panels/model.ts', 'export const f = (store: any) => store.set({});', later],
-    ['panels/model.ts', 'export const f = (it) => it.solver.tell.pause();', later],
+    ['app/main.ts', "import('../features/hints.tsx');", []],
+    ['panels/example.tsx', 'export const f = (store: any) => store.set({});', later],
+    ['panels/example.tsx', 'export const f = (it) => it.solver.tell.pause();', later],
     ['store/actions.ts', 'export const f = (solver) => solver.change.undo();', []],
   ])
     assert.deepEqual(await rulesBroken(file, code), broken, `${file}: ${code}`);
