@@ -46,6 +46,7 @@ test('what is opened is open at the next visit, too', async ({ page }) => {
   await expect(colours).toBeVisible();
   await expect(refine).toBeVisible();
   await summary(page, 'Shape').click();
+  await expect(page.getByRole('button', { name: 'Add constraint' })).toBeHidden();
   await page.reload();
   await waitForState(page, (now) => now.vertices > 0);
   await expect(colours).toBeVisible();

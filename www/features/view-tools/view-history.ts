@@ -32,7 +32,7 @@ export class ViewHistory {
     const last = this.#seen[this.#at];
     if (last && isSame(camera, last)) return;
     // The page frames the model anew when something covers the view: nobody looked there.
-    if (last && isFramed(last) && isFramed(camera)) {
+    if (last && isFramed(last) && isFramed(camera) && isAlongside(camera, last)) {
       this.#seen[this.#at] = camera;
       return;
     }
@@ -64,3 +64,7 @@ function isSame(a: number[], b: number[]) {
 
 /** Whether the page chose the camera: its last number says so. */
 const isFramed = (camera: number[]) => camera[camera.length - 1] === 1;
+
+/** Whether two cameras look in the same direction: their turn and tilt, see `camera_numbers`. */
+const isAlongside = (a: number[], b: number[]) =>
+  [4, 5].every((at) => Math.abs(a[at] - b[at]) < 1e-5);
