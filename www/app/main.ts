@@ -20,7 +20,7 @@ import { SolverClient } from '../solver/solver-client.ts';
 import { createActions } from '../store/actions.ts';
 import { colourFaces } from '../store/colours/colour-scale.ts';
 import { colourRows } from '../store/colours/constraint-colours.ts';
-import { bindHalfStepSwitches } from '../store/half-step.ts';
+import { bindHalfStepSwitch } from '../store/half-step.ts';
 import { Selecting } from '../store/mesh-queries.ts';
 import { runEarlyPresses } from '../store/press.ts';
 import { NOTHING } from '../store/selection.ts';
@@ -119,7 +119,7 @@ for (const button of document.querySelectorAll('[data-command="reset"]'))
 bindButtons(commands, store);
 bindKeys(commands, store, actions.settled);
 bindRunButton(byId('run'), store);
-bindHalfStepSwitches(store);
+bindHalfStepSwitch(store);
 /** collected by a script in index.html */
 const early: Window & { earlyPresses?: string[] } = window;
 runEarlyPresses(commands, store, early.earlyPresses ?? []);

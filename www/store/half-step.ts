@@ -10,14 +10,12 @@ export function halfStepTitle({ halfway }: { halfway: boolean }) {
     : 'Local step: fit a shape to each constraint; nothing moves yet';
 }
 
-/** The switches in the toolbar and in the phone's menu are on between the two halves. */
-export function bindHalfStepSwitches(store: Store) {
-  const switches = [...document.querySelectorAll('[data-command="half-step"]')];
+/** The switch is on between the two halves. */
+export function bindHalfStepSwitch(store: Store) {
+  const toggle = document.querySelector('[data-command="half-step"]');
   store.subscribe(['halfway'], ({ halfway }) => {
-    for (const one of switches) {
-      one.setAttribute('aria-checked', String(halfway));
-      one.querySelector('use')?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
-    }
+    toggle?.setAttribute('aria-checked', String(halfway));
+    toggle?.querySelector('use')?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
   });
 }
 

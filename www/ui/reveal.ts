@@ -5,11 +5,10 @@ export const REVEALED = 'revealed';
 
 /** Opens what is closed around a place, and scrolls it into view. */
 export function reveal(place: HTMLElement) {
-  let around: Element | null = place;
-  while ((around = around.closest('details'))) {
-    if (around instanceof HTMLDetailsElement) around.open = true;
-    around = around.parentElement;
-    if (!around) break;
+  let around = place.closest('details');
+  while (around) {
+    around.open = true;
+    around = around.parentElement?.closest('details') ?? null;
   }
   place.dispatchEvent(new CustomEvent(REVEALED, { bubbles: true }));
   place.scrollIntoView({ block: 'nearest' });
