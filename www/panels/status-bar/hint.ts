@@ -16,7 +16,7 @@ export function hintOf(state: Readonly<State>) {
   const next = nextStep(state);
   if (document.constraints.length === 0)
     return next === 'shape'
-      ? 'Next: make its panels circular or flat, or add another constraint'
+      ? 'Next: choose what its panels become, or add another constraint'
       : 'Next: add a constraint to say what shape its parts should have';
   const isLocked = areHandlesLocked(document);
   if (!isLocked && document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
