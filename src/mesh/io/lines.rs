@@ -41,8 +41,8 @@ impl<'a> Iterator for Lines<'a> {
         if self.rest.is_empty() {
             return None;
         }
-        let is_end = |byte| byte == b'\n' || byte == b'\r';
-        let length = self.rest.bytes().position(is_end).unwrap_or(self.rest.len());
+        let end = memchr::memchr2(b'\n', b'\r', self.rest.as_bytes());
+        let length = end.unwrap_or(self.rest.len());
         let (line, rest) = self.rest.split_at(length);
         self.rest = rest.strip_prefix("\r\n").or(rest.get(1..)).unwrap_or_default();
         self.number += 1;
@@ -110,9 +110,9 @@ impl Lines<'_> {
 
 /// Returns the words of a line up to a comment: a `#` that begins a word, unlike in `1.#IND`.
 pub(crate) fn words(line: &str) -> SplitAsciiWhitespace<'_> {
-    let begins =
-        |&(at, _): &(usize, &str)| at == 0 || line.as_bytes()[at - 1].is_ascii_whitespace();
-    let end = line.match_indices('#').find(begins).map_or(line.len(), |(at, _)| at);
+    let bytes = line.as_bytes();
+    let begins = |&at: &usize| at == 0 || bytes[at - 1].is_ascii_whitespace();
+    let end = memchr::memchr_iter(b'#', bytes).find(begins).unwrap_or(line.len());
     line[..end].split_ascii_whitespace()
 }
 
