@@ -1,6 +1,7 @@
 /** The selection: sets of vertices, edges and faces, and how clicks and regions change them. */
 
 import { count } from '../ui/format.ts';
+import { IS_MAC } from '../ui/keys.ts';
 import type { Mode, Selection } from './state.ts';
 import type { Connectivity } from '../solver/types.ts';
 
@@ -8,13 +9,13 @@ export type Combine = 'replace' | 'add' | 'remove';
 
 export const NOTHING: Selection = { vertices: new Set(), edges: new Set(), faces: new Set() };
 
-/** Rhino's rule: Shift adds, Ctrl or Cmd removes. */
+/** Rhino's rule: Shift adds, Ctrl removes; on a Mac Cmd, where Ctrl + click opens the menu. */
 export function combineOf(event: {
   shiftKey: boolean;
   ctrlKey: boolean;
   metaKey: boolean;
 }): Combine {
-  if (event.ctrlKey || event.metaKey) return 'remove';
+  if (event.metaKey || (event.ctrlKey && !IS_MAC)) return 'remove';
   return event.shiftKey ? 'add' : 'replace';
 }
 

@@ -48,7 +48,10 @@ export const ARROWS: Record<string, [number, number]> = {
   ArrowDown: [0, 1],
 };
 
-const IS_MAC = /Mac|iPhone|iPad/.test(globalThis.navigator?.platform ?? '');
+export const IS_MAC = /Mac|iPhone|iPad/.test(globalThis.navigator?.platform ?? '');
+
+/** The key of commands, as it is called on this system. */
+export const CTRL = IS_MAC ? '⌘' : 'Ctrl';
 
 /** Returns the display name of a chord. */
 export function keyName(chord: string) {

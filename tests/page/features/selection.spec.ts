@@ -208,6 +208,11 @@ test('a double-click selects a loop or a flat patch; keys grow, shrink, invert a
   await page.mouse.dblclick(...(await middleOf(page, [vertex(2, 3), vertex(3, 3)])));
   await page.keyboard.up('Shift');
   await expect(status(page)).toHaveText(`${N + 1} edges selected`);
+  // Alt and a click select the loop, too.
+  await page.keyboard.down('Alt');
+  await page.mouse.click(...(await middleOf(page, [vertex(3, 2), vertex(3, 3)])));
+  await page.keyboard.up('Alt');
+  await expect(status(page)).toHaveText(`${N} edges selected`);
   await page.mouse.dblclick(...(await faceAt(page, 3, 3)));
   await expect.poll(async () => (await counts(page))[2]).toBeGreaterThan(0);
   expect((await state(page)).selection.faces).toContain(3 * N + 3);

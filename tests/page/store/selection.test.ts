@@ -11,6 +11,7 @@ const withKeys = (held: Partial<Parameters<typeof combineOf>[0]>) =>
 test('Shift adds, Ctrl removes, and a plain click replaces', () => {
   assert.equal(withKeys({ shiftKey: true }), 'add');
   assert.equal(withKeys({ ctrlKey: true, shiftKey: true }), 'remove');
+  assert.equal(withKeys({ metaKey: true }), 'remove', 'Cmd on a Mac');
   assert.equal(withKeys({}), 'replace');
   const two = select(select(NOTHING, 'faces', [4], 'replace'), 'faces', [5], 'add');
   assert.deepEqual([...two.faces], [4, 5]);

@@ -210,9 +210,9 @@ test('the legend counts the faces within a tolerance', async ({ page }) => {
     await tolerance.press('Enter');
   };
   await set('1000');
-  await expect(within).toHaveText('432 of 432');
+  await expect(within).toHaveText('432 of 432 within');
   await set('1');
-  await expect(within).toHaveText(/^(?!432)\d+ of 432$/);
+  await expect(within).toHaveText(/^(?!432)\d+ of 432 within$/);
   const before = Number.parseInt((await within.textContent()) ?? '', 10);
   await runToTheEnd(page);
   const after = () => within.textContent().then((text) => Number.parseInt(text ?? '', 10));
@@ -323,7 +323,7 @@ test('errors are in the unit of the tolerance, beside how far the mesh moved', a
   await openText(page, 'm.shapeup.json', JSON.stringify(scene), 9);
   const legend = page.locator('#legend');
   await expect(page.getByLabel('Tolerance')).toHaveValue('1');
-  await expect(page.getByTitle('Faces within the tolerance')).toHaveText('3 of 4');
+  await expect(page.getByTitle('Faces within the tolerance')).toHaveText('3 of 4 within');
   await expect(legend).toContainText(/Worst 398 mm/);
   await showStep(page, 'Shape');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');

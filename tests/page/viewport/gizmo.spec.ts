@@ -184,6 +184,11 @@ test('Ctrl moves a dragged handle vertically, Shift horizontally', async ({ page
   await page.mouse.move(x + 24, y - 30, { steps: 2 });
   await expect.poll(async () => ways(before, await state(page))[0][2]).toBe(0);
   await page.keyboard.up('Shift');
+  // Z, too, keeps it to its vertical, until it is pressed again.
+  await page.keyboard.press('z');
+  await page.mouse.move(x + 20, y - 40, { steps: 2 });
+  await expect.poll(async () => ways(before, await state(page))[0][2]).toBeGreaterThan(0);
+  expect(ways(before, await state(page))[0].slice(0, 2)).toEqual([0, 0]);
   await page.mouse.up();
 });
 

@@ -17,13 +17,13 @@ async function command(page: Page, name: string) {
   await expect(page.getByRole('dialog', { name: 'Commands' })).toBeHidden();
 }
 
-/** Drags across the view with a button, and returns what that did to the camera. */
+/** Drags beside the model with a button, and returns what that did to the camera. */
 async function drag(page: Page, button: Button, ...keys: string[]) {
   const before = await camera(page);
   const { x, y, width, height } = await boxOf(view(page));
   const [at, to] = [
-    [x + 0.9 * width, y + 0.3 * height],
-    [x + 0.8 * width, y + 0.4 * height],
+    [x + 0.02 * width, y + 0.3 * height],
+    [x + 0.1 * width, y + 0.4 * height],
   ];
   await page.mouse.move(at[0], at[1]);
   for (const key of keys) await page.keyboard.down(key);
@@ -48,8 +48,13 @@ test('the right and the middle button do what they do in Rhino, on web pages and
     if (differs(3, 4)) return 'zoom';
     return differs(0, 3) ? 'pan' : 'nothing';
   };
+  expect(await deed('left')).toBe('orbit');
+  expect(await deed('left', 'Shift'), 'beside the model').toBe('pan');
   expect(await deed('right')).toBe('orbit');
   expect(await deed('right', 'Shift')).toBe('pan');
+  await page.keyboard.press('b');
+  expect(await deed('right'), 'in the Select tool').toBe('orbit');
+  await page.keyboard.press('v');
   expect(await deed('middle')).toBe('pan');
   await command(page, 'web pages');
   expect(await deed('left')).toBe('orbit');

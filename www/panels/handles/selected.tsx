@@ -34,6 +34,7 @@ export function SelectedHandles() {
         {chosen.length === 1
           ? `Handle at vertex ${chosen[0].vertex}`
           : count(chosen.length, 'handle')}
+        {document?.units && `, in ${document.units}`}
       </p>
       {/* Input meant for another selection is discarded. */}
       <Targets

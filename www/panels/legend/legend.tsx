@@ -69,7 +69,7 @@ function Within({ about, spread }: Of) {
   const [met, all] = [spread.within, spread.faces].map(groupDigits);
   return (
     <span class={met === all ? 'within met' : 'within'} title="Faces within the tolerance">
-      {`${met} of ${all}`}
+      {`${met} of ${all} within`}
     </span>
   );
 }

@@ -3,6 +3,7 @@
 import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { nextStep } from '../../store/next-step.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
+import { CTRL } from '../../ui/keys.ts';
 import type { State } from '../../store/state.ts';
 
 /** Hints for the Select tool, by shape of the drag. */
@@ -27,7 +28,7 @@ export function hintOf(state: Readonly<State>) {
   }
   if (renderer === 'none') return 'Run, Export and the panels work without the 3D view';
   if (tool === 'select')
-    return `${SHAPES[shape]} over ${mode} · Shift adds, Ctrl removes · V goes back to Drag`;
+    return `${SHAPES[shape]} over ${mode} · Shift adds, ${CTRL} removes · V goes back to Drag`;
   if (next === 'choose' && state.verdict)
     return 'Next: see the verdict in the view · drag elsewhere to orbit';
   const { running, converged } = state;

@@ -5,13 +5,14 @@
  * |---|---|---|
  * | left on a handle | moves it | moves it |
  * | left on the gizmo | moves the selected handles along an axis or in a plane | same |
- * | left elsewhere, drag | orbits | box, lasso or brush: see `region-selection.ts` |
+ * | left elsewhere, drag | orbits; Shift + left beside the model pans | box, lasso or brush: see `region-selection.ts` |
  * | Alt + left on a vertex | makes it a handle and moves it | same |
- * | left click | selects; Shift adds, Ctrl or Cmd removes | same |
+ * | left click | selects; Shift adds, Ctrl (on a Mac Cmd) removes | same |
+ * | Alt + left click on an edge | selects its loop, as a double-click | same |
  * | double-click | vertex: handle; edge: loop; face: flat patch; nothing: fit all | same |
  * | right, middle | orbit, pan, zoom: see `mouse.ts` | same |
  * | wheel, pinch | zooms to the cursor | same |
- * | right click, long press | opens the context menu of the element hit | same |
+ * | right click, on a Mac Ctrl + click, long press | opens the context menu of the element hit | same |
  * | touch | one finger as left, two pan and zoom | same |
  */
 
@@ -24,6 +25,7 @@ import {
 } from '../../store/handles.ts';
 import { near, clickTolerance, pair, wheelFactor } from './gestures.ts';
 import { combineOf, select } from '../../store/selection.ts';
+import { IS_MAC } from '../../ui/keys.ts';
 import { cameraDrag, type CameraDrag } from './mouse.ts';
 import type { Mode, Store } from '../../store/state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
@@ -63,6 +65,8 @@ export class PointerInput {
   #handle: number | undefined;
   /** The pressed part of the gizmo. */
   #gizmoPart: string | undefined;
+  /** Whether the right button is pressed. */
+  #isRight = false;
   /** Timer of a long press. */
   #longPressTimer = 0;
   #gesture: Gesture | null = null;
@@ -145,10 +149,11 @@ export class PointerInput {
     if (this.#down.size > 1) return this.#secondFinger();
     this.#start = at;
     this.#handle = undefined;
+    this.#isRight = isRight(event);
     if (event.button === 1) {
       event.preventDefault();
       this.#moveCamera(1, event);
-    } else if (event.button === 2) {
+    } else if (this.#isRight) {
       this.#aim(event, at);
       this.#become({ kind: 'press' });
     } else if (event.button === 0) {
@@ -211,7 +216,7 @@ export class PointerInput {
       if (!document.handles.some((handle) => handle.vertex === vertex)) return;
       end();
       this.#handle = vertex;
-      this.#begin(true);
+      this.#begin(false, true);
       const last = this.#down.get(event.pointerId);
       if (last) this.#drag(event, last);
     });
@@ -255,8 +260,8 @@ export class PointerInput {
     if (this.#gesture?.kind === 'press') {
       const moved = Math.hypot(at[0] - this.#start[0], at[1] - this.#start[1]);
       if (moved < clickTolerance(event)) return;
-      if (event.buttons === 2) this.#moveCamera(2, event);
-      else this.#begin();
+      if (this.#isRight) this.#moveCamera(2, event);
+      else this.#begin(event.shiftKey);
     }
     const [dx, dy] = [at[0] - last[0], at[1] - last[1]];
     switch (this.#gesture?.kind) {
@@ -285,9 +290,10 @@ export class PointerInput {
 
   /**
    * Turns a press into a drag: of a handle, of the camera, or of a region.
+   * @param withShift whether Shift is held
    * @param begun whether the solver has already begun the drag
    */
-  #begin(begun: boolean = false) {
+  #begin(withShift: boolean, begun: boolean = false) {
     const { constrainMove, view } = this.#viewport;
     const handle = this.#isLocked(this.#handle) ? undefined : this.#handle;
     const part = this.#gizmoPart;
@@ -297,7 +303,10 @@ export class PointerInput {
       const drag = new HandleDrag(this.#store, this.#solver, constrainMove, handle, part, begun);
       this.#become({ kind: 'handle', drag });
     } else {
-      if (this.#store.get().tool !== 'select') return this.#beginTurn();
+      if (this.#store.get().tool !== 'select') {
+        const isBeside = view?.pickFace(...this.#start) === undefined;
+        return withShift && isBeside ? this.#become({ kind: 'pan' }) : this.#beginTurn();
+      }
       this.#become({ kind: 'region' });
       this.#region.begin(this.#start, 'replace');
     }
@@ -329,7 +338,7 @@ export class PointerInput {
         leaveHandle(this.#store, this.#solver, 'end');
         break;
       case 'press':
-        if (event.button === 2) this.#openMenu(event, at);
+        if (this.#isRight) this.#openMenu(event, at);
         else this.#click(event, at);
         break;
       case 'region':
@@ -349,6 +358,10 @@ export class PointerInput {
       return;
     }
     const combine = combineOf(event);
+    if (event.altKey && this.#handle === undefined) {
+      const edge = this.#viewport.with((view) => view.pickEdge(...at, near(event)));
+      if (edge !== undefined) return this.#commands.doubleClick('edges', edge, event);
+    }
     const item = this.#handle ?? this.#pick(mode, event, at);
     if (item !== undefined) {
       const what = this.#handle === undefined ? mode : 'vertices';
@@ -426,6 +439,10 @@ export class PointerInput {
     if (gesture && gesture.kind !== 'region') this.#region.hide();
   }
 }
+
+/** Whether a button acts as the right one: on a Mac also the left one with Ctrl. */
+const isRight = ({ button, ctrlKey }: PointerEvent) =>
+  button === 2 || (IS_MAC && button === 0 && ctrlKey);
 
 /** Shift: at constant height; Ctrl or Cmd: vertically. */
 function planeOf(event: MouseEvent) {
