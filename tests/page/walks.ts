@@ -289,7 +289,7 @@ export const walks: Record<string, State[]> = {
       reach: async (page) => {
         await openText(page, 'grid.obj', `${wavyGrid(4)}f 1 2\n`, 25);
         await showStep(page, 'Open');
-        await expect(page.getByText('1 problem in the file')).toBeVisible();
+        await expect(page.getByText('1 kind of problem in the file')).toBeVisible();
       },
       leave: hidePanels,
     },

@@ -35,8 +35,11 @@ fn a_run_says_whether_all_is_met_or_which_element_is_worst() {
 
     let missed = session.run_verdict(0.001).expect("there is a constraint");
     let worst = missed.worst.expect("a face is not flat");
-    assert_eq!(missed.brief, "Solved as far as possible.");
-    let words = format!("Solved as far as possible. Worst: Plane on {}, ", worst.element);
+    assert_eq!(missed.brief, "The run has ended, and some constraints are beyond the tolerance.");
+    let words = format!(
+        "The run has ended, and some constraints are beyond the tolerance. Worst: Plane on {}, ",
+        worst.element
+    );
     assert!(missed.full.starts_with(&words), "{}", missed.full);
     assert!(missed.full.contains(" mm; the tolerance is 1 mm. Moved at "), "{}", missed.full);
 
@@ -53,7 +56,10 @@ fn an_exact_shape_is_said_to_be_so_with_and_without_how_far_it_moved() {
     assert!(words.full.starts_with("Exact: worst 0 mm. Moved at most "), "{words:?}");
     let within = solved(&planes(json!({ "within": 0.02 })), &json!([]));
     let words = within.exact_words().expect("it was met");
-    assert_eq!([&*words.brief, &words.full], ["", "All constraints are met within 20 mm."]);
+    assert_eq!(
+        [&*words.brief, &words.full],
+        ["", "All required constraints are met within 20 mm."]
+    );
     assert!(words.suggestions.is_empty());
 }
 
@@ -68,7 +74,11 @@ fn what_contradicts_is_named_with_weaker_requirements_that_can_be_met() {
     let words = session.exact_words().expect("it was tried");
     let start = "2 of 2 cannot be met together: Length 1 on 2 vertices, Length 1.2 on ";
     assert!(words.full.starts_with(start), "{}", words.full);
-    assert!(words.full.contains(" The smallest miss is "), "{}", words.full);
+    assert!(
+        words.full.contains(" In the closest shape that was found, the worst is off by "),
+        "{}",
+        words.full
+    );
     assert_eq!(words.brief, words.full);
     let found: Vec<_> = words.suggestions.iter().map(|one| (one.index, one.within)).collect();
     let [(0, None), (0, Some(wide)), (1, None), (1, Some(_))] = found[..] else {
@@ -106,5 +116,5 @@ fn the_cost_of_exactness_and_the_gain_of_an_improvement_are_said() {
 #[test]
 fn a_run_that_ends_has_converged_or_was_paused() {
     let EndWords { converged, paused } = EndWords::after(1);
-    assert_eq!([converged, paused], ["Converged after 1 iteration", "Paused after 1 iteration"]);
+    assert_eq!([converged, paused], ["Converged after 1 iteration", "Stopped after 1 iteration"]);
 }

@@ -98,7 +98,10 @@ export function commandTable(
       keys: [' '],
       action: actions.runOrPause,
       needsModel: true,
-      title: ({ running }) => (running ? 'Pause the iteration' : 'Iterate until nothing changes'),
+      title: ({ running }) =>
+        running
+          ? 'Pause the iteration'
+          : 'Move the mesh until the constraints are met as well as the weights allow',
     },
     {
       id: 'step',

@@ -224,7 +224,7 @@ export function createActions(
       const { document, numbers } = store.get();
       const done = (converged && numbers?.ended.converged) || 'One iteration';
       const isInexact = document?.constraints.some(isHard) && !numbers?.exact?.met;
-      setStatus(isInexact ? `${done}; Run makes it exact` : done);
+      setStatus(isInexact ? `${done}; Run meets what is required` : done);
     },
 
     /** Performs the local step, or the global step after it. */

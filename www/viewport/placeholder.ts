@@ -27,7 +27,7 @@ export function explainNoPicture(reason: string) {
   const cause = /was lost/.test(reason) ? GONE : /fetched/.test(reason) ? NOT_HERE : NEVER;
   const notice = byId('no-picture');
   notice.replaceChildren(
-    element('p', `No 3D view: ${cause} Everything else works: the panels, Run, and Export.`),
+    element('p', `No 3D view: ${cause} The steps, Run and Export still work.`),
     element('details', element('summary', 'Browser message'), element('p', reason)),
   );
   notice.hidden = false;

@@ -122,7 +122,7 @@ pub const SETTINGS: &[Setting] = &[
     },
     Setting {
         param: Param::number("tolerance", "Stopping threshold", "", 1e-9, [0.0, 1.0]),
-        summary: "The run stops when the total energy changes by less than this fraction; with 0 it never stops.",
+        summary: "The run stops when the total energy changes by less than this fraction; with 0 it goes on until Pause or, with a required constraint, to the limit of iterations.",
         group: SOLVER,
     },
     Setting {
@@ -140,7 +140,7 @@ pub const SETTINGS: &[Setting] = &[
             forms: &[Form::Number, OFF],
             ..Param::number("shortest-edge", "Shortest edge", "", 0.3, [0.0, 1.0])
         },
-        summary: "Edges keep at least this fraction of their length while exact constraints are met. Off: they may vanish.",
+        summary: "Edges of what has to be exact or within a length keep at least this fraction of their original length. Off: they may vanish.",
         group: SOLVER,
     },
 ];

@@ -89,7 +89,7 @@ impl ExactWords {
             document.constraints.iter().filter(|row| row.enabled && row.require.is_hard());
         if !hard.all(|row| row.require == Require::Exact) {
             let within = words::limit(report.tolerance, units);
-            let full = format!("All constraints are met within {within}.");
+            let full = format!("All required constraints are met within {within}.");
             return ExactWords { brief: String::new(), full, suggestions: Vec::new() };
         }
         let exact = format!("Exact: worst {}.", words::length(report.max_distance, units));
@@ -123,7 +123,7 @@ impl ExactWords {
                 "The worst is off by",
             )
         } else if report.contradiction {
-            ("cannot be met together", "The smallest miss is")
+            ("cannot be met together", "In the closest shape that was found, the worst is off by")
         } else {
             ("are not met yet", "The worst is off by")
         };

@@ -159,7 +159,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
         id: "edges",
         label: "Edge length change",
-        words: "largest relative change in length of a face’s edges since the model was opened",
+        words: "largest relative change in length of a face’s edges from the original",
         met: "each edge is as long as it was",
         unit: MeasureUnit::Percent,
         values: edge_changes,
@@ -167,7 +167,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     },
     FaceMeasure {
         id: "angles",
-        label: "Angle quality",
+        label: "Angle error",
         words: "largest difference of a face’s angles from those of the regular polygon",
         met: "the angles of each panel are equal",
         unit: MeasureUnit::Degrees,
@@ -209,7 +209,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
         id: "surface",
         label: "Distance to original",
-        words: "largest distance of a face’s corners to the surface of the model that was opened",
+        words: "largest distance of a face’s corners to the original surface",
         met: "each panel lies on the original",
         unit: MeasureUnit::Length,
         values: worst_surface_distances,
@@ -218,7 +218,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     FaceMeasure {
         id: "displacement",
         label: "Moved",
-        words: "largest distance that a face’s corners have moved since the model was opened",
+        words: "largest distance that a face’s corners have moved from the original",
         met: "each panel is where it was",
         unit: MeasureUnit::Length,
         values: worst_displacements,

@@ -38,7 +38,7 @@ impl EndWords {
         let after = words::count(iterations as usize, "iteration", "iterations");
         EndWords {
             converged: format!("Converged after {after}"),
-            paused: format!("Paused after {after}"),
+            paused: format!("Stopped after {after}"),
         }
     }
 }
@@ -64,7 +64,7 @@ impl RunVerdict {
             return Some(RunVerdict { met: true, brief: String::new(), full, worst: None });
         }
         let worst = worst_constraints(model, row, 1).into_iter().next()?;
-        let brief = "Solved as far as possible.".to_owned();
+        let brief = "The run has ended, and some constraints are beyond the tolerance.".to_owned();
         let value = words::length_like(worst.value, &units, tolerance);
         let full = format!(
             "{brief} Worst: {label} on {}, {value}; the tolerance is {within}. {far}",

@@ -130,7 +130,7 @@ impl Verdict {
         let met = match eased.panels == self.of {
             true => {
                 return format!(
-                    "{} Within {}, faces would fold.",
+                    "{} With a tolerance of {}, panels would fold.",
                     self.met(self.of, eased.within, units),
                     limit_like(self.tolerance, units, self.tolerance)
                 );
@@ -142,7 +142,10 @@ impl Verdict {
             (others, 0) => format!("the other {}", group_digits(others)),
             (some, _) => format!("{} more", group_digits(some)),
         };
-        format!("{}, {others} within {larger}, so that none folds.", met.trim_end_matches('.'))
+        format!(
+            "{}, {others} within a relaxed tolerance of {larger}, so that none folds.",
+            met.trim_end_matches('.')
+        )
     }
 
     fn folds(&self) -> String {
@@ -305,7 +308,8 @@ mod tests {
         assert!(eased(2, 798).starts_with(some), "{}", eased(2, 798));
         let one = "799 of 800 panels are flat within 1 mm, the other one within 120 mm, so that none folds. ";
         assert!(eased(1, 799).starts_with(one), "{}", eased(1, 799));
-        let all = "All 800 panels are flat within 120 mm. Within 1 mm, faces would fold. ";
+        let all =
+            "All 800 panels are flat within 120 mm. With a tolerance of 1 mm, panels would fold. ";
         assert!(eased(800, 3).starts_with(all), "{}", eased(800, 3));
     }
 }

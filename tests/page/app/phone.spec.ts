@@ -67,7 +67,7 @@ test.describe('behind tabs', () => {
     const fins = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n';
     await openText(page, 'fins.obj', fins, 5);
     const alert = page.getByRole('alert');
-    await expect(alert).toContainText(/^\d problems?, see Open: .*edge/);
+    await expect(alert).toContainText(/^\d kinds? of problem, see Open or make: .*edge/);
     await showStep(page, 'Open');
     await expect(page.locator('#model').getByText(/problems? in the file/)).toBeVisible();
   });

@@ -33,7 +33,7 @@ test('a mesh opens with a report of its errors', async ({ page }) => {
   expect(problems).toHaveLength(1);
   await expect(page.getByRole('status')).toHaveText(/roof\.obj: 25 vertices, 16 faces/);
   await showStep(page, 'Shape');
-  await expect(page.getByText('1 problem in the file')).toBeVisible();
+  await expect(page.getByText('1 kind of problem in the file')).toBeVisible();
 });
 
 test('a mesh without faces opens too', async ({ page }) => {

@@ -127,7 +127,7 @@ test('a step iterates once, and notes that a run makes the shape exact', async (
   scene.constraints = [{ kind: 'circle', on: 'faces', require: 'exact' }];
   await openText(page, 'hard.shapeup.json', JSON.stringify(scene), VERTICES);
   await page.getByRole('button', { name: 'Step', exact: true }).click();
-  await expect(page.getByRole('status')).toHaveText(/Run makes it exact/);
+  await expect(page.getByRole('status')).toHaveText(/Run meets what is required/);
   expect((await exact(page))?.met ?? false).toBe(false);
 });
 

@@ -148,9 +148,9 @@ test('a lesson with a missing limit or without goals is not saved, and can be re
   await expect(dialog).toBeVisible();
   // The remaining goal becomes the first.
   await dialog.getByRole('button', { name: 'Remove Goal 1: planarity' }).click();
-  await worst(dialog, 1).selectOption({ label: 'Angle quality' });
-  await expect(most(dialog, 'Goal 1: angle quality at most, °')).toHaveValue('10');
-  await dialog.getByRole('button', { name: 'Remove Goal 1: angle quality' }).click();
+  await worst(dialog, 1).selectOption({ label: 'Angle error' });
+  await expect(most(dialog, 'Goal 1: angle error at most, °')).toHaveValue('10');
+  await dialog.getByRole('button', { name: 'Remove Goal 1: angle error' }).click();
   await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toContainText('expected at least one goal');
   await dialog.getByRole('button', { name: 'Add goal' }).click();

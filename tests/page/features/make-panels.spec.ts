@@ -85,7 +85,7 @@ test.describe('with every row closed', () => {
     const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
     await row.getByRole('button', { name: /parameters/ }).click();
     await expect(
-      row.getByText(/^\d+ panels only within .+, so that no face folds\.$/),
+      row.getByText(/^\d+ panels have a relaxed tolerance of .+, so that none folds\.$/),
     ).toBeVisible();
     // All of this is one undo step.
     await tool(page, 'Undo');

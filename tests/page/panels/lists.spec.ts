@@ -163,7 +163,9 @@ test('a run reports that all is within tolerance, or the worst element and what 
   ];
   await openText(page, 'hard.shapeup.json', JSON.stringify(text), VERTICES);
   await runToTheEnd(page);
-  await expect(verdict).toContainText('Solved as far as possible. Worst: Plane on face 0');
+  await expect(verdict).toContainText(
+    'The run has ended, and some constraints are beyond the tolerance. Worst: Plane on face 0',
+  );
   await verdict.getByRole('button', { name: 'Show it' }).click();
   await waitForState(page, (now) => now.selection.faces[0] === 0);
   await expect(verdict).toBeHidden();

@@ -108,7 +108,7 @@ function EditDialog({
       </ul>
       <p class="quiet">
         The operation changes the shape as it is now. Sets, constraints and handles are carried
-        over. It is one step of undo.
+        over, except those that are listed as left out. One Undo takes it back.
       </p>
       <div class="dialog-buttons">
         <Button class="primary" disabled={!isReady} onClick={apply}>

@@ -116,7 +116,7 @@ function RefineDialog({ close }: InDialog) {
       </p>
       <p class="quiet">
         The boundary is refined as a curve of its own; creases and corners that turn by more than
-        this angle stay sharp. Sets, constraints and handles are carried over.{' '}
+        this angle stay sharp. Sets, constraints and handles are carried over as far as they fit.{' '}
         <span>{isAdopted ? FROM.solved : FROM.original}</span>
       </p>
       <div class="dialog-buttons">

@@ -66,7 +66,7 @@ class Conditions {
       action: () =>
         actions.reportErrors(mesh.remesh({ operation: suggestion.operation }, suggestion.label)),
     };
-    const words = `${count(problems.length, 'problem')}, see Open: ${message}`;
+    const words = `${count(problems.length, 'kind of problem', 'kinds of problem')}, see Open or make: ${message}`;
     alerts.notice(words, ...(mend ? [mend] : []));
   }
 

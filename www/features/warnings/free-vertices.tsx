@@ -56,7 +56,11 @@ export function FreeVertices() {
   return (
     <div class="message notice" role="group" aria-label="Vertices that stand still">
       <p>{count(free, stand, stand)}</p>
-      <Button class="small bordered" onClick={() => actions.edit({ preset: { id: 'opened' } })}>
+      <Button
+        class="small bordered"
+        title="Replaces the weights by those that keep the design, with which they follow"
+        onClick={() => actions.edit({ preset: { id: 'opened' } })}
+      >
         Let them follow
       </Button>
       <Button class="small bordered" onClick={() => actions.addHandles(vertices, true)}>

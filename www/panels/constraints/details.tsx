@@ -40,8 +40,8 @@ export function Details({
       <Requirement row={row} name={name} />
       {eased && (
         <p class="quiet">
-          {count(eased.panels, 'panel')} only within{' '}
-          {lengthText(eased.within, document?.units ?? '')}, so that no face folds.
+          {count(eased.panels, 'panel has', 'panels have')} a relaxed tolerance of{' '}
+          {lengthText(eased.within, document?.units ?? '')}, so that none folds.
         </p>
       )}
       <ParameterRows row={row} name={name} kind={kind} model={model} />
@@ -85,8 +85,8 @@ function ParameterRows({ row, name, kind, model }: Of & { kind: KindInfo; model:
 /** The requirements: id, label, meaning. */
 const OPTIONS = [
   ['soft', 'Soft', 'Balanced against the other goals by its weight'],
-  ['within', 'Within', 'No vertex is farther from the shape than this length'],
-  ['exact', 'Exact', 'Met exactly, as close to the original as possible'],
+  ['within', 'Within', 'No vertex may be farther from the shape than this length'],
+  ['exact', 'Exact', 'Met exactly; all that is soft is met as well as that allows'],
 ] as const;
 
 /** The requirement of a constraint: soft, within a length, or exact. */

@@ -59,7 +59,7 @@ function Report({ model: { problems, notes } }: { model: Loaded }) {
   if (problems.length + notes.length === 0) return null;
   const title =
     problems.length > 0
-      ? `${count(problems.length, 'problem')} in the file`
+      ? `${count(problems.length, 'kind of problem', 'kinds of problem')} in the file`
       : count(notes.length, 'note');
   return (
     <Details title={title} open={problems.length > 0}>

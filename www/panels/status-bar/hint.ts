@@ -26,7 +26,7 @@ export function hintOf(state: Readonly<State>) {
     const makes = isLocked ? '' : 'H turns the selection into handles · ';
     return `${makes}Add constraint can use it · Esc clears the selection`;
   }
-  if (renderer === 'none') return 'Run, Export and the panels work without the 3D view';
+  if (renderer === 'none') return 'Run, Export and the steps work without the 3D view';
   if (tool === 'select')
     return `${SHAPES[shape]} over ${mode} · Shift adds, ${CTRL} removes · V goes back to Drag`;
   if (next === 'choose' && state.verdict)

@@ -161,7 +161,7 @@ function Offline() {
   const { actions } = useApp();
   const [isOffline, setOffline] = useState(false);
   const kept = Boolean(navigator.serviceWorker?.controller);
-  const words = `Offline: ${kept ? 'everything still works' : 'what is loaded still works'}`;
+  const words = `Offline: ${kept ? 'what you have used before still works' : 'what is loaded still works'}`;
   useEffect(() => {
     const update = () => setOffline(!navigator.onLine);
     window.addEventListener('online', update);

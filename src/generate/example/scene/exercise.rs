@@ -22,7 +22,7 @@ pub(super) const GLASS_ROOF: Example = Example {
 
 const TEXT: &str = "Each pane of this roof will be one flat sheet of glass.
 Make every pane flat to a millimetre, and keep the roof within 5 cm of where it was drawn.
-Press Run and see which goals are missed. Then change the weights of the energies until both are met, and hand in your results.";
+Press Run and see which goals are missed. Then open Shape, Weights and solver, and change the weights until both are met. Hand in your results.";
 
 /// A roof on four fixed feet, with two conflicting goals.
 fn glass_roof(scene: &mut Scene) -> Mesh {
@@ -61,8 +61,8 @@ pub(super) const OFFSETS: Example = Example {
 const OFFSETS_TEXT: &str = "A roof has thickness: a second layer runs at a constant distance from the first, with parallel edges. If the corners of every panel lie on a circle, there is a second layer whose nodes are all equally far from those below. Each beam is then a flat strip, and beams meet in the axis of their node, without twist.
 
 1. Press Run. The corners come close to circles, but the first goal is missed: close leaves every node a little twisted.
-2. Under Constraints open Circle, and set Required to Exact. The corners move onto their circles at once.
-3. Look at Moved. Circular panels move the roof most where edges are far from the lines of curvature.";
+2. Under Shape, press Circle in the list, and set Required to Exact. The corners move onto their circles at once.
+3. Under Check, set Colour by to Moved. Circular panels move the roof most where edges are far from the lines of curvature.";
 
 fn offsets(scene: &mut Scene) -> Mesh {
     let roof = Canopy {
@@ -95,9 +95,9 @@ pub(super) const CURVATURE: Example = Example {
 
 const CURVATURE_TEXT: &str = "Two vaults of the same shape. On the left the edges follow the directions in which the vault bends most and least; on the right they cross them.
 
-1. Under Display colour by Off the lines of curvature. Which vault follows them?
+1. Under Check, set Colour by to Off the lines of curvature. Which vault follows them?
 2. Colour by Planarity. On the left all panels are flat, though no constraint has acted yet.
-3. Under Constraints open Plane, and set Required to Within. All panels come within 1 mm of flat.
+3. Under Shape, press Plane in the list, and set Required to Within. All panels come within 1 mm of flat.
 4. Colour by Moved. The left vault has not moved; the right one had to, for its panels to become flat. Exact moves it further: try it, and see which goal is missed.";
 
 fn curvature(scene: &mut Scene) -> Mesh {
@@ -141,8 +141,8 @@ pub(super) const HEXAGONS: Example = Example {
 
 const HEXAGONS_TEXT: &str = "Three bars meet in each node of this shell. As a frame with hinges it folds: n nodes can move in 3 n ways, and there are only 1.5 n bars. If the hexagons are plates, it stands, because three planes have one point in common. That is why shells of bars are made of triangles, and shells of plates of hexagons. But a plate has to be flat.
 
-1. Under Display colour by Planarity, and press Run. The plates become nearly flat, but the first goal is missed.
-2. Under Constraints open Plane, and set Required to Exact. The plates become flat at once.
+1. Under Check, set Colour by to Planarity, and press Run. The plates become nearly flat, but the first goal is missed.
+2. Under Shape, press Plane in the list, and set Required to Exact. The plates become flat at once.
 3. Look at the shapes: where the shell bends more in one direction, flat hexagons become narrow in the other.";
 
 fn hexagons(scene: &mut Scene) -> Mesh {
