@@ -8,7 +8,7 @@ import { showHelp } from '../features/help/help.ts';
 import { write as writeLesson } from '../features/lesson/dialog.ts';
 import { openRefine } from '../features/make-panels/refine-dialog.tsx';
 import { openEdit } from '../features/make-panels/edit-dialog.tsx';
-import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';
+import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.tsx';
 import { openPalette } from '../features/palette/palette.tsx';
 import { openSteps } from '../features/present/steps-dialog.ts';
 import { selectCommands } from '../features/selecting/select-commands.ts';
