@@ -2,6 +2,8 @@
 
 import { render, type ComponentType } from 'preact';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
+import { FlatMapPanel } from '../features/flat-map/flat-map-panel.tsx';
+import { FlatMapRegion } from '../features/flat-map/flat-map-region.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
@@ -47,6 +49,8 @@ const PLACES: Record<string, ComponentType> = {
       <Curvature />
     </>
   ),
+  'flat-map-panel-place': FlatMapPanel,
+  'flat-map-place': FlatMapRegion,
   'view-menu': ViewMenu,
   model: Model,
   constraints: Constraints,
