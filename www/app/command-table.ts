@@ -1,7 +1,6 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
 import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
-import { toggleBuild } from '../features/build/build-panel.ts';
 import { showExport } from '../features/export/dialog-export.ts';
 import { flatMaps } from '../features/flat-map/flat-maps.ts';
 import { showHelp } from '../features/help/help.ts';
@@ -276,9 +275,9 @@ export function commandTable(
       group: 'File',
       label: 'Parts on sheets',
       keys: [],
-      action: toggles(() => toggleBuild(app)),
+      action: () => actions.dock(store.get().docked === 'parts' ? null : 'parts'),
       needsModel: true,
-      pressed: ({ build }) => build !== null,
+      pressed: ({ docked }) => docked === 'parts',
     },
     {
       id: 'curvature',
