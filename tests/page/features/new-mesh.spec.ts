@@ -160,6 +160,17 @@ test('the fields are in one column, and what scrolls does not shine through the 
   await expect(dialog.getByLabel('Unit')).toBeVisible();
   await dialog.getByLabel('Shape').selectOption({ label: 'Between curves' });
   await expect(dialog.getByLabel('Unit')).toBeHidden();
+  // Half of the words were cut off.
+  const room = await boxOf(dialog.getByLabel('Made'));
+  const need = await dialog.getByLabel('Made').evaluate((list) => {
+    const copy = list.cloneNode(true) as HTMLElement;
+    copy.style.cssText = 'position: absolute; width: auto';
+    list.after(copy);
+    const { width } = copy.getBoundingClientRect();
+    copy.remove();
+    return width;
+  });
+  expect(need).toBeLessThanOrEqual(room.width);
 });
 
 test.describe('at an address without encryption', () => {

@@ -39,7 +39,8 @@ export function Settings({
   const fields = declared.filter(
     ({ group, products }) => group !== 'Offset' && products.includes(settings.product),
   );
-  const [first, ...folded] = [...new Set(fields.map(({ group }) => group))].map((group) =>
+  const groups = [...new Set(fields.map(({ group }) => group))];
+  const rowsOf = (group: string) =>
     fields
       .filter((setting) => setting.group === group)
       .map((setting) => (
@@ -50,10 +51,8 @@ export function Settings({
           unit={unit}
           onValue={(value) => parts.change(changedAt(parts.settings.value, setting.id, value))}
         />
-      )),
-  );
-  const groups = [...new Set(fields.map(({ group }) => group))].slice(1);
-  const [make, ...rows] = first;
+      ));
+  const [make, ...rows] = rowsOf(groups[0]);
   return (
     <div class="parts-settings" ref={form}>
       {make}
@@ -67,10 +66,10 @@ export function Settings({
         />
       ))}
       {rows}
-      {folded.map((rows, k) => (
-        <details key={groups[k]}>
-          <summary>{groups[k]}</summary>
-          {rows}
+      {groups.slice(1).map((group) => (
+        <details key={group}>
+          <summary>{group}</summary>
+          {rowsOf(group)}
         </details>
       ))}
     </div>

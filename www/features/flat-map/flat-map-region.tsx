@@ -24,7 +24,7 @@ function Region({ flatMap }: { flatMap: FlatMap }) {
   const box = useMapRegion();
   const place = useRef<HTMLDivElement>(null);
   useEffect(() => {
-    if (place.current) new Gestures(place.current, viewport).bind();
+    if (place.current) bindGestures(place.current, viewport);
   }, [viewport]);
   const { flipped } = flatMap.found;
   const isColoured = [flatMap.onModel, flatMap.onMap].includes('errors');
@@ -100,66 +100,53 @@ function Legend({ flatMap: { found } }: { flatMap: FlatMap }) {
   );
 }
 
-/** What pans and zooms the map. */
-class Gestures {
-  #place;
-  #viewport;
+/**
+ * Pans and zooms the map for as long as its place is there. One pointer pans it; two pan it by their
+ * midpoint and zoom it by their distance.
+ */
+function bindGestures(place: HTMLElement, viewport: Viewport) {
   /** Last position of each pressed pointer. */
-  #down: Map<number, [number, number]> = new Map();
+  const down: Map<number, [number, number]> = new Map();
+  const listen: HTMLElement['addEventListener'] = place.addEventListener.bind(place);
 
-  /** @param place over the canvas */
-  constructor(place: HTMLElement, viewport: Viewport) {
-    this.#place = place;
-    this.#viewport = viewport;
+  function at(event: MouseEvent): [number, number] {
+    const { left, top } = place.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
   }
 
-  /** Listens for as long as the place is there. */
-  bind() {
-    const listen: HTMLElement['addEventListener'] = this.#place.addEventListener.bind(this.#place);
-    listen('pointerdown', (event) => {
-      this.#place.focus({ preventScroll: true });
-      this.#place.setPointerCapture(event.pointerId);
-      this.#down.set(event.pointerId, this.#at(event));
-      // The middle button would scroll.
-      event.preventDefault();
-    });
-    listen('pointermove', (event) => this.#move(event));
-    for (const type of ['pointerup', 'pointercancel'] as const)
-      listen(type, (event) => this.#down.delete(event.pointerId));
-    listen('dblclick', () => this.#viewport.with((view) => view.fitMap()));
-    listen('contextmenu', (event) => event.preventDefault());
-    const onWheel = (event: WheelEvent) => {
-      event.preventDefault();
-      const factor = wheelFactor(event, this.#place.clientHeight);
-      this.#viewport.with((view) => view.zoomMap(factor, ...this.#at(event)));
-    };
-    listen('wheel', onWheel, { passive: false });
-    bindMoveKeys(this.#place, {
-      move: (x, y) => this.#viewport.with((view) => view.panMap(-KEY_STEP * x, -KEY_STEP * y)),
-      zoom: (...about) => this.#viewport.with((view) => view.zoomMap(...about)),
-    });
-  }
-
-  /**
-   * One pointer pans the map. Two pointers pan it by their midpoint and zoom it by their distance.
-   */
-  #move(event: PointerEvent) {
-    const last = this.#down.get(event.pointerId);
+  listen('pointerdown', (event) => {
+    place.focus({ preventScroll: true });
+    place.setPointerCapture(event.pointerId);
+    down.set(event.pointerId, at(event));
+    // The middle button would scroll.
+    event.preventDefault();
+  });
+  listen('pointermove', (event) => {
+    const last = down.get(event.pointerId);
     if (!last) return;
-    const at = this.#at(event);
-    const other = [...this.#down].find(([id]) => id !== event.pointerId)?.[1];
-    this.#down.set(event.pointerId, at);
+    const now = at(event);
+    const other = [...down].find(([id]) => id !== event.pointerId)?.[1];
+    down.set(event.pointerId, now);
     const share = other ? 0.5 : 1;
-    this.#viewport.with((view) => {
-      view.panMap(share * (at[0] - last[0]), share * (at[1] - last[1]));
+    viewport.with((view) => {
+      view.panMap(share * (now[0] - last[0]), share * (now[1] - last[1]));
       if (!other) return;
-      const [before, now] = [pair(last, other), pair(at, other)];
-      if (before.apart > 0 && now.apart > 0) view.zoomMap(now.apart / before.apart, now.x, now.y);
+      const [from, to] = [pair(last, other), pair(now, other)];
+      if (from.apart > 0 && to.apart > 0) view.zoomMap(to.apart / from.apart, to.x, to.y);
     });
-  }
-
-  #at(event: MouseEvent): [number, number] {
-    const box = this.#place.getBoundingClientRect();
-    return [event.clientX - box.left, event.clientY - box.top];
-  }
+  });
+  for (const type of ['pointerup', 'pointercancel'] as const)
+    listen(type, (event) => down.delete(event.pointerId));
+  listen('dblclick', () => viewport.with((view) => view.fitMap()));
+  listen('contextmenu', (event) => event.preventDefault());
+  const onWheel = (event: WheelEvent) => {
+    event.preventDefault();
+    const factor = wheelFactor(event, place.clientHeight);
+    viewport.with((view) => view.zoomMap(factor, ...at(event)));
+  };
+  listen('wheel', onWheel, { passive: false });
+  bindMoveKeys(place, {
+    move: (x, y) => viewport.with((view) => view.panMap(-KEY_STEP * x, -KEY_STEP * y)),
+    zoom: (...about) => viewport.with((view) => view.zoomMap(...about)),
+  });
 }
