@@ -45,7 +45,10 @@ const common = () =>
  */
 const rust = () => [
   ...common(),
-  ...['src', 'tests', 'README.md', 'www/pictures'].map((name) => at(name)),
+  ...['src', 'README.md', 'www/pictures'].map((name) => at(name)),
+  ...filesUnder(at('tests')).filter(
+    (path) => !/^tests\/(page|scripts)\//.test(relative(root, path)),
+  ),
 ];
 /** What decides over the tests of the page: the site without the sources that it offers. */
 const site = () => [

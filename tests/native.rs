@@ -5,7 +5,6 @@
 
 mod support;
 
-mod capabilities;
 mod cli;
 mod constraint;
 mod documentation;

@@ -6,18 +6,29 @@
 
 import type { Page } from '@playwright/test';
 
-/** Runs in the page: closes what is open and opens the first example by its link. */
-async function openAgain() {
+/** Runs in the page: the ids of the steps and levels that are open. */
+const openLevels = () =>
+  [...document.querySelectorAll('#steps details[id][open]')].map(({ id }) => id);
+
+/**
+ * Runs in the page: closes what is open but for steps and levels, and opens the first example by its
+ * link.
+ * @param levels ids of the steps and levels that are to be open
+ */
+async function openAgain(levels: string[]) {
   const { shapeUp } = window;
   document.querySelectorAll<HTMLDialogElement>('dialog[open]').forEach((dialog) => dialog.close());
   document
-    .querySelectorAll<HTMLDetailsElement>('details[open]')
-    .forEach((details) => (details.open = false));
+    .querySelectorAll<HTMLElement>('.docked:not([hidden]) [aria-label^=Close]')
+    .forEach((close) => close.click());
+  document
+    .querySelectorAll<HTMLDetailsElement>('details')
+    .forEach((details) => (details.open = levels.includes(details.id)));
   // The toolbars remember the last button that had the focus.
   document.querySelectorAll('[role=toolbar]').forEach((bar) => {
     bar.querySelector<HTMLElement>('input, button')?.focus();
   });
-  (document.activeElement as HTMLElement | null)?.blur();
+  document.querySelector<HTMLElement>('#analysis [role=tab]')?.click();
   // A model of four vertices, so that the example is seen to arrive.
   await shapeUp.open('v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n', 'square.obj');
   history.replaceState(null, '', `${location.pathname}?`);
@@ -53,9 +64,12 @@ async function look() {
     });
   const places = [0, 40, 99, 200].map((vertex) => shapeUp.screen(vertex)?.map(Math.round));
   const { documentElement, body, activeElement } = document;
+  // Which tab of the steps is chosen matters only where they are tabs.
+  const { step, sheet, ...noted } = body.dataset;
+  const tab = innerWidth < 700 && [step, sheet];
   return JSON.stringify([
     ...[seen, places, { ...shapeUp.state(), last_step_ms: 0 }, activeElement?.localName],
-    ...[{ ...documentElement.dataset }, { ...body.dataset }, body.className],
+    ...[{ ...documentElement.dataset }, noted, tab, body.className],
     ...[Object.keys(localStorage).sort(), Object.keys(sessionStorage).sort()],
   ]);
 }
@@ -63,10 +77,21 @@ async function look() {
 /** Largest number of looks at a page, and the time between them in ms, until it is at rest. */
 const [LOOKS, EVERY] = [30, 100];
 
-/**
- * What a page looks like that has opened the first example, once it is at rest or as `expected`.
- */
-export async function lookOf(page: Page, expected = '') {
+/** A page that has opened the first example. */
+export interface Start {
+  look: string;
+  /** ids of the steps and levels that are open */
+  levels: string[];
+}
+
+/** The start of a page in a new document. */
+export const startOf = async (page: Page): Promise<Start> => ({
+  look: await lookOf(page),
+  levels: await page.evaluate(openLevels),
+});
+
+/** What a page looks like, once it is at rest or as `expected`. */
+async function lookOf(page: Page, expected = '') {
   await page.waitForFunction(() => window.shapeUp.state().renderer.startsWith('web'));
   let last = '';
   for (let time = 0; time < LOOKS; time++) {
@@ -80,17 +105,23 @@ export async function lookOf(page: Page, expected = '') {
 
 /**
  * Opens the first example again.
- * @param wanted what it looks like in a new document
- * @returns whether it looks like that
+ * @param start that in a new document
+ * @returns whether the page looks like that
  */
-export async function startOver(page: Page, wanted: string): Promise<boolean> {
+export async function startOver(page: Page, { look: wanted, levels }: Start): Promise<boolean> {
   const isThere = await page.evaluate(
     () => Boolean(window.shapeUp) && location.search.length < 2 && !window.shapeUp.state().running,
   );
   if (!isThere) return false;
   await page.keyboard.press('Escape');
-  await page.evaluate(openAgain);
+  await page.evaluate(openAgain, levels);
   // A click selects vertices, a drag moves handles, and the whole model is in the view.
   for (const key of ['1', 'v', 'Home']) await page.keyboard.press(key);
+  // The page gives the view the focus of what is gone, but leaves it away from what is there.
+  await page.evaluate(() => {
+    const view = document.getElementById('viewport');
+    view?.focus();
+    view?.blur();
+  });
   return (await lookOf(page, wanted)) === wanted;
 }

@@ -4,7 +4,7 @@
 // that does more than is undone here (listens to the page, replaces its clock, exposes a function)
 // asks for a page of its own: `test.use({ fresh: true })`.
 
-import { lookOf, startOver } from './same-document.ts';
+import { startOf, startOver, type Start } from './same-document.ts';
 import type { BrowserContext, Page, ViewportSize } from '@playwright/test';
 
 /** The address of the first example, at its start and unsolved. */
@@ -75,12 +75,17 @@ export async function leave(page: Page) {
   await page.evaluate(forget);
 }
 
+/** Number of tries that say something. */
+const ENOUGH = 10;
+
 /** A page in a context of its own. */
 class SharedPage {
   #context;
   #page;
-  /** What the page looks like at the start. */
-  #look = '';
+  #start: Start | null = null;
+  /** How often it was to start over in the same document, and how often it did. */
+  #tries = 0;
+  #successes = 0;
   #size;
   /** The scripts that a test has added. */
   #scripts: { dispose(): Promise<void> }[] = [];
@@ -101,6 +106,14 @@ class SharedPage {
 
   get context() {
     return this.#context;
+  }
+
+  /**
+   * Whether it nearly always took a new document although it was to start over in the same: then
+   * something of the page is not undone, and all tests take twice the time without another sign.
+   */
+  get startsOverInVain() {
+    return this.#tries >= ENOUGH && this.#successes < this.#tries / 2;
   }
 
   /** Prepares the page for a test. */
@@ -125,12 +138,14 @@ class SharedPage {
     for (const at of [1, -1]) await page.mouse.move(at, at);
     if (!sameDocument) return leave(page);
     const isBack =
-      isAsMade && this.#look !== '' && (await startOver(page, this.#look).catch(() => false));
-    if (!isBack) {
+      isAsMade && this.#start && (await startOver(page, this.#start).catch(() => false));
+    if (this.#start) this.#tries += 1;
+    if (isBack) this.#successes += 1;
+    else {
       await leave(page);
-      if (this.#look !== '') return;
+      if (this.#start) return;
       await page.goto(START);
-      this.#look = await lookOf(page);
+      this.#start = await startOf(page);
     }
     atStart.set(page, sizeOf(page));
   }

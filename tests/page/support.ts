@@ -106,6 +106,8 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
       const pages: SharedPages = new Map();
       await use(pages);
       for (const { context } of pages.values()) await closeContext(context);
+      const inVain = [...pages.values()].some(({ startsOverInVain }) => startsOverInVain);
+      expect(inVain, 'pages hardly ever start over: see same-document.ts').toBe(false);
     },
     { scope: 'worker' },
   ],

@@ -50,13 +50,16 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
    * Tries until all is done.
    * @param goesOn whether to continue
    * @param after a slice, while it is the current trial
-   * @returns whether it is still the current trial; null without a model
+   * @param read what it has found, before a trial that waits begins; told whether it is still the
+   * current trial
+   * @returns what was read; null without a model
    */
-  async function run(
+  async function run<Found>(
     begin: (copy: Remote<OnCopy>) => Promise<unknown>,
-    goesOn: () => boolean = () => true,
+    goesOn: () => boolean,
+    read: (isCurrent: boolean) => Promise<Found> | Found,
     after: () => Promise<unknown> = () => Promise.resolve(),
-  ): Promise<boolean | null> {
+  ): Promise<Found | null> {
     const model = solver.copy();
     if (!model) return null;
     turn += 1;
@@ -68,14 +71,15 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
         more = await ask.advance();
         if (mine === turn) await after();
       }
-      return mine === turn;
+      return read(mine === turn);
     })();
     last = trial.catch(() => null);
     return trial;
   }
 
   /** The exact shape found so far; null if there is nothing to make exact. */
-  async function found(): Promise<ExactFound | null> {
+  async function found(isCurrent: boolean): Promise<ExactFound | null> {
+    if (!isCurrent) return null;
     const answers = [ask.offer(), ask.shape(), ask.positions()] as const;
     const [offer, shape, positions] = await Promise.all(answers);
     return offer && shape ? { offer, shape, positions } : null;
@@ -102,16 +106,14 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
      * changes meanwhile.
      * @param goesOn whether somebody waits for it
      */
-    exactOffer: async (goesOn: () => boolean): Promise<ExactFound | null> =>
-      (await run((copy) => copy.tryExact(), goesOn)) ? found() : null,
+    exactOffer: (goesOn: () => boolean) => run((copy) => copy.tryExact(), goesOn, found),
 
     /**
      * Searches for lower energy among equally exact shapes; returns how far it came, or null if
      * something changes meanwhile.
      * @param goesOn whether to search on
      */
-    improvement: async (goesOn: () => boolean): Promise<ExactFound | null> =>
-      (await run((copy) => copy.tryImprovement(), goesOn)) ? found() : null,
+    improvement: (goesOn: () => boolean) => run((copy) => copy.tryImprovement(), goesOn, found),
 
     /**
      * Presses for panels that end better than the last one. Other trials go first.
@@ -134,6 +136,7 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
         const done = await run(
           (copy) => copy.tryPresses(),
           () => performance.now() < until,
+          (isCurrent) => isCurrent,
           tell,
         );
         if (done !== false || asked !== changes) return done;
@@ -143,11 +146,12 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
     /** Changes that lower the worst distance; those found before something changes. */
     async suggestions(): Promise<Suggestion[]> {
       const until = performance.now() + MOST_SUGGESTIONS_MS;
-      const done = await run(
+      const found = await run(
         (copy) => copy.trySuggestions(),
         () => performance.now() < until,
+        () => ask.suggestions(),
       );
-      return done === null ? [] : ask.suggestions();
+      return found ?? [];
     },
   };
 }

@@ -5,6 +5,8 @@ import { hidePanels, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, openPage, sceneOf, screenOf, test, waitForState } from '../support.ts';
 
+test.use({ sameDocument: true });
+
 const N = 4;
 const VERTICES = (N + 1) ** 2;
 

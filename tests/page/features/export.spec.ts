@@ -107,7 +107,7 @@ test('the exported plot labels its curves', async ({ page }) => {
 
 test('a picture has the chosen size, legend and background', looks, async ({ page }) => {
   // The largest picture has 16 times the pixels of the view.
-  await page.setViewportSize({ width: 900, height: 640 });
+  await page.setViewportSize({ width: 720, height: 420 });
   await openPage(page);
   await waitForState(page, (now) => now.renderer.startsWith('web'));
   const view = await boxOf(page.getByRole('application', { name: '3D view' }));

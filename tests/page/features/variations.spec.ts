@@ -6,6 +6,8 @@ import { openText, openVariations, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { everything, expect, openPage, state, test, waitForState } from '../support.ts';
 
+test.use({ sameDocument: true });
+
 const N = 6;
 const VERTICES = (N + 1) ** 2;
 

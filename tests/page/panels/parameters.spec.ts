@@ -5,6 +5,8 @@ import { addConstraint, openText, showStep, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, state, test, waitForState } from '../support.ts';
 
+test.use({ sameDocument: true });
+
 const N = 4;
 
 test.beforeEach(async ({ page }) => {

@@ -21,16 +21,26 @@ function trials(during: (solver: Fake) => void) {
   });
   let steps = 0;
   const begun: unknown[] = [];
+  /** What the worker has been asked to try last. */
+  let last = '';
   const copy = (model: unknown) => {
-    const begin = async () => void begun.push(model);
-    return { tryExact: begin, tryImprovement: begin, trySuggestions: begin, tryPresses: begin };
+    const begin = (name: string) => async () => {
+      begun.push(model);
+      last = name;
+    };
+    return {
+      tryExact: begin('exact'),
+      tryImprovement: begin('improvement'),
+      trySuggestions: begin('suggestions'),
+      tryPresses: begin('presses'),
+    };
   };
   const ask = {
     async advance() {
       if (++steps === 1) during(solver);
       return steps < 9;
     },
-    offer: async () => FOUND.offer,
+    offer: async () => (/exact|improvement/.test(last) ? FOUND.offer : null),
     shape: async () => FOUND.shape,
     positions: async () => FOUND.positions,
     suggestions: async () => ['smooth less'],
@@ -53,6 +63,13 @@ test('a trial runs to its end on a copy of the model', async () => {
   assert.deepEqual(await made.exactOffer(() => true), FOUND);
   assert.deepEqual(begun, [{ text: 'the scene', generation: 5 }]);
   assert.equal(steps(), 9, 'a setting of the build changes neither problem nor shape');
+});
+
+test('a trial that waits does not replace what the one before has found until it is read', async () => {
+  const { made, begun } = trials(() => void made.betterPresses(() => {}));
+  assert.deepEqual(await made.exactOffer(() => true), FOUND);
+  await new Promise((done) => setTimeout(done));
+  assert.equal(begun.length, 2, 'the other one follows');
 });
 
 for (const [what, during] of [

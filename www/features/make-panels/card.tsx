@@ -40,7 +40,7 @@ function Card({
   children: ComponentChildren;
 }) {
   const place = useCover<HTMLDivElement>('bottom', (covered) =>
-    byId('main').style.setProperty('--covered', `${covered}px`),
+    byId('main').style.setProperty('--covered', covered ? `${covered}px` : ''),
   );
   return (
     <div id="make-panels-card" ref={place} role="group" aria-label="Panels" {...rest}>
