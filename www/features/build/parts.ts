@@ -130,6 +130,7 @@ export class Parts {
   #withdraw() {
     batch(() => {
       this.built.value = this.card.value = null;
+      this.choices.value = [];
       this.refused.value = '';
     });
     this.#layer.show(null);
