@@ -10,7 +10,7 @@ export const ROOMS = {
   viewport: ['ui', 'solver', 'store'],
   documents: ['ui', 'solver', 'store', 'viewport'],
   panels: ['ui', 'solver', 'store', 'viewport', 'documents'],
-  docked: ['ui'],
+  docked: ['ui', 'store'],
   features: ['ui', 'solver', 'store', 'viewport', 'documents', 'docked'],
   app: ['ui', 'solver', 'store', 'viewport', 'documents', 'panels', 'docked', 'features'],
   pages: ['ui', 'solver', 'store', 'documents', 'features'],

@@ -1,11 +1,14 @@
 /** The components of the page, each in its place of `index.html`, which is there before them. */
 
 import { render, type ComponentType } from 'preact';
+import { BuildPanel } from '../features/build/build-panel.tsx';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
+import { FlatMapPanel } from '../features/flat-map/flat-map-panel.tsx';
+import { FlatMapRegion } from '../features/flat-map/flat-map-region.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
-import { VariationsButton } from '../features/variations/variations-panel.tsx';
+import { VariationsButton, VariationsPanel } from '../features/variations/variations-panel.tsx';
 import { ViewMenu } from '../features/view-tools/view-menu.tsx';
 import { RunMessageOnCard } from '../features/warnings/run-message.tsx';
 import { Warnings } from '../features/warnings/warnings.tsx';
@@ -47,6 +50,14 @@ const PLACES: Record<string, ComponentType> = {
       <Curvature />
     </>
   ),
+  'docked-place': () => (
+    <>
+      <VariationsPanel />
+      <BuildPanel />
+    </>
+  ),
+  'flat-map-panel-place': FlatMapPanel,
+  'flat-map-place': FlatMapRegion,
   'view-menu': ViewMenu,
   model: Model,
   constraints: Constraints,

@@ -1,14 +1,13 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
 import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
-import { toggleBuild } from '../features/build/build-panel.ts';
 import { showExport } from '../features/export/dialog-export.ts';
-import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
+import { flatMaps } from '../features/flat-map/flat-maps.ts';
 import { showHelp } from '../features/help/help.ts';
 import { write as writeLesson } from '../features/lesson/dialog.ts';
 import { openRefine } from '../features/make-panels/refine-dialog.tsx';
 import { openEdit } from '../features/make-panels/edit-dialog.tsx';
-import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';
+import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.tsx';
 import { openPalette } from '../features/palette/palette.tsx';
 import { openSteps } from '../features/present/steps-dialog.ts';
 import { selectCommands } from '../features/selecting/select-commands.ts';
@@ -20,7 +19,7 @@ import { isDrawn, type State } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { isTypedInto } from '../ui/keys.ts';
-import { inTurn, once, oneAtATime } from '../ui/once.ts';
+import { inTurn, oneAtATime } from '../ui/once.ts';
 import { reveal } from '../ui/reveal.ts';
 import { fly } from '../viewport/camera.ts';
 import { toggleTheme } from './appearance.ts';
@@ -77,7 +76,6 @@ export function commandTable(
     if ((await actions.redo()) === null) await files.goForward();
   }
 
-  const flatMap = once(() => new FlatMapController(app));
   /**
    * Opens something: a press while that or another is being prepared has no effect, as two dialogs
    * would open. Errors are shown.
@@ -280,9 +278,9 @@ export function commandTable(
       group: 'File',
       label: 'Parts on sheets',
       keys: [],
-      action: toggles(() => toggleBuild(app)),
+      action: () => actions.dock(store.get().docked === 'parts' ? null : 'parts'),
       needsModel: true,
-      pressed: ({ build }) => build !== null,
+      pressed: ({ docked }) => docked === 'parts',
     },
     {
       id: 'curvature',
@@ -306,7 +304,7 @@ export function commandTable(
       group: 'View',
       label: 'Flatten: a flat map beside the model',
       keys: ['U'],
-      action: toggles(() => flatMap().toggle()),
+      action: toggles(() => flatMaps(app).toggle()),
       needsModel: true,
       enabled: ({ model }) => Boolean(model?.faces),
       pressed: (state) => state.flatMap !== null,

@@ -8,7 +8,7 @@ import { reportCollapse } from '../documents/collapse.ts';
 import { examplesMenu } from '../documents/examples.ts';
 import { Files } from '../documents/files.ts';
 import { showRecent } from '../documents/recent-menu.ts';
-import { buildGoals } from '../features/build/build-goals.ts';
+import { measureGoals } from '../features/build/live-build.ts';
 import { embeddedView } from '../features/embed/embedded-view.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
 import { lessonPanel } from '../features/lesson/panel.ts';
@@ -90,7 +90,7 @@ if (isEmbedded) embeddedView(app);
 lessonPanel(app);
 offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
-const measureParts = once(() => actions.reportErrors(buildGoals(app)));
+const measureParts = once(() => actions.reportErrors(measureGoals(app)));
 store.subscribe(['document'], ({ document: scene }) => {
   if (scene?.lesson?.goals.some(({ build }) => build)) void measureParts();
 });

@@ -92,6 +92,8 @@ export interface State {
   spread: Spread | null;
   /** the card in the corner of the view, which draws lines on the surface */
   corner: 'curvature' | 'new-panels' | null;
+  /** the panel that is docked below the view */
+  docked: 'variations' | 'parts' | null;
   /** of the other measures, in their units */
   tolerances: Record<Measure, number | null>;
   /** `map` applies if all values are coloured */
@@ -259,6 +261,7 @@ const INITIAL: State = {
   greatest: null,
   spread: null,
   corner: null,
+  docked: null,
   tolerances: {},
   display: {
     edges: true,

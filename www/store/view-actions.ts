@@ -40,6 +40,9 @@ export function createViewActions(store: Store) {
       if (store.get().corner === corner) store.set({ corner: null });
     },
 
+    /** Docks a panel below the view, in place of the one that is there. */
+    dock: (docked: State['docked']) => store.set({ docked }),
+
     /** Sets the verdict on the panels. */
     judge: (verdict: State['verdict']) => store.set({ verdict }),
     /** Adds the presses that end better to the verdict, if it is still that on this shape. */

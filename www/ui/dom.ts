@@ -70,11 +70,6 @@ export function setText(node: Node, text: string) {
   if (place.textContent !== text) place.textContent = text;
 }
 
-/** Sets the attribute if it differs: setting an equal value invalidates styles too. */
-export function setAttribute(place: Element, name: string, value: string) {
-  if (place.getAttribute(name) !== value) place.setAttribute(name, value);
-}
-
 /** Resolves a custom property to a colour in the current theme, for use outside CSS. */
 export function colourOf(place: HTMLElement, name: string) {
   const { style } = place;

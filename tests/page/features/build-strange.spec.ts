@@ -60,6 +60,9 @@ for (const [what, text, vertices, words] of STRANGE) {
     const save = partsPanel(page).getByRole('button', { name: 'Save drawings' });
     if (/no faces|no number|not known/.test(words.source)) {
       await expect(save).toBeDisabled();
+      // The panel is open, although there are no parts.
+      const build = page.getByRole('button', { name: 'Build', exact: true });
+      await expect(build).toHaveAttribute('aria-pressed', 'true');
       return;
     }
     const archive = await downloaded(page, () =>

@@ -4,7 +4,16 @@
 import type { Page } from '@playwright/test';
 import { openText, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { expect, openPage, sceneOf, screenOf, state, test, waitForState } from '../support.ts';
+import {
+  boxOf,
+  expect,
+  openPage,
+  sceneOf,
+  screenOf,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -129,6 +138,39 @@ test('a surface is made between two curves of the model, or inside a boundary', 
   await waitForState(page, (now) => now.faces > 30);
   await again.getByRole('button', { name: 'Cancel' }).click();
   await waitForState(page, (now) => now.faces === 20);
+});
+
+test('the fields are in one column, and what scrolls does not shine through the buttons', async ({
+  page,
+}) => {
+  await openPage(page);
+  const dialog = await openNewMesh(page);
+  // The list of another dialog moved the first fields outwards.
+  const [shape, size] = [
+    dialog.getByLabel('Shape'),
+    dialog.getByRole('spinbutton').first().locator('xpath=..'),
+  ];
+  const [one, other] = [await boxOf(shape), await boxOf(size)];
+  expect(one.x + one.width).toBeCloseTo(other.x + other.width, 0);
+  const behind = await dialog
+    .locator('footer')
+    .evaluate((footer) => getComputedStyle(footer).backgroundColor);
+  expect(behind).not.toBe('rgba(0, 0, 0, 0)');
+  // A mesh between curves has their unit: the choice of another one had no effect.
+  await expect(dialog.getByLabel('Unit')).toBeVisible();
+  await dialog.getByLabel('Shape').selectOption({ label: 'Between curves' });
+  await expect(dialog.getByLabel('Unit')).toBeHidden();
+  // Half of the words were cut off.
+  const room = await boxOf(dialog.getByLabel('Made'));
+  const need = await dialog.getByLabel('Made').evaluate((list) => {
+    const copy = list.cloneNode(true) as HTMLElement;
+    copy.style.cssText = 'position: absolute; width: auto';
+    list.after(copy);
+    const { width } = copy.getBoundingClientRect();
+    copy.remove();
+    return width;
+  });
+  expect(need).toBeLessThanOrEqual(room.width);
 });
 
 test.describe('at an address without encryption', () => {

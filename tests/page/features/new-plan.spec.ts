@@ -190,3 +190,26 @@ test('crossing sides are marked in the drawing, and the plan is there the next t
   await dialog.getByRole('button', { name: 'Undo' }).click();
   await expect(point(dialog, 3)).toHaveAccessibleName(/26000, 6000 mm/);
 });
+
+test('every point is reached by keys, and a loop that was drawn has the focus', async ({
+  page,
+}) => {
+  const dialog = await openPlan(page);
+  // Only the selected point was reached, and nothing selected another one.
+  await point(dialog, 1).focus();
+  await page.keyboard.press('Tab');
+  await expect(point(dialog, 2)).toBeFocused();
+  await expect(dialog.getByRole('heading', { name: 'Point 2 of the outline' })).toBeVisible();
+  await page.keyboard.press('ArrowRight');
+  await expect(point(dialog, 2)).toHaveAccessibleName('Point 2 of the outline, 22, 0 m, corner');
+  // Keys were without effect after drawing.
+  await dialog.getByRole('button', { name: 'Draw the outline' }).click();
+  const corners = [
+    [0.2, 0.8],
+    [0.8, 0.8],
+    [0.8, 0.2],
+  ];
+  for (const place of corners) await pressAt(page, dialog, place);
+  await page.keyboard.press('Enter');
+  await expect(point(dialog, 1)).toBeFocused();
+});

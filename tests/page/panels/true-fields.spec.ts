@@ -28,6 +28,27 @@ test('a number that is refused does not stay in its field', async ({ page }) => 
   expect((await sceneOf(page)).constraints[0].weight ?? 1).toBe(1);
 });
 
+test('a number that is being typed is not replaced by one that comes meanwhile', async ({
+  page,
+}) => {
+  await openGrid(page, 4);
+  const weight = page.getByRole('spinbutton', { name: 'Smooth weight', exact: true });
+  const before = await weight.inputValue();
+  await weight.fill('7');
+  await weight.press('Enter');
+  const undo = page.getByRole('button', { name: 'Undo', exact: true });
+  await expect(undo).toHaveAttribute('title', /^Undo: Change weights/);
+  await weight.selectText();
+  await page.keyboard.type('2');
+  await undo.dispatchEvent('click');
+  await expect(page.getByRole('status')).toHaveText('Undid: Change weights');
+  // It used to become the one before, and the next digit another number.
+  await page.keyboard.type('5');
+  await expect(weight).toHaveValue('25');
+  await weight.press('Escape');
+  await expect(weight).toHaveValue(before);
+});
+
 test('Within takes the tolerance as it is, not as it was when the row was opened', async ({
   page,
 }) => {

@@ -1,7 +1,7 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
 import { messageOf } from '../../solver/errors.ts';
-import type { Asker, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
+import type { Asker, BuildSettings, Built, Reshaped, SceneDocument } from '../../solver/types.ts';
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { UNITS } from '../../ui/units.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -58,8 +58,7 @@ export class LiveBuild {
   }
 
   /** The settings of the scene, completed by the defaults. */
-  settings() {
-    const { document } = this.#app.store.get();
+  settings(document: SceneDocument | null = this.#app.store.get().document): BuildSettings {
     return { ...(this.#defaults as BuildSettings), ...document?.build };
   }
 
@@ -181,4 +180,33 @@ export class LiveBuild {
   #isZUp() {
     return this.#app.store.get().document?.up === 'z';
   }
+}
+
+/**
+ * Follows lesson goals on the parts. Their numbers are measured in the second worker, so that
+ * iterations do not wait, while the shape is at rest; the session discards them when it moves.
+ */
+export async function measureGoals(app: AppContext) {
+  const { store, actions } = app;
+  const live = new LiveBuild(app, 'goals', {
+    show: () => void actions.reportErrors(tell()),
+    showOffset: () => {},
+    refuse: () => void actions.reportErrors(actions.setBuildNumbers([])),
+  });
+  await live.offers();
+
+  async function tell() {
+    const numbers = await live.numbers();
+    // Of another shape they say nothing; it is built in its turn.
+    if (live.isCurrent()) await actions.setBuildNumbers(numbers);
+  }
+
+  const isAsked = () =>
+    !store.get().running && store.get().document?.lesson?.goals.some(({ build }) => build);
+  store.subscribe(['running', 'document'], () => {
+    if (isAsked()) void live.again();
+  });
+  store.subscribe(['numbers'], () => {
+    if (isAsked()) void live.update();
+  });
 }

@@ -4,25 +4,21 @@
  */
 
 import './variations.css';
-import { render } from 'preact';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
-import { docked } from '../../docked/docked.ts';
+import { Docked } from '../../docked/docked.tsx';
 import { isHard } from '../../store/state.ts';
-import { AppProvider, useApp } from '../../store/use-app.ts';
-import { Button, CloseButton } from '../../ui/components/buttons.tsx';
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { element } from '../../ui/dom.ts';
-import { once } from '../../ui/once.ts';
 import { Kept } from './kept.tsx';
 import { VariationCard } from './variation-card.tsx';
 import { Variations } from './variations.ts';
-import type { AppContext } from '../../app/context.ts';
 
 /** Opens and closes the panel. */
 export function VariationsButton() {
-  const app = useApp();
-  const { state } = app.store;
-  const { document: scene, running } = state;
+  const { store, actions } = useApp();
+  const { state } = store;
+  const { document: scene, running, docked } = state;
   const isMet = useThrottled(() => state.numbers?.exact?.met === true);
   const isKept = Boolean(scene?.variants.length);
   if (!isKept && !scene?.constraints.some(isHard)) return null;
@@ -35,61 +31,49 @@ export function VariationsButton() {
           ? 'Other shapes that are as exact as this one'
           : 'Available once the exact constraints are met'
       }
-      onClick={() => thePanel(app).toggle()}
+      onClick={() => actions.dock(docked === 'variations' ? null : 'variations')}
     >
       Variations
     </Button>
   );
 }
 
-const thePanel = once((app: AppContext) => {
-  const panel = element('section.docked', {
-    ...{ id: 'variations-panel', 'aria-labelledby': 'heading-variations', hidden: true },
-  });
-  const place = docked(panel, {
-    opened: () =>
-      render(
-        <AppProvider value={app}>
-          <Panel close={() => place.close()} />
-        </AppProvider>,
-        panel,
-      ),
-    closed: () => render(null, panel),
-  });
-  return place;
-});
+/** The panel, while it is docked. */
+export function VariationsPanel() {
+  return useApp().store.state.docked === 'variations' ? <Panel /> : null;
+}
 
-function Panel({ close }: { close: () => void }) {
+function Panel() {
   const app = useApp();
   const variations = useMemo(() => new Variations(app), [app]);
-  useEffect(() => variations.begin(close), [variations]);
+  useEffect(() => variations.begin(() => app.actions.dock(null)), [variations]);
   const keep = useRef<HTMLButtonElement>(null);
   useEffect(() => keep.current?.focus(), []);
   const isMoved = variations.isMoved();
-  return (
+  const head = (
     <>
-      <div class="heading-row">
-        <h2 id="heading-variations">Variations</h2>
-        <p aria-live="polite">{variations.words.value}</p>
-        <Button
-          title="Moves all sliders to the middle"
-          disabled={!isMoved}
-          onClick={() => variations.leave()}
-        >
-          Back
-        </Button>
-        <button
-          ref={keep}
-          type="button"
-          class="primary"
-          title="Makes this the design"
-          disabled={!isMoved || !variations.isExact.value}
-          onClick={() => variations.keep()}
-        >
-          Keep
-        </button>
-        <CloseButton label="Close variations" onClick={close} />
-      </div>
+      <p aria-live="polite">{variations.words.value}</p>
+      <Button
+        title="Moves all sliders to the middle"
+        disabled={!isMoved}
+        onClick={() => variations.leave()}
+      >
+        Back
+      </Button>
+      <button
+        ref={keep}
+        type="button"
+        class="primary"
+        title="Makes this the design"
+        disabled={!isMoved || !variations.isExact.value}
+        onClick={() => variations.keep()}
+      >
+        Keep
+      </button>
+    </>
+  );
+  return (
+    <Docked of="variations" title="Variations" head={head}>
       <div class="docked-columns variation-columns">
         <div class="variation-cards">
           {variations.found.value.map(({ displacements }, index) => (
@@ -98,6 +82,6 @@ function Panel({ close }: { close: () => void }) {
         </div>
         <Kept />
       </div>
-    </>
+    </Docked>
   );
 }

@@ -15,7 +15,8 @@ export function AmountField({
   isReplaced = false,
   ...rest
 }: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role'> & {
-  name: string;
+  /** its accessible name, unless a label names it */
+  name?: string;
   /** null for none */
   value: number | null;
   onAmount: (to: number) => unknown;

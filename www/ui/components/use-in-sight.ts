@@ -2,11 +2,14 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 
-/** Returns the reference of an element that is scrolled into view when it becomes chosen. */
-export function useInSight<Kind extends Element>(isChosen: boolean) {
+/**
+ * Returns the reference of an element that is scrolled into view when it becomes chosen.
+ * @param chosen whether it is, or what in it is; falsy for nothing
+ */
+export function useInSight<Kind extends Element>(chosen: boolean | string) {
   const place = useRef<Kind>(null);
   useEffect(() => {
-    if (isChosen) place.current?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
-  }, [isChosen]);
+    if (chosen) place.current?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
+  }, [chosen]);
   return place;
 }

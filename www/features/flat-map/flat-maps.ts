@@ -1,14 +1,8 @@
-/**
- * Requests a flat map of the model with the last chosen options, and owns its panel and its region
- * of the canvas.
- */
+/** Flat maps of the model, made with the options that were chosen last. */
 
-import './flat-map.css';
-import { byId } from '../../ui/dom.ts';
 import { newestOnly } from '../../store/newest-only.ts';
 import { duration } from '../../ui/format.ts';
-import { FlatMapRegion } from './flat-map-region.ts';
-import { flatMapPanel } from './flat-map-panel.ts';
+import { once } from '../../ui/once.ts';
 import type { MapNorm, MapWeights, Snapshot } from '../../solver/types.ts';
 import type { FlatMap } from '../../store/state.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -19,7 +13,10 @@ const FLATTENING = 'Flattening …';
 
 type Choices = Pick<FlatMap, 'weights' | 'norm' | 'onModel' | 'onMap' | 'squares'>;
 
-export class FlatMapController {
+/** The flat maps of the page. */
+export const flatMaps = once((app: AppContext) => new FlatMaps(app));
+
+class FlatMaps {
   #store;
   #viewport;
   #actions;
@@ -45,8 +42,6 @@ export class FlatMapController {
     this.#viewport = viewport;
     this.#actions = actions;
     this.#jobs = jobs;
-    flatMapPanel(byId('flat-map-section'), store, this);
-    new FlatMapRegion(byId('flat-map'), store, viewport);
   }
 
   toggle() {

@@ -1,0 +1,88 @@
+/** The docked panel of parts: settings, the build check, the sheets and their files. */
+
+import './build-panel.css';
+import { useEffect } from 'preact/hooks';
+import { Docked } from '../../docked/docked.tsx';
+import { askRhino } from '../../documents/rhino/rhino-client.ts';
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
+import { oneAtATime } from '../../ui/once.ts';
+import { CheckCard } from './check-card.tsx';
+import { theParts } from './parts.ts';
+import { showReport } from './report.tsx';
+import { Settings } from './settings.tsx';
+import { Sheets } from './sheets.tsx';
+import { Thickness } from './thickness.tsx';
+import { TypesCurve } from './types-curve.tsx';
+
+const openReport = oneAtATime(showReport);
+
+/** The panel, while it is docked. */
+export function BuildPanel() {
+  return useApp().store.state.docked === 'parts' ? <Panel /> : null;
+}
+
+function Panel() {
+  const app = useApp();
+  const { store, actions, files } = app;
+  const parts = theParts(app);
+  const { live } = parts;
+  useEffect(() => parts.begin(), [parts]);
+  const offers = parts.offers.value;
+  const built = parts.built.value;
+  const refused = parts.refused.value;
+  // The scene has the settings and the unit.
+  const isOpen = store.state.document !== null;
+
+  async function save() {
+    const bytes = await actions.reportErrors(live.zip());
+    if (bytes) files.save('-parts.zip', bytes, 'application/zip');
+  }
+
+  /** Saves a 3DM file, loading its large writer. */
+  async function saveForRhino() {
+    const [made, { symbol }] = [await live.spatialParts(), live.unit()];
+    const bytes = await askRhino((rhino) => rhino.writeParts(made, symbol));
+    files.save('-parts.3dm', bytes, 'model/vnd.3dm');
+  }
+
+  const head = (
+    <>
+      <p aria-live="polite">{built?.words.sheets}</p>
+      <Button disabled={refused !== ''} onClick={() => actions.reportErrors(openReport(app, live))}>
+        Report
+      </Button>
+      <Button
+        title="Panels, beams, nodes and sheets as layers of a .3dm file"
+        disabled={refused !== ''}
+        onClick={() => actions.reportErrors(saveForRhino())}
+      >
+        Rhino
+      </Button>
+      <Button class="primary" disabled={refused !== ''} onClick={save}>
+        Save drawings and tables
+      </Button>
+    </>
+  );
+  const warnings = refused ? [refused] : (built?.words.warnings ?? []);
+  return (
+    <Docked of="parts" title="Parts and sheets" head={head}>
+      {offers && isOpen && (
+        <div class="docked-columns parts-columns">
+          <Settings parts={parts} offers={offers} />
+          <div class="parts-check">
+            <Thickness parts={parts} declared={offers.settings} />
+            <CheckCard parts={parts} />
+            <TypesCurve parts={parts} />
+            {warnings.map((words) => (
+              <p key={words} class="notice">
+                {words}
+              </p>
+            ))}
+          </div>
+          <Sheets parts={parts} />
+        </div>
+      )}
+    </Docked>
+  );
+}

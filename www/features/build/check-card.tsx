@@ -1,0 +1,81 @@
+/** The build check: five numbers with their limits; clicking one shows its worst element. */
+
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
+import { showElements } from '../../viewport/camera.ts';
+import type { CheckRow, CheckWords } from '../../solver/types.ts';
+import type { Parts } from './parts.ts';
+
+const MARKS = { none: '–', met: '✓', missed: '✗' };
+
+export function CheckCard({ parts }: { parts: Parts }) {
+  const { store, actions } = useApp();
+  const { model } = store.state;
+  const card = parts.card.value;
+  if (!card) return null;
+  const { report, words } = card;
+  const { suggestions, otherwise } = report.tighten;
+  /** The suggestion that suits the panels. */
+  const at = suggestions.findIndex(({ constraint }) =>
+    model?.panels.some(({ kind, reason }) => kind === constraint && !reason),
+  );
+  function tighten() {
+    const { constraint, within } = suggestions[at];
+    return actions.makePanels(constraint, within);
+  }
+  return (
+    <div class="check-card">
+      <ul class="check-rows">
+        {report.check.map((row, k) => (
+          <Row key={row.id} row={row} words={words.check[k]} />
+        ))}
+      </ul>
+      <div class="tighten">
+        <Button aria-describedby="tighten-reason" disabled={at < 0} onClick={tighten}>
+          Tighten
+        </Button>
+        <p class="quiet" id="tighten-reason">
+          {words.suggestions[at] ?? otherwise}
+        </p>
+      </div>
+      <p class="quiet">{words.offset}</p>
+      {report.problems.map((problem) => (
+        <p key={problem} class="notice">
+          {problem}
+        </p>
+      ))}
+    </div>
+  );
+}
+
+function Row({ row: { label, met, worst }, words }: { row: CheckRow; words: CheckWords }) {
+  const app = useApp();
+  const state = met === null ? 'none' : met ? 'met' : 'missed';
+  const inside = (
+    <>
+      <span class="mark" aria-hidden="true">
+        {MARKS[state]}
+      </span>
+      <span class="label">{label}</span>
+      <span class="figure">{words.value}</span>
+      <span class="quiet bound">{words.limit}</span>
+      {met === false && <span class="quiet missed">{words.state}</span>}
+    </>
+  );
+  function show() {
+    if (worst === 'none') return;
+    if ('panel' in worst) showElements(app, { vertices: [], faces: [worst.panel] });
+    else showElements(app, { vertices: 'edge' in worst ? worst.edge : [worst.vertex], faces: [] });
+  }
+  return (
+    <li data-state={state}>
+      {worst === 'none' ? (
+        <div>{inside}</div>
+      ) : (
+        <button type="button" title="Show where it is worst" onClick={show}>
+          {inside}
+        </button>
+      )}
+    </li>
+  );
+}

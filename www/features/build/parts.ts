@@ -1,0 +1,139 @@
+/** The parts of the open shape as the panel shows them, made anew when the shape or a setting changes. */
+
+import { batch, computed, signal } from '@preact/signals';
+import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
+import { once } from '../../ui/once.ts';
+import { LiveBuild } from './live-build.ts';
+import { offsetLayer } from './offset-layer.ts';
+import type { BuildChoice, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
+import type { AppContext } from '../../app/context.ts';
+
+/** The parts of the page. */
+export const theParts = once((app: AppContext) => new Parts(app));
+
+export class Parts {
+  readonly live: LiveBuild;
+  /** The presets and the declared settings, once they are known. */
+  readonly offers = signal<Awaited<ReturnType<LiveBuild['offers']>> | null>(null);
+  readonly built = signal<Built | null>(null);
+  /** What depends on the offset and follows a drag. */
+  readonly card = signal<Reshaped>(null);
+  /** Each kind of offset with its error. */
+  readonly choices = signal<BuildChoice[]>([]);
+  /** Why there are no parts; empty if there are. */
+  readonly refused = signal('');
+  #app;
+  #layer;
+  /** What was sent and is not in the scene yet, and the number of edits that this takes. */
+  #sent = signal<Partial<BuildSettings>>({});
+  #pending = 0;
+  #isOpen = false;
+  /** The settings of the scene with those that were sent. */
+  readonly settings = computed<BuildSettings>(() => {
+    const { document } = this.#app.store.state;
+    return { ...this.live.settings(document), ...this.#sent.value };
+  });
+  #tried = latestOnly((distance: number | null) =>
+    this.#app.actions.reportErrors(
+      distance === null
+        ? this.live.again()
+        : this.live.moveLayer(distance).then((card) => this.#showOffset(card)),
+    ),
+  );
+
+  constructor(app: AppContext) {
+    this.#app = app;
+    this.#layer = offsetLayer(app);
+    this.live = new LiveBuild(app, 'panel', {
+      show: (built) => this.#show(built),
+      showOffset: (card) => this.#showOffset(card),
+      refuse: (why) => this.#refuse(why),
+    });
+  }
+
+  /** Makes the parts, and again whenever something changes, until the returned function is called. */
+  begin() {
+    const { store, actions } = this.#app;
+    this.#isOpen = true;
+    void actions.reportErrors(this.#open());
+    const stop = store.subscribe(
+      ['document', 'numbers', 'running', 'dragged', 'model'],
+      ({ model }) => {
+        if (!model) actions.dock(null);
+        else void this.live.update();
+      },
+    );
+    return () => {
+      stop();
+      this.#isOpen = false;
+      this.#withdraw();
+      actions.tint(null);
+    };
+  }
+
+  change(own: Partial<BuildSettings>) {
+    const { store, actions } = this.#app;
+    this.#sent.value = { ...this.#sent.value, ...own };
+    this.#pending += 1;
+    const build = { ...store.get().document?.build, ...this.#sent.value };
+    void actions.edit({ setBuild: { build } }).then((edited) => {
+      this.#pending -= 1;
+      // What was refused is neither sent again nor shown any longer.
+      if (!this.#pending || edited === undefined) this.#sent.value = {};
+    });
+  }
+
+  /**
+   * Previews the offset.
+   * @param distance in the unit of the mesh; null for that of the settings
+   */
+  tryDistance(distance: number | null) {
+    void this.#tried.ask(distance);
+  }
+
+  async #open() {
+    this.offers.value ??= await this.live.offers();
+    if (this.#isOpen) await this.live.again();
+  }
+
+  #show(built: Built) {
+    if (!this.#isOpen) return;
+    const { report, words, layer } = built;
+    batch(() => {
+      this.refused.value = '';
+      this.built.value = built;
+      this.#showOffset({ report, words: words.card, layer });
+    });
+    this.#app.actions.look({ build: report });
+    void this.#app.actions.reportErrors(this.#offerKinds());
+  }
+
+  #showOffset(card: Reshaped) {
+    if (!this.#isOpen || !card) return;
+    this.card.value = card;
+    this.#layer.show(card.layer);
+  }
+
+  /** Tells the error of each kind of offset, while the shape is at rest. */
+  async #offerKinds() {
+    const { running, dragged, model } = this.#app.store.get();
+    if (!running && !dragged.length && (model?.vertices ?? 0) <= MOST_LIVE_VERTICES)
+      this.choices.value = await this.live.choices();
+  }
+
+  #refuse(why: string) {
+    if (!this.#isOpen) return;
+    this.#withdraw();
+    this.refused.value = why;
+  }
+
+  #withdraw() {
+    batch(() => {
+      this.built.value = this.card.value = null;
+      this.choices.value = [];
+      this.refused.value = '';
+    });
+    this.#layer.show(null);
+    this.#app.actions.look({ build: null });
+  }
+}

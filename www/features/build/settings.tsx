@@ -1,0 +1,191 @@
+/** The form of the declared settings, in their groups, and the presets of material, machine and sheet. */
+
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
+import type { BuildPreset, BuildSetting, BuildSettings } from '../../solver/types.ts';
+import type { Parts } from './parts.ts';
+
+/** A value of a setting, as in a scene. */
+type Value = number | string | boolean | null;
+
+/** The keys of a path such as `sheet[0]` or `limits.warp`. */
+const keysOf = (path: string) => path.split(/[.[\]]/).filter(Boolean);
+
+/** What is inside of an object or a list. */
+const inside = (outer: unknown, key: string) => (outer as Record<string, unknown>)[key];
+
+/** The setting that contains a path, with another value there. */
+function changedAt(settings: BuildSettings, path: string, value: Value) {
+  const keys = keysOf(path);
+  const last = keys.pop() as string;
+  const changed = structuredClone(settings);
+  (keys.reduce<unknown>(inside, changed) as Record<string, unknown>)[last] = value;
+  const key = (keys[0] ?? last) as keyof BuildSettings;
+  return { [key]: changed[key] } as Partial<BuildSettings>;
+}
+
+export function Settings({
+  parts,
+  offers: { presets, settings: declared },
+}: {
+  parts: Parts;
+  offers: { presets: BuildPreset[]; settings: BuildSetting[] };
+}) {
+  const form = useRef<HTMLDivElement>(null);
+  useEffect(() => form.current?.querySelector('select')?.focus(), []);
+  const settings = parts.settings.value;
+  const unit = parts.live.unit().symbol;
+  // The offset has a slider that follows it.
+  const fields = declared.filter(
+    ({ group, products }) => group !== 'Offset' && products.includes(settings.product),
+  );
+  const groups = [...new Set(fields.map(({ group }) => group))];
+  const rowsOf = (group: string) =>
+    fields
+      .filter((setting) => setting.group === group)
+      .map((setting) => (
+        <Field
+          key={setting.id}
+          setting={setting}
+          value={keysOf(setting.id).reduce<unknown>(inside, settings) as Value}
+          unit={unit}
+          onValue={(value) => parts.change(changedAt(parts.settings.value, setting.id, value))}
+        />
+      ));
+  const [make, ...rows] = rowsOf(groups[0]);
+  return (
+    <div class="parts-settings" ref={form}>
+      {make}
+      {[...new Set(presets.map((preset) => preset.of))].map((of) => (
+        <Preset
+          key={of}
+          of={of}
+          presets={presets.filter((preset) => preset.of === of)}
+          settings={settings}
+          onChoose={(values) => parts.change(values)}
+        />
+      ))}
+      {rows}
+      {groups.slice(1).map((group) => (
+        <details key={group}>
+          <summary>{group}</summary>
+          {rowsOf(group)}
+        </details>
+      ))}
+    </div>
+  );
+}
+
+/** The choice among presets, of which the settings may be one. */
+function Preset({
+  of,
+  presets,
+  settings,
+  onChoose,
+}: {
+  of: string;
+  presets: BuildPreset[];
+  settings: BuildSettings;
+  onChoose: (values: Partial<BuildSettings>) => void;
+}) {
+  const id = `parts-preset-${of.toLowerCase().replace(' ', '-')}`;
+  const chosen = presets.findIndex(({ values }) =>
+    Object.entries(values).every(
+      ([key, value]) => JSON.stringify(inside(settings, key)) === JSON.stringify(value),
+    ),
+  );
+  const options = presets.map(({ label }, k) => [String(k), label] as const);
+  return (
+    <div class="field-row">
+      <label for={id}>{of}</label>
+      <Choice
+        id={id}
+        value={chosen < 0 ? '' : String(chosen)}
+        options={chosen < 0 ? [['', 'Own'], ...options] : options}
+        onChoose={(value) => onChoose(presets[Number(value)].values)}
+      />
+    </div>
+  );
+}
+
+/** A row for a declared setting: its name, the control for its values, and its unit. */
+function Field({
+  setting: { id: path, label, summary: title, form, absent },
+  value,
+  unit,
+  onValue,
+}: {
+  setting: BuildSetting;
+  value: Value;
+  /** of the mesh */
+  unit: string;
+  onValue: (value: Value) => unknown;
+}) {
+  const id = `parts-${keysOf(path).join('-')}`;
+  if (form.type === 'switch')
+    return <Checkbox title={title} label={label} checked={value === true} onCheck={onValue} />;
+  const symbol =
+    form.type === 'number' ? { '': '', mesh: unit, mm: 'mm', degrees: '°' }[form.unit] : '';
+  return (
+    <div class="field-row" title={title}>
+      <label for={id}>
+        {label}
+        {symbol && <span class="visually-hidden">, {symbol}</span>}
+      </label>
+      {form.type === 'choice' && (
+        <Choice
+          id={id}
+          value={String(value ?? '')}
+          options={[
+            ...(absent ? [['', absent] as const] : []),
+            ...form.options.map((one) => [one.word, one.label, one.summary] as const),
+          ]}
+          onChoose={(word) => onValue(word || null)}
+        />
+      )}
+      {form.type === 'text' && <TextField id={id} value={String(value ?? '')} onText={onValue} />}
+      {form.type === 'number' && (
+        <>
+          <AmountField
+            id={id}
+            min={form.range[0]}
+            max={form.range[1]}
+            placeholder={absent && 'auto'}
+            value={typeof value === 'number' ? value : null}
+            onAmount={onValue}
+            onEmpty={absent ? () => onValue(null) : undefined}
+          />
+          <span class="unit" aria-hidden="true">
+            {symbol}
+          </span>
+        </>
+      )}
+    </div>
+  );
+}
+
+/** A field for a text, reported on change. */
+function TextField({
+  id,
+  value,
+  onText,
+}: {
+  id: string;
+  value: string;
+  onText: (text: string) => unknown;
+}) {
+  /** Input that is not reported yet. */
+  const [typed, setTyped] = useState<string | null>(null);
+  return (
+    <input
+      type="text"
+      id={id}
+      value={typed ?? value}
+      onInput={({ currentTarget }) => setTyped(currentTarget.value)}
+      onChange={({ currentTarget }) => {
+        onText(currentTarget.value);
+        setTyped(null);
+      }}
+    />
+  );
+}

@@ -1,0 +1,109 @@
+/**
+ * The offset: a slider for distances at which no edge flips, the choice of what keeps the distance,
+ * with the error of each, and the weight of following the surface.
+ */
+
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import type { ComponentProps } from 'preact';
+import type { BuildChoice, BuildSetting } from '../../solver/types.ts';
+import type { Parts } from './parts.ts';
+
+/** Range of the slider in mean edge lengths, if nothing else limits it. */
+const FAR = 2;
+/** Fraction of the distance at which an edge would have no length. */
+const INSIDE = 0.99;
+/** Exponent to base ten of the smallest weight of following. */
+const LEAST_FOLLOW = -5;
+
+/** @param props.declared all settings of Build */
+export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSetting[] }) {
+  const { report, words } = parts.card.value ?? {};
+  const offset = report?.offset;
+  if (!offset) return null;
+  const settings = parts.settings.value;
+  const setting = (id: string) => declared.find((one) => one.id === id);
+  const [distance, kind, follow] = ['distance', 'kind', 'follow'].map(setting);
+  /** Millimetres of the building per unit of the mesh. */
+  const scale = 1000 * parts.live.unit().metres;
+  const far = FAR * report.mean_edge_mm;
+  const [inwards, outwards] = offset.safe_distance_mm;
+  const at = offset.distance_mm / scale;
+  return (
+    <div class="thickness">
+      <div class="heading">
+        <label for="parts-distance">{distance?.label}</label>
+        <output for="parts-distance">{words?.distance}</output>
+      </div>
+      <Slider
+        id="parts-distance"
+        min={Math.max(-far, INSIDE * (inwards ?? -Infinity)) / scale}
+        max={Math.min(far, INSIDE * (outwards ?? Infinity)) / scale}
+        step="any"
+        aria-valuetext={words?.distance}
+        at={at}
+        onInput={({ currentTarget: { valueAsNumber: to } }) => to !== 0 && parts.tryDistance(to)}
+        onChange={({ currentTarget: slider }) => {
+          if (slider.valueAsNumber !== 0) return parts.change({ distance: slider.valueAsNumber });
+          // Parts cannot have it.
+          slider.value = String(at);
+          parts.tryDistance(null);
+        }}
+      />
+      <p class="quiet">{words?.safe}</p>
+      <span id="parts-keeps">{kind?.label}</span>
+      <div class="kinds" role="group" aria-labelledby="parts-keeps">
+        {kind?.form.type === 'choice' &&
+          kind.form.options.map(({ word, label, summary }) => {
+            const isChosen = word === settings.kind;
+            const isProposed = settings.kind === null && word === offset.kind;
+            return (
+              <button
+                key={word}
+                type="button"
+                class={isProposed ? 'bordered proposed' : 'bordered'}
+                title={summary}
+                aria-pressed={isChosen}
+                onClick={() =>
+                  parts.change({ kind: isChosen ? null : (word as BuildChoice['kind']) })
+                }
+              >
+                <span>{label}</span>
+                <span class="quiet">
+                  {parts.choices.value.find((choice) => choice.kind === word)?.words}
+                </span>
+              </button>
+            );
+          })}
+      </div>
+      {!offset.exact && (
+        <div class="field-row">
+          <label for="parts-follow">{follow?.label}</label>
+          <Slider
+            id="parts-follow"
+            min={LEAST_FOLLOW}
+            max="0"
+            step="0.5"
+            title={follow?.summary}
+            at={Math.log10(settings.follow)}
+            onChange={({ currentTarget: { valueAsNumber: exponent } }) =>
+              parts.change({ follow: Number((10 ** exponent).toPrecision(2)) })
+            }
+          />
+        </div>
+      )}
+    </div>
+  );
+}
+
+/** A slider that stays where it is held, whatever value comes meanwhile. */
+function Slider({
+  at,
+  ...rest
+}: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role' | 'list'> & { at: number }) {
+  const slider = useRef<HTMLInputElement>(null);
+  useLayoutEffect(() => {
+    const { current } = slider;
+    if (current && !current.matches(':active')) current.value = String(at);
+  }, [at]);
+  return <input ref={slider} type="range" {...rest} />;
+}

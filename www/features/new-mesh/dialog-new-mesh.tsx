@@ -1,0 +1,150 @@
+/** The New mesh dialog: the kinds that the solver declares, their sizes, and the mesh in the view. */
+
+import './new-mesh.css';
+import { useEffect, useLayoutEffect, useState } from 'preact/hooks';
+import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
+import { Button } from '../../ui/components/buttons.tsx';
+import { Choice } from '../../ui/components/fields.tsx';
+import { SizeField } from '../../ui/components/size-field.tsx';
+import { UNITS } from '../../ui/units.ts';
+import init, { newKinds, newMesh as meshOf } from '../../pkg/engine/shape_up.js';
+import { metresOf } from './plan.ts';
+import { PlanForm } from './plan-form.tsx';
+import { openMesh, SpanForm } from './span-form.tsx';
+import { Trial, type Asked } from './trial.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { NewKind, Size } from '../../pkg/engine/shape_up.js';
+
+/** The unit of the defaults. */
+const METRE = 'm';
+/** Choices that are not kinds of the solver. */
+export const PLAN = { id: 'plan', label: 'From a plan' };
+const SPAN = { id: 'span', label: 'Between curves' };
+
+/** @param first what is chosen at first; by default the first kind */
+export async function newMesh(app: AppContext, first?: { id: string }) {
+  await init({ module_or_path: app.solver.module });
+  const kinds = newKinds();
+  const trial = new Trial(app, await app.files.asItIs());
+  const open = openMesh(app);
+  showDialog(app, { id: 'new-mesh', title: 'New mesh', lasts: true }, ({ close }) => (
+    <NewMesh {...{ close, kinds, trial, open }} first={(first ?? kinds[0]).id} />
+  ));
+}
+
+function NewMesh({
+  close,
+  kinds,
+  first,
+  trial,
+  open,
+}: InDialog & {
+  kinds: NewKind[];
+  first: string;
+  trial: Trial;
+  open: ReturnType<typeof openMesh>;
+}) {
+  const [id, setId] = useState(first);
+  const [unit, setUnit] = useState(METRE);
+  useEffect(() => trial.begin(close), [trial]);
+  const choices = [...kinds, PLAN, SPAN];
+  const kind = kinds.find((one) => one.id === id);
+  const label = choices.find((one) => one.id === id)?.label ?? '';
+  const ask = (asked: Asked) => trial.ask(label, asked);
+  return (
+    <div class="dialog-body">
+      <div class="which">
+        <label>
+          <span>Shape</span>
+          <Choice
+            value={id}
+            options={choices.map((one) => [one.id, one.label] as const)}
+            onChoose={setId}
+          />
+        </label>
+        {/* A mesh between curves has the unit of these. */}
+        {id !== SPAN.id && (
+          <label>
+            <span>Unit</span>
+            <Choice
+              value={unit}
+              options={UNITS.map(({ symbol }) => [symbol, symbol] as const)}
+              onChoose={setUnit}
+            />
+          </label>
+        )}
+      </div>
+      <div class="form">
+        {kind && <SizesForm key={id} kind={kind} unit={unit} ask={ask} />}
+        {id === PLAN.id && <PlanForm unit={unit} ask={ask} />}
+        {id === SPAN.id && <SpanForm open={open} ask={ask} />}
+      </div>
+      <footer>
+        <p aria-live="polite">{trial.said.value}</p>
+        <div class="dialog-buttons">
+          <Button class="primary" disabled={!trial.canKeep.value} onClick={() => trial.keep(close)}>
+            Create mesh
+          </Button>
+          <Button onClick={close}>Cancel</Button>
+        </div>
+      </footer>
+    </div>
+  );
+}
+
+const rounded = (value: number) => Number(value.toPrecision(4));
+
+const isWithin = (value: number, { least, most }: Size) => value >= least && value <= most;
+
+/** The sizes of a kind of mesh that the solver declares. */
+function SizesForm({
+  kind: { id, summary, sizes },
+  unit,
+  ask,
+}: {
+  kind: NewKind;
+  unit: string;
+  ask: (asked: Asked) => void;
+}) {
+  /** In their unit, and what is wrong with each. */
+  const [{ values, of, problems }, set] = useState({
+    values: sizes.map(({ of, default: value }) => (of === 'length' ? rounded(value) : value)),
+    of: METRE,
+    problems: sizes.map(() => ''),
+  });
+  useLayoutEffect(() => {
+    if (of === unit) return;
+    const factor = metresOf(of) / metresOf(unit);
+    const now = values.map((value, i) =>
+      sizes[i].of === 'length' ? rounded(value * factor) : value,
+    );
+    const wrong = problems.map((problem, i) => (isWithin(now[i], sizes[i]) ? '' : problem));
+    set({ values: now, of: unit, problems: wrong });
+  }, [unit]);
+  useLayoutEffect(() => {
+    function make() {
+      const wrong = problems.findIndex(Boolean);
+      if (wrong >= 0) throw new Error(`${sizes[wrong].label}: ${problems[wrong]}`);
+      return { text: meshOf(id, Float64Array.from(values), of), supports: [] };
+    }
+    ask({ make });
+  }, [values, problems]);
+  return (
+    <div class="kind">
+      <p class="quiet">{summary}</p>
+      <div class="sizes">
+        {sizes.map((size, i) => (
+          <SizeField
+            key={`${size.id} ${of}`}
+            size={size}
+            value={values[i]}
+            unit={of}
+            onSize={(value, problem) =>
+              set({ values: values.with(i, value), of, problems: problems.with(i, problem) })
+            }
+          />
+        ))}
+      </div>
+    </div>
+  );
+}
