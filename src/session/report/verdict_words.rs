@@ -304,9 +304,9 @@ mod tests {
             let eased = Some(EasedPanels { panels, within: 0.12 });
             full(&Verdict { within, eased, ..verdict() })
         };
-        let some = "798 of 800 panels are flat within 1 mm, the other 2 within 120 mm, so that none folds. ";
+        let some = "798 of 800 panels are flat within 1 mm, the other 2 within a relaxed tolerance of 120 mm, so that none folds. ";
         assert!(eased(2, 798).starts_with(some), "{}", eased(2, 798));
-        let one = "799 of 800 panels are flat within 1 mm, the other one within 120 mm, so that none folds. ";
+        let one = "799 of 800 panels are flat within 1 mm, the other one within a relaxed tolerance of 120 mm, so that none folds. ";
         assert!(eased(1, 799).starts_with(one), "{}", eased(1, 799));
         let all =
             "All 800 panels are flat within 120 mm. With a tolerance of 1 mm, panels would fold. ";
