@@ -12,7 +12,7 @@ import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';
 import { openPalette } from '../features/palette/palette.tsx';
 import { openSteps } from '../features/present/steps-dialog.ts';
 import { selectCommands } from '../features/selecting/select-commands.ts';
-import { share } from '../features/share/dialog-share.ts';
+import { share } from '../features/share/dialog-share.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { isMeshLocked } from '../store/panels-card.ts';
