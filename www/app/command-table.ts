@@ -2,7 +2,7 @@
 
 import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
 import { toggleBuild } from '../features/build/build-panel.ts';
-import { showExport } from '../features/export/dialog-export.ts';
+import { showExport } from '../features/export/dialog-export.tsx';
 import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
 import { showHelp } from '../features/help/help.ts';
 import { write as writeLesson } from '../features/lesson/dialog.ts';
