@@ -4,7 +4,7 @@ import { toggleAddConstraint } from '../features/add-constraint/dialog-add-const
 import { toggleBuild } from '../features/build/build-panel.ts';
 import { showExport } from '../features/export/dialog-export.tsx';
 import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
-import { showHelp } from '../features/help/help.ts';
+import { showHelp } from '../features/help/help.tsx';
 import { write as writeLesson } from '../features/lesson/dialog.ts';
 import { openRefine } from '../features/make-panels/refine-dialog.tsx';
 import { openEdit } from '../features/make-panels/edit-dialog.tsx';
@@ -313,11 +313,7 @@ export function commandTable(
       group: 'Page',
       label: 'Help: mouse, keys, files',
       keys: ['?', 'F1'],
-      action: () => {
-        const { renderer, mouse } = store.get();
-        const formats = app.actions.ask.fileFormats();
-        showHelp(byId('help'), app.commands, formats, { renderer, mouse }, () => openPalette(app));
-      },
+      action: () => showHelp(app),
       title: () => 'Mouse and keys',
     },
     {
