@@ -2,6 +2,7 @@
 
 import { render, type ComponentType } from 'preact';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
+import { Lesson, LessonCard, Lockable } from '../features/lesson/panel.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
@@ -33,11 +34,19 @@ const PLACES: Record<string, ComponentType> = {
   'fact-shape': ShapeFact,
   'fact-move': MoveFact,
   'mesh-tools': MeshTools,
-  'make-panels-place': PanelsInStep,
+  'lesson-place': Lesson,
+  'lesson-card-place': LessonCard,
+  'make-panels-place': () => (
+    <Lockable lock="constraints">
+      <PanelsInStep />
+    </Lockable>
+  ),
   'panels-card-place': () => (
-    <PanelsCard>
-      <RunMessageOnCard />
-    </PanelsCard>
+    <Lockable lock="constraints">
+      <PanelsCard>
+        <RunMessageOnCard />
+      </PanelsCard>
+    </Lockable>
   ),
   'more-messages': Warnings,
   'move-tools': VariationsButton,
@@ -48,10 +57,26 @@ const PLACES: Record<string, ComponentType> = {
     </>
   ),
   'view-menu': ViewMenu,
-  model: Model,
-  constraints: Constraints,
-  energies: Energies,
-  handles: Handles,
+  model: () => (
+    <Lockable lock="mesh" words="the mesh stays as it is">
+      <Model />
+    </Lockable>
+  ),
+  constraints: () => (
+    <Lockable lock="constraints" words="the constraints stay as they are">
+      <Constraints />
+    </Lockable>
+  ),
+  energies: () => (
+    <Lockable lock="weights" words="the weights stay as they are">
+      <Energies />
+    </Lockable>
+  ),
+  handles: () => (
+    <Lockable lock="handles" words="the handles stay as they are">
+      <Handles />
+    </Lockable>
+  ),
   colours: Colours,
   display: Shown,
   analysis: Analysis,
@@ -66,11 +91,15 @@ const PLACES: Record<string, ComponentType> = {
 };
 
 export function renderPage(app: AppContext) {
-  for (const [id, Component] of Object.entries(PLACES))
+  for (const [id, Component] of Object.entries(PLACES)) {
+    const place = byId(id);
+    // What is there before this script is loaded.
+    place.replaceChildren();
     render(
       <AppProvider value={app}>
         <Component />
       </AppProvider>,
-      byId(id),
+      place,
     );
+  }
 }

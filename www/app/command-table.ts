@@ -5,7 +5,7 @@ import { toggleBuild } from '../features/build/build-panel.ts';
 import { showExport } from '../features/export/dialog-export.tsx';
 import { FlatMapController } from '../features/flat-map/flat-map-controller.ts';
 import { showHelp } from '../features/help/help.tsx';
-import { write as writeLesson } from '../features/lesson/dialog.ts';
+import { write as writeLesson } from '../features/lesson/dialog.tsx';
 import { openRefine } from '../features/make-panels/refine-dialog.tsx';
 import { openEdit } from '../features/make-panels/edit-dialog.tsx';
 import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';

@@ -11,7 +11,6 @@ import { showRecent } from '../documents/recent-menu.ts';
 import { buildGoals } from '../features/build/build-goals.ts';
 import { embeddedView } from '../features/embed/embedded-view.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
-import { lessonPanel } from '../features/lesson/panel.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
 import { messageOf } from '../solver/errors.ts';
@@ -87,7 +86,6 @@ const app: AppContext = {
 };
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 if (isEmbedded) embeddedView(app);
-lessonPanel(app);
 offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
 const measureParts = once(() => actions.reportErrors(buildGoals(app)));
