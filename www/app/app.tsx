@@ -6,6 +6,7 @@ import { Lesson, LessonCard, Lockable } from '../features/lesson/panel.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
+import { Stage } from '../features/present/stage.tsx';
 import { VariationsButton } from '../features/variations/variations-panel.tsx';
 import { ViewMenu } from '../features/view-tools/view-menu.tsx';
 import { RunMessageOnCard } from '../features/warnings/run-message.tsx';
@@ -86,6 +87,7 @@ const PLACES: Record<string, ComponentType> = {
   hints: FirstHints,
   'example-place': ExampleNote,
   'legend-place': Legend,
+  'stage-place': Stage,
   'select-bar-place': SelectBar,
   'select-menu-place': SelectMenu,
 };

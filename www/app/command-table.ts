@@ -10,7 +10,7 @@ import { openRefine } from '../features/make-panels/refine-dialog.tsx';
 import { openEdit } from '../features/make-panels/edit-dialog.tsx';
 import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.ts';
 import { openPalette } from '../features/palette/palette.tsx';
-import { openSteps } from '../features/present/steps-dialog.ts';
+import { openSteps } from '../features/present/steps-dialog.tsx';
 import { selectCommands } from '../features/selecting/select-commands.ts';
 import { share } from '../features/share/dialog-share.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
