@@ -2,6 +2,7 @@
 
 import { render, type ComponentType } from 'preact';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
+import { EmbeddedView } from '../features/embed/embedded-view.tsx';
 import { Lesson, LessonCard, Lockable } from '../features/lesson/panel.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
@@ -26,6 +27,7 @@ import { Hint, Status, StatusNumbers } from '../panels/status-bar/status-bar.tsx
 import { ModelFact, MoveFact, ShapeFact } from '../panels/step-facts.tsx';
 import { AppProvider } from '../store/use-app.ts';
 import { byId } from '../ui/dom.ts';
+import { isEmbedded } from '../ui/embedded.ts';
 import { Analysis } from './analysis.tsx';
 import type { AppContext } from './context.ts';
 
@@ -88,6 +90,7 @@ const PLACES: Record<string, ComponentType> = {
   'example-place': ExampleNote,
   'legend-place': Legend,
   'stage-place': Stage,
+  ...(isEmbedded && { 'embed-place': EmbeddedView }),
   'select-bar-place': SelectBar,
   'select-menu-place': SelectMenu,
 };

@@ -9,7 +9,6 @@ import { examplesMenu } from '../documents/examples.ts';
 import { Files } from '../documents/files.ts';
 import { showRecent } from '../documents/recent-menu.ts';
 import { buildGoals } from '../features/build/build-goals.ts';
-import { embeddedView } from '../features/embed/embedded-view.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
@@ -28,7 +27,6 @@ import { Alerts } from '../ui/controls/alerts.ts';
 import { closeAboutModel } from '../ui/controls/dialog.ts';
 import { tooltips } from '../ui/controls/tooltips.ts';
 import { byId } from '../ui/dom.ts';
-import { isEmbedded } from '../ui/embedded.ts';
 import { once } from '../ui/once.ts';
 import { showMoved } from '../viewport/input/drag-label.ts';
 import { bindViewKeys } from '../viewport/input/gestures.ts';
@@ -85,7 +83,6 @@ const app: AppContext = {
   script: scriptApi(store, solver, viewport, files),
 };
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
-if (isEmbedded) embeddedView(app);
 offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
 const measureParts = once(() => actions.reportErrors(buildGoals(app)));
