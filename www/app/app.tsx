@@ -1,6 +1,7 @@
 /** The components of the page, each in its place of `index.html`, which is there before them. */
 
 import { render, type ComponentType } from 'preact';
+import { RecentMenu } from '../documents/recent-menu.tsx';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
 import { EmbeddedView } from '../features/embed/embedded-view.tsx';
 import { Lesson, LessonCard, Lockable } from '../features/lesson/panel.tsx';
@@ -90,6 +91,7 @@ const PLACES: Record<string, ComponentType> = {
   'example-place': ExampleNote,
   'legend-place': Legend,
   'stage-place': Stage,
+  recent: RecentMenu,
   ...(isEmbedded && { 'embed-place': EmbeddedView }),
   'select-bar-place': SelectBar,
   'select-menu-place': SelectMenu,

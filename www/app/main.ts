@@ -7,7 +7,6 @@ import { openChosen, acceptDrops } from '../documents/chosen-files.ts';
 import { reportCollapse } from '../documents/collapse.ts';
 import { examplesMenu } from '../documents/examples.ts';
 import { Files } from '../documents/files.ts';
-import { showRecent } from '../documents/recent-menu.ts';
 import { buildGoals } from '../features/build/build-goals.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
@@ -78,8 +77,10 @@ colourFaces(store, solver, () => viewport.view);
 colourRows(store, solver, actions);
 
 const hold = new HoldOriginal(store, actions);
+const startup = new Startup({ store, actions, solver, files, alerts });
 const app: AppContext = {
   ...{ store, solver, jobs, viewport, files, actions, selecting, alerts, hold, commands: [] },
+  works: startup,
   script: scriptApi(store, solver, viewport, files),
 };
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
@@ -125,10 +126,6 @@ viewport.on('none', explainNoPicture);
 
 Object.assign(window, { shapeUp: app.script });
 
-const startup = new Startup(app);
-byId('recent-button').addEventListener('click', () =>
-  actions.reportErrors(showRecent(byId('recent'), startup)),
-);
 startup.begin().catch((error) => alerts.error(messageOf(error)));
 void actions.reportErrors(examplesMenu(byId('examples'), app));
 const offline = () => stayOffline(alerts, startup, viewport);
