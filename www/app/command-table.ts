@@ -13,6 +13,7 @@ import { openPalette } from '../features/palette/palette.tsx';
 import { openSteps } from '../features/present/steps-dialog.tsx';
 import { selectCommands } from '../features/selecting/select-commands.ts';
 import { share } from '../features/share/dialog-share.tsx';
+import { canVary, toggleVariations } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { isMeshLocked } from '../store/panels-card.ts';
@@ -347,6 +348,15 @@ export function commandTable(
       keys: [],
       enabled: canChangeMesh,
       action: () => actions.openCorner('new-panels'),
+    },
+    {
+      id: 'variations',
+      group: 'Edit',
+      label: 'Variations: other shapes that are as exact as this one',
+      keys: [],
+      needsModel: true,
+      enabled: canVary,
+      action: () => toggleVariations(app),
     },
     {
       id: 'new-mesh',

@@ -4,13 +4,14 @@
  */
 
 import './variations.css';
+import { useComputed } from '@preact/signals';
 import { render } from 'preact';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { docked } from '../../docked/docked.ts';
-import { isHard } from '../../store/state.ts';
+import { pressNamed } from '../../store/press.ts';
+import { isHard, type State } from '../../store/state.ts';
 import { AppProvider, useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
-import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { element } from '../../ui/dom.ts';
 import { once } from '../../ui/once.ts';
 import { Kept } from './kept.tsx';
@@ -18,15 +19,25 @@ import { VariationCard } from './variation-card.tsx';
 import { Variations } from './variations.ts';
 import type { AppContext } from '../../app/context.ts';
 
+/** Whether the shape can be varied, or has kept ones beside it. */
+export function canVary(state: Readonly<State>) {
+  if (state.running || !state.document) return false;
+  return state.document.variants.length > 0 || isMet(state);
+}
+
+const isMet = ({ document: scene, numbers }: Readonly<State>) =>
+  Boolean(scene?.constraints.some(isHard) && numbers?.exact?.met);
+
 /** Opens and closes the panel. */
+export const toggleVariations = (app: AppContext) => thePanel(app).toggle();
+
+/** The button of that command, where there are exact constraints or kept shapes. */
 export function VariationsButton() {
   const app = useApp();
   const { state } = app.store;
-  const { document: scene, running } = state;
-  const isMet = useThrottled(() => state.numbers?.exact?.met === true);
-  const isKept = Boolean(scene?.variants.length);
-  if (!isKept && !scene?.constraints.some(isHard)) return null;
-  const isReady = !running && (isMet || isKept);
+  const { document: scene } = state;
+  const isReady = useComputed(() => canVary(state)).value;
+  if (!scene?.variants.length && !scene?.constraints.some(isHard)) return null;
   return (
     <Button
       disabled={!isReady}
@@ -35,7 +46,7 @@ export function VariationsButton() {
           ? 'Other shapes that are as exact as this one'
           : 'Available once the exact constraints are met'
       }
-      onClick={() => thePanel(app).toggle()}
+      onClick={() => pressNamed('variations', app)}
     >
       Variations
     </Button>
