@@ -4,7 +4,7 @@ import { render, type ComponentType } from 'preact';
 import { RecentMenu } from '../documents/recent-menu.tsx';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
 import { EmbeddedView } from '../features/embed/embedded-view.tsx';
-import { Lesson, LessonCard, Lockable } from '../features/lesson/panel.tsx';
+import { Lesson, LessonCard, lockable } from '../features/lesson/panel.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
@@ -40,18 +40,12 @@ const PLACES: Record<string, ComponentType> = {
   'mesh-tools': MeshTools,
   'lesson-place': Lesson,
   'lesson-card-place': LessonCard,
-  'make-panels-place': () => (
-    <Lockable lock="constraints">
-      <PanelsInStep />
-    </Lockable>
-  ),
-  'panels-card-place': () => (
-    <Lockable lock="constraints">
-      <PanelsCard>
-        <RunMessageOnCard />
-      </PanelsCard>
-    </Lockable>
-  ),
+  'make-panels-place': lockable('constraints', PanelsInStep),
+  'panels-card-place': lockable('constraints', () => (
+    <PanelsCard>
+      <RunMessageOnCard />
+    </PanelsCard>
+  )),
   'more-messages': Warnings,
   'move-tools': VariationsButton,
   corner: () => (
@@ -61,26 +55,10 @@ const PLACES: Record<string, ComponentType> = {
     </>
   ),
   'view-menu': ViewMenu,
-  model: () => (
-    <Lockable lock="mesh" words="the mesh stays as it is">
-      <Model />
-    </Lockable>
-  ),
-  constraints: () => (
-    <Lockable lock="constraints" words="the constraints stay as they are">
-      <Constraints />
-    </Lockable>
-  ),
-  energies: () => (
-    <Lockable lock="weights" words="the weights stay as they are">
-      <Energies />
-    </Lockable>
-  ),
-  handles: () => (
-    <Lockable lock="handles" words="the handles stay as they are">
-      <Handles />
-    </Lockable>
-  ),
+  model: lockable('mesh', Model, 'the mesh stays as it is'),
+  constraints: lockable('constraints', Constraints, 'the constraints stay as they are'),
+  energies: lockable('weights', Energies, 'the weights stay as they are'),
+  handles: lockable('handles', Handles, 'the handles stay as they are'),
   colours: Colours,
   display: Shown,
   analysis: Analysis,

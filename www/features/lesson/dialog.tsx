@@ -1,7 +1,7 @@
 /** The dialog for writing a lesson: its text, goals and locks, and its export for a class. */
 
 import './lesson.css';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { messageOf } from '../../solver/errors.ts';
 import { declared, toleranceOf, unitOf } from '../../store/colours/measures.ts';
 import { pressNamed } from '../../store/press.ts';
@@ -85,30 +85,34 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
 /** A goal in the dialog. */
 interface Goal {
   id: number;
-  /** of a subject */
-  about: string;
-  /** the largest value that meets the goal, in its unit in the file; null if it is still to be said */
-  atMost: number | null;
+  subject: Subject;
+  /** in the field of the limit, before the user writes another one */
+  limit: string;
   /** whether it was just added */
   isNew?: boolean;
 }
 
-/**
- * The goals of the present lesson, or one to begin with.
- * @param start what that is about; empty if a goal can be about nothing
- */
-function firstGoals(state: Readonly<State>, scene: SceneDocument, start: string): Goal[] {
+/** The goals of the present lesson, or one to begin with, if anything can be a goal. */
+function firstGoals(state: Readonly<State>, scene: SceneDocument, subjects: Subject[]): Goal[] {
+  if (subjects.length === 0) return [];
+  const goal = (id: number, about: string, atMost: number | null) => {
+    const subject = subjects.find(({ value }) => value === about) ?? subjects[0];
+    const limit = atMost === null ? '' : String(Number((atMost * subject.factor).toPrecision(12)));
+    return { id, subject, limit };
+  };
   const goals = scene.lesson?.goals ?? [];
   const asked = declared(state, state.measure ?? scene.measure);
-  if (!start) return [];
   if (goals.length === 0)
-    return [{ id: 0, about: start, atMost: asked ? toleranceOf(state, asked) : null }];
+    return [goal(0, `measure ${asked?.id}`, asked ? toleranceOf(state, asked) : null)];
   return goals.map(({ measure, build, label, atMost, beyond }, id) => {
     const counted = beyond === null ? `measure ${measure}` : `beyond ${beyond} ${measure}`;
     const other = build ? `build ${build}` : `constraint ${label}`;
-    return { id, about: measure ? counted : other, atMost };
+    return goal(id, measure ? counted : other, atMost);
   });
 }
+
+/** Gives the focus to the first control of a row that was just added. */
+const focusRow = (row: HTMLElement | null) => row?.querySelector('select')?.focus();
 
 const ERROR_AT = /^lesson\.goals\[(\d+)\]/;
 
@@ -119,10 +123,7 @@ function LessonDialog({
 }: InDialog & { scene: SceneDocument; subjects: Subject[] }) {
   const app = useApp();
   const { store, files, actions } = app;
-  const subjectOf = (value: string) => subjects.find((one) => one.value === value) ?? subjects[0];
-  const coloured = `measure ${store.get().measure ?? scene.measure}`;
-  const start = subjectOf(coloured)?.value ?? '';
-  const [goals, setGoals] = useState(() => firstGoals(store.get(), scene, start));
+  const [goals, setGoals] = useState(() => firstGoals(store.get(), scene, subjects));
   const [refusal, setRefusal] = useState('');
   const form = useRef<HTMLFormElement>(null);
   const text = useRef<HTMLTextAreaElement>(null);
@@ -130,7 +131,9 @@ function LessonDialog({
 
   function addGoal() {
     const id = 1 + Math.max(-1, ...goals.map((goal) => goal.id));
-    setGoals([...goals, { id, about: start, atMost: null, isNew: true }]);
+    const coloured = `measure ${store.get().measure ?? scene.measure}`;
+    const subject = subjects.find(({ value }) => value === coloured) ?? subjects[0];
+    setGoals([...goals, { id, subject, limit: '', isNew: true }]);
   }
   function remove({ id }: Goal) {
     setGoals(goals.filter((goal) => goal.id !== id));
@@ -144,10 +147,10 @@ function LessonDialog({
     const limits = entered.getAll('at-most').map(Number);
     const lesson = {
       text: text.current?.value.trim() ?? '',
-      goals: goals.map(({ about }, i) => {
-        const { goal, factor } = subjectOf(about);
-        return { ...goal, at_most: limits[i] / factor };
-      }),
+      goals: goals.map(({ subject: { goal, factor } }, i) => ({
+        ...goal,
+        at_most: limits[i] / factor,
+      })),
       lock: LOCKS.map(([id]) => id).filter((id) => entered.has(`lock ${id}`)),
     };
     const unsolved = entered.has('unsolved');
@@ -184,17 +187,36 @@ function LessonDialog({
       />
       <h3>Goals</h3>
       <ul aria-label="Goals of the lesson">
-        {goals.map((goal, i) => (
-          <GoalRow
-            key={goal.id}
-            goal={goal}
-            name={`Goal ${i + 1}`}
-            subject={subjectOf(goal.about)}
-            subjects={subjects}
-            onChoose={(about) => setGoals(goals.with(i, { ...goal, about }))}
-            onRemove={() => remove(goal)}
-          />
-        ))}
+        {goals.map((goal, i) => {
+          const { value, label, unit } = goal.subject;
+          const what = `Goal ${i + 1}: ${label.toLowerCase()}`;
+          return (
+            <li key={goal.id} ref={goal.isNew ? focusRow : null}>
+              worst
+              <Choice
+                aria-label={`Goal ${i + 1}: worst`}
+                value={value}
+                options={subjects.map((one) => [one.value, one.label] as const)}
+                onChoose={(chosen) => {
+                  const subject = subjects.find((one) => one.value === chosen);
+                  if (subject) setGoals(goals.with(i, { ...goal, subject }));
+                }}
+              />
+              at most
+              <input
+                type="number"
+                name="at-most"
+                min="0"
+                step="any"
+                required
+                aria-label={`${what} at most${unit && `, ${unit}`}`}
+                defaultValue={goal.limit}
+              />
+              <span class="unit">{unit}</span>
+              <CloseButton label={`Remove ${what}`} onClick={() => remove(goal)} />
+            </li>
+          );
+        })}
       </ul>
       <div>
         <button
@@ -240,54 +262,5 @@ function LessonDialog({
         {scene.lesson && <Button onClick={forget}>Remove lesson</Button>}
       </div>
     </form>
-  );
-}
-
-function GoalRow({
-  goal: { atMost, isNew },
-  name,
-  subject: { value, label, unit, factor },
-  subjects,
-  onChoose,
-  onRemove,
-}: {
-  goal: Goal;
-  name: string;
-  subject: Subject;
-  subjects: Subject[];
-  onChoose: (about: string) => void;
-  onRemove: () => void;
-}) {
-  const row = useRef<HTMLLIElement>(null);
-  useEffect(() => {
-    if (isNew) row.current?.querySelector('select')?.focus();
-  }, []);
-  // What is in the field stays when another subject is chosen.
-  const [first] = useState(
-    atMost === null ? '' : String(Number((atMost * factor).toPrecision(12))),
-  );
-  const what = `${name}: ${label.toLowerCase()}`;
-  return (
-    <li ref={row}>
-      worst
-      <Choice
-        aria-label={`${name}: worst`}
-        value={value}
-        options={subjects.map((one) => [one.value, one.label] as const)}
-        onChoose={onChoose}
-      />
-      at most
-      <input
-        type="number"
-        name="at-most"
-        min="0"
-        step="any"
-        required
-        aria-label={`${what} at most${unit && `, ${unit}`}`}
-        defaultValue={first}
-      />
-      <span class="unit">{unit}</span>
-      <CloseButton label={`Remove ${what}`} onClick={onRemove} />
-    </li>
   );
 }

@@ -5,7 +5,7 @@
 
 import './lesson.css';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
-import type { ComponentChildren } from 'preact';
+import type { ComponentType } from 'preact';
 import { movedInWords } from '../../store/colours/measures.ts';
 import { showDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
@@ -115,40 +115,33 @@ export function LessonCard() {
 }
 
 /**
- * A part of the page that a lesson may lock: its controls are disabled then. The session also refuses
- * such edits.
+ * Returns a part of the page as one that a lesson may lock: its controls are disabled then. The session
+ * also refuses such edits.
  * @param words what stays as it is, if that is said above the part
  */
-export function Lockable({
-  lock,
-  words,
-  children,
-}: {
-  lock: Lock;
-  words?: string;
-  children: ComponentChildren;
-}) {
-  const isLocked = useApp().store.state.document?.lesson?.lock.includes(lock) ?? false;
-  const isSaid = isLocked && words !== undefined;
-  return (
-    <>
-      {isSaid && (
-        <p class="locked-note quiet" id={`${lock}-locked`}>
-          Locked by the lesson: {words}.
-        </p>
-      )}
-      <fieldset
-        class="locked"
-        disabled={isLocked}
-        role={isLocked ? undefined : 'presentation'}
-        title={isLocked ? 'Locked by the lesson' : undefined}
-        aria-describedby={isSaid ? `${lock}-locked` : undefined}
-      >
-        {children}
-      </fieldset>
-    </>
-  );
-}
+export const lockable = (lock: Lock, Part: ComponentType, words?: string) =>
+  function Lockable() {
+    const isLocked = useApp().store.state.document?.lesson?.lock.includes(lock) ?? false;
+    const note = isLocked && words ? `${lock}-locked` : undefined;
+    return (
+      <>
+        {note && (
+          <p class="locked-note quiet" id={note}>
+            Locked by the lesson: {words}.
+          </p>
+        )}
+        <fieldset
+          class="locked"
+          disabled={isLocked}
+          role={isLocked ? undefined : 'presentation'}
+          title={isLocked ? 'Locked by the lesson' : undefined}
+          aria-describedby={note}
+        >
+          <Part />
+        </fieldset>
+      </>
+    );
+  };
 
 /** Opens the dialog that saves a student's results for hand-in. */
 function showHandIn(app: AppContext) {

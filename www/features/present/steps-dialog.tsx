@@ -42,14 +42,8 @@ function StepsDialog({ close }: InDialog) {
   const changeStep = (index: number, values: Partial<Slide>) =>
     change((all) => all.with(index, { ...all[index], ...values }));
 
-  function move(index: number, by: number) {
-    change((all) => {
-      const moved = [...all];
-      const [step] = moved.splice(index, 1);
-      moved.splice(index + by, 0, step);
-      return moved;
-    });
-  }
+  const move = (index: number, by: number) =>
+    change((all) => all.toSpliced(index, 1).toSpliced(index + by, 0, all[index]));
 
   /** @param withNotes in a window of their own */
   async function begin(withNotes: boolean) {
