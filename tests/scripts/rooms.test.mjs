@@ -113,8 +113,8 @@ test('the linter refuses code that breaks the rules of the rooms', async () => {
     ['store/state.ts', "import '../app/main.ts';", imports],
     ['panels/constraints/constraints.tsx', "import '../legend/legend.tsx';", imports],
     ['panels/example.tsx', "import '../features/hints.tsx';", imports],
-    ['features/hints.tsx', "import './help/help.ts';", imports],
-    ['features/lesson/dialog.ts', "import('../share/dialog-share.ts');", later],
+    ['features/hints.tsx', "import './help/help.tsx';", imports],
+    ['features/lesson/dialog.tsx', "import('../share/dialog-share.tsx');", later],
     ['viewport/viewport.ts', "import('../features/split/split.ts');", later],
     [
       'panels/constraints/constraints.tsx',

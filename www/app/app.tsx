@@ -1,13 +1,17 @@
 /** The components of the page, each in its place of `index.html`, which is there before them. */
 
 import { render, type ComponentType } from 'preact';
+import { RecentMenu } from '../documents/recent-menu.tsx';
 import { BuildPanel } from '../features/build/build-panel.tsx';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
+import { EmbeddedView } from '../features/embed/embedded-view.tsx';
 import { FlatMapPanel } from '../features/flat-map/flat-map-panel.tsx';
 import { FlatMapRegion } from '../features/flat-map/flat-map-region.tsx';
+import { Lesson, LessonCard, lockable } from '../features/lesson/panel.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
+import { Stage } from '../features/present/stage.tsx';
 import { VariationsButton, VariationsPanel } from '../features/variations/variations-panel.tsx';
 import { ViewMenu } from '../features/view-tools/view-menu.tsx';
 import { RunMessageOnCard } from '../features/warnings/run-message.tsx';
@@ -27,6 +31,7 @@ import { Hint, Status, StatusNumbers } from '../panels/status-bar/status-bar.tsx
 import { ModelFact, MoveFact, ShapeFact } from '../panels/step-facts.tsx';
 import { AppProvider } from '../store/use-app.ts';
 import { byId } from '../ui/dom.ts';
+import { isEmbedded } from '../ui/embedded.ts';
 import { Analysis } from './analysis.tsx';
 import type { AppContext } from './context.ts';
 
@@ -36,12 +41,14 @@ const PLACES: Record<string, ComponentType> = {
   'fact-shape': ShapeFact,
   'fact-move': MoveFact,
   'mesh-tools': MeshTools,
-  'make-panels-place': PanelsInStep,
-  'panels-card-place': () => (
+  'lesson-place': Lesson,
+  'lesson-card-place': LessonCard,
+  'make-panels-place': lockable('constraints', PanelsInStep),
+  'panels-card-place': lockable('constraints', () => (
     <PanelsCard>
       <RunMessageOnCard />
     </PanelsCard>
-  ),
+  )),
   'more-messages': Warnings,
   'move-tools': VariationsButton,
   corner: () => (
@@ -59,10 +66,10 @@ const PLACES: Record<string, ComponentType> = {
   'flat-map-panel-place': FlatMapPanel,
   'flat-map-place': FlatMapRegion,
   'view-menu': ViewMenu,
-  model: Model,
-  constraints: Constraints,
-  energies: Energies,
-  handles: Handles,
+  model: lockable('mesh', Model, 'the mesh stays as it is'),
+  constraints: lockable('constraints', Constraints, 'the constraints stay as they are'),
+  energies: lockable('weights', Energies, 'the weights stay as they are'),
+  handles: lockable('handles', Handles, 'the handles stay as they are'),
   colours: Colours,
   display: Shown,
   analysis: Analysis,
@@ -72,16 +79,23 @@ const PLACES: Record<string, ComponentType> = {
   hints: FirstHints,
   'example-place': ExampleNote,
   'legend-place': Legend,
+  'stage-place': Stage,
+  recent: RecentMenu,
+  ...(isEmbedded && { 'embed-place': EmbeddedView }),
   'select-bar-place': SelectBar,
   'select-menu-place': SelectMenu,
 };
 
 export function renderPage(app: AppContext) {
-  for (const [id, Component] of Object.entries(PLACES))
+  for (const [id, Component] of Object.entries(PLACES)) {
+    const place = byId(id);
+    // What is there before this script is loaded.
+    place.replaceChildren();
     render(
       <AppProvider value={app}>
         <Component />
       </AppProvider>,
-      byId(id),
+      place,
     );
+  }
 }

@@ -1,17 +1,18 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
 import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
-import { showExport } from '../features/export/dialog-export.ts';
+import { showExport } from '../features/export/dialog-export.tsx';
 import { flatMaps } from '../features/flat-map/flat-maps.ts';
-import { showHelp } from '../features/help/help.ts';
-import { write as writeLesson } from '../features/lesson/dialog.ts';
+import { showHelp } from '../features/help/help.tsx';
+import { write as writeLesson } from '../features/lesson/dialog.tsx';
 import { openRefine } from '../features/make-panels/refine-dialog.tsx';
 import { openEdit } from '../features/make-panels/edit-dialog.tsx';
 import { newMesh, PLAN } from '../features/new-mesh/dialog-new-mesh.tsx';
 import { openPalette } from '../features/palette/palette.tsx';
-import { openSteps } from '../features/present/steps-dialog.ts';
+import { openSteps } from '../features/present/steps-dialog.tsx';
 import { selectCommands } from '../features/selecting/select-commands.ts';
-import { share } from '../features/share/dialog-share.ts';
+import { share } from '../features/share/dialog-share.tsx';
+import { canVary } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { isMeshLocked } from '../store/panels-card.ts';
@@ -314,11 +315,7 @@ export function commandTable(
       group: 'Page',
       label: 'Help: mouse, keys, files',
       keys: ['?', 'F1'],
-      action: () => {
-        const { renderer, mouse } = store.get();
-        const formats = app.actions.ask.fileFormats();
-        showHelp(byId('help'), app.commands, formats, { renderer, mouse }, () => openPalette(app));
-      },
+      action: () => showHelp(app),
       title: () => 'Mouse and keys',
     },
     {
@@ -352,6 +349,15 @@ export function commandTable(
       keys: [],
       enabled: canChangeMesh,
       action: () => actions.openCorner('new-panels'),
+    },
+    {
+      id: 'variations',
+      group: 'Edit',
+      label: 'Variations: other shapes that are as exact as this one',
+      keys: [],
+      needsModel: true,
+      enabled: canVary,
+      action: () => actions.dock(store.get().docked === 'variations' ? null : 'variations'),
     },
     {
       id: 'new-mesh',

@@ -11,6 +11,7 @@ import type { Files } from '../documents/files.ts';
 import type { Actions } from '../store/actions.ts';
 import type { Selecting } from '../store/mesh-queries.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
+import type { Startup } from './startup.ts';
 import type { HoldOriginal } from '../features/hold-original.ts';
 
 export interface Command {
@@ -47,6 +48,8 @@ export interface AppContext {
   selecting: Selecting;
   alerts: Alerts;
   hold: HoldOriginal;
+  /** the works saved in this browser */
+  works: Pick<Startup, 'saveNow' | 'recent' | 'openWork'>;
   /** the API for scripts */
   script: ReturnType<typeof import('./script-api.ts').scriptApi>;
   /** commands of selection operations are added later */

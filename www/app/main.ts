@@ -7,11 +7,8 @@ import { openChosen, acceptDrops } from '../documents/chosen-files.ts';
 import { reportCollapse } from '../documents/collapse.ts';
 import { examplesMenu } from '../documents/examples.ts';
 import { Files } from '../documents/files.ts';
-import { showRecent } from '../documents/recent-menu.ts';
 import { measureGoals } from '../features/build/live-build.ts';
-import { embeddedView } from '../features/embed/embedded-view.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
-import { lessonPanel } from '../features/lesson/panel.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
 import { messageOf } from '../solver/errors.ts';
@@ -29,7 +26,6 @@ import { Alerts } from '../ui/controls/alerts.ts';
 import { closeAboutModel } from '../ui/controls/dialog.ts';
 import { tooltips } from '../ui/controls/tooltips.ts';
 import { byId } from '../ui/dom.ts';
-import { isEmbedded } from '../ui/embedded.ts';
 import { once } from '../ui/once.ts';
 import { showMoved } from '../viewport/input/drag-label.ts';
 import { bindViewKeys } from '../viewport/input/gestures.ts';
@@ -81,13 +77,13 @@ colourFaces(store, solver, () => viewport.view);
 colourRows(store, solver, actions);
 
 const hold = new HoldOriginal(store, actions);
+const startup = new Startup({ store, actions, solver, files, alerts });
 const app: AppContext = {
   ...{ store, solver, jobs, viewport, files, actions, selecting, alerts, hold, commands: [] },
+  works: startup,
   script: scriptApi(store, solver, viewport, files),
 };
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
-if (isEmbedded) embeddedView(app);
-lessonPanel(app);
 offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
 const measureParts = once(() => actions.reportErrors(measureGoals(app)));
@@ -130,10 +126,6 @@ viewport.on('none', explainNoPicture);
 
 Object.assign(window, { shapeUp: app.script });
 
-const startup = new Startup(app);
-byId('recent-button').addEventListener('click', () =>
-  actions.reportErrors(showRecent(byId('recent'), startup)),
-);
 startup.begin().catch((error) => alerts.error(messageOf(error)));
 void actions.reportErrors(examplesMenu(byId('examples'), app));
 const offline = () => stayOffline(alerts, startup, viewport);

@@ -34,7 +34,13 @@ export class Startup {
   #alerts;
   #autosave: Autosave | null = null;
 
-  constructor({ store, actions, solver, files, alerts }: AppContext) {
+  constructor({
+    store,
+    actions,
+    solver,
+    files,
+    alerts,
+  }: Pick<AppContext, 'store' | 'actions' | 'solver' | 'files' | 'alerts'>) {
     this.#store = store;
     this.#actions = actions;
     this.#solver = solver;

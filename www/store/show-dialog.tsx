@@ -18,12 +18,12 @@ export function showDialog(
 ) {
   const place = document.createElement('div');
   place.className = 'hosted';
-  const dialog = openDialog(about, place);
-  dialog.addEventListener('close', () => render(null, place));
   render(
     <AppProvider value={app}>
-      <Content close={() => dialog.close()} />
+      <Content close={() => place.closest('dialog')?.close()} />
     </AppProvider>,
     place,
   );
+  // With its content: the dialog gives the focus to what has `autofocus` there.
+  openDialog(about, place).addEventListener('close', () => render(null, place));
 }

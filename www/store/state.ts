@@ -139,8 +139,8 @@ export interface State {
   build: BuildReport | null;
   /** shown instead of the current shape, on request */
   heldOriginal: HeldOriginal | null;
-  /** a presentation covers the page */
-  presenting: boolean;
+  /** a presentation that covers the page, and the window of its notes, if they are shown */
+  presenting: { notes: Window | null } | null;
   /** id of the plot or table of the analysis */
   plot: string;
   dark: boolean;
@@ -290,7 +290,7 @@ const INITIAL: State = {
   closedCard: null,
   heldOriginal: null,
   build: null,
-  presenting: false,
+  presenting: null,
   plot: 'convergence',
   dark: false,
   renderer: 'starting',

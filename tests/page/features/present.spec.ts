@@ -4,7 +4,7 @@ import type { Page } from '@playwright/test';
 import type { Slide } from '../../../www/solver/types.ts';
 import { openText, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
+import { boxOf, expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -153,4 +153,15 @@ test('Space runs, as the dialog says, also while Next has the focus', async ({ p
   await page.keyboard.press(' ');
   await waitForState(page, (now, before) => now.iteration > before, iteration);
   await expect(stage).toContainText('1 of 2');
+});
+
+test('the buttons lie below the view, at its edge', async ({ page }) => {
+  // They lay over the mesh, which fills the view.
+  await makeSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Start', exact: true }).click();
+  const view = await boxOf(page.getByRole('application', { name: '3D view' }));
+  for (const name of ['Previous', 'Next', 'End']) {
+    const button = await boxOf(stageOf(page).getByRole('button', { name }));
+    expect(button.y, name).toBeGreaterThanOrEqual(view.y + view.height);
+  }
 });

@@ -166,3 +166,20 @@ test('the sliders go on after an edit while a variation is shown', async ({ page
   await expect(keep).toBeEnabled();
   expect(await positions(page)).not.toEqual(start);
 });
+
+test('the panel is found among the commands, once there is an exact shape', async ({ page }) => {
+  // It was a button only.
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(2), 9);
+  const option = page.getByRole('option', { name: /^Variations/ });
+  await page.keyboard.press('Control+k');
+  await page.keyboard.type('variations');
+  await expect(option).toHaveAttribute('aria-disabled', 'true');
+  await page.keyboard.press('Escape');
+  const panel = await openVariations(page, 2);
+  await panel.getByRole('button', { name: 'Close variations' }).click();
+  await page.keyboard.press('Control+k');
+  await page.keyboard.type('variations');
+  await page.keyboard.press('Enter');
+  await expect(panel).toBeVisible();
+});

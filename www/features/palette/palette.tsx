@@ -28,9 +28,7 @@ function Palette({ close }: InDialog) {
   const { store, commands } = useApp();
   const [asked, setAsked] = useState('');
   const [at, setAt] = useState(0);
-  const field = useRef<HTMLInputElement>(null);
   const chosen = useRef<HTMLLIElement>(null);
-  useEffect(() => field.current?.focus(), []);
   useEffect(() => chosen.current?.scrollIntoView({ block: 'nearest' }), [at, asked]);
 
   const state = store.state as State;
@@ -48,7 +46,7 @@ function Palette({ close }: InDialog) {
   return (
     <>
       <input
-        ref={field}
+        autofocus
         type="text"
         role="combobox"
         aria-label="Command"

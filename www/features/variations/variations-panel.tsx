@@ -4,34 +4,42 @@
  */
 
 import './variations.css';
+import { useComputed } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { Docked } from '../../docked/docked.tsx';
-import { isHard } from '../../store/state.ts';
+import { pressNamed } from '../../store/press.ts';
+import { isHard, type State } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
-import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { Kept } from './kept.tsx';
 import { VariationCard } from './variation-card.tsx';
 import { Variations } from './variations.ts';
 
-/** Opens and closes the panel. */
+/** Whether the shape can be varied, or has kept ones beside it. */
+export function canVary(state: Readonly<State>) {
+  if (state.running || !state.document) return false;
+  return state.document.variants.length > 0 || isMet(state);
+}
+
+const isMet = ({ document: scene, numbers }: Readonly<State>) =>
+  Boolean(scene?.constraints.some(isHard) && numbers?.exact?.met);
+
+/** The button of that command, where there are exact constraints or kept shapes. */
 export function VariationsButton() {
-  const { store, actions } = useApp();
-  const { state } = store;
-  const { document: scene, running, docked } = state;
-  const isMet = useThrottled(() => state.numbers?.exact?.met === true);
-  const isKept = Boolean(scene?.variants.length);
-  if (!isKept && !scene?.constraints.some(isHard)) return null;
-  const isReady = !running && (isMet || isKept);
+  const app = useApp();
+  const { state } = app.store;
+  const { document: scene } = state;
+  const isReady = useComputed(() => canVary(state)).value;
+  if (!scene?.variants.length && !scene?.constraints.some(isHard)) return null;
   return (
     <Button
       disabled={!isReady}
       title={
         isReady
           ? 'Other shapes that are as exact as this one'
-          : 'Available once the exact constraints are met'
+          : 'Available once all that is required is met'
       }
-      onClick={() => actions.dock(docked === 'variations' ? null : 'variations')}
+      onClick={() => pressNamed('variations', app)}
     >
       Variations
     </Button>

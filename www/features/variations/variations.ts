@@ -56,13 +56,16 @@ export class Variations {
    */
   begin(end: () => void) {
     const { store } = this.#app;
+    let isOn = true;
     const stop = store.subscribe(['document', 'running', 'model'], (state) => {
       const { document: scene, running, model } = state;
-      if (!model?.faces || !scene) return end();
+      // Not at once: what ends the subscription is returned only after the first call.
+      if (!model?.faces || !scene) queueMicrotask(() => isOn && end());
       // An edit or undo step may have changed the shape, and with it the variations.
-      if (!running && scene !== this.#searched) void this.#find();
+      else if (!running && scene !== this.#searched) void this.#find();
     });
     return () => {
+      isOn = false;
       stop();
       this.#search++;
       if (this.isMoved()) this.leave();

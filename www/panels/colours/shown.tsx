@@ -1,5 +1,6 @@
 /** What is drawn besides the model, and the range and the map of the colours. */
 
+import { useComputed } from '@preact/signals';
 import { declared, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -57,10 +58,13 @@ const MAPS = [
 function Range() {
   const { store, actions } = useApp();
   const { state } = store;
-  const { unit, factor } = shownUnit(state);
-  const { range, display, spread, flatMap, model } = state;
+  // Each frame changes the distribution of the values, of which only this is shown here.
+  const isCounted = useComputed(() => state.spread !== null).value;
+  const unit = useComputed(() => shownUnit(state).unit).value;
+  const factor = useComputed(() => shownUnit(state).factor).value;
+  const { range, display, flatMap, model } = state;
   const about = declared(state, state.measure);
-  if (!about || flatMap || !model?.faces || !spread) return null;
+  if (!about || flatMap || !model?.faces || !isCounted) return null;
   const allowed = toleranceOf(state, about);
   // Without a tolerance, the maps relative to it do not apply.
   const maps = MAPS.filter(([id]) => allowed !== null || (id !== BEYOND && id !== 'diverging'));

@@ -4,18 +4,6 @@ import '../styles/dialog.css';
 import { element } from '../dom.ts';
 import { closeButton } from './fields.ts';
 
-/**
- * Makes the head of a dialog: its title and close button.
- * @param id of the title, which labels the dialog
- */
-export function dialogHead(dialog: HTMLDialogElement, id: string, title: string) {
-  return element(
-    'div.dialog-head',
-    element('h2', { id }, title),
-    closeButton('Close', () => dialog.close(), { class: 'square' }),
-  );
-}
-
 /** Dialogs about the open model. */
 const ABOUT_MODEL = 'dialog[data-about="model"]';
 
@@ -45,7 +33,12 @@ export function openDialog(
     'aria-labelledby': `${id}-title`,
     ...(!lasts && { 'data-about': 'model' }),
   });
-  dialog.append(dialogHead(dialog, `${id}-title`, title), ...body);
+  const head = element(
+    'div.dialog-head',
+    element('h2', { id: `${id}-title` }, title),
+    closeButton('Close', () => dialog.close(), { class: 'square' }),
+  );
+  dialog.append(head, ...body);
   dialog.addEventListener('close', () => dialog.remove());
   if (light)
     dialog.addEventListener('click', (event) => {

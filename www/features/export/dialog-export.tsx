@@ -1,0 +1,233 @@
+/** The Export dialog: the file formats, grouped by purpose. */
+
+import { signal } from '@preact/signals';
+import { useState } from 'preact/hooks';
+import type { ComponentProps } from 'preact';
+import { askRhino } from '../../documents/rhino/rhino-client.ts';
+import { messageOf } from '../../solver/errors.ts';
+import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
+import { isDrawn } from '../../store/state.ts';
+import { useApp } from '../../store/use-app.ts';
+import { Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { pictureOf, pictureSize, type Ground } from './picture.ts';
+import { convergenceSvg } from './plot-svg.ts';
+import { canRecord, turntableVideo } from './turntable-video.ts';
+import type { AppContext } from '../../app/context.ts';
+
+/** Pixels per CSS pixel, and the label. */
+const SCALES: [number, string][] = [
+  [1, '1×'],
+  [2, '2×'],
+  [4, '4×'],
+  [Infinity, '8k'],
+];
+
+const GROUNDS: [Ground, string][] = [
+  ['view', 'as in the view'],
+  ['white', 'white'],
+  ['none', 'none (transparent)'],
+];
+
+/** The last choices. */
+const picture = signal<{ scale: number; legend: boolean; ground: Ground }>({
+  scale: 2,
+  legend: true,
+  ground: 'view',
+});
+
+export function showExport(app: AppContext) {
+  showDialog(app, { id: 'export', title: 'Export', light: true }, ExportDialog);
+}
+
+function ExportDialog({ close }: InDialog) {
+  const app = useApp();
+  const { store, files, viewport, actions } = app;
+  const { model, document: scene, flatMap } = store.state;
+  const [working, setWorking] = useState('');
+  const canDraw = isDrawn(store.state);
+  const curvesOnly = (model?.faces ?? 0) === 0;
+
+  /** Makes a file, after which the dialog is closed. */
+  const make = (file: () => Promise<unknown>) => async () => {
+    setWorking('Working …');
+    try {
+      await actions.settled();
+      await file();
+      close();
+    } catch (error) {
+      setWorking(messageOf(error));
+    }
+  };
+  const makeTable = (name: 'errors' | 'convergence' | 'angles') =>
+    make(async () => files.save(`-${name}.csv`, await actions.ask.table(name), 'text/csv'));
+
+  return (
+    <div class="dialog-body">
+      <section>
+        <h3>Shape</h3>
+        <Format
+          autofocus
+          name="OBJ"
+          words={`The mesh as it is now, in the order of the file${flatMap ? ', with its flat map' : ''}`}
+          onClick={make(() => files.exportMesh())}
+        />
+        {model?.welded && (
+          <Format
+            name="OBJ as it came"
+            words="With the vertices of the file, before coincident ones were joined"
+            onClick={make(() => files.exportUnwelded())}
+          />
+        )}
+        <Format
+          name="PLY"
+          words="Faces and curves in full precision, for scans and 3D programs"
+          disabled={curvesOnly}
+          onClick={make(() => files.exportAs('ply'))}
+        />
+        <Format
+          name="STL"
+          words="Triangles in seven digits, for 3D printers"
+          disabled={curvesOnly}
+          onClick={make(() => files.exportAs('stl'))}
+        />
+        <Format
+          name="3DM"
+          words="For Rhino, with a layer for each group"
+          onClick={make(() => saveForRhino(app))}
+        />
+        <Format
+          name="Scene"
+          words="The mesh with its constraints, handles and weights"
+          onClick={make(() => files.saveScene())}
+        />
+      </section>
+      <section>
+        <h3>Numbers</h3>
+        <Format
+          name="Errors"
+          words="CSV: how flat and how round each face is"
+          disabled={curvesOnly}
+          onClick={makeTable('errors')}
+        />
+        <Format
+          name="Convergence"
+          words="CSV: the energies of each iteration"
+          onClick={makeTable('convergence')}
+        />
+        <Format
+          name="Angles"
+          words="CSV: the corner angles of the faces, originally and now"
+          disabled={curvesOnly}
+          onClick={makeTable('angles')}
+        />
+      </section>
+      <section>
+        <h3>Pictures</h3>
+        <PictureOptions />
+        <Format
+          name="PNG"
+          words={canDraw ? 'The view as it is now' : 'This browser cannot draw the view'}
+          disabled={!canDraw}
+          onClick={make(async () => {
+            const blob = await pictureOf(viewport, store.get(), picture.value);
+            files.save('.png', blob, 'image/png');
+          })}
+        />
+        {canRecord() && (
+          <Format
+            name="WebM"
+            words="A 6-second video in which the model turns once"
+            disabled={!canDraw}
+            onClick={make(async () =>
+              files.save('.webm', await turntableVideo(viewport), 'video/webm'),
+            )}
+          />
+        )}
+        <Format
+          name="Line drawing"
+          words="SVG: the visible lines, in ink on A4"
+          disabled={!canDraw}
+          onClick={make(async () => {
+            const drawing = viewport.lineDrawing();
+            if (!drawing) throw new Error('This browser cannot draw the view.');
+            files.save('-drawing.svg', drawing, 'image/svg+xml');
+          })}
+        />
+        <Format
+          name="SVG"
+          words="The plot of the convergence, on white"
+          onClick={make(async () => {
+            const title = `${model?.title || files.name}: convergence`;
+            const squared = scene?.units ? `${scene.units}²` : '';
+            const svg = convergenceSvg(await actions.ask.table('convergence'), title, squared);
+            files.save('-convergence.svg', svg, 'image/svg+xml');
+          })}
+        />
+      </section>
+      <p class="working quiet" aria-live="polite">
+        {working}
+      </p>
+    </div>
+  );
+}
+
+/** The button that saves a file of one format. */
+const Format = ({
+  name,
+  words,
+  ...rest
+}: Omit<ComponentProps<'button'>, 'role'> & { name: string; words: string }) => (
+  <button type="button" class="format" {...rest}>
+    <strong>{name}</strong>
+    <span>{words}</span>
+  </button>
+);
+
+/** The controls for the size and content of the picture. */
+function PictureOptions() {
+  const { viewport } = useApp();
+  const { scale, legend, ground } = picture.value;
+  const choose = (change: Partial<typeof picture.value>) => {
+    picture.value = { ...picture.value, ...change };
+  };
+  const { width, height } = pictureSize(viewport, scale);
+  return (
+    <div class="picture">
+      <fieldset aria-label="Size of the picture">
+        {SCALES.map(([value, label]) => (
+          <label key={value}>
+            <input
+              type="radio"
+              name="scale"
+              checked={value === scale}
+              onChange={() => choose({ scale: value })}
+            />
+            {label}
+          </label>
+        ))}
+      </fieldset>
+      <Checkbox
+        label="Legend"
+        checked={legend}
+        onCheck={(checked) => choose({ legend: checked })}
+      />
+      <label>
+        Background{' '}
+        <Choice
+          value={ground}
+          options={GROUNDS}
+          onChoose={(value) => choose({ ground: value as Ground })}
+        />
+      </label>
+      <span class="quiet">{`${width} × ${height} pixels`}</span>
+    </div>
+  );
+}
+
+/** Saves a 3DM file, loading its large writer. */
+async function saveForRhino({ actions, files }: AppContext) {
+  if (!(await files.mayExport())) return;
+  const scene = await actions.ask.scene();
+  const errors = await actions.ask.table('errors');
+  files.save('.3dm', await askRhino((rhino) => rhino.write(scene, errors)), 'model/vnd.3dm');
+}

@@ -1,0 +1,244 @@
+/** The help: all actions of keys and mouse, from the table that binds them, and how to cite. */
+
+import './help.css';
+import { useEffect, useState } from 'preact/hooks';
+import type { ComponentChildren } from 'preact';
+import { pressNamed } from '../../store/press.ts';
+import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
+import { keyName, singleKeys } from '../../ui/keys.ts';
+import { copyText } from '../../ui/output.ts';
+import { webgl2Card, webgpuCard, type GraphicsCard } from '../../viewport/graphics-card.ts';
+import { MOUSE_WORDS } from '../../viewport/input/mouse.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { State } from '../../store/state.ts';
+import type { FileFormat } from '../../solver/types.ts';
+
+/** Actions of the pointer; see `pointer.ts`. */
+const pointer = (mouse: State['mouse']): [string, string][] => [
+  ['Drag a handle', 'move it, parallel to the screen'],
+  ['Drag an arrow', 'move the selected handles along it; a square: in its plane'],
+  ['Drag elsewhere', 'orbit; with Select: a box, a lasso or a brush'],
+  ['Box to the right', 'select what is inside'],
+  ['Box to the left', 'select what it touches'],
+  ['Click', 'select; Shift adds, Ctrl removes'],
+  [
+    'Double-click',
+    'a vertex: make a handle; an edge: select its loop, with Shift its ring; a face: select its flat patch',
+  ],
+  ['Other buttons', `${MOUSE_WORDS[mouse]} (the menu Views has other settings)`],
+  ['Right click', 'open the menu; so does a long press'],
+  ['Wheel, pinch', 'zoom to the cursor'],
+  ['Two fingers', 'pan and zoom'],
+  ['Hold Reset', 'show the original as long as it is held'],
+];
+/** Keys of the view itself; see `gestures.ts`, `handle-keys.ts` and `pointer.ts`. */
+const VIEW_KEYS: [string, string][] = [
+  ['Arrows', 'orbit, while the view has the focus'],
+  ['PgUp PgDn', 'zoom'],
+  ['Enter', 'move the selected handles with the arrow keys; Enter accepts, Esc cancels'],
+  ['X Y Z', 'while a handle is dragged: move along that axis'],
+  ['Shift Ctrl', 'while a handle is dragged: Shift keeps its height, Ctrl moves it vertically'],
+  ['Alt + drag', 'on a vertex: make it a handle and move it'],
+];
+
+export function showHelp(app: AppContext) {
+  showDialog(app, { id: 'help', title: 'Mouse and keys', light: true, lasts: true }, Help);
+}
+
+function Help({ close }: InDialog) {
+  const app = useApp();
+  const { renderer, mouse } = app.store.state;
+  const bound = app.commands.filter((command) => command.keys.length > 0);
+  const groups = [...new Set(bound.map((command) => command.group))];
+  return (
+    <>
+      <div class="help-top">
+        <label class="single-keys">
+          <input
+            type="checkbox"
+            defaultChecked={singleKeys.on}
+            onChange={({ currentTarget }) => singleKeys.set(currentTarget.checked)}
+          />
+          <span>Enable single-key shortcuts</span>
+        </label>
+        <Button
+          aria-haspopup="dialog"
+          onClick={() => {
+            close();
+            pressNamed('palette', app);
+          }}
+        >
+          All commands
+          <kbd>{keyName('Ctrl+K')}</kbd>
+        </Button>
+      </div>
+      <div class="columns">
+        <Keys title="Mouse and touch">
+          {pointer(mouse).map(([what, effect]) => (
+            <Row key={what} term={what} effect={effect} />
+          ))}
+        </Keys>
+        {groups.map((group) => (
+          <Keys key={group} title={group}>
+            {bound
+              .filter((command) => command.group === group)
+              .map(({ id, keys, label }) => (
+                <Row key={id} term={asKeys(keys.map(keyName))} effect={label} />
+              ))}
+            {group === 'View' &&
+              VIEW_KEYS.map(([key, effect]) => (
+                <Row key={key} term={asKeys([key])} effect={effect} />
+              ))}
+          </Keys>
+        ))}
+      </div>
+      <FileFormats />
+      <DrawnBy renderer={renderer} />
+      <p class="about">
+        Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping
+        Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012.{' '}
+        <a href="./licences.html" target="_blank">
+          Licences
+        </a>{' '}
+        <Button aria-haspopup="dialog" onClick={() => showCitation(app)}>
+          Cite
+        </Button>
+      </p>
+    </>
+  );
+}
+
+/** A list of keys, or of what the pointer does. */
+const Keys = ({ title, children }: { title: string; children: ComponentChildren }) => (
+  <section>
+    <h3>{title}</h3>
+    <dl>{children}</dl>
+  </section>
+);
+
+const Row = ({ term, effect }: { term: ComponentChildren; effect: string }) => (
+  <>
+    <dt>{term}</dt>
+    <dd>{effect}</dd>
+  </>
+);
+
+const asKeys = (keys: string[]) => keys.map((key) => [<kbd key={key}>{key}</kbd>, ' ']);
+
+/** What is read and written of each format; nothing without an engine, which knows them. */
+function FileFormats() {
+  const { actions } = useApp();
+  const [formats, setFormats] = useState<FileFormat[]>([]);
+  useEffect(() => {
+    actions.ask.fileFormats().then(setFormats, () => {});
+  }, []);
+  return (
+    <section class="files" aria-live="polite" hidden={formats.length === 0}>
+      <h3 id="files-title">Files</h3>
+      <div tabindex={0} role="region" aria-labelledby="files-title">
+        <table aria-labelledby="files-title">
+          <thead>
+            <tr>
+              {['Format', 'Read', 'Written', 'Not'].map((head) => (
+                <th key={head} scope="col">
+                  {head}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {formats.map(({ name, endings, reads, writes, leaves_out }) => (
+              <tr key={name}>
+                <th scope="row">
+                  {name} <span>{`.${endings.join(' .')}`}</span>
+                </th>
+                <td>{reads || '–'}</td>
+                <td>{writes || '–'}</td>
+                <td>{leaves_out || '–'}</td>
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+    </section>
+  );
+}
+
+type Renderer = State['renderer'];
+type Card = GraphicsCard | null;
+const INTERFACES: { [name in Renderer]?: { label: string; cardOf: () => Card | Promise<Card> } } = {
+  webgpu: { label: 'WebGPU', cardOf: webgpuCard },
+  webgl2: { label: 'WebGL2', cardOf: webgl2Card },
+};
+
+/** Says which interface of the browser draws, and with which graphics card. */
+function DrawnBy({ renderer }: { renderer: Renderer }) {
+  const [words, setWords] = useState('');
+  useEffect(() => {
+    const { label, cardOf } = INTERFACES[renderer] ?? {};
+    void Promise.resolve(cardOf?.()).then((card) => {
+      const how = card?.isSoftware ? ', without a graphics card: slow with large meshes' : '';
+      setWords(label ? `Drawn by ${label}${card?.name ? ` with ${card.name}` : ''}${how}.` : '');
+    });
+  }, [renderer]);
+  return (
+    <p class="about" aria-live="polite">
+      {words}
+    </p>
+  );
+}
+
+/** The paper as BibTeX. */
+const PAPER = `@article{bouaziz2012shapeup,
+  author  = {Bouaziz, Sofien and Deuss, Mario and Schwartzburg, Yuliy and Weise, Thibaut and Pauly, Mark},
+  title   = {Shape-Up: Shaping Discrete Geometry with Projections},
+  journal = {Computer Graphics Forum},
+  volume  = {31},
+  number  = {5},
+  pages   = {1657--1667},
+  year    = {2012},
+  doi     = {10.1111/j.1467-8659.2012.03171.x},
+  note    = {Proceedings of the Symposium on Geometry Processing}
+}`;
+
+/**
+ * This program as BibTeX.
+ * @param address of the page
+ */
+const program = (address: string) => `@software{shapeup,
+  author  = {{The Shape-Up authors}},
+  title   = {Shape-Up: shaping discrete geometry with projections, in a browser tab},
+  year    = {2026},
+  url     = {${address}}
+}`;
+
+/** Shows how to cite the paper and this program. */
+function showCitation(app: AppContext) {
+  const address = new URL('./', location.href.split(/[?#]/)[0]).href;
+  showDialog(app, { id: 'cite', title: 'Cite', light: true, lasts: true }, () => (
+    <div class="dialog-body">
+      <BibTeX title="The paper, for the method" text={PAPER} />
+      <BibTeX title="This program, for numbers and pictures made with it" text={program(address)} />
+    </div>
+  ));
+}
+
+function BibTeX({ title, text }: { title: string; text: string }) {
+  const [said, setSaid] = useState('');
+  return (
+    <section>
+      <h3>{title}</h3>
+      <pre tabindex={0} aria-label={`BibTeX: ${title}`}>
+        {text}
+      </pre>
+      <p>
+        <Button onClick={async () => setSaid(await copyText(text))}>Copy</Button>
+        <span class="quiet" aria-live="polite">
+          {said}
+        </span>
+      </p>
+    </section>
+  );
+}

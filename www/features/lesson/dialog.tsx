@@ -1,0 +1,266 @@
+/** The dialog for writing a lesson: its text, goals and locks, and its export for a class. */
+
+import './lesson.css';
+import { useRef, useState } from 'preact/hooks';
+import { messageOf } from '../../solver/errors.ts';
+import { declared, toleranceOf, unitOf } from '../../store/colours/measures.ts';
+import { pressNamed } from '../../store/press.ts';
+import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
+import { useApp } from '../../store/use-app.ts';
+import { Button, CloseButton } from '../../ui/components/buttons.tsx';
+import { Choice } from '../../ui/components/fields.tsx';
+import { length, lengthUnit } from '../../ui/format.ts';
+import { LOCKS } from './panel.tsx';
+import type { AppContext } from '../../app/context.ts';
+import type { GoalFile } from '../../pkg/engine/shape_up.js';
+import type { SceneDocument } from '../../solver/types.ts';
+import type { State } from '../../store/state.ts';
+
+/** What a goal can be about. */
+interface Subject {
+  value: string;
+  label: string;
+  unit: string;
+  /** from the unit of the goal in the file */
+  factor: number;
+  goal: GoalFile;
+}
+
+type BuildNumbers = Awaited<ReturnType<AppContext['actions']['ask']['buildNumbers']>>;
+
+export async function write(app: AppContext) {
+  const { store, actions } = app;
+  const { document: scene, model } = store.get();
+  if (!scene) return;
+  const numbers = model?.faces ? await actions.ask.buildNumbers() : [];
+  const subjects = subjectsOf(store.get(), scene, numbers);
+  showDialog(app, { id: 'lesson-dialog', title: 'Lesson' }, ({ close }) => (
+    <LessonDialog close={close} scene={scene} subjects={subjects} />
+  ));
+}
+
+/** What the goals of a lesson can be about, those of the present lesson included. */
+function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: BuildNumbers) {
+  const { tolerance, units, lesson } = scene;
+  // Goals are written in the unit of the tolerance.
+  const { unit, factor } = lengthUnit(tolerance, units);
+  const lengths = { unit: unit || 'unit of the mesh', factor };
+  // Signed measures are not errors.
+  const measures = state.model?.faces ? state.measures.filter(({ signed }) => !signed) : [];
+  /** The goal that counts faces beyond a length. */
+  const counting = (measure: string, beyond: number) => ({
+    value: `beyond ${beyond} ${measure}`,
+    label: `Panels beyond ${length(beyond, units)}: ${declared(state, measure)?.label ?? measure}`,
+    unit: 'panels',
+    factor: 1,
+    goal: { measure, beyond },
+  });
+  const all: Subject[] = [
+    ...measures.map((measure) => ({
+      value: `measure ${measure.id}`,
+      label: measure.label,
+      ...(measure.unit === 'length' ? lengths : unitOf(measure, 1, units)),
+      goal: { measure: measure.id },
+    })),
+    ...measures.filter(({ toleranced }) => toleranced).map(({ id }) => counting(id, tolerance)),
+    ...scene.constraints.map(({ label }) => ({
+      value: `constraint ${label}`,
+      label: `Constraint: ${label}`,
+      ...lengths,
+      goal: { constraint: label },
+    })),
+    ...numbers.map(({ id, label, unit }) => ({
+      value: `build ${id}`,
+      label: `Build: ${label}`,
+      ...(unit === 'length' ? lengths : { unit: unit === 'degrees' ? '°' : '', factor: 1 }),
+      goal: { build: id },
+    })),
+    ...(lesson?.goals ?? []).flatMap(({ measure, beyond }) =>
+      measure && beyond !== null ? [counting(measure, beyond)] : [],
+    ),
+  ];
+  return [...new Map(all.map((one) => [one.value, one])).values()];
+}
+
+/** A goal in the dialog. */
+interface Goal {
+  id: number;
+  subject: Subject;
+  /** in the field of the limit, before the user writes another one */
+  limit: string;
+  /** whether it was just added */
+  isNew?: boolean;
+}
+
+/** The goals of the present lesson, or one to begin with, if anything can be a goal. */
+function firstGoals(state: Readonly<State>, scene: SceneDocument, subjects: Subject[]): Goal[] {
+  if (subjects.length === 0) return [];
+  const goal = (id: number, about: string, atMost: number | null) => {
+    const subject = subjects.find(({ value }) => value === about) ?? subjects[0];
+    const limit = atMost === null ? '' : String(Number((atMost * subject.factor).toPrecision(12)));
+    return { id, subject, limit };
+  };
+  const goals = scene.lesson?.goals ?? [];
+  const asked = declared(state, state.measure ?? scene.measure);
+  if (goals.length === 0)
+    return [goal(0, `measure ${asked?.id}`, asked ? toleranceOf(state, asked) : null)];
+  return goals.map(({ measure, build, label, atMost, beyond }, id) => {
+    const counted = beyond === null ? `measure ${measure}` : `beyond ${beyond} ${measure}`;
+    const other = build ? `build ${build}` : `constraint ${label}`;
+    return goal(id, measure ? counted : other, atMost);
+  });
+}
+
+/** Gives the focus to the first control of a row that was just added. */
+const focusRow = (row: HTMLElement | null) => row?.querySelector('select')?.focus();
+
+const ERROR_AT = /^lesson\.goals\[(\d+)\]/;
+
+function LessonDialog({
+  close,
+  scene,
+  subjects,
+}: InDialog & { scene: SceneDocument; subjects: Subject[] }) {
+  const app = useApp();
+  const { store, files, actions } = app;
+  const [goals, setGoals] = useState(() => firstGoals(store.get(), scene, subjects));
+  const [refusal, setRefusal] = useState('');
+  const form = useRef<HTMLFormElement>(null);
+  const text = useRef<HTMLTextAreaElement>(null);
+  const add = useRef<HTMLButtonElement>(null);
+
+  function addGoal() {
+    const id = 1 + Math.max(-1, ...goals.map((goal) => goal.id));
+    const coloured = `measure ${store.get().measure ?? scene.measure}`;
+    const subject = subjects.find(({ value }) => value === coloured) ?? subjects[0];
+    setGoals([...goals, { id, subject, limit: '', isNew: true }]);
+  }
+  function remove({ id }: Goal) {
+    setGoals(goals.filter((goal) => goal.id !== id));
+    add.current?.focus();
+  }
+
+  /** Saves the lesson in one undo step, then calls `then`. */
+  async function keep(then?: () => unknown) {
+    if (!form.current?.reportValidity()) return;
+    const entered = new FormData(form.current);
+    const limits = entered.getAll('at-most').map(Number);
+    const lesson = {
+      text: text.current?.value.trim() ?? '',
+      goals: goals.map(({ subject: { goal, factor } }, i) => ({
+        ...goal,
+        at_most: limits[i] / factor,
+      })),
+      lock: LOCKS.map(([id]) => id).filter((id) => entered.has(`lock ${id}`)),
+    };
+    const unsolved = entered.has('unsolved');
+    const kept = await actions.edit({ setLesson: { lesson, unsolved } }, (refused) => {
+      const path = refused instanceof Error && 'path' in refused ? String(refused.path) : '';
+      setRefusal(messageOf(refused));
+      const fields = form.current?.querySelectorAll<HTMLInputElement>('[name="at-most"]');
+      fields?.[Number(ERROR_AT.exec(path)?.[1])]?.focus();
+      return true;
+    });
+    if (kept === undefined) return;
+    close();
+    actions.setStatus('Lesson saved in the scene');
+    then?.();
+  }
+
+  async function forget() {
+    close();
+    if ((await actions.edit({ setLesson: { lesson: null } })) !== undefined)
+      actions.setStatus('Lesson removed');
+  }
+
+  return (
+    // Enter in a field of a goal must not close the dialog.
+    <form ref={form} class="dialog-body" onSubmit={(event) => event.preventDefault()}>
+      <label for="lesson-words">Task</label>
+      <textarea
+        ref={text}
+        autofocus
+        id="lesson-words"
+        rows={5}
+        required
+        defaultValue={scene.lesson?.text ?? ''}
+      />
+      <h3>Goals</h3>
+      <ul aria-label="Goals of the lesson">
+        {goals.map((goal, i) => {
+          const { value, label, unit } = goal.subject;
+          const what = `Goal ${i + 1}: ${label.toLowerCase()}`;
+          return (
+            <li key={goal.id} ref={goal.isNew ? focusRow : null}>
+              worst
+              <Choice
+                aria-label={`Goal ${i + 1}: worst`}
+                value={value}
+                options={subjects.map((one) => [one.value, one.label] as const)}
+                onChoose={(chosen) => {
+                  const subject = subjects.find((one) => one.value === chosen);
+                  if (subject) setGoals(goals.with(i, { ...goal, subject }));
+                }}
+              />
+              at most
+              <input
+                type="number"
+                name="at-most"
+                min="0"
+                step="any"
+                required
+                aria-label={`${what} at most${unit && `, ${unit}`}`}
+                defaultValue={goal.limit}
+              />
+              <span class="unit">{unit}</span>
+              <CloseButton label={`Remove ${what}`} onClick={() => remove(goal)} />
+            </li>
+          );
+        })}
+      </ul>
+      <div>
+        <button
+          ref={add}
+          type="button"
+          class="bordered"
+          disabled={subjects.length === 0}
+          onClick={addGoal}
+        >
+          Add goal
+        </button>
+      </div>
+      <fieldset>
+        <legend>Students may not change</legend>
+        {LOCKS.map(([id, label]) => (
+          <label key={id}>
+            <input
+              type="checkbox"
+              name={`lock ${id}`}
+              defaultChecked={scene.lesson?.lock.includes(id) ?? false}
+            />
+            {label}
+          </label>
+        ))}
+      </fieldset>
+      <label>
+        <input type="checkbox" name="unsolved" defaultChecked />
+        Students start from the model as it was opened, unsolved
+      </label>
+      <p class="quiet">
+        Students see the text and whether each goal is met while they work. Locked controls are
+        disabled. Undo this step to remove a lock. A constraint with limit 0 must be exact.
+      </p>
+      <p class="refused" aria-live="assertive">
+        {refusal}
+      </p>
+      <div class="dialog-buttons">
+        <Button class="primary" onClick={() => keep()}>
+          Save lesson
+        </Button>
+        <Button onClick={() => keep(() => files.saveScene())}>Lesson as a scene file</Button>
+        <Button onClick={() => keep(() => pressNamed('share', app))}>Lesson as a link</Button>
+        {scene.lesson && <Button onClick={forget}>Remove lesson</Button>}
+      </div>
+    </form>
+  );
+}

@@ -1,0 +1,193 @@
+/**
+ * The lesson of the scene: its text, its goals with their current values, and the results for
+ * hand-in. If its panel is hidden behind a tab, a line over the view shows how many goals are met.
+ */
+
+import './lesson.css';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import type { ComponentType } from 'preact';
+import { movedInWords } from '../../store/colours/measures.ts';
+import { showDialog } from '../../store/show-dialog.tsx';
+import { useApp } from '../../store/use-app.ts';
+import { Button, Icon } from '../../ui/components/buttons.tsx';
+import { useThrottled } from '../../ui/components/use-throttled.ts';
+import { byId } from '../../ui/dom.ts';
+import { reveal } from '../../ui/reveal.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { LessonWords } from '../../solver/types.ts';
+
+const mark = (isMet: boolean) => (isMet ? '✓' : '✗');
+
+type Lock = LessonWords['lock'][number];
+
+/** The locks in display order. */
+export const LOCKS: [Lock, string][] = [
+  ['mesh', 'Mesh'],
+  ['constraints', 'Constraints'],
+  ['weights', 'Weights'],
+  ['handles', 'Handles'],
+];
+
+/** The lesson, if there is one, and how far its goals are met. */
+function useLesson() {
+  const { state } = useApp().store;
+  /** While a mesh is replaced there is no document, which is no reason to remove the lesson. */
+  const last = useRef<LessonWords | null>(null);
+  if (state.document) last.current = state.document.lesson;
+  const lesson = last.current;
+  const now = useThrottled(() => state.numbers?.lesson ?? null);
+  return { lesson, now: now?.goals.length === lesson?.goals.length ? now : null };
+}
+
+export function Lesson() {
+  const app = useApp();
+  const { state } = app.store;
+  const { lesson, now } = useLesson();
+  const moved = useThrottled(() => (state.document?.lesson ? movedInWords(state) : ''));
+  const isThere = lesson !== null;
+  useLayoutEffect(() => {
+    if (!isThere) return;
+    // Its step may be closed, and the button of the lesson dialog is farther down.
+    byId<HTMLDetailsElement>('step-open').open = true;
+    byId('steps').scrollTo(0, 0);
+  }, [isThere]);
+  if (!lesson) return null;
+  const locked = LOCKS.filter(([id]) => lesson.lock.includes(id));
+  const passed = now?.passed ?? false;
+  return (
+    <section id="lesson" aria-labelledby="heading-lesson">
+      <h2 id="heading-lesson">Lesson</h2>
+      <p class="lesson-text">{lesson.text}</p>
+      <ul aria-label="Goals">
+        {lesson.goals.map((goal, i) => {
+          const { met, words } = now?.goals[i] ?? {};
+          return (
+            <li
+              key={i}
+              class={met === undefined ? undefined : met ? 'goal-met' : 'goal-missed'}
+              title={`The ${goal.words}`}
+            >
+              <span class="mark" aria-hidden="true">
+                {met !== undefined && mark(met)}
+              </span>
+              <span>{goal.sentence}</span>
+              <span class="now">{words}</span>
+            </li>
+          );
+        })}
+      </ul>
+      {locked.length > 0 && (
+        <p class="quiet">Locked: {locked.map(([, label]) => label.toLowerCase()).join(', ')}</p>
+      )}
+      <p class={passed ? 'lesson-sum passed' : 'lesson-sum'} aria-live="polite">
+        {passed && `${mark(true)} `}
+        {now?.words}
+      </p>
+      {moved && <p class="quiet">Moved {moved}</p>}
+      <Button aria-haspopup="dialog" onClick={() => showHandIn(app)}>
+        Results for hand-in
+      </Button>
+    </section>
+  );
+}
+
+/** The line over the view, which leads to the goals. */
+export function LessonCard() {
+  const { lesson, now } = useLesson();
+  return (
+    <div
+      id="lesson-card"
+      class={now?.passed ? 'passed' : undefined}
+      aria-live="polite"
+      hidden={!lesson}
+    >
+      <button
+        type="button"
+        class="card"
+        title="Show the goals"
+        onClick={() => reveal(byId('lesson'))}
+      >
+        <span>{now ? `${mark(now.passed)} Lesson: ${now.words}` : 'Goals'}</span>
+        <Icon name="chevron" />
+      </button>
+    </div>
+  );
+}
+
+/**
+ * Returns a part of the page as one that a lesson may lock: its controls are disabled then. The session
+ * also refuses such edits.
+ * @param words what stays as it is, if that is said above the part
+ */
+export const lockable = (lock: Lock, Part: ComponentType, words?: string) =>
+  function Lockable() {
+    const isLocked = useApp().store.state.document?.lesson?.lock.includes(lock) ?? false;
+    const note = isLocked && words ? `${lock}-locked` : undefined;
+    return (
+      <>
+        {note && (
+          <p class="locked-note quiet" id={note}>
+            Locked by the lesson: {words}.
+          </p>
+        )}
+        <fieldset
+          class="locked"
+          disabled={isLocked}
+          role={isLocked ? undefined : 'presentation'}
+          title={isLocked ? 'Locked by the lesson' : undefined}
+          aria-describedby={note}
+        >
+          <Part />
+        </fieldset>
+      </>
+    );
+  };
+
+/** Opens the dialog that saves a student's results for hand-in. */
+function showHandIn(app: AppContext) {
+  showDialog(app, { id: 'hand-in', title: 'Results for hand-in' }, HandIn);
+}
+
+function HandIn() {
+  const { store, files, actions } = useApp();
+  const name = useRef<HTMLInputElement>(null);
+  // As they are when the dialog opens.
+  const [goals] = useState(() => store.get().numbers?.lesson?.goals ?? []);
+  const met = goals.filter((goal) => goal.met).length;
+
+  async function save() {
+    const student = name.current?.value.trim() ?? '';
+    const time = new Date().toISOString();
+    const text = await actions.reportErrors(actions.ask.results(student, time));
+    if (text) files.save('.results.json', text, 'application/json');
+  }
+
+  return (
+    <form class="dialog-body" method="dialog" onSubmit={save}>
+      <label class="line">
+        Your name
+        <input
+          ref={name}
+          autofocus
+          type="text"
+          id="student"
+          autocomplete="name"
+          maxLength={120}
+          required
+        />
+      </label>
+      <p>
+        {`${met} of ${goals.length} goals are met now. The file contains the shape, the goals with their values, each step that you made, and the time.`}
+      </p>
+      <p class="quiet">
+        The file is saved only on this computer: send it in as you send other work. The recipient
+        can measure the shape again.
+      </p>
+      <div class="dialog-buttons">
+        <Button type="submit" class="primary">
+          Save the file
+        </Button>
+      </div>
+    </form>
+  );
+}

@@ -1,0 +1,175 @@
+/** Presenting: the model full screen, with the title and text of each step in large type. */
+
+import './present.css';
+import { useSignal } from '@preact/signals';
+import { render } from 'preact';
+import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import { presentActions } from '../../store/present-actions.ts';
+import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
+import type { AppContext } from '../../app/context.ts';
+import type { Slide } from '../../solver/types.ts';
+
+/** Actions of keys, including presenter remotes. */
+const KEYS: Record<string, 'next' | 'previous' | 'first' | 'last' | 'dark' | 'run' | 'end'> = {
+  ArrowRight: 'next',
+  ArrowDown: 'next',
+  PageDown: 'next',
+  n: 'next',
+  ArrowLeft: 'previous',
+  ArrowUp: 'previous',
+  PageUp: 'previous',
+  p: 'previous',
+  Home: 'first',
+  End: 'last',
+  b: 'dark',
+  '.': 'dark',
+  ' ': 'run',
+  Escape: 'end',
+};
+
+/** @param withNotes in a window of their own */
+export async function present({ actions }: AppContext, withNotes: boolean) {
+  const notes = withNotes ? openNotes() : null;
+  if (withNotes && !notes)
+    throw new Error('The browser blocked the window for the notes: allow pop-ups for this page.');
+  actions.look({ presenting: { notes } });
+}
+
+/** The presentation, if there is one. */
+export function Stage() {
+  const { presenting } = useApp().store.state;
+  return presenting && <Presentation notes={presenting.notes} />;
+}
+
+/** @param props.notes the window of the speaker's notes */
+function Presentation({ notes }: { notes: Window | null }) {
+  const { store, actions } = useApp();
+  const slides = useMemo(() => presentActions(store, actions), []);
+  const at = useSignal(0);
+  const isDark = useSignal(false);
+  const nextButton = useRef<HTMLButtonElement>(null);
+  const steps = store.state.document?.steps ?? [];
+  const step: Slide | undefined = steps[at.value];
+  const place = `${at.value + 1} of ${steps.length}`;
+
+  async function go(to: number) {
+    const last = (store.get().document?.steps.length ?? 0) - 1;
+    if (last < 0) return end();
+    at.value = Math.min(Math.max(to, 0), last);
+    isDark.value = false;
+    await slides.showStep(at.value);
+  }
+
+  /** Shows the next step. Opening the notes window ends full screen, so this enters it again. */
+  function forward() {
+    if (notes) void fillScreen();
+    return go(at.value + 1);
+  }
+
+  function end() {
+    actions.look({ presenting: null });
+    actions.setStatus('The presentation has ended');
+  }
+
+  const done = {
+    next: forward,
+    previous: () => go(at.value - 1),
+    first: () => go(0),
+    last: () => go(Infinity),
+    dark: () => {
+      isDark.value = !isDark.value;
+    },
+    run: () => actions.runOrPause(),
+    end,
+  };
+
+  function press(event: KeyboardEvent) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    // A dialog over it has its own keys.
+    if (document.querySelector('dialog:modal')) return;
+    // Presenter remotes send F5; it must not reload the page.
+    if (event.key === 'F5') return event.preventDefault();
+    const what = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!what) return;
+    event.preventDefault();
+    event.stopPropagation();
+    void done[what]();
+  }
+
+  useLayoutEffect(() => {
+    const leftScreen = () => {
+      if (!document.fullscreenElement) end();
+    };
+    addEventListener('keydown', press, true);
+    notes?.addEventListener('keydown', press);
+    document.addEventListener('fullscreenchange', leftScreen);
+    if (!notes) void fillScreen();
+    nextButton.current?.focus();
+    void go(0);
+    return () => {
+      removeEventListener('keydown', press, true);
+      document.removeEventListener('fullscreenchange', leftScreen);
+      notes?.close();
+      if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
+    };
+  }, []);
+
+  useLayoutEffect(() => {
+    if (notes && step)
+      render(<Notes step={step} next={steps[at.value + 1]} place={place} />, notes.document.body);
+  }, [step, place]);
+
+  return (
+    <section id="stage" aria-label="Presentation" data-dark={isDark.value ? '' : undefined}>
+      <div class="said">
+        <h2>{step?.title}</h2>
+        {step?.text && <p>{step.text}</p>}
+      </div>
+      <div class="stage-bar">
+        <Button disabled={at.value === 0} onClick={done.previous}>
+          Previous
+        </Button>
+        <span aria-live="polite">{place}</span>
+        <button
+          ref={nextButton}
+          type="button"
+          class="primary"
+          disabled={at.value === steps.length - 1}
+          onClick={forward}
+        >
+          Next
+        </button>
+        <Button onClick={end}>End</Button>
+      </div>
+    </section>
+  );
+}
+
+/** If full screen is refused, as in some frames, the presentation fills the window. */
+async function fillScreen() {
+  if (document.fullscreenElement) return;
+  await document.documentElement.requestFullscreen?.().catch(() => {});
+}
+
+/** Opens the window of the speaker's notes beside the page; null if the browser blocks it. */
+function openNotes() {
+  const beside = open('', 'shape-up-notes', 'popup,width=560,height=480');
+  if (!beside) return null;
+  const { document: page } = beside;
+  page.title = 'Presentation notes';
+  page.documentElement.dataset.theme = document.documentElement.dataset.theme ?? '';
+  const styles = document.querySelectorAll('link[rel="stylesheet"], style');
+  page.head.replaceChildren(...[...styles].map((style) => page.importNode(style, true)));
+  return beside;
+}
+
+/** What the window of the notes shows. */
+const Notes = ({ step, next, place }: { step: Slide; next?: Slide; place: string }) => (
+  <main class="notes-window">
+    <p class="quiet">{place}</p>
+    <h1>{step.title}</h1>
+    <p class="notes">{step.notes || 'No notes for this step.'}</p>
+    <p class="quiet">{next ? `Next: ${next.title}` : 'This is the last step.'}</p>
+  </main>
+);

@@ -1,0 +1,218 @@
+/** The dialog of a presentation: its steps in order, the content of each, and the start button. */
+
+import './present.css';
+import { useSignal } from '@preact/signals';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { presentActions } from '../../store/present-actions.ts';
+import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
+import { useApp } from '../../store/use-app.ts';
+import { Button, CloseButton } from '../../ui/components/buttons.tsx';
+import { Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { count } from '../../ui/format.ts';
+import { drawShape } from '../../ui/plot/thumbnail.ts';
+import { present } from './stage.tsx';
+import type { Slide } from '../../solver/types.ts';
+import type { AppContext } from '../../app/context.ts';
+
+export function openSteps(app: AppContext) {
+  showDialog(app, { id: 'presentation', title: 'Presentation' }, StepsDialog);
+}
+
+function StepsDialog({ close }: InDialog) {
+  const app = useApp();
+  const { store, solver, actions } = app;
+  const slides = useMemo(() => presentActions(store, actions), []);
+  /** The steps before the solver has answered: presses and typing can be quicker. */
+  const sent = useSignal<Slide[] | null>(null);
+  const saving = useRef<Promise<unknown>>(Promise.resolve());
+  const { document: scene } = store.state;
+  /** The original and the kept shapes, of which the steps show some. */
+  const { mesh, variants } = useMemo(() => JSON.parse(solver.sceneText ?? '{}'), [scene]);
+  const steps = sent.value ?? scene?.steps ?? [];
+
+  /** @param made from the steps as they are at the press */
+  function change(made: (steps: Slide[]) => Slide[]) {
+    const next = made(sent.peek() ?? store.get().document?.steps ?? []);
+    sent.value = next;
+    const end = () => {
+      if (sent.peek() === next) sent.value = null;
+    };
+    saving.current = slides.setSteps(next).then(end, end);
+  }
+  const changeStep = (index: number, values: Partial<Slide>) =>
+    change((all) => all.with(index, { ...all[index], ...values }));
+
+  const move = (index: number, by: number) =>
+    change((all) => all.toSpliced(index, 1).toSpliced(index + by, 0, all[index]));
+
+  /** @param withNotes in a window of their own */
+  async function begin(withNotes: boolean) {
+    close();
+    await saving.current;
+    await actions.reportErrors(present(app, withNotes));
+  }
+
+  function shapeOf({ original, variant }: Slide): Float64Array | number[] | undefined {
+    const kept = variant === undefined ? undefined : variants?.kept[variant]?.positions;
+    const rows: number[][] | undefined = original ? mesh?.positions : kept;
+    return rows?.flat() ?? solver.geometry?.positions;
+  }
+
+  return (
+    <div class="dialog-body">
+      <p class="quiet" aria-live="polite">
+        {steps.length === 0
+          ? 'No steps yet. A step keeps the view, the measure and the weights as they are when it is added.'
+          : `${count(steps.length, 'step')}, saved in the scene. Keys: → and ← or a presenter, B darkens, Space runs, Esc ends.`}
+      </p>
+      <ol class="steps">
+        {steps.map((step, i) => (
+          <li key={i}>
+            <Picture label={`Picture of step ${i + 1}`} step={step} shape={shapeOf(step)} />
+            <div>
+              <Words
+                label={`Title of step ${i + 1}`}
+                value={step.title}
+                onWords={(title) => changeStep(i, { title })}
+              />
+              <CloseButton
+                label={`Remove step ${i + 1}`}
+                onClick={() => change((all) => all.toSpliced(i, 1))}
+              />
+            </div>
+            <Words
+              label={`Text of step ${i + 1}`}
+              rows={2}
+              placeholder="Text shown beside the model"
+              value={step.text ?? ''}
+              onWords={(text) => changeStep(i, { text })}
+            />
+            <Words
+              label={`Notes of step ${i + 1}`}
+              rows={1}
+              placeholder="Notes that only you see"
+              value={step.notes ?? ''}
+              onWords={(notes) => changeStep(i, { notes })}
+            />
+            <div>
+              <Choice
+                aria-label={`Shape of step ${i + 1}`}
+                value={step.original ? 'original' : String(step.variant ?? '')}
+                options={[
+                  ['', 'Current shape'],
+                  ['original', 'The original'],
+                  ...(scene?.variants ?? []).map((name, k) => [String(k), name] as const),
+                ]}
+                onChoose={(value) => {
+                  const original = value === 'original';
+                  const variant = original || value === '' ? undefined : Number(value);
+                  changeStep(i, { original, variant });
+                }}
+              />
+              <Checkbox
+                label="Run"
+                title="Runs the solver from this step"
+                checked={step.run ?? false}
+                onCheck={(run) => changeStep(i, { run })}
+              />
+              <Button
+                class="bordered small"
+                title="The view, the measure and the weights as they are now"
+                onClick={() =>
+                  change((all) => {
+                    const { title, text, notes, run } = all[i];
+                    return all.with(i, { ...slides.stepNow(title), text, notes, run });
+                  })
+                }
+              >
+                Replace by this view
+              </Button>
+              <Button
+                class="small"
+                aria-label={`Step ${i + 1} earlier`}
+                disabled={i === 0}
+                onClick={() => move(i, -1)}
+              >
+                ↑
+              </Button>
+              <Button
+                class="small"
+                aria-label={`Step ${i + 1} later`}
+                disabled={i === steps.length - 1}
+                onClick={() => move(i, 1)}
+              >
+                ↓
+              </Button>
+            </div>
+          </li>
+        ))}
+      </ol>
+      <div class="dialog-buttons">
+        <Button class="primary" disabled={steps.length === 0} onClick={() => begin(false)}>
+          Start
+        </Button>
+        {steps.some(({ notes }) => notes) && (
+          <Button
+            title="Your notes open in a separate window: put it on a screen that only you see"
+            onClick={() => begin(true)}
+          >
+            Start with notes
+          </Button>
+        )}
+        <Button onClick={() => change((all) => [...all, slides.stepNow(`Step ${all.length + 1}`)])}>
+          Add this view
+        </Button>
+      </div>
+    </div>
+  );
+}
+
+/** A field for words, which are reported on change. */
+function Words({
+  label,
+  value,
+  onWords,
+  rows,
+  placeholder,
+}: {
+  label: string;
+  value: string;
+  onWords: (words: string) => void;
+  /** one line, if absent */
+  rows?: number;
+  placeholder?: string;
+}) {
+  /** Words that are not reported yet: the solver's answer to others does not replace them. */
+  const [typed, setTyped] = useState<string | null>(null);
+  const field = {
+    'aria-label': label,
+    placeholder,
+    value: typed ?? value,
+    onInput: ({ currentTarget }: { currentTarget: { value: string } }) =>
+      setTyped(currentTarget.value),
+    onChange: ({ currentTarget }: { currentTarget: { value: string } }) => {
+      setTyped(null);
+      onWords(currentTarget.value);
+    },
+  };
+  return rows ? <textarea rows={rows} {...field} /> : <input type="text" {...field} />;
+}
+
+/** Indices of turn and tilt in the array of a camera. */
+const [TURN, TILT] = [4, 5];
+
+/** The shape of a step, from its camera. */
+function Picture(props: { label: string; step: Slide; shape?: ArrayLike<number> }) {
+  const { label, step, shape } = props;
+  const { store, solver } = useApp();
+  const { document: scene, dark } = store.state;
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useEffect(() => {
+    const { connectivity } = solver.geometry ?? {};
+    if (!canvas.current || !connectivity || !scene || !shape) return;
+    const { camera } = step;
+    const from = camera && { turn: camera[TURN], above: camera[TILT] };
+    drawShape(canvas.current, connectivity, shape, { up: scene.up, from });
+  }, [scene, dark, step]);
+  return <canvas ref={canvas} role="img" aria-label={label} />;
+}
