@@ -77,6 +77,22 @@ test('the exported tables equal the report of the command line', async ({ page }
   }
 });
 
+test('formats are grouped by purpose, and cut sheets lead to Build', async ({ page }) => {
+  await openPage(page);
+  await tool(page, 'More formats');
+  const dialog = page.getByRole('dialog', { name: 'Export' });
+  await expect(dialog.getByRole('heading', { level: 3 })).toHaveText([
+    'Back to Rhino',
+    'Other programs',
+    'Cut sheets',
+    'Numbers',
+    'Pictures',
+  ]);
+  await dialog.getByRole('button', { name: /^Build/ }).click();
+  await expect(dialog).toBeHidden();
+  await expect(page.getByRole('heading', { name: 'Parts and sheets' })).toBeVisible();
+});
+
 test('the exported scene equals that of Save scene', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(3), 16);

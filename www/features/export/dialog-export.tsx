@@ -64,7 +64,7 @@ function ExportDialog({ close }: InDialog) {
   return (
     <div class="dialog-body">
       <section>
-        <h3>Shape</h3>
+        <h3>Back to Rhino</h3>
         <Format
           autofocus
           name="OBJ"
@@ -79,6 +79,14 @@ function ExportDialog({ close }: InDialog) {
           />
         )}
         <Format
+          name="3DM"
+          words="For Rhino, with a layer for each group"
+          onClick={make(() => saveForRhino(app))}
+        />
+      </section>
+      <section>
+        <h3>Other programs</h3>
+        <Format
           name="PLY"
           words="Faces and curves in full precision, for scans and 3D programs"
           disabled={curvesOnly}
@@ -91,14 +99,21 @@ function ExportDialog({ close }: InDialog) {
           onClick={make(() => files.exportAs('stl'))}
         />
         <Format
-          name="3DM"
-          words="For Rhino, with a layer for each group"
-          onClick={make(() => saveForRhino(app))}
-        />
-        <Format
           name="Scene"
           words="The mesh with its constraints, handles and weights"
           onClick={make(() => files.saveScene())}
+        />
+      </section>
+      <section>
+        <h3>Cut sheets</h3>
+        <Format
+          name="Build"
+          words="The parts on sheets as DXF, SVG and PDF, with tables and key drawings"
+          disabled={curvesOnly}
+          onClick={() => {
+            close();
+            actions.dock('parts');
+          }}
         />
       </section>
       <section>

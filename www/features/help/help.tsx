@@ -7,7 +7,7 @@ import { pressNamed } from '../../store/press.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
-import { keyName, singleKeys } from '../../ui/keys.ts';
+import { CTRL, keyName, singleKeys } from '../../ui/keys.ts';
 import { copyText } from '../../ui/output.ts';
 import { webgl2Card, webgpuCard, type GraphicsCard } from '../../viewport/graphics-card.ts';
 import { MOUSE_WORDS } from '../../viewport/input/mouse.ts';
@@ -22,7 +22,8 @@ const pointer = (mouse: State['mouse']): [string, string][] => [
   ['Drag elsewhere', 'orbit; with Select: a box, a lasso or a brush'],
   ['Box to the right', 'select what is inside'],
   ['Box to the left', 'select what it touches'],
-  ['Click', 'select; Shift adds, Ctrl removes'],
+  ['Click', `select; Shift adds, ${CTRL} removes; Alt selects the loop of an edge`],
+  ['Shift drag', 'beside the model: move the view'],
   [
     'Double-click',
     'a vertex: make a handle; an edge: select its loop, with Shift its ring; a face: select its flat patch',
@@ -39,7 +40,10 @@ const VIEW_KEYS: [string, string][] = [
   ['PgUp PgDn', 'zoom'],
   ['Enter', 'move the selected handles with the arrow keys; Enter accepts, Esc cancels'],
   ['X Y Z', 'while a handle is dragged: move along that axis'],
-  ['Shift Ctrl', 'while a handle is dragged: Shift keeps its height, Ctrl moves it vertically'],
+  [
+    `Shift ${CTRL}`,
+    `while a handle is dragged: Shift keeps its height, ${CTRL} moves it vertically`,
+  ],
   ['Alt + drag', 'on a vertex: make it a handle and move it'],
 ];
 

@@ -244,7 +244,7 @@ function LessonDialog({
       </fieldset>
       <label>
         <input type="checkbox" name="unsolved" defaultChecked />
-        Students start from the model as it was opened, unsolved
+        Students start from the original, unsolved
       </label>
       <p class="quiet">
         Students see the text and whether each goal is met while they work. Locked controls are

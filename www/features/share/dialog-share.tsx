@@ -61,8 +61,8 @@ function Share({ close, link, rounded }: InDialog & { link: string; rounded: num
   return (
     <div class="dialog-body">
       <p>
-        Whoever opens this link gets the mesh with its constraints and handles, and their browser
-        solves it again. The link contains everything: nothing is uploaded.
+        Whoever opens this link gets the mesh with its constraints and handles; if you have run it,
+        their browser runs it again. Nothing is uploaded.
       </p>
       {found && (
         <textarea

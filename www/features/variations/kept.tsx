@@ -11,8 +11,8 @@ import type { Connectivity, SceneDocument, VariantRow } from '../../solver/types
 /** Headings and tooltips of the table. */
 const COLUMNS = [
   ['', ''],
-  ['Worst', 'The greatest distance of a vertex from its exact constraints'],
-  ['Moved', 'The greatest distance from the model as it was opened'],
+  ['Worst', 'The greatest distance of a vertex from what it is required to meet'],
+  ['Moved', 'The greatest distance from the original'],
   ['Area', 'Of all faces'],
   ['Beyond', 'Panels beyond the tolerance'],
 ];

@@ -9,7 +9,7 @@ import { latestOnly } from '../../store/latest-only.ts';
 import type { Connectivity } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
-const NONE = 'The shape is not exact: there is nothing to vary.';
+const NONE = 'The shape does not meet all that is required yet: press Run first.';
 const HINT = 'Move the sliders; their effects add up. The line under each shows how far it can go.';
 
 /** Slider steps from the middle to either end. */
@@ -131,7 +131,7 @@ export class Variations {
     const isShown = await actions.variations.show(this.#varied.generation, positions, report);
     if (!isShown || this.#updates.hasNext()) return;
     if (part < 1) this.steps.value = asked.map((step) => Math.round(part * step));
-    this.words.value = part < 1 ? 'This is as far as the shape can go and stay exact.' : HINT;
+    this.words.value = part < 1 ? 'This is as far as the shape can go and meet all that is required.' : HINT;
     this.isExact.value = true;
   }
 
@@ -175,7 +175,7 @@ export class Variations {
       this.found.value = [...this.found.value, { shape, connectivity, displacements, slide }];
     }
     this.words.value =
-      this.found.value.length > 0 ? HINT : 'The shape cannot change and stay exact.';
+      this.found.value.length > 0 ? HINT : 'The shape cannot change and meet all that is required.';
     while (isCurrent()) {
       this.ranges.value = progress.ranges;
       if (!progress.more) break;
