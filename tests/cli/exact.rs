@@ -123,7 +123,7 @@ fn a_scene_says_what_is_to_be_met_and_is_told_what_cannot_be() {
     let words = folder.run(&["solve", "two.shapeup.json", "--report", "r.json"]).done();
     assert!(words.contains("hard constraints not met by 2 constraints"), "{words}");
     // The verdict of the page.
-    assert!(words.contains("\n2 of 6 cannot be met together: "), "{words}");
+    assert!(words.contains("\n2 of 6 constraints cannot be met together: "), "{words}");
     assert_eq!(folder.json("r.json")["exact"]["unmet"], serde_json::json!([1, 2]));
 }
 

@@ -33,7 +33,7 @@ fn an_open_seam_is_named_and_can_be_joined_and_the_verdict_says_if_it_opens() {
     assert!(out.contains(said) && !out.contains("exactly on an earlier one"), "{out}");
     let press = ["--panels", "plane", "--within", "auto", "--report", "r.json"];
     let out = folder.run(&[&["solve", "patches.obj"][..], &press].concat()).done();
-    assert!(out.contains("A seam opened by ") && out.contains("but are not joined."), "{out}");
+    assert!(out.contains("A seam opened by ") && out.contains("but are not joined"), "{out}");
     let verdict = &folder.json("r.json")["verdict"];
     assert_ne!(verdict["level"], "good");
 

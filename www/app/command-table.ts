@@ -230,7 +230,7 @@ export function commandTable(
     {
       id: 'nothing',
       group: 'Tools',
-      label: 'Cancel a drag, close a panel, or clear the selection',
+      label: 'Cancel a drag, close a card, or clear the selection',
       keys: ['Escape'],
       unlisted: true,
       action: escape,

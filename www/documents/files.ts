@@ -268,7 +268,7 @@ export class Files extends Emitter<{ opened: void }> {
   }
 
   #reportWelded({ before, after, tolerance }: NonNullable<Loaded['welded']>, units: string) {
-    const words = `Welded ${groupDigits(before)} vertices into ${groupDigits(after)} (distance up to ${length(tolerance, units)}).`;
+    const words = `Joined vertices that lie on each other: ${groupDigits(before)} became ${groupDigits(after)} (up to ${length(tolerance, units)} apart).`;
     const openUnwelded = () =>
       this.open(this.#given, { ...this.origin, unwelded: true }).catch(() => {});
     this.#alerts.notice(words, { label: 'Undo', action: openUnwelded });

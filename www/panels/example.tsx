@@ -22,7 +22,9 @@ function Note({ example: { id, figure, summary, statement, plots } }: { example:
   const at = all.findIndex((one) => one.id === id);
   return (
     <>
-      <h2 id="heading-example">{figure === null ? 'Example' : `Figure ${figure} of the paper`}</h2>
+      <h2 id="heading-example">
+        {figure === null ? 'Example' : `Figure ${figure} of the paper Shape-Up`}
+      </h2>
       <p>{summary}</p>
       <p class="quiet">Once solved: {statement}</p>
       {plots.map(({ label, plot }) => (

@@ -130,7 +130,7 @@ impl ExactWords {
         let places: Vec<String> =
             rows().map(|(_, row)| format!("{} on {}", row.label(), describe(&row.on))).collect();
         let full = format!(
-            "{} of {} {cannot}: {}. {closest} {}.",
+            "{} of {} constraints {cannot}: {}. {closest} {}.",
             words::group_digits(report.misses),
             words::group_digits(all),
             places.join(", "),

@@ -95,7 +95,7 @@ impl Verdict {
         match flaw {
             Flaw::Eased => String::new(),
             Flaw::SeamOpened => format!(
-                "A seam opened by {}: its vertices lie on each other but are not joined.",
+                "A seam opened by {}: its vertices lie on each other but are not joined (Edit mesh, Join seams joins them).",
                 edges(self.seam)
             ),
             Flaw::Rougher | Flaw::Flatter => self.bend.words(),
@@ -111,7 +111,10 @@ impl Verdict {
                 format!("The boundary moved by up to {}.", edges(self.boundary))
             }
             Flaw::Short => {
-                format!("An edge has {} of its length.", part(self.shortest_edge))
+                format!(
+                    "The shortest edge has {} of its original length.",
+                    part(self.shortest_edge)
+                )
             }
             Flaw::Shrunk => format!("The surface lost {} of its area.", part(self.area_lost)),
         }
@@ -182,7 +185,7 @@ impl Bend {
         };
         let [now, rest] = [self.now, self.rest].map(rough_degrees);
         format!(
-            "The surface became {change}: neighbours meet at {now} on average instead of {rest}."
+            "The surface became {change}: neighbouring panels meet at {now} on average instead of {rest}."
         )
     }
 }
@@ -252,7 +255,7 @@ mod tests {
     fn a_rougher_surface_is_compared_with_the_original() {
         let bend = Bend { rest: 3.64, now: 49.2, change: Some(BendChange::Rougher) };
         let rough = full(&Verdict { bend, flaws: vec![Flaw::Rougher], ..verdict() });
-        let words = "The surface became rougher: neighbours meet at 49° on average instead of 3.6°. All 800 ";
+        let words = "The surface became rougher: neighbouring panels meet at 49° on average instead of 3.6°. All 800 ";
         assert!(rough.starts_with(words), "{rough}");
     }
 
@@ -262,7 +265,7 @@ mod tests {
         let said =
             |now| full(&Verdict { bend: bend(now), flaws: vec![Flaw::Flatter], ..verdict() });
         assert!(said(3.0).starts_with("The surface became flatter: "), "{}", said(3.0));
-        let words = "The surface became flat: neighbours meet at 0.1° on average instead of 7.6°. ";
+        let words = "The surface became flat: neighbouring panels meet at 0.1° on average instead of 7.6°. ";
         assert!(said(0.13).starts_with(words), "{}", said(0.13));
     }
 
@@ -287,11 +290,11 @@ mod tests {
                 "Panels slid by 10 % of an edge on average; the surface stays within 0.980 m. ",
             ),
             (Flaw::OffBoundary, "The boundary moved by up to 22 % of an edge. All "),
-            (Flaw::Short, "An edge has 80 % of its length. All "),
+            (Flaw::Short, "The shortest edge has 80 % of its original length. All "),
             (Flaw::Eased, "All 800 "),
             (
                 Flaw::SeamOpened,
-                "A seam opened by 1.5 edges: its vertices lie on each other but are not joined. All ",
+                "A seam opened by 1.5 edges: its vertices lie on each other but are not joined (Edit mesh, Join seams joins them). All ",
             ),
         ] {
             assert!(with(flaw).starts_with(words), "{}", with(flaw));

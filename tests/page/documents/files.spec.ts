@@ -241,7 +241,7 @@ test('separate vertices at the same position are welded, can be kept apart, and 
   await openText(page, 'loose.obj', text, 16);
   const message = page
     .getByRole('alert')
-    .getByText(/^Welded 36 vertices into 16 \(distance up to /);
+    .getByText(/^Joined vertices that lie on each other: 36 became 16 \(up to /);
   await expect(message).toBeVisible();
   await addConstraint(page, 'Plane', 'each face');
   await runToTheEnd(page);

@@ -82,7 +82,7 @@ test.describe('with every row closed', () => {
     await page.getByRole('button', { name: 'Run', exact: true }).click();
     const unmet = await waitForState(page, (now) => !now.running && now.exact);
     expect(unmet.exact).toMatchObject({ met: false, contradiction: true, unmet: [0, 1] });
-    await expect(verdict(page)).toContainText('2 of 2 cannot be met together');
+    await expect(verdict(page)).toContainText('2 of 2 constraints cannot be met together');
     await verdict(page).getByRole('button', { name: 'Make Length 0.8 soft' }).click();
     await waitForState(page, (now) => !now.running && now.exact?.met);
 

@@ -131,7 +131,8 @@ export class Variations {
     const isShown = await actions.variations.show(this.#varied.generation, positions, report);
     if (!isShown || this.#updates.hasNext()) return;
     if (part < 1) this.steps.value = asked.map((step) => Math.round(part * step));
-    this.words.value = part < 1 ? 'This is as far as the shape can go and meet all that is required.' : HINT;
+    this.words.value =
+      part < 1 ? 'This is as far as the shape can go and meet all that is required.' : HINT;
     this.isExact.value = true;
   }
 

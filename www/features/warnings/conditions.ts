@@ -108,11 +108,12 @@ class Conditions {
     const suggestions = await actions.trials.suggestions().catch(() => null);
     if (!suggestions) return this.messages.turn(message, { waits: '' });
     const helping = suggestions.slice(0, MOST_SUGGESTIONS).map(({ label, edit, worst }) => ({
-      label: `${label}: ${length(worst, scene.units, scene.tolerance)}`,
+      label: `${label}: worst ${length(worst, scene.units, scene.tolerance)}`,
       title: 'The largest distance after this change',
       act: () => this.#take(edit),
     }));
-    const waits = helping.length > 0 ? '' : 'None of the changes that were tried lowers it.';
+    const waits =
+      helping.length > 0 ? '' : 'No suggestion was found that lowers the worst distance.';
     this.messages.turn(message, { waits, offers: [show, ...helping] });
   }
 

@@ -39,6 +39,6 @@ export function hintOf(state: Readonly<State>) {
       : 'Next: Run · drag to orbit';
   const build = next === 'build' ? 'Next: Build · ' : '';
   if (isLocked) return `${build}Drag to orbit, wheel to zoom`;
-  if (!one) return `${build}Double-click a vertex to drag it · drag elsewhere to orbit`;
+  if (!one) return `${build}Double-click a vertex to make a handle · drag elsewhere to orbit`;
   return `Drag ${one} · drag elsewhere to orbit, wheel to zoom`;
 }
