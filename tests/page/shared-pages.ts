@@ -139,7 +139,7 @@ class SharedPage {
     if (!sameDocument) return leave(page);
     const isBack =
       isAsMade && this.#start && (await startOver(page, this.#start).catch(() => false));
-    if (this.#start) this.#tries += 1;
+    if (this.#start && isAsMade) this.#tries += 1;
     if (isBack) this.#successes += 1;
     else {
       await leave(page);

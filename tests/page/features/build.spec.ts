@@ -39,6 +39,22 @@ const areaOf = (points: { x: number; y: number }[]) =>
 /** Whether a line of a drawing is closed. */
 const isClosed = (line: IEntity): line is ILwpolylineEntity => (line as ILwpolylineEntity).shape;
 
+test('another mesh leaves the focus where it is, and the settings as they are', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await openParts(page);
+  await expect(partsPanel(page).getByLabel('Make')).toBeFocused();
+  const groups = partsPanel(page).locator('.parts-settings details');
+  await groups.first().locator('summary').click();
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await openText(page, 'other.obj', wavyGrid(5), 36);
+  await expect(partsPanel(page)).toContainText('25 panels');
+  await expect(page.getByRole('application', { name: '3D view' })).toBeFocused();
+  await expect(groups.first()).toHaveAttribute('open');
+});
+
 test('circular panels become drawings in mm, identical to those of the command line', async ({
   page,
 }) => {

@@ -42,6 +42,33 @@ async function makeSteps(page: Page) {
   await expect.poll(async () => (await sceneOf(page)).steps?.[1].run).toBe(true);
 }
 
+test('what is docked is not shown to the audience', async ({ page }) => {
+  await makeSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Close' }).click();
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  const docked = page.getByRole('region', { name: 'Parts and sheets' });
+  await expect(docked).toBeVisible();
+  await openSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Start', exact: true }).click();
+  await expect(stageOf(page)).toBeVisible();
+  await expect(docked).toBeHidden();
+  await page.keyboard.press('Escape');
+  await expect(docked).toBeVisible();
+});
+
+test('a title in which nothing has changed in the end belongs to no other step', async ({
+  page,
+}) => {
+  await makeSteps(page);
+  // Browsers tell of no change then.
+  await dialogOf(page).getByLabel('Title of step 1').press('End');
+  await dialogOf(page).getByLabel('Title of step 1').press('s');
+  await dialogOf(page).getByLabel('Title of step 1').press('Backspace');
+  await dialogOf(page).getByRole('button', { name: 'Remove step 1' }).click();
+  await expect(dialogOf(page).getByRole('listitem')).toHaveCount(1);
+  await expect(dialogOf(page).getByLabel('Title of step 1')).toHaveValue('Flat panels');
+});
+
 test('steps are shown by buttons and by the keys of a presenter', async ({ page }) => {
   await makeSteps(page);
   const { steps } = await sceneOf(page);

@@ -1,7 +1,7 @@
 /** The docked panel of parts: settings, the build check, the sheets and their files. */
 
 import './build-panel.css';
-import { useEffect } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { Docked } from '../../docked/docked.tsx';
 import { askRhino } from '../../documents/rhino/rhino-client.ts';
 import { useApp } from '../../store/use-app.ts';
@@ -31,8 +31,10 @@ function Panel() {
   const offers = parts.offers.value;
   const built = parts.built.value;
   const refused = parts.refused.value;
-  // The scene has the settings and the unit.
-  const isOpen = store.state.document !== null;
+  /** The scene has the settings and the unit; while a mesh is replaced there is none. */
+  const hadDocument = useRef(false);
+  hadDocument.current ||= store.state.document !== null;
+  const isDisabled = !offers || refused !== '';
 
   async function save() {
     const bytes = await actions.reportErrors(live.zip());
@@ -49,17 +51,17 @@ function Panel() {
   const head = (
     <>
       <p aria-live="polite">{built?.words.sheets}</p>
-      <Button disabled={refused !== ''} onClick={() => actions.reportErrors(openReport(app, live))}>
+      <Button disabled={isDisabled} onClick={() => actions.reportErrors(openReport(app, live))}>
         Report
       </Button>
       <Button
         title="Panels, beams, nodes and sheets as layers of a .3dm file"
-        disabled={refused !== ''}
+        disabled={isDisabled}
         onClick={() => actions.reportErrors(saveForRhino())}
       >
         Rhino
       </Button>
-      <Button class="primary" disabled={refused !== ''} onClick={save}>
+      <Button class="primary" disabled={isDisabled} onClick={save}>
         Save drawings and tables
       </Button>
     </>
@@ -67,7 +69,7 @@ function Panel() {
   const warnings = refused ? [refused] : (built?.words.warnings ?? []);
   return (
     <Docked of="parts" title="Parts and sheets" head={head}>
-      {offers && isOpen && (
+      {offers && hadDocument.current && (
         <div class="docked-columns parts-columns">
           <Settings parts={parts} offers={offers} />
           <div class="parts-check">

@@ -117,8 +117,11 @@ export class Parts {
   /** Tells the error of each kind of offset, while the shape is at rest. */
   async #offerKinds() {
     const { running, dragged, model } = this.#app.store.get();
-    if (!running && !dragged.length && (model?.vertices ?? 0) <= MOST_LIVE_VERTICES)
-      this.choices.value = await this.live.choices();
+    if (running || dragged.length > 0 || (model?.vertices ?? 0) > MOST_LIVE_VERTICES) return;
+    const built = this.built.value;
+    const choices = await this.live.choices();
+    // They are of the parts that are shown.
+    if (this.built.value === built) this.choices.value = choices;
   }
 
   #refuse(why: string) {

@@ -186,6 +186,8 @@ function TextField({
         onText(currentTarget.value);
         setTyped(null);
       }}
+      // There is no change if the same text is typed again.
+      onBlur={() => setTyped(null)}
     />
   );
 }

@@ -45,6 +45,10 @@ export function Sheets({ parts }: { parts: Parts }) {
     const vertices = new Uint32Array(0);
     actions.tint(panels && { faces: Uint32Array.from(panels), vertices, colour: POINTED });
   }
+  // What is pointed at on a sheet is another part when the parts are made again.
+  useEffect(() => {
+    if (pointed && 'part' in pointed) point(null);
+  }, [built]);
   usePanelUnderPointer({
     point: (panel) => point(panel === undefined ? null : { panel }),
     press: () =>

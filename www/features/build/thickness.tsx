@@ -103,7 +103,8 @@ function Slider({
   const slider = useRef<HTMLInputElement>(null);
   useLayoutEffect(() => {
     const { current } = slider;
+    // Each time: browsers clamp the value when the range changes.
     if (current && !current.matches(':active')) current.value = String(at);
-  }, [at]);
+  });
   return <input ref={slider} type="range" {...rest} />;
 }

@@ -1,5 +1,6 @@
 /** The flat map in its step: its errors, its settings, and the look of the two surfaces. */
 
+import { useComputed } from '@preact/signals';
 import { Fragment } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
@@ -35,7 +36,8 @@ type Of = { flatMap: FlatMap };
 
 function Panel({ flatMap }: Of) {
   const app = useApp();
-  const { numbers, renderer } = app.store.state;
+  const { state } = app.store;
+  const { renderer } = state;
   const maps = flatMaps(app);
   const place = useRef<HTMLElement>(null);
   // It appears above the scroll position, in a step that may be closed.
@@ -43,7 +45,7 @@ function Panel({ flatMap }: Of) {
     if (place.current) reveal(place.current);
   }, []);
   const { found, weights, norm, onModel, onMap, squares } = flatMap;
-  const isStale = numbers?.iteration !== flatMap.iteration;
+  const isStale = useComputed(() => state.numbers?.iteration !== state.flatMap?.iteration).value;
   const notice = [isStale ? STALE : '', closedWords(found)].filter(Boolean).join(' ');
   return (
     <section id="flat-map-section" ref={place} aria-labelledby="heading-flat-map">

@@ -28,13 +28,19 @@ export const LOCKS: [Lock, string][] = [
   ['handles', 'Handles'],
 ];
 
-/** The lesson, if there is one, and how far its goals are met. */
-function useLesson() {
+/** The lesson, if there is one. */
+function useText() {
   const { state } = useApp().store;
   /** While a mesh is replaced there is no document, which is no reason to remove the lesson. */
   const last = useRef<LessonWords | null>(null);
   if (state.document) last.current = state.document.lesson;
-  const lesson = last.current;
+  return last.current;
+}
+
+/** The lesson, and how far its goals are met. */
+function useLesson() {
+  const { state } = useApp().store;
+  const lesson = useText();
   const now = useThrottled(() => state.numbers?.lesson ?? null);
   return { lesson, now: now?.goals.length === lesson?.goals.length ? now : null };
 }
@@ -121,7 +127,7 @@ export function LessonCard() {
  */
 export const lockable = (lock: Lock, Part: ComponentType, words?: string) =>
   function Lockable() {
-    const isLocked = useApp().store.state.document?.lesson?.lock.includes(lock) ?? false;
+    const isLocked = useText()?.lock.includes(lock) ?? false;
     const note = isLocked && words ? `${lock}-locked` : undefined;
     return (
       <>

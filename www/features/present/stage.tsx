@@ -116,7 +116,7 @@ function Presentation({ notes }: { notes: Window | null }) {
   }, []);
 
   useLayoutEffect(() => {
-    if (notes && step)
+    if (notes && !notes.closed && step)
       render(<Notes step={step} next={steps[at.value + 1]} place={place} />, notes.document.body);
   }, [step, place]);
 

@@ -194,6 +194,8 @@ function Words({
       setTyped(null);
       onWords(currentTarget.value);
     },
+    // There is no change if the same words are typed again.
+    onBlur: () => setTyped(null),
   };
   return rows ? <textarea rows={rows} {...field} /> : <input type="text" {...field} />;
 }
@@ -213,6 +215,6 @@ function Picture(props: { label: string; step: Slide; shape?: ArrayLike<number> 
     const { camera } = step;
     const from = camera && { turn: camera[TURN], above: camera[TILT] };
     drawShape(canvas.current, connectivity, shape, { up: scene.up, from });
-  }, [scene, dark, step]);
+  }, [scene?.up, dark, shape, step.camera?.[TURN], step.camera?.[TILT]]);
   return <canvas ref={canvas} role="img" aria-label={label} />;
 }

@@ -54,7 +54,11 @@ export function VariationsPanel() {
 function Panel() {
   const app = useApp();
   const variations = useMemo(() => new Variations(app), [app]);
-  useEffect(() => variations.begin(() => app.actions.dock(null)), [variations]);
+  /** Another panel may have taken its place. */
+  const close = () => {
+    if (app.store.get().docked === 'variations') app.actions.dock(null);
+  };
+  useEffect(() => variations.begin(close), [variations]);
   const keep = useRef<HTMLButtonElement>(null);
   useEffect(() => keep.current?.focus(), []);
   const isMoved = variations.isMoved();

@@ -1,5 +1,6 @@
 /** What a drag with each mouse button does to the camera: as in Rhino, on web pages, or in Blender. */
 
+import { CTRL, IS_MAC } from '../../ui/keys.ts';
 import type { Mouse } from '../../store/state.ts';
 
 /** What a drag does to the camera. */
@@ -24,7 +25,8 @@ const DRAGS: Record<Mouse, Record<1 | 2, Drags>> = {
 export function cameraDrag(mouse: Mouse, button: 1 | 2, event: MouseEvent): CameraDrag {
   const drags = DRAGS[mouse][button];
   if (event.shiftKey) return drags.shift;
-  return event.ctrlKey || event.metaKey ? drags.ctrl : drags.plain;
+  // On a Mac the left button with Ctrl is the right one.
+  return event.metaKey || (event.ctrlKey && !IS_MAC) ? drags.ctrl : drags.plain;
 }
 
 /** What the settings are called, after "as". */
@@ -38,5 +40,5 @@ export const MOUSE_NAMES: Record<Mouse, string> = {
 export const MOUSE_WORDS: Record<Mouse, string> = {
   rhino: 'right drag orbits; Shift + right drag and middle drag pan',
   web: 'right drag pans, middle drag zooms',
-  blender: 'middle drag orbits, with Shift pans, with Ctrl zooms',
+  blender: `middle drag orbits, with Shift pans, with ${CTRL} zooms`,
 };

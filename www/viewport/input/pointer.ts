@@ -203,7 +203,8 @@ export class PointerInput {
 
   /** Makes the vertex under the pointer a handle and drags it, as one step of undo. */
   #makeHandle(event: PointerEvent, at: [number, number]) {
-    const found = this.#vertexAt(event, at);
+    // As near as for a double-click: on an edge, a click with Alt selects its loop.
+    const found = this.#viewport.with((view) => view.pickVertex(...at, ON_VERTEX));
     const vertex = this.#isLocked(found) ? undefined : found;
     const making: Gesture = { kind: vertex === undefined ? 'press' : 'making' };
     this.#become(making);
