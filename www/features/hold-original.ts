@@ -4,7 +4,7 @@
  */
 
 import { messageOf } from '../solver/errors.ts';
-import { newestOnly } from '../store/newest-only.ts';
+import { newestOnly } from '../store/latest-only.ts';
 import type { Store } from '../store/state.ts';
 import type { Actions } from '../store/actions.ts';
 

@@ -5,7 +5,7 @@
 
 import './angles.css';
 import { useMemo, useRef, useState } from 'preact/hooks';
-import { newestOnly } from '../store/newest-only.ts';
+import { newestOnly } from '../store/latest-only.ts';
 import { useApp } from '../store/use-app.ts';
 import { Button } from '../ui/components/buttons.tsx';
 import { Outline } from '../ui/components/histogram.tsx';

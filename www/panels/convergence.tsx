@@ -4,7 +4,7 @@
  */
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { newestOnly } from '../store/newest-only.ts';
+import { newestOnly } from '../store/latest-only.ts';
 import { useApp } from '../store/use-app.ts';
 import { useAnswer } from '../ui/components/use-answer.ts';
 import { messageOf } from '../solver/errors.ts';

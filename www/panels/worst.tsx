@@ -7,7 +7,7 @@ import '../ui/styles/lists.css';
 import { useMemo, useRef } from 'preact/hooks';
 import { useSignal, type ReadonlySignal } from '@preact/signals';
 import { declared, movedInWords, toleranceOf } from '../store/colours/measures.ts';
-import { newestOnly } from '../store/newest-only.ts';
+import { newestOnly } from '../store/latest-only.ts';
 import { useApp } from '../store/use-app.ts';
 import { Choice } from '../ui/components/fields.tsx';
 import { useAnswer } from '../ui/components/use-answer.ts';

@@ -1,3 +1,5 @@
+/** Of several questions and answers the latest one only. */
+
 /**
  * Answers one question at a time and then the latest one, dropping those in between. A question is
  * answered even if an earlier answer fails.
@@ -30,6 +32,30 @@ export function latestOnly<Question = void>(answer: (question: Question) => unkn
     isBusy: () => isBusy,
     /** Whether a later question waits, so that the current answer is out of date. */
     hasNext: () => next !== null,
+  };
+}
+
+/**
+ * Answers that are out of date, dropped in one place: those to a question after which another one was
+ * asked, and those about something that has been replaced meanwhile, as another model.
+ *
+ * @param subjects what the answers are about, each compared by identity
+ * @returns a function that passes an answer on; undefined if it is out of date, also if it failed
+ */
+export function newestOnly(...subjects: (() => unknown)[]) {
+  let newest = 0;
+  return async function <Answer>(answer: Promise<Answer> | Answer): Promise<Answer | undefined> {
+    const mine = ++newest;
+    const about = subjects.map((subject) => subject());
+    const isOutdated = () =>
+      mine !== newest || subjects.some((subject, i) => subject() !== about[i]);
+    try {
+      const value = await answer;
+      return isOutdated() ? undefined : value;
+    } catch (error) {
+      if (isOutdated()) return undefined;
+      throw error;
+    }
   };
 }
 

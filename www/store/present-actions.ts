@@ -1,7 +1,7 @@
 /** Actions on the steps of a presentation. */
 
 import type { Slide } from '../solver/types.ts';
-import { newestOnly } from './newest-only.ts';
+import { newestOnly } from './latest-only.ts';
 import type { Store } from './state.ts';
 import type { Actions } from './actions.ts';
 

@@ -2,7 +2,7 @@
 
 import { useMemo, useRef } from 'preact/hooks';
 import { useSignal, useSignalEffect } from '@preact/signals';
-import { newestOnly } from '../../store/newest-only.ts';
+import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
 import type { ConstraintOffers } from '../../solver/types.ts';
 

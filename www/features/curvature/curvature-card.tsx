@@ -6,7 +6,7 @@
 import './curvature.css';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { declared, unitOf } from '../../store/colours/measures.ts';
-import { newestOnly } from '../../store/newest-only.ts';
+import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { AmountField, Choice } from '../../ui/components/fields.tsx';

@@ -1,6 +1,6 @@
 /** Flat maps of the model, made with the options that were chosen last. */
 
-import { newestOnly } from '../../store/newest-only.ts';
+import { newestOnly } from '../../store/latest-only.ts';
 import { duration } from '../../ui/format.ts';
 import { once } from '../../ui/once.ts';
 import type { MapNorm, MapWeights, Snapshot } from '../../solver/types.ts';

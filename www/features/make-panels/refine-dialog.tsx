@@ -4,7 +4,7 @@ import './refine.css';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { messageOf } from '../../solver/errors.ts';
 import { meshActions } from '../../store/mesh-actions.ts';
-import { newestOnly } from '../../store/newest-only.ts';
+import { newestOnly } from '../../store/latest-only.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';

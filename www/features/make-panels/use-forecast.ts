@@ -1,7 +1,7 @@
 /** How far the mesh will move for one shape of all panels, and what would reduce that. */
 
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { newestOnly } from '../../store/newest-only.ts';
+import { newestOnly } from '../../store/latest-only.ts';
 import { isMeshLocked } from '../../store/panels-card.ts';
 import { useApp } from '../../store/use-app.ts';
 import type { ForecastWords, MeshSuggestion } from '../../pkg/engine/shape_up.js';

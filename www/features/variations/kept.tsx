@@ -1,7 +1,7 @@
 /** The kept shapes: a strip of thumbnails, and a table of their numbers. */
 
 import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { newestOnly } from '../../store/newest-only.ts';
+import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { groupDigits, length, number } from '../../ui/format.ts';

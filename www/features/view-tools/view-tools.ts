@@ -4,7 +4,7 @@
  */
 
 import './view-tools.css';
-import { newestOnly } from '../../store/newest-only.ts';
+import { newestOnly } from '../../store/latest-only.ts';
 import { button, choice, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { lengthUnit } from '../../ui/format.ts';

@@ -6,7 +6,7 @@
 
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
 import type { Measure } from '../../solver/types.ts';
-import { newestOnly } from '../newest-only.ts';
+import { newestOnly } from '../latest-only.ts';
 import { declared } from './measures.ts';
 import { spreadOf } from './spread.ts';
 import { AUTOMATIC, type State, type Store } from '../state.ts';

@@ -3,7 +3,7 @@
  * solver supplies the colours; they are valid until the next edit.
  */
 
-import { newestOnly } from '../newest-only.ts';
+import { newestOnly } from '../latest-only.ts';
 import type { Store } from '../state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { Actions } from '../actions.ts';
