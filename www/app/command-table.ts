@@ -77,6 +77,10 @@ export function commandTable(
     if ((await actions.redo()) === null) await files.goForward();
   }
 
+  /** Docks a panel, or closes it if it is docked. */
+  const docks = (panel: NonNullable<State['docked']>) => () =>
+    actions.dock(store.get().docked === panel ? null : panel);
+
   /**
    * Opens something: a press while that or another is being prepared has no effect, as two dialogs
    * would open. Errors are shown.
@@ -279,7 +283,7 @@ export function commandTable(
       group: 'File',
       label: 'Parts on sheets',
       keys: [],
-      action: () => actions.dock(store.get().docked === 'parts' ? null : 'parts'),
+      action: docks('parts'),
       needsModel: true,
       pressed: ({ docked }) => docked === 'parts',
     },
@@ -357,7 +361,7 @@ export function commandTable(
       keys: [],
       needsModel: true,
       enabled: canVary,
-      action: () => actions.dock(store.get().docked === 'variations' ? null : 'variations'),
+      action: docks('variations'),
     },
     {
       id: 'new-mesh',

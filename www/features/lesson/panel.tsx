@@ -29,7 +29,7 @@ export const LOCKS: [Lock, string][] = [
 ];
 
 /** The lesson, if there is one. */
-function useText() {
+function useLessonWords() {
   const { state } = useApp().store;
   /** While a mesh is replaced there is no document, which is no reason to remove the lesson. */
   const last = useRef<LessonWords | null>(null);
@@ -40,7 +40,7 @@ function useText() {
 /** The lesson, and how far its goals are met. */
 function useLesson() {
   const { state } = useApp().store;
-  const lesson = useText();
+  const lesson = useLessonWords();
   const now = useThrottled(() => state.numbers?.lesson ?? null);
   return { lesson, now: now?.goals.length === lesson?.goals.length ? now : null };
 }
@@ -127,7 +127,7 @@ export function LessonCard() {
  */
 export const lockable = (lock: Lock, Part: ComponentType, words?: string) =>
   function Lockable() {
-    const isLocked = useText()?.lock.includes(lock) ?? false;
+    const isLocked = useLessonWords()?.lock.includes(lock) ?? false;
     const note = isLocked && words ? `${lock}-locked` : undefined;
     return (
       <>
