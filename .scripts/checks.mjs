@@ -10,13 +10,22 @@ import { moduleArguments, modules, sourcesOf } from './wasm.mjs';
 const tool = (name) => at('node_modules', '.bin', name);
 const script = (name, ...words) => ['node', [`.scripts/${name}.mjs`, ...words]];
 /** Node's own tests; tsx reads the modules of the page, which are in TypeScript. */
-const node = (...tests) => ['node', ['--import', 'tsx', '--test', '--test-reporter=tap', ...tests]];
+const node = (...tests) => {
+  const imports = ['tsx', './tests/page/fetch-files.mjs'].flatMap((name) => ['--import', name]);
+  return ['node', [...imports, '--test', '--test-reporter=tap', ...tests]];
+};
 
 /**
- * Arguments of cargo for a check of all modules at once: as they are released, so that the lane
- * beside, which builds natively, is not waited for.
+ * Cargo with Clippy in place of the compiler, as `cargo clippy -- -D warnings` calls it, but here it
+ * compiles as well: what is built for tests is linted in passing, and its dependencies are compiled
+ * once, not checked beside.
  */
-const allModules = moduleArguments(modules.join(','));
+const linted = {
+  RUSTC_WORKSPACE_WRAPPER: 'clippy-driver',
+  CLIPPY_ARGS: '-Dwarnings__CLIPPY_HACKERY__',
+};
+/** This crate without optimisation, where that takes less than it saves; dependencies as always. */
+const unoptimised = { CARGO_PROFILE_DEV_OPT_LEVEL: '0', CARGO_PROFILE_RELEASE_OPT_LEVEL: '0' };
 
 const nodeTests = ['scripts', 'page'].flatMap((folder) =>
   filesUnder(at('tests', folder))
@@ -59,9 +68,12 @@ const site = () => [
 
 const module = (feature) => ({ title: `the ${feature} module`, run: script('modules', feature) });
 
+/** The program with the tests of a module. */
+const testsOf = (feature) => ['--test', `wasm_${feature.split('-')[0]}`];
+
 const browserTests = (feature) => ({
   title: `tests of the ${feature} module in the browser`,
-  run: ['cargo', ['test', ...moduleArguments(feature), '--test', `wasm_${feature.split('-')[0]}`]],
+  run: ['cargo', ['test', ...moduleArguments(feature), ...testsOf(feature)]],
   count: 'cargo',
   inputs: () => [
     ...common(),
@@ -72,16 +84,17 @@ const browserTests = (feature) => ({
 
 /** Its tests come before the next module, which takes its place as the library of this target. */
 const engine = [module('engine'), browserTests('engine')];
-const [, ...views] = modules;
+const [words, , ...views] = modules;
 /** Those of the last view first. Beside a compiler, drawing in software takes five times as long. */
 const viewTests = views.toReversed().map(browserTests);
 
-/** Formats of what is not Rust, and tests that need nothing compiled: seconds each. */
+/** Formats of what is not Rust, and tests that need no more compiled than words: seconds each. */
 const texts = [
   {
     title: 'format of the page',
     run: [tool('prettier'), ['--check', '**/*.{ts,tsx,mjs,css,html}']],
   },
+  module(words),
   {
     title: 'tests of the scripts, and of the page without a browser',
     run: node(...nodeTests),
@@ -99,10 +112,14 @@ const compiled = [
     title: 'types of the page',
     run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },
-  {
-    title: 'lints of Rust, modules',
-    run: ['cargo', ['clippy', '--lib', '--test', 'wasm_*', ...allModules, '--', '-D', 'warnings']],
-  },
+  ...['words,engine', ...views].map((features) => ({
+    title: `lints of Rust, ${features}`,
+    run: [
+      'cargo',
+      ['build', '--lib', ...moduleArguments(features), ...testsOf(features.split(',').at(-1))],
+    ],
+    env: { ...linted, ...unoptimised },
+  })),
   {
     // With all features, so that links between all rooms resolve.
     title: 'documentation',
@@ -114,19 +131,22 @@ const compiled = [
   },
 ];
 
+/** With the view, which needs no GPU to be tested. */
+const nativeArguments = ['--locked', '--features', 'view'];
+
 const native = [
   { title: 'format of Rust', run: ['cargo', ['fmt', '--check', '--', ...operators]] },
   {
-    // With the view, which needs no GPU to be checked and tested.
-    title: 'lints of Rust, native',
-    run: [
-      'cargo',
-      ['clippy', '--locked', '--all-targets', '--features', 'view', '--', '-D', 'warnings'],
-    ],
+    title: 'native tests beside the code',
+    run: ['cargo', ['test', '--no-fail-fast', ...nativeArguments, '--lib']],
+    env: { ...linted, ...unoptimised },
+    count: 'cargo',
+    inputs: rust,
   },
   {
     title: 'native tests',
-    run: ['cargo', ['test', '--locked', '--no-fail-fast', '--features', 'view']],
+    run: ['cargo', ['test', '--no-fail-fast', ...nativeArguments, '--test', 'native']],
+    env: linted,
     count: 'cargo',
     inputs: rust,
   },
@@ -141,7 +161,8 @@ const built = [
 const program = {
   title: 'the native program',
   // As the tests compile it: by itself it would be compiled anew, with fewer features of its crates.
-  run: ['cargo', ['test', '--locked', '--no-run', '--features', 'view', '--test', 'native']],
+  run: ['cargo', ['test', '--no-run', ...nativeArguments, '--test', 'native']],
+  env: linted,
 };
 
 const bench = [

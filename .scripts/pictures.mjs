@@ -29,8 +29,8 @@ const BAR = 45;
  * the model, and pixels per CSS pixel.
  */
 const WINDOWS = {
-  wide: { viewport: { width: 1440, height: 900 }, part: 700, scale: 1, quality: 0.75 },
-  narrow: { viewport: { width: 390, height: 844 }, part: 480, scale: 2, quality: 0.7 },
+  wide: { viewport: { width: 1440, height: 900 }, part: 700, scale: 1, quality: 0.6 },
+  narrow: { viewport: { width: 390, height: 844 }, part: 480, scale: 2, quality: 0.55 },
 };
 /** Width of the soft edge of a picture of the first screen, in CSS pixels. */
 const SOFT = 20;

@@ -7,8 +7,8 @@ import { at, root, targetFolder, wasmTarget } from './project.mjs';
 import { outputOf, run, say } from './run.mjs';
 import { filesUnder, stampOf, unlessUnchanged } from './stamp.mjs';
 
-/** Cargo features that are modules: the workers' engine, and the page's view for each backend. */
-export const modules = ['engine', 'view-webgpu', 'view-webgl2'];
+/** Cargo features that are modules: the page's words, the workers' engine, and the page's view for each backend. */
+export const modules = ['words', 'engine', 'view-webgpu', 'view-webgl2'];
 
 /** Arguments of cargo that select a module. */
 export const moduleArguments = (feature) => [
@@ -16,14 +16,16 @@ export const moduleArguments = (feature) => [
   ...['--no-default-features', '--features', feature],
 ];
 
-/** The source folders of a view module, as declared in `src/lib.rs`. */
-const isOfView = (path) => /^src\/(lib\.rs|math\/|view\/|web\/(mod\.rs|page\/))/.test(path);
+/** The source folders of the page's modules, as declared in `src/lib.rs`. */
+const OF_WORDS = /^src\/(lib\.rs|math\/|words\/|web\/(mod|words)\.rs)/;
+const OF_VIEW = /^src\/(lib\.rs|math\/|words\/|view\/|web\/(mod\.rs|page\/))/;
 
-/** Returns the sources of a module: edits of the engine recompile no view. */
+/** Returns the sources of a module: edits of the engine recompile neither words nor views. */
 export function sourcesOf(feature) {
   const paths = filesUnder(at('src'));
   if (feature === 'engine') return paths;
-  return paths.filter((path) => isOfView(relative(root, path)));
+  const parts = feature === 'words' ? OF_WORDS : OF_VIEW;
+  return paths.filter((path) => parts.test(relative(root, path)));
 }
 
 /** What else decides over a module. */

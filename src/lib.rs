@@ -20,7 +20,7 @@
 //! | room | contents | knows of |
 //! |---|---|---|
 //! | [`math`] | vectors in SIMD lanes and of the plane, eigenvectors, closest rotations, fitted circles and spheres; on nalgebra, dense matrices of any size | nothing |
-//! | [`words`] | words for readers: numbers, lengths with units, counts, lists | nothing |
+//! | [`words`] | words for readers: numbers, units, lengths, counts, lists | nothing |
 //! | `json` | what `serde_json` lacks: errors with paths in our words, repeated keys, lists of indices | nothing |
 //! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math, words |
 //! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
@@ -33,7 +33,7 @@
 //! | [`generate`] | new meshes: by kind and sizes, from a plan, or between curves; the example scenes and their meshes | math, json, mesh, constraint, sparse, quads, scene, session |
 //! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), for the command line | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
-//! | `web` | wasm-bindgen interfaces: of the solver's worker (`web/worker`), of the second worker (`web/jobs`), and of the view (`web/page`) | all above |
+//! | `web` | wasm-bindgen interfaces: of the solver's worker (`web/worker`), of the second worker (`web/jobs`), of the view (`web/page`), and of words for the page (`web/words`) | all above |
 //!
 //! `src/bin` is outside: the command line, which drives sessions.
 //!
@@ -224,9 +224,8 @@ pub mod solve;
 pub mod sparse;
 #[cfg(feature = "view")]
 pub mod view;
-#[cfg(all(target_arch = "wasm32", any(feature = "engine", feature = "view")))]
+#[cfg(target_arch = "wasm32")]
 pub mod web;
-#[cfg(feature = "engine")]
 pub mod words;
 
 #[cfg(doc)]

@@ -1,8 +1,7 @@
-//! Words for readers: the cases that the page's test reads too, and what only Rust words.
+//! Words for readers. The cases are read by a test of the page too, which calls them by its module.
 
 use serde_json::{Value, to_value};
-use shape_up::session::FACE_MEASURES;
-use shape_up::words;
+use shape_up::words::{self, MeasureUnit, TypedLength};
 
 #[derive(serde::Deserialize)]
 struct Case {
@@ -12,32 +11,95 @@ struct Case {
 }
 
 #[test]
-fn numbers_are_worded_as_on_the_page() {
+fn numbers_lengths_and_counts_are_worded_as_in_the_table_of_cases() {
     let cases: Vec<Case> = serde_json::from_str(include_str!("data/words.json")).unwrap();
     for Case { of, given, words: expected } in cases {
-        let number = given[0].as_f64().unwrap();
+        let first = given[0].as_f64();
+        let number = first.unwrap_or(f64::NAN);
         let text = |at: usize| given[at].as_str().unwrap();
-        let found = match (&*of, given.len()) {
-            ("number", _) => words::number(number),
-            ("length", 2) => words::length(number, text(1)),
-            ("length", _) => words::length_like(number, text(1), given[2].as_f64().unwrap()),
-            ("limit", _) => words::limit(number, text(1)),
-            ("value", _) => {
-                let is_this = |unit| to_value(unit).is_ok_and(|name| name == given[1]);
-                let mut units = FACE_MEASURES.iter().map(|measure| measure.unit);
-                let unit = units.find(|&unit| is_this(unit)).unwrap();
-                unit.in_words(
-                    number,
-                    text(2),
-                    given.get(3).map_or(number, |like| like.as_f64().unwrap()),
-                )
+        let other = |at: usize| given.get(at).map_or(number, |value| value.as_f64().unwrap());
+        let found = match &*of {
+            "number" => words::number(number),
+            "brief" => words::brief(number),
+            "length" => words::length_like(number, text(1), other(2)),
+            "limit" => words::limit(number, text(1)),
+            "roughLength" => words::rough_length(number, text(1)),
+            "displacement" => {
+                let by = [0, 1, 2].map(|axis| given[0][axis].as_f64().unwrap());
+                words::displacement(by, text(1), other(2))
             }
-            ("part", _) => words::part(number),
-            ("count", _) => words::count(number as usize, text(1), text(2)),
+            "measured" => {
+                let unit = MeasureUnit::ALL.into_iter().find(|unit| unit.name() == text(1));
+                unit.unwrap().in_words(number, text(2), other(3))
+            }
+            "part" => words::part(number),
+            "signedPart" => words::signed_part(number),
+            "ratio" => words::ratio(number),
+            "duration" => words::duration(number),
+            "coordinate" => words::coordinate(number, other(1) as usize),
+            "powerOfTen" => words::power_of_ten(number),
+            "megabytes" => words::megabytes(number),
+            "count" => words::count(number as usize, text(1), text(2)),
+            "groupDigits" => words::group_digits(number as usize),
             _ => panic!("no such words: {of}"),
         };
         assert_eq!(found, expected, "{of} of {given:?}");
     }
+    assert_eq!([words::number(f64::NAN), words::ratio(f64::INFINITY)], ["–", "∞"]);
+}
+
+#[test]
+fn the_units_of_measures_have_their_names_in_messages() {
+    for unit in MeasureUnit::ALL {
+        assert_eq!(to_value(unit).unwrap(), unit.name());
+    }
+}
+
+#[test]
+fn lengths_are_read_as_people_type_them() {
+    let read = |text: &str, units: &str| {
+        TypedLength::read(text, units).map(|typed| (typed.by, typed.length))
+    };
+    assert_eq!(read("1.5", ""), Ok((false, 1.5)));
+    assert_eq!(read(" 1,5 ", "m"), Ok((false, 1.5)));
+    assert_eq!(read("1 / 4", "m"), Ok((false, 0.25)));
+    assert_eq!(read("20 CM", "m"), Ok((false, 0.2)));
+    assert_eq!(read("-.5", "m"), Ok((false, -0.5)));
+    assert_eq!(read("+-0.5", "m"), Ok((true, -0.5)));
+    assert_eq!(read("+ 3mm", "mm"), Ok((true, 3.0)));
+    for text in ["", "far", "1/0", "1e5", "1.2.3", ".", "2 m2", "--1", "1/-2", "inf", "5 furlongs"]
+    {
+        let refused = read(text, "m").unwrap_err().to_string();
+        assert_eq!(refused, format!("“{text}” is not a length. Expected 1.5, 1/3 or +0.5."));
+    }
+    // A unit means nothing on a mesh without one.
+    assert!(read("20cm", "").is_err());
+}
+
+#[test]
+fn lengths_in_a_table_have_one_unit_and_as_many_decimals() {
+    let words = |lengths: &[f64], units: &str| {
+        let words::ComparedLengths { lengths, unit } = words::compared_lengths(lengths, units);
+        (lengths.join(" "), unit)
+    };
+    assert_eq!(
+        words(&[5.0, 3.0, -4.0, -1e-9], "m"),
+        ("5.0000 3.0000 −4.0000 0.0000".into(), "m".into())
+    );
+    assert_eq!(words(&[0.05, -0.03], "m"), ("50.000 −30.000".into(), "mm".into()));
+    assert_eq!(words(&[123_456.0], ""), ("123456".into(), String::new()));
+    assert_eq!(words(&[0.0], "m"), ("0.0000".into(), "mm".into()));
+}
+
+#[test]
+fn coordinates_have_as_many_decimals_as_their_mesh_needs() {
+    let decimals = [20.0, 2e-6, 1e9, 0.0, f64::NAN].map(words::decimals_for);
+    assert_eq!(decimals, [4, 11, 0, 3, 3]);
+}
+
+#[test]
+fn an_energy_below_the_rounding_of_coordinates_is_zero() {
+    assert_eq!([1e-23, 1e-21].map(|energy| words::energy_or_zero(energy, 10.0)), [0.0, 1e-21]);
 }
 
 #[test]

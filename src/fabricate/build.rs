@@ -4,7 +4,6 @@ use super::alike::Types;
 use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
-use super::limit::{ROUNDING, is_within};
 use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
 use super::panel::{FlatPanel, lay_flat, panel_names, panel_types};
 use super::paper::PaperModel;
@@ -14,6 +13,15 @@ use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
 use crate::scene::{BuildSettings, Names, OffsetKind, Product};
+
+/// Numbers below this, in mm of the building or degrees, are rounding errors: a limit of 0 is met by
+/// them.
+const ROUNDING: f64 = 1e-6;
+
+/// Whether a number is within its limit.
+pub(super) fn is_within(value: f64, limit: f64) -> bool {
+    value <= limit.max(ROUNDING)
+}
 
 /// A panel as it is cut, in mm of the sheet, rotated so that its smallest box lies along x.
 #[derive(Clone, Debug)]

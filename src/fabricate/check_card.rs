@@ -1,8 +1,7 @@
 //! The build check: five numbers with units and limits, each with its worst element, and all
 //! elements that exceed a limit. Lengths are in mm of the building.
 
-use super::build::Build;
-use super::limit::is_within;
+use super::build::{Build, is_within};
 use super::offset::{BeamCheck, NodeCheck};
 use super::surface::distinct;
 use serde::Serialize;

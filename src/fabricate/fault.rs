@@ -1,7 +1,7 @@
 //! Reasons why something cannot be built, and the products that are still available.
 
 use crate::mesh::{Mesh, untouched_words};
-use crate::scene::UNITS;
+use crate::words::UNITS;
 use std::fmt;
 
 /// One sentence: the problem, and what is available nevertheless.

@@ -25,7 +25,6 @@
 //! | `build` | everything for one shape |
 //! | `cutting` | cuts, lays out and names the parts |
 //! | `holes` | holes along edges and at the ends of fins |
-//! | `limit` | whether a number is within its limit |
 //! | `check_card` | the build check: five numbers with limits, and the elements that exceed them |
 //! | `build_words` | the report in words |
 //! | `card` | the part of the report that is updated while the user moves the shape |
@@ -52,7 +51,6 @@ pub mod file;
 mod holes;
 mod key;
 mod layer;
-mod limit;
 mod numbers;
 pub mod offset;
 mod output;

@@ -1,7 +1,7 @@
 //! The unit of the mesh: a wrong one makes every part wrong, so an unknown one is refused.
 
 use super::fault::Fault;
-use crate::scene::UNITS;
+use crate::words::{LengthUnit, UNITS};
 
 /// The unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,8 +18,7 @@ impl LengthInMetres {
     /// # Errors
     /// If it is none of [`UNITS`].
     pub fn of(symbol: &str) -> Result<LengthInMetres, Fault> {
-        let named = |symbol: &str| UNITS.iter().find(|unit| unit.symbol == symbol);
-        let unit = if symbol.is_empty() { UNITS.first() } else { named(symbol) };
+        let unit = if symbol.is_empty() { Some(UNITS[0]) } else { LengthUnit::of(symbol) };
         let unit = unit.ok_or_else(|| Fault::unknown_unit(symbol))?;
         Ok(LengthInMetres { symbol: unit.symbol.to_owned(), metres: unit.metres })
     }

@@ -12,7 +12,6 @@
 //! | `json` | reading and writing the scene file, version 1 |
 //! | `validate` | checks of numbers, and of indices and names against the mesh |
 //! | `words` | the words of enumerations, in files and everywhere else |
-//! | `units` | the units of length |
 //! | `frame` | unit and up axis of a mesh file, stated or guessed |
 //! | `up_guess` | guess of the axis that points up |
 //! | `panels` | one shape for all panels, and a forecast of how far the mesh will move |
@@ -31,7 +30,6 @@ mod presentation;
 mod presets;
 mod problem;
 mod results;
-mod units;
 mod up_guess;
 mod validate;
 mod words;
@@ -65,6 +63,5 @@ pub use panels::{
 pub use presentation::{Slide, Variant, Variants};
 pub use presets::{PRESETS, Preset, PresetOffer};
 pub use results::{GoalResult, Results};
-pub use units::{LengthUnit, UNITS};
 pub(crate) use validate::check_tolerance;
 pub use words::NamedEnum;

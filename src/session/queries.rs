@@ -3,9 +3,8 @@
 use super::Session;
 use super::edit::{ConstraintOffers, constraint_offers};
 use super::report::{
-    self, ConstraintMap, ExactWords, FaceMeasure, LessonProgress, MeasureUnit, Measuring,
-    Projections, Report, RowPalette, RunVerdict, Shape, Verdict, VerdictWords, WorstElement,
-    WorstRow,
+    self, ConstraintMap, ExactWords, FaceMeasure, LessonProgress, Measuring, Projections, Report,
+    RowPalette, RunVerdict, Shape, Verdict, VerdictWords, WorstElement, WorstRow,
 };
 use super::run::shortest_edge;
 use super::selection::{SelectRequest, Selection, select};
@@ -16,6 +15,7 @@ use crate::session::Error;
 use crate::solve::{
     ConformalNorm, ConformalWeights, FewerFlips, Moved, Parametrization, Require, SolveError,
 };
+use crate::words::MeasureUnit;
 use std::rc::Rc;
 
 /// A forecast for this many faces takes about half a second.
@@ -95,7 +95,7 @@ impl Session {
 
     /// Returns the distances of the vertices from their rest positions.
     pub fn moved(&self) -> Moved {
-        report::moved(&self.scene, &self.rest)
+        self.rest.moved_by(self.scene.positions())
     }
 
     /// Returns the smallest ratio of an edge length to its rest length. Ignores edges of zero rest

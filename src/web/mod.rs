@@ -1,5 +1,5 @@
-//! wasm-bindgen interfaces: those of the engine (feature `engine`), which runs in workers, and that
-//! of the view (feature `view`), which runs in the page.
+//! wasm-bindgen interfaces: those of the engine (feature `engine`), which runs in workers, and those
+//! of the view (feature `view`) and of words (feature `words`), which run in the page.
 //!
 //! | file or folder | holds |
 //! |---|---|
@@ -9,6 +9,7 @@
 //! | `generate` | the interface of new meshes, and the files of the examples |
 //! | `plan` | meshes from a plan, and the plan as it is drawn |
 //! | `values` | values of Rust as those of JavaScript, with their TypeScript types, and back |
+//! | `words` | numbers and lengths in words, for the page |
 //! | `warm_up` | iterations that make V8 optimise the solver |
 
 #[cfg(feature = "engine")]
@@ -23,6 +24,8 @@ pub mod plan;
 mod values;
 #[cfg(feature = "engine")]
 pub mod warm_up;
+#[cfg(feature = "words")]
+pub mod words;
 #[cfg(feature = "engine")]
 pub mod worker;
 
@@ -52,6 +55,7 @@ fn rows_of(offsets: &[u32], indices: &[u32]) -> crate::mesh::Ragged {
 }
 
 /// Writes panics to the console; the page otherwise sees only "unreachable".
+#[cfg(any(feature = "engine", feature = "view"))]
 fn log_panics() {
     std::panic::set_hook(Box::new(|panic| web_sys::console::error_1(&panic.to_string().into())));
 }

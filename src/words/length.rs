@@ -1,6 +1,6 @@
 //! Lengths with their units.
 
-use super::number::{brief, decimal, number, rounded, signed};
+use super::number::{brief, decimal, leading_exponent, number, rounded, signed};
 
 /// Lengths below this many mm are 0: they are irrelevant for buildings.
 const LEAST_MM: f64 = 0.001;
@@ -8,6 +8,12 @@ const LEAST_MM: f64 = 0.001;
 const LEAST_M: f64 = 0.1;
 /// Millimetres of a building from this on become metres.
 const MOST_MM: f64 = 1e4;
+/// Significant digits of the longest of lengths that are compared.
+const COMPARED_DIGITS: i32 = 5;
+/// Components of a displacement below this fraction of its length are not written.
+const NEGLIGIBLE_PART: f64 = 1e-3;
+/// Resolution of coordinates relative to the model: millimetres for a building of some 100 m.
+const STEPS: f64 = 2e5;
 /// Lengths below this fraction of the size of a mesh are rounding errors: sixteen digits of a coordinate
 /// leave errors of about 1e-16 of the size, and sums over the vertices somewhat more.
 pub const ROUNDING: f64 = 1e-12;
@@ -48,6 +54,67 @@ pub fn limit_like(value: f64, units: &str, like: f64) -> String {
     with_unit(&brief(value * factor), unit)
 }
 
+/// Lengths that are compared, in words.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(getter_with_clone)
+)]
+pub struct ComparedLengths {
+    /// The lengths, without their unit.
+    pub lengths: Vec<String>,
+    /// The symbol of their unit; empty if it is not known.
+    pub unit: String,
+}
+
+/// Formats lengths that are compared in a table: all in one unit and with as many decimals, so that
+/// the longest has five digits.
+pub fn compared_lengths(lengths: &[f64], units: &str) -> ComparedLengths {
+    let longest = lengths.iter().fold(0.0_f64, |longest, length| longest.max(length.abs()));
+    let (unit, factor) = unit_of(longest, units);
+    let decimals = (COMPARED_DIGITS - 1 - leading_exponent(longest * factor)).clamp(0, 12) as usize;
+    let lengths = lengths.iter().map(|length| fixed(length * factor, decimals, "−")).collect();
+    ComparedLengths { lengths, unit: unit.to_owned() }
+}
+
+/// Formats the components of a displacement that are not negligible: `x +0.20  z −1.50 m`. `size` is
+/// that of the mesh.
+pub fn displacement(by: [f64; 3], units: &str, size: f64) -> String {
+    let far = by.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let (unit, factor) = unit_of(far, units);
+    let negligible = (ROUNDING * size).max(NEGLIGIBLE_PART * far);
+    let parts: Vec<String> = ["x", "y", "z"]
+        .into_iter()
+        .zip(by)
+        .filter(|(_, part)| part.abs() > negligible)
+        .map(|(axis, part)| {
+            format!("{axis} {}{}", if part > 0.0 { "+" } else { "" }, number(part * factor))
+        })
+        .collect();
+    with_unit(if parts.is_empty() { "0".to_owned() } else { parts.join("  ") }.as_str(), unit)
+}
+
+/// Returns the number of decimals for coordinates of a model of this `size`: millimetres for a building
+/// of some 100 m. Three without a size.
+pub fn decimals_for(size: f64) -> usize {
+    if size.is_nan() || size <= 0.0 {
+        return 3;
+    }
+    (STEPS / size).log10().floor().clamp(0.0, 12.0) as usize
+}
+
+/// Formats a coordinate, which may be edited: with a hyphen for a minus sign, and no negative zero.
+pub fn coordinate(value: f64, decimals: usize) -> String {
+    fixed(value, decimals, "-")
+}
+
+/// Formats a number with this many decimals, zero without its sign.
+fn fixed(value: f64, decimals: usize, minus: &str) -> String {
+    let size = decimal(value.abs(), decimals);
+    let is_zero = !size.contains(|digit: char| ('1'..='9').contains(&digit));
+    if value < 0.0 && !is_zero { format!("{minus}{size}") } else { size }
+}
+
 /// Formats a measured length of a building in mm; in metres from 10 m on.
 pub fn millimetres(mm: f64) -> String {
     let (unit, factor) = unit_of_building(mm);
@@ -86,7 +153,7 @@ fn in_mm(value: f64, units: &str) -> Option<f64> {
 }
 
 /// The unit in which a length of this size is written, and the factor to it.
-fn unit_of(size: f64, units: &str) -> (&str, f64) {
+pub(super) fn unit_of(size: f64, units: &str) -> (&str, f64) {
     if units == "m" && size.abs() < LEAST_M { ("mm", 1000.0) } else { (units, 1.0) }
 }
 

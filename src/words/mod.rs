@@ -3,18 +3,36 @@
 //!
 //! Measured values have three significant digits and a true minus sign. What somebody has entered,
 //! such as a tolerance, has the digits that were entered. Lengths without meaning for a building
-//! are 0.
+//! are 0..
 //!
-//! `www/ui/format.ts` has the numbers that the page shows while a shape moves; both read the cases
-//! in `tests/data/words.json`.
+//! The page calls it by a small module of its own (`web/words`), since what follows the hand is
+//! written on its thread at once, where the engine is not.
+//!
+//! | file | holds |
+//! |---|---|
+//! | `number` | numbers without a unit, angles, times, fractions |
+//! | `length` | lengths with their units, coordinates, displacements |
+//! | `typed_length` | lengths as people type them |
+//! | `units` | the units of length |
+//! | `measure_unit` | the units of measures of a mesh, and which values are rounding errors |
+//! | `count` | counts with their nouns, lists, sentences |
 
 mod count;
 mod length;
+mod measure_unit;
 mod number;
+mod typed_length;
+mod units;
 
 pub use count::{and_more, count, group_digits, sentence};
 pub use length::{
-    ROUNDING, area, length, length_like, limit, limit_like, millimetres, millimetres_limit, moved,
-    rough_length,
+    ComparedLengths, ROUNDING, area, compared_lengths, coordinate, decimals_for, displacement,
+    length, length_like, limit, limit_like, millimetres, millimetres_limit, moved, rough_length,
 };
-pub use number::{brief, decimal, degrees, number, part, rough_degrees, rounded};
+pub use measure_unit::{MeasureUnit, WrittenUnit, energy_or_zero};
+pub use number::{
+    brief, decimal, degrees, duration, megabytes, number, part, power_of_ten, ratio, rough_degrees,
+    rounded, signed_part,
+};
+pub use typed_length::{NotALength, TypedLength};
+pub use units::{LengthUnit, UNITS};

@@ -19,7 +19,7 @@ pub fn number(value: f64) -> String {
         0.0 => "0".to_owned(),
         _ if !size.is_finite() => return "–".to_owned(),
         _ if !PLAIN.contains(&size) => format!("{:.*e}", DIGITS - 1, half_up(size)),
-        _ => significant(size),
+        _ => significant(size, DIGITS),
     };
     signed(value, &text)
 }
@@ -42,6 +42,38 @@ pub fn part(share: f64) -> String {
     }
 }
 
+/// Formats a signed fraction in per cent: `+12.5 %`, `−3.0 %`, `0.0 %`.
+pub fn signed_part(share: f64) -> String {
+    let size = decimal(100.0 * share.abs(), 1);
+    let sign = if share > 0.0 { "+" } else { "" };
+    format!("{sign}{} %", signed(share, &size))
+}
+
+/// Formats a time in milliseconds: `0.50 ms`, `12 ms`, `1234 ms`.
+pub fn duration(milliseconds: f64) -> String {
+    let is_long = milliseconds >= 99.5;
+    format!("{} ms", if is_long { decimal(milliseconds, 0) } else { significant(milliseconds, 2) })
+}
+
+/// Formats a ratio that is ideally 1: `1.0034`, `250`; `∞` if it has no bound.
+pub fn ratio(value: f64) -> String {
+    match value {
+        _ if value.is_infinite() => "∞".to_owned(),
+        0.0..100.0 => decimal(value, 4),
+        _ => number(value),
+    }
+}
+
+/// Formats a power of ten, as at the ticks of a logarithmic axis: `1e−5`.
+pub fn power_of_ten(value: f64) -> String {
+    signed(value, &format!("{value:.0e}"))
+}
+
+/// Formats a number of bytes in megabytes, without the unit: `1.2`.
+pub fn megabytes(bytes: f64) -> String {
+    decimal(1e-6 * bytes, 1)
+}
+
 /// Formats a measured angle in degrees: `12.3°`; rounding errors are 0.
 pub fn degrees(angle: f64) -> String {
     let angle = if angle.abs() < PLAIN.start { 0.0 } else { angle };
@@ -54,11 +86,16 @@ pub fn rough_degrees(angle: f64) -> String {
     signed(angle, &decimal(angle.abs(), decimals)) + "°"
 }
 
-/// Formats a size in [`PLAIN`] with three significant digits, and all digits before the point.
-fn significant(size: f64) -> String {
-    let text = format!("{:.*e}", DIGITS - 1, half_up(size));
+/// Formats a size in [`PLAIN`] with this many significant digits, and all digits before the point.
+fn significant(size: f64, digits: usize) -> String {
+    let text = format!("{:.*e}", digits - 1, half_up(size));
     let exponent: i32 = text.split_once('e').and_then(|(_, at)| at.parse().ok()).unwrap_or(0);
-    decimal(size, (DIGITS as i32 - 1 - exponent).max(0) as usize)
+    decimal(size, (digits as i32 - 1 - exponent).max(0) as usize)
+}
+
+/// The exponent of ten of the first digit of a size; 0 for zero.
+pub(super) fn leading_exponent(size: f64) -> i32 {
+    if size > 0.0 { size.log10().floor() as i32 } else { 0 }
 }
 
 /// Formats a number from 0 on with this many decimals.

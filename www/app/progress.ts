@@ -2,9 +2,9 @@
 
 import '../ui/styles/waiting.css';
 import { byId, element, removeKeepingFocus } from '../ui/dom.ts';
+import { megabytes } from '../ui/words.ts';
 import type { Store } from '../store/state.ts';
 
-const MB = 1_000_000;
 /** The card over the view while the solver is loaded. */
 let shown: { text: HTMLElement; bar: HTMLProgressElement; card: HTMLElement } | null = null;
 
@@ -15,7 +15,7 @@ let shown: { text: HTMLElement; bar: HTMLProgressElement; card: HTMLElement } | 
  */
 export function showLoading(store: Store, bytes: number, all: number) {
   shown ??= show(store);
-  const [here, whole] = [bytes, all].map((size) => (size / MB).toFixed(1));
+  const [here, whole] = [bytes, all].map(megabytes);
   shown.text.textContent = `Loading the solver · ${here} of ${whole} MB`;
   shown.bar.value = bytes / all;
 }

@@ -4,7 +4,7 @@ import { Emitter } from '../solver/emitter.ts';
 import { messageOf } from '../solver/errors.ts';
 import { listOfExamples, type Example } from '../solver/examples.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
-import { count, groupDigits, length } from '../ui/format.ts';
+import { count, groupDigits, length } from '../ui/words.ts';
 import { saveFile } from '../ui/output.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
 import { offersToChoose } from './chosen-files.ts';

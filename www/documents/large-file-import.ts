@@ -6,14 +6,13 @@
 import '../ui/styles/waiting.css';
 import { button } from '../ui/controls/fields.ts';
 import { byId, element, removeKeepingFocus, setText } from '../ui/dom.ts';
-import { groupDigits } from '../ui/format.ts';
+import { groupDigits, megabytes } from '../ui/words.ts';
 import { messageOf } from '../solver/errors.ts';
 import type { NamedBytes, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 
-const MB = 1_000_000;
 const [LF, CR, SPACE, TAB, F] = [10, 13, 32, 9, 102];
 
 /** Thrown when the user cancels the import. */
@@ -112,8 +111,7 @@ class FaceCount {
 
 const facesIn = ({ faces }: FaceCount) => (faces > 0 ? ` · ${groupDigits(faces)} faces` : '');
 
-const progress = (read: number, all: number) =>
-  `${(read / MB).toFixed(1)} of ${(all / MB).toFixed(1)} MB`;
+const progress = (read: number, all: number) => `${megabytes(read)} of ${megabytes(all)} MB`;
 
 const SMALL = { class: 'small bordered' };
 

@@ -10,7 +10,7 @@ import { useApp } from '../store/use-app.ts';
 import { Button } from '../ui/components/buttons.tsx';
 import { Outline } from '../ui/components/histogram.tsx';
 import { useAnswer } from '../ui/components/use-answer.ts';
-import { groupDigits } from '../ui/format.ts';
+import { groupDigits } from '../ui/words.ts';
 
 const EVERY_MS = 150;
 const HALF_TURN = 180;

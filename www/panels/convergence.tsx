@@ -8,7 +8,7 @@ import { newestOnly } from '../store/latest-only.ts';
 import { useApp } from '../store/use-app.ts';
 import { useAnswer } from '../ui/components/use-answer.ts';
 import { messageOf } from '../solver/errors.ts';
-import { energyOrZero } from '../ui/rounding.ts';
+import { energyOrZero } from '../ui/words.ts';
 import type { EnergyPlot } from '../ui/plot/plot.ts';
 
 /** Numbers per iteration in a trace. */

@@ -4,7 +4,7 @@ import '../ui/styles/lists.css';
 import { useState } from 'preact/hooks';
 import { useApp } from '../store/use-app.ts';
 import { Button } from '../ui/components/buttons.tsx';
-import { count } from '../ui/format.ts';
+import { count } from '../ui/words.ts';
 import { copyText } from '../ui/output.ts';
 import { showElements } from '../viewport/camera.ts';
 import type { Entry } from '../ui/controls/alerts.ts';

@@ -3,7 +3,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../store/use-app.ts';
 import { byId } from '../ui/dom.ts';
-import { count } from '../ui/format.ts';
+import { count } from '../ui/words.ts';
 import type { Step } from '../store/state.ts';
 
 /** The name of the model: nowhere else, so that it is in sight whatever is open. */

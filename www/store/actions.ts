@@ -3,7 +3,7 @@
  * panels and scripts all go through here.
  */
 
-import { count } from '../ui/format.ts';
+import { count } from '../ui/words.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';

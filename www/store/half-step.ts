@@ -1,6 +1,6 @@
 /** The two halves of an iteration (Fig. 4 of the paper): the toggle between them, and their words. */
 
-import { groupDigits } from '../ui/format.ts';
+import { groupDigits } from '../ui/words.ts';
 import type { Half } from '../solver/types.ts';
 import type { Store } from './state.ts';
 

@@ -1,7 +1,7 @@
 /** Actions on the mesh itself. */
 
 import { endOfRun } from './end-of-run.ts';
-import { count } from '../ui/format.ts';
+import { count } from '../ui/words.ts';
 import type { Remeshing } from '../pkg/engine/shape_up.js';
 import type { Edit } from '../solver/types.ts';
 import type { Store } from './state.ts';

@@ -1,6 +1,6 @@
 /** The selection: sets of vertices, edges and faces, and how clicks and regions change them. */
 
-import { count } from '../ui/format.ts';
+import { count } from '../ui/words.ts';
 import { IS_MAC } from '../ui/keys.ts';
 import type { Mode, Selection } from './state.ts';
 import type { Connectivity } from '../solver/types.ts';

@@ -1,11 +1,23 @@
 /** Helpers to build and update elements. */
 
-import { svgElement } from './svg.ts';
+const NAMESPACE = 'http://www.w3.org/2000/svg';
 
 type Tags = HTMLElementTagNameMap;
 export type Attributes = Record<string, string | number | boolean | ((event: never) => void)>;
 /** Falsy children are skipped. */
 export type Child = Node | string | false | null | undefined;
+
+/** Makes an SVG element: `svgElement('circle', { class: 'dot', r: 3 })`. */
+export function svgElement<Tag extends keyof SVGElementTagNameMap>(
+  tag: Tag,
+  attributes: Record<string, string | number> = {},
+  ...children: Node[]
+): SVGElementTagNameMap[Tag] {
+  const made = document.createElementNS(NAMESPACE, tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  made.append(...children);
+  return made;
+}
 
 /**
  * Makes an element: `element('p.quiet', { id: 'note' }, 'Saved')`. Attributes whose names start

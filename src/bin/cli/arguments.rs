@@ -6,10 +6,9 @@ use super::remesh::Quads;
 use super::words::{MESHES, MESHES_AND_SCENE, Settings, Word, Words};
 use crate::cli::{edit, new_mesh, remesh};
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
-use shape_up::scene::{
-    Accelerator, BUILD_SETTINGS, BoundaryCloseness, BuildSetting, PresetOf, UNITS,
-};
+use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryCloseness, BuildSetting, PresetOf};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
+use shape_up::words::UNITS;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 

@@ -7,8 +7,9 @@ use shape_up::fabricate::{
     LengthInMetres, PRESENTATION, PaperReport, ReportView,
 };
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BUILD_SETTINGS, BuildSetting, BuildSettings, Scene, UNITS, Up};
+use shape_up::scene::{BUILD_SETTINGS, BuildSetting, BuildSettings, Scene, Up};
 use shape_up::words;
+use shape_up::words::UNITS;
 use std::path::{Path, PathBuf};
 
 pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {

@@ -5,9 +5,10 @@ use shape_up::generate::NEW_KINDS;
 use shape_up::mesh::{FileFormat, MESH_OPERATIONS, Scheme, Size};
 use shape_up::scene::{
     Accelerator, BUILD_PRESETS, BUILD_SETTINGS, BuildForm, BuildSetting, BuildUnit, NamedEnum,
-    PresetOf, UNITS,
+    PresetOf,
 };
 use shape_up::solve::{ConformalNorm, ConformalWeights};
+use shape_up::words::UNITS;
 
 /// Returns the usage text.
 pub(super) fn usage() -> String {

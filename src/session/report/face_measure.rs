@@ -5,32 +5,13 @@
 
 use super::measure_cache::MeasureCache;
 use super::measuring::{Measuring, Shape};
-use super::moved::displacements;
 use super::projected::residuals;
 use crate::math::{Vec3, angle_between, polygon_corners, polygon_sides};
 use crate::mesh::{Curvature, CurvatureLines, Point, diagonal_ratio, face_curvatures};
 use crate::session::state::{RestMesh, SolvedScene};
+use crate::words::MeasureUnit;
 use serde::Serialize;
 use std::f64::consts::PI;
-
-/// The unit of a measure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-#[serde(rename_all = "kebab-case")]
-pub enum MeasureUnit {
-    /// The unit of the mesh.
-    Length,
-    /// Percent.
-    Percent,
-    /// Degrees.
-    Degrees,
-    /// A number without a unit.
-    Number,
-    /// One over the unit of the mesh.
-    PerLength,
-    /// One over the squared unit of the mesh.
-    PerArea,
-}
 
 /// A measure of faces: never negative and best at 0, unless it is signed.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -250,7 +231,7 @@ pub(crate) fn corner_values(
 ) -> Option<Vec<f64>> {
     match id {
         "surface" => Some(cache.surface_distances(scene, rest).to_vec()),
-        "displacement" => Some(displacements(scene, rest)),
+        "displacement" => Some(rest.displacements(scene.positions()).collect()),
         _ => None,
     }
 }
@@ -357,7 +338,11 @@ fn worst_surface_distances(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> 
 
 fn worst_displacements(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     match shape {
-        Shape::Now => worst_corner(model, &displacements(model.scene, model.rest)),
+        Shape::Now => {
+            let displacements: Vec<f64> =
+                model.rest.displacements(model.scene.positions()).collect();
+            worst_corner(model, &displacements)
+        }
         Shape::Original => vec![0.0; model.faces().len()],
     }
 }

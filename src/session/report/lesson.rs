@@ -1,12 +1,12 @@
 //! Goals of a lesson, in words and as measured.
 
-use super::face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit, face_values};
+use super::face_measure::{FACE_MEASURES, FaceMeasure, face_values};
 use super::measuring::{Measuring, Shape};
 use crate::fabricate::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 use crate::mesh::Mesh;
 use crate::scene::{ConstraintSpec, Goal, GoalOf, GoalResult, Lesson, Scene, SceneError};
 use crate::solve::exact_tolerance;
-use crate::words::{count, group_digits};
+use crate::words::{MeasureUnit, count, group_digits};
 use serde::Serialize;
 
 /// What a goal bounds, and by how much.

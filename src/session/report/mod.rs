@@ -3,13 +3,11 @@
 //! | file | holds |
 //! |---|---|
 //! | `run_report` | the report of the command line |
-//! | `moved` | displacements |
 //! | `verdict` | how many panels have the required shape within a tolerance |
 //! | `verdict_words` | the same in words |
 //! | `run_verdict` | how a run ended, and whether its constraints are met, in words |
 //! | `exact_words` | how well hard constraints are met, and what exactness costs, in words |
 //! | `face_measure` | the measures of faces, by which hosts colour and list them |
-//! | `measure_words` | the values of measures in words |
 //! | `measuring` | the shapes to be measured |
 //! | `measure_cache` | measures of the current shape, each computed once |
 //! | `angles` | the angles at the corners of the faces |
@@ -28,10 +26,8 @@ mod face_measure;
 mod inspect;
 mod lesson;
 mod measure_cache;
-mod measure_words;
 mod measuring;
 mod mesh_diagnostics;
-mod moved;
 mod projected;
 mod run_report;
 mod run_verdict;
@@ -45,7 +41,7 @@ pub(crate) use constraint_map::{ConstraintCoverage, acting_rows};
 pub use constraint_map::{ConstraintMap, RowPalette};
 pub use exact_words::{ExactWords, TrialWords, WeakerRequirement};
 pub(crate) use exact_words::{Exactness, TrialNumbers};
-pub use face_measure::{FACE_MEASURES, FaceMeasure, MeasureUnit};
+pub use face_measure::{FACE_MEASURES, FaceMeasure};
 pub(crate) use face_measure::{corner_values, face_values};
 pub(crate) use inspect::{free, members, reweighted_vertices, scene_measure};
 pub use lesson::{GoalProgress, GoalWords, LessonProgress, goals_in_words};
@@ -55,7 +51,6 @@ pub(crate) use measuring::Measuring;
 pub use measuring::Shape;
 pub(crate) use mesh_diagnostics::elements_with_problem;
 pub use mesh_diagnostics::{FOLDED_FACES, ZERO_SIZE_FACES, flaw_of};
-pub(crate) use moved::moved;
 pub use projected::Projections;
 pub(crate) use projected::projections;
 pub use run_report::{EnergyReport, Report, Seconds, Unpaired};

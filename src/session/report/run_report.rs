@@ -1,6 +1,5 @@
 //! The report of a solved scene.
 
-use super::moved::moved;
 use crate::constraint::describe;
 use crate::mesh::{Circularity, Measures, Planarity};
 use crate::scene::{Accelerator, ConstraintSpec, NamedEnum};
@@ -168,7 +167,7 @@ impl Report {
             energy: EnergyReport { initial: progress.initial(), last: solver.energy() },
             planarity: measures.planarity,
             circularity: measures.circularity,
-            moved: moved(scene, rest),
+            moved: rest.moved_by(scene.positions()),
             shortest_edge: shortest_edge(scene.positions(), rest),
             folded: NonZeroUsize::new(rest.folded_by(scene.positions()).len()),
             exact,

@@ -2,7 +2,6 @@
 //! are met within a tolerance.
 
 use super::measuring::Measuring;
-use super::moved::moved;
 use super::worst::{WorstElement, worst_constraints};
 use crate::solve::Moved;
 use crate::words;
@@ -57,7 +56,11 @@ impl RunVerdict {
                 (index, row.label().to_owned(), found.worst_squared.sqrt())
             })
             .reduce(|worst, other| if other.2 > worst.2 { other } else { worst })?;
-        let far = moved_in_words(moved(model.scene, model.rest), &units, model.rest.diameter());
+        let far = moved_in_words(
+            model.rest.moved_by(model.scene.positions()),
+            &units,
+            model.rest.diameter(),
+        );
         let within = words::limit(tolerance, &units);
         if error <= tolerance {
             let full = format!("All constraints are met within {within}. {far}");

@@ -2,10 +2,11 @@
 //! comma-separated with a decimal point and one header line. Numbers have the fewest digits that
 //! read back to the same bits. Units are in the header, in brackets, if known.
 
-use super::face_measure::{FACE_MEASURES, MeasureUnit, face_values};
+use super::face_measure::{FACE_MEASURES, face_values};
 use super::measuring::{Measuring, Shape};
 use crate::mesh::Decimal;
 use crate::session::run::TraceEntry;
+use crate::words::MeasureUnit;
 
 /// One line per face, from 0: its corners, its groups, and every measure of [`FACE_MEASURES`],
 /// empty if the face has no value.

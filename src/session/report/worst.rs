@@ -1,11 +1,12 @@
 //! The worst elements: a list in words and numbers of what the colours show.
 
 use super::constraint_map::ConstraintCoverage;
-use super::face_measure::{MeasureUnit, face_values};
+use super::face_measure::face_values;
 use super::measuring::{Measuring, Shape};
 use crate::constraint::{Element, Selector};
 use crate::math::{argsort, key_of_number};
 use crate::session::state::RestMesh;
+use crate::words::MeasureUnit;
 use serde::Serialize;
 
 /// An element that is far from its constraint or has a large value of a measure.

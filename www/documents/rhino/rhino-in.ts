@@ -4,8 +4,8 @@
  * without a mesh, all closed polylines do. Coincident corners are welded: Rhino stores objects separately.
  */
 
-import { count } from '../../ui/format.ts';
-import { NAMES, rhino, type Point } from './rhino.ts';
+import { count, rhinoUnit, unitsOfLength } from '../../ui/words.ts';
+import { rhino, type Point } from './rhino.ts';
 import { objectsOf, unreadWords, type Face, type Line } from './rhino-objects.ts';
 import type { NamedBytes } from '../../solver/types.ts';
 
@@ -45,7 +45,7 @@ export async function meshFromRhino(
       );
     }
     const system = file.settings().modelUnitSystem;
-    const units = Object.keys(NAMES).find((unit) => api.UnitSystem[NAMES[unit]] === system);
+    const units = unitsOfLength().find((unit) => api.UnitSystem[rhinoUnit(unit) ?? ''] === system);
     const text = objText(faces, curves, units);
     return {
       name: name.replace(/\.3dm$/i, '.obj'),

@@ -4,7 +4,7 @@
  * off are left out, unless they are asked for; they are counted, and so is what cannot be read.
  */
 
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import type { Point } from './rhino.ts';
 
 export type Face = { layer: string; corners: Point[] };

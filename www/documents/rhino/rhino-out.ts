@@ -6,7 +6,8 @@
  * built: named objects on coloured layers.
  */
 
-import { addLayer, addMesh, addPolyline, attributesOf, NAMES, rhino, type Point } from './rhino.ts';
+import { rhinoUnit } from '../../ui/words.ts';
+import { addLayer, addMesh, addPolyline, attributesOf, rhino, type Point } from './rhino.ts';
 import { ROLE } from './rhino-objects.ts';
 import { byLayer, pointsOf } from './scene-lists.ts';
 import type { SpatialPart } from '../../solver/types.ts';
@@ -28,7 +29,7 @@ export async function rhinoFile(text: string, errors: string): Promise<Uint8Arra
 
   const file = new api.File3dm();
   try {
-    const unit = NAMES[scene.units];
+    const unit = rhinoUnit(scene.units);
     file.settings().modelUnitSystem = api.UnitSystem[unit ?? 'None'];
     file.applicationName = 'Shape-Up';
     for (const [name, members] of byLayer(faces.length, groups)) {
@@ -101,7 +102,7 @@ export async function rhinoParts(
   const file = new api.File3dm();
   const layers: Map<string, number> = new Map();
   try {
-    file.settings().modelUnitSystem = api.UnitSystem[NAMES[symbol] ?? 'None'];
+    file.settings().modelUnitSystem = api.UnitSystem[rhinoUnit(symbol) ?? 'None'];
     file.applicationName = 'Shape-Up';
     for (const { layer, colour, name, points, faces, closed } of parts) {
       const index = layers.get(layer) ?? addLayer(api, file, layer, colour);

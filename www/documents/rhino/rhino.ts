@@ -6,7 +6,6 @@
 
 import open from 'rhino3dm/rhino3dm.module.min.js';
 import module from 'rhino3dm/rhino3dm.wasm?url';
-import { UNITS } from '../../ui/units.ts';
 
 export function rhino(): Promise<any> {
   return open({ locateFile: () => module }).catch((error: unknown) => {
@@ -15,11 +14,6 @@ export function rhino(): Promise<any> {
     });
   });
 }
-
-/** Rhino's name of each unit symbol. */
-export const NAMES: Record<string, string> = Object.fromEntries(
-  UNITS.map(({ symbol, rhino }) => [symbol, rhino]),
-);
 
 export type Point = [number, number, number];
 

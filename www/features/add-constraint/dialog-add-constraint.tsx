@@ -12,7 +12,7 @@ import { AppProvider, useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { useInSight } from '../../ui/components/use-in-sight.ts';
 import { byId } from '../../ui/dom.ts';
-import { count, groupDigits } from '../../ui/format.ts';
+import { count, groupDigits } from '../../ui/words.ts';
 import { once } from '../../ui/once.ts';
 import { KindChoices } from '../../ui/kinds/kind-choices.tsx';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';

@@ -3,7 +3,7 @@
 import { messageOf } from '../../solver/errors.ts';
 import type { Asker, BuildSettings, Built, Reshaped, SceneDocument } from '../../solver/types.ts';
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
-import { UNITS } from '../../ui/units.ts';
+import { metresOf } from '../../ui/words.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** Longest build, in ms, for which the sheets follow a moving shape; the offset always follows. */
@@ -65,7 +65,8 @@ export class LiveBuild {
   /** The unit of the mesh; metres if the file has none. Nothing is built in one that is not known. */
   unit() {
     const symbol = this.#app.store.get().document?.units ?? '';
-    return UNITS.find((unit) => unit.symbol === symbol) ?? UNITS[0];
+    const metres = metresOf(symbol);
+    return metres === undefined ? { symbol: 'm', metres: 1 } : { symbol, metres };
   }
 
   /** Builds even if nothing has changed. */

@@ -4,6 +4,7 @@
  */
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
+import { rounded } from '../../ui/words.ts';
 import type { ComponentProps } from 'preact';
 import type { BuildChoice, BuildSetting } from '../../solver/types.ts';
 import type { Parts } from './parts.ts';
@@ -86,7 +87,7 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
             title={follow?.summary}
             at={Math.log10(settings.follow)}
             onChange={({ currentTarget: { valueAsNumber: exponent } }) =>
-              parts.change({ follow: Number((10 ** exponent).toPrecision(2)) })
+              parts.change({ follow: rounded(10 ** exponent, 2) })
             }
           />
         </div>

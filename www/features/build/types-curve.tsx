@@ -2,7 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import { Choice } from '../../ui/components/fields.tsx';
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import type { BuildReport } from '../../solver/types.ts';
 import type { Parts } from './parts.ts';
 

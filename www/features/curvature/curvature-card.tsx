@@ -5,13 +5,13 @@
 
 import './curvature.css';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { declared, unitOf } from '../../store/colours/measures.ts';
+import { declared } from '../../store/colours/measures.ts';
 import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { AmountField, Choice } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { number } from '../../ui/format.ts';
+import { number, writtenUnit } from '../../ui/words.ts';
 import { curvatureLines } from './curvature-lines.ts';
 import type { Lines, LinesQuestion } from '../../solver/types.ts';
 
@@ -124,8 +124,8 @@ function Colours() {
   const { measures, measure, document } = store.state;
   const own = measures.filter(({ curvature }) => curvature);
   const options = own.map((about) => {
-    const { unit } = unitOf(about, 1, document?.units ?? '');
-    return [about.id, `${about.label}${unit && ` (${unit})`}`] as const;
+    const { symbol } = writtenUnit(about.unit, document?.units ?? '', 1);
+    return [about.id, `${about.label}${symbol && ` (${symbol})`}`] as const;
   });
   return (
     <Choice

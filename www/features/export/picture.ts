@@ -2,8 +2,8 @@
 
 import { rampStops } from '../../viewport/ramp.ts';
 import { colourOf } from '../../ui/dom.ts';
-import { groupDigits } from '../../ui/format.ts';
-import { declared, toleranceOf, valueInWords } from '../../store/colours/measures.ts';
+import { groupDigits, measured } from '../../ui/words.ts';
+import { declared, toleranceOf } from '../../store/colours/measures.ts';
 import type { Label, Viewport } from '../../viewport/viewport.ts';
 import type { State } from '../../store/state.ts';
 
@@ -94,7 +94,7 @@ function drawLegend(
   const tolerance = toleranceOf(state, about);
   const { axis, places } = spread;
   const units = scene?.units ?? '';
-  const words = (value: number) => valueInWords(about, value, units, tolerance);
+  const words = (value: number) => measured(value, about.unit, units, tolerance);
   const bottom = size.height / size.scale - (tolerance === null ? 16 : 28);
   const [left, width] = [16, 212];
   const ink = dark && !onLight ? '#e6e8e8' : '#1d2123';

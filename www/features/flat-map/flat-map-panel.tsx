@@ -6,7 +6,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
-import { duration, groupDigits, ratio } from '../../ui/format.ts';
+import { duration, groupDigits, ratio } from '../../ui/words.ts';
 import { reveal } from '../../ui/reveal.ts';
 import { flatMaps } from './flat-maps.ts';
 import type { FlatMap } from '../../store/state.ts';

@@ -6,7 +6,7 @@
 import './flat-map.css';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
-import { count, ratio } from '../../ui/format.ts';
+import { count, ratio } from '../../ui/words.ts';
 import { bindMoveKeys, pair, wheelFactor } from '../../viewport/input/gestures.ts';
 import type { FlatMap } from '../../store/state.ts';
 import type { Viewport } from '../../viewport/viewport.ts';

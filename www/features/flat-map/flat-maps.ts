@@ -1,7 +1,7 @@
 /** Flat maps of the model, made with the options that were chosen last. */
 
 import { newestOnly } from '../../store/latest-only.ts';
-import { duration } from '../../ui/format.ts';
+import { duration } from '../../ui/words.ts';
 import { once } from '../../ui/once.ts';
 import type { MapNorm, MapWeights, Snapshot } from '../../solver/types.ts';
 import type { FlatMap } from '../../store/state.ts';

@@ -3,17 +3,17 @@
 import './lesson.css';
 import { useRef, useState } from 'preact/hooks';
 import { messageOf } from '../../solver/errors.ts';
-import { declared, toleranceOf, unitOf } from '../../store/colours/measures.ts';
+import { declared, toleranceOf } from '../../store/colours/measures.ts';
 import { pressNamed } from '../../store/press.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
-import { length, lengthUnit } from '../../ui/format.ts';
+import { length, rounded, writtenUnit } from '../../ui/words.ts';
 import { LOCKS } from './panel.tsx';
 import type { AppContext } from '../../app/context.ts';
 import type { GoalFile } from '../../pkg/engine/shape_up.js';
-import type { SceneDocument } from '../../solver/types.ts';
+import type { FaceMeasure, SceneDocument } from '../../solver/types.ts';
 import type { State } from '../../store/state.ts';
 
 /** What a goal can be about. */
@@ -43,8 +43,13 @@ export async function write(app: AppContext) {
 function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: BuildNumbers) {
   const { tolerance, units, lesson } = scene;
   // Goals are written in the unit of the tolerance.
-  const { unit, factor } = lengthUnit(tolerance, units);
-  const lengths = { unit: unit || 'unit of the mesh', factor };
+  const { symbol, factor } = writtenUnit('length', units, tolerance);
+  const lengths = { unit: symbol || 'unit of the mesh', factor };
+  const ofUnit = (unit: FaceMeasure['unit']) => {
+    if (unit === 'length') return lengths;
+    const { symbol, factor } = writtenUnit(unit, units, 1);
+    return { unit: symbol, factor };
+  };
   // Signed measures are not errors.
   const measures = state.model?.faces ? state.measures.filter(({ signed }) => !signed) : [];
   /** The goal that counts faces beyond a length. */
@@ -59,7 +64,7 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
     ...measures.map((measure) => ({
       value: `measure ${measure.id}`,
       label: measure.label,
-      ...(measure.unit === 'length' ? lengths : unitOf(measure, 1, units)),
+      ...ofUnit(measure.unit),
       goal: { measure: measure.id },
     })),
     ...measures.filter(({ toleranced }) => toleranced).map(({ id }) => counting(id, tolerance)),
@@ -72,7 +77,7 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
     ...numbers.map(({ id, label, unit }) => ({
       value: `build ${id}`,
       label: `Build: ${label}`,
-      ...(unit === 'length' ? lengths : { unit: unit === 'degrees' ? '°' : '', factor: 1 }),
+      ...ofUnit(unit === 'count' ? 'number' : unit),
       goal: { build: id },
     })),
     ...(lesson?.goals ?? []).flatMap(({ measure, beyond }) =>
@@ -97,7 +102,7 @@ function firstGoals(state: Readonly<State>, scene: SceneDocument, subjects: Subj
   if (subjects.length === 0) return [];
   const goal = (id: number, about: string, atMost: number | null) => {
     const subject = subjects.find(({ value }) => value === about) ?? subjects[0];
-    const limit = atMost === null ? '' : String(Number((atMost * subject.factor).toPrecision(12)));
+    const limit = atMost === null ? '' : String(rounded(atMost * subject.factor, 12));
     return { id, subject, limit };
   };
   const goals = scene.lesson?.goals ?? [];

@@ -10,7 +10,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import { oneAtATime } from '../../ui/once.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Remeshing, RemeshingPreview } from '../../pkg/engine/shape_up.js';

@@ -8,7 +8,7 @@ import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
-import { groupDigits } from '../../ui/format.ts';
+import { groupDigits } from '../../ui/words.ts';
 import { fly, narrow } from '../../viewport/camera.ts';
 import { useCover, useNarrow } from '../../viewport/use-cover.ts';
 import { Layouts } from './layouts.ts';

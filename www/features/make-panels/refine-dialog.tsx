@@ -9,7 +9,7 @@ import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
-import { count, length } from '../../ui/format.ts';
+import { count, limit, rounded } from '../../ui/words.ts';
 import type { Refinement } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
@@ -60,7 +60,7 @@ function RefineDialog({ close }: InDialog) {
 
   /** The option for a number of levels, with its result. */
   function option({ faces, edge }: Refinement, i: number) {
-    const far = length(Number(edge.toPrecision(2)), units);
+    const far = limit(rounded(edge, 2), units);
     const times = OFTEN[i] ?? `${i + 1} times`;
     return [String(i + 1), `${times}: ${count(faces, 'face')} of about ${far}`] as const;
   }

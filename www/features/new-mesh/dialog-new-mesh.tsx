@@ -6,7 +6,7 @@ import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
-import { UNITS } from '../../ui/units.ts';
+import { rounded, unitsOfLength } from '../../ui/words.ts';
 import init, { newKinds, newMesh as meshOf } from '../../pkg/engine/shape_up.js';
 import { metresOf } from './plan.ts';
 import { PlanForm } from './plan-form.tsx';
@@ -68,7 +68,7 @@ function NewMesh({
             <span>Unit</span>
             <Choice
               value={unit}
-              options={UNITS.map(({ symbol }) => [symbol, symbol] as const)}
+              options={unitsOfLength().map((symbol) => [symbol, symbol] as const)}
               onChoose={setUnit}
             />
           </label>
@@ -92,7 +92,8 @@ function NewMesh({
   );
 }
 
-const rounded = (value: number) => Number(value.toPrecision(4));
+/** Significant digits of sizes. */
+const DIGITS = 4;
 
 const isWithin = (value: number, { least, most }: Size) => value >= least && value <= most;
 
@@ -108,7 +109,9 @@ function SizesForm({
 }) {
   /** In their unit, and what is wrong with each. */
   const [{ values, of, problems }, set] = useState({
-    values: sizes.map(({ of, default: value }) => (of === 'length' ? rounded(value) : value)),
+    values: sizes.map(({ of, default: value }) =>
+      of === 'length' ? rounded(value, DIGITS) : value,
+    ),
     of: METRE,
     problems: sizes.map(() => ''),
   });
@@ -116,7 +119,7 @@ function SizesForm({
     if (of === unit) return;
     const factor = metresOf(of) / metresOf(unit);
     const now = values.map((value, i) =>
-      sizes[i].of === 'length' ? rounded(value * factor) : value,
+      sizes[i].of === 'length' ? rounded(value * factor, DIGITS) : value,
     );
     const wrong = problems.map((problem, i) => (isWithin(now[i], sizes[i]) ? '' : problem));
     set({ values: now, of: unit, problems: wrong });

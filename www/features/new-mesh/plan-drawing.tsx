@@ -3,6 +3,7 @@
 import { useSignal } from '@preact/signals';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { ARROWS } from '../../ui/keys.ts';
+import { brief } from '../../ui/words.ts';
 import { bulgeThrough, planGridStep } from '../../pkg/engine/shape_up.js';
 import { nameOf, type DrawnPlan, type Place, type Sketch, type Spot } from './plan.ts';
 import type { DrawnSide, PlanDrawing as Drawing, PlanPoint } from '../../pkg/engine/shape_up.js';
@@ -218,7 +219,7 @@ function Point({
     event.preventDefault();
   }
 
-  const where = at.map((length) => Number(length.toPrecision(6))).join(', ');
+  const where = at.map(brief).join(', ');
   return (
     <g
       ref={handle}

@@ -5,6 +5,7 @@ import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
+import { limit, rounded as roundedTo } from '../../ui/words.ts';
 import { bulgeOf } from '../../pkg/engine/shape_up.js';
 import { DrawnPlan, nameOf, rounded, type Plan, type Sketch } from './plan.ts';
 import { PlanDrawing } from './plan-drawing.tsx';
@@ -97,7 +98,7 @@ function hintFor({ places, pointer }: Sketch, unit: string) {
   const all = [...places, ...(pointer ? [pointer] : [])];
   const lengths = all.slice(1).map((at, k) => Math.hypot(at[0] - all[k][0], at[1] - all[k][1]));
   const last = lengths.findLast((length) => length > 0);
-  return last ? `${Number(last.toPrecision(4))} ${unit}` : DRAW_HINT;
+  return last ? limit(roundedTo(last, 4), unit) : DRAW_HINT;
 }
 
 /** Place and side of the selected point. */

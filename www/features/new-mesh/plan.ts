@@ -2,7 +2,7 @@
 
 import { computed, signal } from '@preact/signals';
 import { getItem, setItem } from '../../ui/safe-storage.ts';
-import { UNITS } from '../../ui/units.ts';
+import { metresOf as knownMetresOf, rounded as roundedTo } from '../../ui/words.ts';
 import {
   drawnPlan,
   endOfSide,
@@ -33,10 +33,10 @@ const DIGITS = 6;
 /** Storage key of the plan that was last kept, in metres. */
 const LAST = 'shape-up.plan';
 
-/** @param symbol of a unit */
-export const metresOf = (symbol: string) => UNITS.find((one) => one.symbol === symbol)?.metres ?? 1;
+/** The length of a unit in metres; of an unknown one as of a metre. */
+export const metresOf = (symbol: string) => knownMetresOf(symbol) ?? 1;
 
-export const rounded = (value: number) => Number(value.toPrecision(DIGITS));
+export const rounded = (value: number) => roundedTo(value, DIGITS);
 
 export const nameOf = ({ loop, point }: Spot) =>
   `Point ${point + 1} of ${loop ? `hole ${loop}` : 'the outline'}`;

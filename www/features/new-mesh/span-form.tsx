@@ -3,7 +3,7 @@
 import { useLayoutEffect, useMemo, useState } from 'preact/hooks';
 import { Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
-import { length, number } from '../../ui/format.ts';
+import { length, number } from '../../ui/words.ts';
 import { NewSpans } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 import type { Asked } from './trial.ts';

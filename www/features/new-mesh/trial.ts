@@ -6,7 +6,7 @@
 import { signal } from '@preact/signals';
 import { newId } from '../../documents/recent-documents.ts';
 import { messageOf } from '../../solver/errors.ts';
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { NewPlan } from '../../pkg/engine/shape_up.js';
 

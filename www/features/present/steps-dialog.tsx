@@ -8,7 +8,7 @@ import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
 import { present } from './stage.tsx';
 import type { Slide } from '../../solver/types.ts';

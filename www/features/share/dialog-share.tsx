@@ -10,7 +10,7 @@ import { linkTo } from '../../documents/share-link.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
-import { groupDigits, limit } from '../../ui/format.ts';
+import { groupDigits, limit } from '../../ui/words.ts';
 import { copyText } from '../../ui/output.ts';
 import type { AppContext } from '../../app/context.ts';
 

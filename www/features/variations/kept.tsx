@@ -4,7 +4,7 @@ import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/ho
 import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
-import { groupDigits, length, number } from '../../ui/format.ts';
+import { groupDigits, length, number } from '../../ui/words.ts';
 import { Thumbnail } from './thumbnail.tsx';
 import type { Connectivity, SceneDocument, VariantRow } from '../../solver/types.ts';
 

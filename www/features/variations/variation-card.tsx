@@ -2,13 +2,12 @@
 
 import { useMemo } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
+import { signedPart } from '../../ui/words.ts';
 import { Thumbnail } from './thumbnail.tsx';
 import { STEPS, type Variations } from './variations.ts';
 
 /** Slider position shown in the thumbnail, as a fraction of half the slider's length. */
 const PICTURED = 0.6;
-
-const percentage = (part: number) => `${(100 * part).toFixed(1).replace('-', '−')} %`;
 
 export function VariationCard({ index, of }: { index: number; of: Variations }) {
   const { document } = useApp().store.state;
@@ -17,7 +16,7 @@ export function VariationCard({ index, of }: { index: number; of: Variations }) 
   const range = of.ranges.value[index];
   const known = range?.every(Number.isFinite) ? range : null;
   const [from, to] = known?.map((end) => `${50 + (50 * end) / slide}%`) ?? [];
-  const words = `${step > 0 ? '+' : ''}${percentage((slide * step) / STEPS)}`;
+  const words = signedPart((slide * step) / STEPS);
   const deformed = useMemo(
     () => shape.map((at, i) => at + PICTURED * slide * displacements[i]),
     [shape, displacements],
@@ -46,7 +45,7 @@ export function VariationCard({ index, of }: { index: number; of: Variations }) 
         aria-label={`Variation ${index + 1}`}
         aria-valuetext={`${words} of the size`}
         title={
-          known ? `Possible from ${known.map(percentage).join(' to ')} of the size` : undefined
+          known ? `Possible from ${known.map(signedPart).join(' to ')} of the size` : undefined
         }
         onInput={({ currentTarget }) => of.move(index, currentTarget.valueAsNumber)}
         onChange={() => of.release()}

@@ -5,13 +5,11 @@
 
 import { closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
-import { lengthUnit } from '../../ui/format.ts';
+import { comparedLengths } from '../../ui/words.ts';
 import type { Store } from '../../store/state.ts';
 import type { Label, Viewport } from '../../viewport/viewport.ts';
 import type { Actions } from '../../store/actions.ts';
 
-/** Significant digits of the distance; the components have as many decimals. */
-const DIGITS = 5;
 const NAMES = ['Distance', 'dx', 'dy', 'dz'];
 
 export class Tape {
@@ -60,20 +58,18 @@ export class Tape {
       return;
     }
     if (!measured) return this.#ask(tape);
-    const { now, rest, unit, write } = measured;
+    const { now, rest, unit } = measured;
     setText(this.#title, `Vertices ${tape.join(' and ')}${unit && `, in ${unit}`}`);
-    now.forEach((value, i) => setText(this.#cells[0][i], write(value)));
-    rest.forEach((value, i) => setText(this.#cells[1][i], write(value)));
-    setText(this.#label, `${write(now[0])} ${unit}`);
+    now.forEach((length, i) => setText(this.#cells[0][i], length));
+    rest.forEach((length, i) => setText(this.#cells[1][i], length));
+    setText(this.#label, `${now[0]} ${unit}`);
     this.#place();
     const about = tape.join(' ');
     // Waits for the original distance, which arrives a moment later.
     if (about === this.#said || rest.length === 0) return;
     this.#said = about;
     const unitOf = document?.units ? ` ${unit}` : '';
-    this.#actions.setStatus(
-      `Distance ${write(now[0])}${unitOf}, originally ${write(rest[0])}${unitOf}`,
-    );
+    this.#actions.setStatus(`Distance ${now[0]}${unitOf}, originally ${rest[0]}${unitOf}`);
   }
 
   #ask(tape: number[]) {
@@ -81,24 +77,17 @@ export class Tape {
     setText(this.#title, tape.length === 0 ? 'Click two vertices' : 'Click the other vertex');
   }
 
-  /** Distance, dx, dy, dz now and at rest, with the unit and a formatter; null if incomplete. */
+  /** Distance, dx, dy, dz now and at rest, in words, with their unit; null if incomplete. */
   #measured() {
     const numbers = this.#viewport.view?.measured();
     if (!numbers) return null;
     const units = this.#store.get().document?.units ?? '';
-    const lengths = [...numbers];
-    const [now, rest] = [lengths.slice(0, 3), lengths.slice(3)].map((way) =>
-      way.length > 0 ? [Math.hypot(...way), ...way] : [],
-    );
-    const longest = Math.max(now[0], rest[0] ?? 0);
-    const { unit, factor } = lengthUnit(longest, units);
-    const power = longest > 0 ? Math.floor(Math.log10(longest * factor)) : 0;
-    const decimals = Math.min(Math.max(DIGITS - 1 - power, 0), 12);
-    const write = (value: number) => {
-      const text = (value * factor).toFixed(decimals);
-      return /[1-9]/.test(text) ? text.replace('-', '−') : (0).toFixed(decimals);
-    };
-    return { now, rest, unit, write };
+    // dx, dy, dz now, and then those at rest if they are known.
+    const all = [...numbers];
+    const ways = [all.slice(0, 3), all.slice(3)].filter((way) => way.length > 0);
+    const lengths = ways.flatMap((way) => [Math.hypot(...way), ...way]);
+    const { lengths: words, unit } = comparedLengths(Float64Array.from(lengths), units);
+    return { now: words.slice(0, 4), rest: words.slice(4), unit };
   }
 
   #middle(): number[] | undefined {
@@ -120,7 +109,7 @@ export class Tape {
     const measured = this.#store.get().tape && this.#measured();
     const at = this.#middle();
     if (!measured || !at) return [];
-    const text = `${measured.write(measured.now[0])} ${measured.unit}`;
+    const text = `${measured.now[0]} ${measured.unit}`;
     return [{ text, x: at[0], y: at[1] + 4, align: 'center', bar: 0 }];
   }
 }

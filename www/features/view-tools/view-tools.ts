@@ -7,7 +7,7 @@ import './view-tools.css';
 import { newestOnly } from '../../store/latest-only.ts';
 import { button, choice, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
-import { lengthUnit } from '../../ui/format.ts';
+import { limit, rounded } from '../../ui/words.ts';
 import { fly } from '../../viewport/camera.ts';
 import { Tape } from './tape.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -111,8 +111,7 @@ export class ViewTools {
  * @param units of the mesh
  */
 function roundLength(value: number, units: string) {
-  const { unit, factor } = lengthUnit(value, units);
-  return `${Number((value * factor).toPrecision(3))} ${unit}`.trim();
+  return limit(rounded(value, 3), units);
 }
 
 const AXES = ['x', 'y', 'z'];

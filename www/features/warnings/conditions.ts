@@ -5,7 +5,7 @@
 
 import { isHard } from '../../store/state.ts';
 import { meshActions } from '../../store/mesh-actions.ts';
-import { count, length } from '../../ui/format.ts';
+import { count, length } from '../../ui/words.ts';
 import { once } from '../../ui/once.ts';
 import { showElements } from '../../viewport/camera.ts';
 import { ExactVerdict } from './exact-verdict.ts';

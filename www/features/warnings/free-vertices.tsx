@@ -7,7 +7,7 @@ import { useEffect, useMemo, useState } from 'preact/hooks';
 import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import type { Tint } from '../../store/state.ts';
 
 /** The colour of their dots, sRGB bytes. */

@@ -1,9 +1,8 @@
 /** A card of the gallery: pictures of start and end, a summary, and the measured results. */
 
-import { element } from '../../ui/dom.ts';
+import { element, svgElement } from '../../ui/dom.ts';
 import { linkToExample } from '../../documents/examples.ts';
-import { number as energyInWords } from '../../ui/format.ts';
-import { svgElement } from '../../ui/svg.ts';
+import { number as energyInWords, part } from '../../ui/words.ts';
 import type { Example } from '../../solver/examples.ts';
 
 /** An entry of `pictures/results.json`. */
@@ -101,7 +100,7 @@ function histogram(title: string, counts: number[], most: number) {
   const total = counts.reduce((sum, count) => sum + count, 0);
   // Bins whose centre is within 10 degrees of a right angle.
   const right = counts.filter((_, k) => Math.abs((k + 0.5) * width - 90) < 10);
-  const share = Math.round((100 * right.reduce((sum, count) => sum + count, 0)) / total);
+  const share = part(right.reduce((sum, count) => sum + count, 0) / total);
   const bars = counts.map((count, k) => {
     const height = (HEIGHT * count) / most;
     const x = (k * WIDTH) / counts.length;
@@ -112,7 +111,7 @@ function histogram(title: string, counts: number[], most: number) {
       height,
     });
   });
-  const words = `${title}: ${share} per cent are within 10 degrees of 90 degrees`;
+  const words = `${title}: ${share} are within 10 degrees of 90 degrees`;
   const attributes = { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': words };
   const svg = svgElement('svg', attributes, ...bars);
   const ends = ['0°', '90°', '180°'].map((text) => element('span', text));
@@ -120,6 +119,6 @@ function histogram(title: string, counts: number[], most: number) {
     'figure',
     svg,
     element('div.ends', { 'aria-hidden': 'true' }, ...ends),
-    element('figcaption', `${title}: ${share} % near 90°`),
+    element('figcaption', `${title}: ${share} near 90°`),
   );
 }

@@ -2,7 +2,7 @@
 
 import { byId, element } from '../../ui/dom.ts';
 import { listOfExamples, type Example } from '../../solver/examples.ts';
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import { messageOf } from '../../solver/errors.ts';
 import { card, type Result } from './card.ts';
 

@@ -1,6 +1,7 @@
 /** The SVG drawings of the page about projections, in view box coordinates. */
 
-import { svgElement } from '../../ui/svg.ts';
+import { svgElement } from '../../ui/dom.ts';
+import { number } from '../../ui/words.ts';
 import { sum, type Point, type ConstraintSet } from './sets.ts';
 
 const CURVE_REACH = 60;
@@ -67,7 +68,7 @@ export function drawPlane(
     show(x: Point, targets: Point[] | null, been: Point[], glides: boolean) {
       point.classList.toggle('glides', glides);
       point.style.transform = `translate(${x[0]}px, ${x[1]}px)`;
-      const [across, down] = x.map((part) => part.toFixed(1));
+      const [across, down] = x.map(number);
       point.setAttribute(
         'aria-label',
         `Point at ${across}, ${down}. Arrow keys move it, with Shift by less.`,
@@ -150,6 +151,6 @@ export function drawBars(svg: SVGSVGElement, bars: { label: string; errors: numb
   const words =
     bars.length === 0
       ? 'No step yet'
-      : `φ falls from ${sum(first.errors).toPrecision(3)} to ${sum(last.errors).toPrecision(3)} in ${bars.length} half steps`;
+      : `φ falls from ${number(sum(first.errors))} to ${number(sum(last.errors))} in ${bars.length} half steps`;
   svg.setAttribute('aria-label', words);
 }

@@ -1,7 +1,7 @@
 /** The page about projections: its controls, the state of the iteration, and its display. */
 
 import { byId, element } from '../../ui/dom.ts';
-import { number } from '../../ui/format.ts';
+import { number } from '../../ui/words.ts';
 import { drawBars, drawPlane } from './drawing.ts';
 import { errors, project, reconcile, sum, type Point, type ConstraintSet } from './sets.ts';
 

@@ -3,7 +3,7 @@
 import { declared, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Choice } from '../../ui/components/fields.tsx';
-import { round } from '../../ui/format.ts';
+import { brief } from '../../ui/words.ts';
 import { ValueField } from './value-field.tsx';
 
 export function Colours() {
@@ -39,11 +39,11 @@ export function Colours() {
             <ValueField
               id="tolerance"
               placeholder="none"
-              shown={allowed === null || !allowed ? '' : round(allowed * unit.factor)}
+              shown={allowed === null || !allowed ? '' : brief(allowed * unit.factor)}
               isPositive
               onValue={(value) => setTolerance(value === null ? null : value / unit.factor)}
             />
-            <span class="quiet">{unit.unit}</span>
+            <span class="quiet">{unit.symbol}</span>
           </span>
         </div>
       ) : null}

@@ -5,7 +5,7 @@ import { declared, shownUnit, toleranceOf } from '../../store/colours/measures.t
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
-import { number } from '../../ui/format.ts';
+import { number } from '../../ui/words.ts';
 import { ValueField } from './value-field.tsx';
 import type { State } from '../../store/state.ts';
 
@@ -60,7 +60,7 @@ function Range() {
   const { state } = store;
   // Each frame changes the distribution of the values, of which only this is shown here.
   const isCounted = useComputed(() => state.spread !== null).value;
-  const unit = useComputed(() => shownUnit(state).unit).value;
+  const unit = useComputed(() => shownUnit(state).symbol).value;
   const factor = useComputed(() => shownUnit(state).factor).value;
   const { range, display, flatMap, model } = state;
   const about = declared(state, state.measure);

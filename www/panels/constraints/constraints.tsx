@@ -5,9 +5,8 @@ import { useApp } from '../../store/use-app.ts';
 import { Icon } from '../../ui/components/buttons.tsx';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { groupDigits, length, limit } from '../../ui/format.ts';
+import { groupDigits, length, lengthOrZero, limit } from '../../ui/words.ts';
 import { valueInWords } from '../../ui/kinds/parameter-forms.ts';
-import { lengthOrZero } from '../../ui/rounding.ts';
 import { Details } from './details.tsx';
 import type { ConstraintRow, ParamInfo } from '../../solver/types.ts';
 

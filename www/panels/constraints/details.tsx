@@ -7,11 +7,17 @@ import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Choice } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { count, length as lengthText, lengthUnit, part } from '../../ui/format.ts';
+import {
+  count,
+  energyOrZero,
+  length as lengthText,
+  part,
+  rounded,
+  writtenUnit,
+} from '../../ui/words.ts';
 import { Drawing } from '../../ui/kinds/drawing.tsx';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
-import { energyOrZero } from '../../ui/rounding.ts';
 import type { ConstraintRow, KindInfo, Loaded, Require } from '../../solver/types.ts';
 
 interface Of {
@@ -96,7 +102,7 @@ function Requirement({ row: { index, require }, name }: Of) {
   const tolerance = document?.tolerance ?? 0;
   const isTooLarge = Boolean(document?.tooLargeForExact);
   const length = typeof require === 'object' ? require.within : tolerance;
-  const { unit, factor } = lengthUnit(length, document?.units ?? '');
+  const { symbol, factor } = writtenUnit('length', document?.units ?? '', length);
   const required = typeof require === 'object' ? 'within' : require;
   const ask = (asked: Require) => actions.exact.require(index, asked);
   return (
@@ -114,10 +120,10 @@ function Requirement({ row: { index, require }, name }: Of) {
         <>
           <AmountField
             name={`${name}: within`}
-            value={Number((length * factor).toPrecision(6))}
+            value={rounded(length * factor, 6)}
             onAmount={(value) => ask({ within: value / factor })}
           />
-          <span>{unit}</span>
+          <span>{symbol}</span>
         </>
       )}
       {isTooLarge && <small>The mesh is too large for Exact. Within is possible.</small>}

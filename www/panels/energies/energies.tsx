@@ -4,8 +4,7 @@ import { useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { number } from '../../ui/format.ts';
-import { energyOrZero } from '../../ui/rounding.ts';
+import { energyOrZero, number, rounded } from '../../ui/words.ts';
 import { Settings } from './settings.tsx';
 import { WeightPresets } from './weight-presets.tsx';
 import type { Energy, SceneDocument } from '../../solver/types.ts';
@@ -113,7 +112,7 @@ function TermRow({ term: { id, label, words } }: { term: Term }) {
 
 /** Returns the weight at the position of a slider: 0 at its left end, else two digits. */
 function weightAt({ valueAsNumber: place }: HTMLInputElement) {
-  return place === 0 ? 0 : Number((10 ** (LEAST + place / STEPS_PER_DECADE)).toPrecision(2));
+  return place === 0 ? 0 : rounded(10 ** (LEAST + place / STEPS_PER_DECADE), 2);
 }
 
 function placeOf(weight: number) {

@@ -5,7 +5,7 @@ import { Fragment, type ComponentChildren } from 'preact';
 import { sizeOfSelection } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
 import type { Edit, SettingInfo } from '../../solver/types.ts';

@@ -4,7 +4,7 @@ import './handles.css';
 import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import { SelectedHandles } from './selected.tsx';
 import type { SceneDocument } from '../../solver/types.ts';
 

@@ -6,7 +6,7 @@ import { handlesNow } from '../../store/handles.ts';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { count, coordinate, decimalsFor, readLength } from '../../ui/format.ts';
+import { count, coordinate, decimalsFor, readLength } from '../../ui/words.ts';
 import type { Handle } from '../../solver/types.ts';
 
 /** The length of the simulated drag by which the mesh follows a typed target, in milliseconds. */

@@ -4,19 +4,13 @@
  */
 
 import { useEffect, useRef } from 'preact/hooks';
-import {
-  declared,
-  movedInWords,
-  shownUnit,
-  toleranceOf,
-  valueInWords,
-} from '../../store/colours/measures.ts';
+import { declared, movedInWords, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
 import { isDrawn } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Bars, Outline } from '../../ui/components/histogram.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { isEmbedded } from '../../ui/embedded.ts';
-import { groupDigits, number } from '../../ui/format.ts';
+import { brief, groupDigits, measured, number, rounded } from '../../ui/words.ts';
 import { cover } from '../../viewport/camera.ts';
 import { rampOf } from '../../viewport/ramp.ts';
 import { RangeEnd } from './range-end.tsx';
@@ -82,7 +76,7 @@ function Values({ about, spread, model }: Of & { model: Loaded }) {
   const allowed = toleranceOf(state, about);
   const rounding = model.roundings[about.id];
   const words = (value: number) =>
-    valueInWords(about, Math.abs(value) < rounding ? 0 : value, document?.units ?? '', allowed);
+    measured(Math.abs(value) < rounding ? 0 : value, about.unit, document?.units ?? '', allowed);
   const { axis, places } = spread;
   const limit = 100 * (places.tolerance ?? 0);
   const worst = words(spread.greatest);
@@ -154,17 +148,17 @@ function Ends() {
   const { store, viewport } = useApp();
   const { state } = store;
   const { range } = state;
-  const { unit, factor } = shownUnit(state);
+  const { symbol, factor } = shownUnit(state);
   const step = useTold(
     (now) => (!now.display.log && viewport.unmeasured((view) => view.bandStep())) || null,
   );
-  const steps = step && `steps of ${Number((step * factor).toPrecision(3))} `;
+  const steps = step && `steps of ${brief(rounded(step * factor, 3))} `;
   return (
     <div class="ends">
       <span>{number(range[0] * factor)}</span>
       <span class="unit">
         {steps}
-        {unit}
+        {symbol}
       </span>
       <span>{number(range[1] * factor)}</span>
     </div>

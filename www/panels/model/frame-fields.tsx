@@ -8,11 +8,11 @@ import { rememberFrame, type Frame } from '../../documents/known-frames.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
-import { UNITS } from '../../ui/units.ts';
+import { unitsOfLength } from '../../ui/words.ts';
 import type { Loaded } from '../../solver/types.ts';
 
 /** Units, and the empty string for a mesh without a unit. */
-const SYMBOLS = [...UNITS.map(({ symbol }) => symbol), ''];
+const SYMBOLS = [...unitsOfLength(), ''];
 const NO_UNIT = 'no unit';
 
 export function FrameFields({ model }: { model: Loaded }) {

@@ -5,7 +5,7 @@ import { meshActions } from '../../store/mesh-actions.ts';
 import { showPlot } from '../../store/show-plot.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
-import { count, groupDigits } from '../../ui/format.ts';
+import { count, groupDigits } from '../../ui/words.ts';
 import { FrameFields } from './frame-fields.tsx';
 import type { ComponentChildren } from 'preact';
 import type { Loaded, MeshSuggestion } from '../../solver/types.ts';

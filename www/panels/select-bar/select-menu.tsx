@@ -9,7 +9,7 @@ import { combineOf, sizeOfSelection } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { placeMenu } from '../../ui/controls/navigation.ts';
-import { count } from '../../ui/format.ts';
+import { count } from '../../ui/words.ts';
 import { keyName } from '../../ui/keys.ts';
 import { opener } from './select-bar.tsx';
 import { Heading, OperationForm, SaveForm } from './select-forms.tsx';

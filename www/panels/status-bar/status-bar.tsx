@@ -1,18 +1,11 @@
 /** The status bar: status message, hint, numbers of the iteration, and the environment. */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import {
-  declared,
-  movedInWords,
-  toleranceOf,
-  valueInWords,
-  worstOf,
-} from '../../store/colours/measures.ts';
+import { declared, movedInWords, toleranceOf, worstOf } from '../../store/colours/measures.ts';
 import { isDrawn } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { duration, groupDigits, number } from '../../ui/format.ts';
-import { energyOrZero } from '../../ui/rounding.ts';
+import { duration, energyOrZero, groupDigits, measured, number } from '../../ui/words.ts';
 import { hintOf } from './hint.ts';
 import type { ComponentChildren } from 'preact';
 
@@ -101,7 +94,7 @@ function WorstPanel() {
     const now = declared(state, state.measure ?? state.document?.measure ?? null);
     if (!now || !state.numbers) return '';
     const units = state.document?.units ?? '';
-    return valueInWords(now, worstOf(state, now.id), units, toleranceOf(state, now));
+    return measured(worstOf(state, now.id), now.unit, units, toleranceOf(state, now));
   });
   if (!about || !model?.faces) return null;
   // The residual also applies to constraints that are not on panels.

@@ -1,6 +1,6 @@
 /** The forms of parameter values: keys, labels, conversion between forms, and values in words. */
 
-import { number } from '../format.ts';
+import { brief, number, rounded as roundedTo } from '../words.ts';
 import type { Form, ParamInfo, ParamValue } from '../../solver/types.ts';
 
 /** The part of the model that the controls use. */
@@ -53,7 +53,7 @@ export function unitOf({ unit }: ParamInfo, units: string) {
 }
 
 /** Rounds an initial number to two digits. */
-const rounded = (value: number) => Number(value.toPrecision(2));
+const rounded = (value: number) => roundedTo(value, 2);
 
 function inRange({ range: [least, greatest] }: ParamInfo, value: number) {
   return Math.min(Math.max(value, least), greatest ?? Infinity);
@@ -86,7 +86,7 @@ export function converted(
       if (keyOfValue(param.default) === 'range') return param.default;
       const middle = typeof before === 'number' ? before : usual(param, model);
       const ends = middle === 0 ? [0, usual(param, model)] : [0.9 * middle, 1.1 * middle];
-      const [from, to] = ends.map((end) => inRange(param, Number(end.toPrecision(3))));
+      const [from, to] = ends.map((end) => inRange(param, roundedTo(end, 3)));
       return from < to ? [from, to] : [to, from];
     }
     case 'vector':
@@ -112,7 +112,7 @@ export function valueInWords(param: ParamInfo, value: ParamValue, units: string)
   if (typeof value === 'number') return amount(value);
   if (value.length === 3) {
     const named = AXES.find((name) => axis(name).every((part, i) => part === value[i]));
-    return named?.toUpperCase() ?? value.map((part) => Number(part.toPrecision(2))).join(', ');
+    return named?.toUpperCase() ?? value.map((part) => brief(rounded(part))).join(', ');
   }
   const [from, to] = value;
   if (from === null && to === null) return 'any';

@@ -2,7 +2,7 @@
 
 import uPlot from 'uplot';
 import { colourOf, element, setText } from '../dom.ts';
-import { groupDigits, number } from '../format.ts';
+import { groupDigits, number, powerOfTen } from '../words.ts';
 import { tickExponents } from './ticks.ts';
 
 /** In the order of the columns. */
@@ -184,8 +184,4 @@ function decades(least: number, most: number) {
   const first = Math.ceil(Math.log10(least) - 1e-9);
   const last = Math.floor(Math.log10(most) + 1e-9);
   return tickExponents(first, last).map((exponent) => 10 ** exponent);
-}
-
-function powerOfTen(value: number) {
-  return value.toExponential(0).replace('-', '−').replace('e+', 'e');
 }

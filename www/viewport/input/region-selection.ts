@@ -9,7 +9,7 @@
  */
 
 import { NOTHING, select, type Combine } from '../../store/selection.ts';
-import { svgElement } from '../../ui/svg.ts';
+import { svgElement } from '../../ui/dom.ts';
 import type { Store } from '../../store/state.ts';
 import type { Viewport } from '../viewport.ts';
 import type { Actions } from '../../store/actions.ts';

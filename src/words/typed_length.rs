@@ -1,0 +1,67 @@
+//! Lengths as people type them.
+
+use super::units::LengthUnit;
+
+/// A length that was typed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
+pub struct TypedLength {
+    /// Whether it is relative to the present value.
+    pub by: bool,
+    /// The length in the unit of the mesh.
+    pub length: f64,
+}
+
+/// What was typed is no length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NotALength(String);
+
+impl std::fmt::Display for NotALength {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "“{}” is not a length. Expected 1.5, 1/3 or +0.5.", self.0)
+    }
+}
+
+impl std::error::Error for NotALength {}
+
+impl TypedLength {
+    /// Reads a length: `1.5`, `1,5`, `1/3`, `20cm`; or a relative one, `+0.5` or `+-0.5`. `units` is
+    /// the symbol of the unit of the mesh; empty if it is not known.
+    ///
+    /// # Errors
+    /// If it is no length.
+    pub fn read(text: &str, units: &str) -> Result<TypedLength, NotALength> {
+        let text = text.trim();
+        let (by, signed) = match text.strip_prefix('+') {
+            Some(rest) => (true, rest.trim_start()),
+            None => (false, text),
+        };
+        let (sign, unsigned) = signed.strip_prefix('-').map_or((1.0, signed), |rest| (-1.0, rest));
+        let length = unsigned_length(unsigned, units).map(|length| sign * length);
+        let length = length.filter(|length| length.is_finite());
+        Ok(TypedLength { by, length: length.ok_or_else(|| NotALength(text.to_owned()))? })
+    }
+}
+
+/// Reads a number, a divisor if any, and a unit if any.
+fn unsigned_length(text: &str, units: &str) -> Option<f64> {
+    let (value, rest) = number(text)?;
+    let (divisor, rest) = match rest.trim_start().strip_prefix('/') {
+        Some(rest) => number(rest.trim_start())?,
+        None => (1.0, rest),
+    };
+    let metres = |symbol: &str| LengthUnit::of(symbol).map(|unit| unit.metres);
+    let factor = match rest.trim_start() {
+        "" => 1.0,
+        unit => metres(&unit.to_ascii_lowercase())? / metres(units)?,
+    };
+    Some(value / divisor * factor)
+}
+
+/// Reads the digits at the start of a text, with a point or a comma, and returns what follows.
+fn number(text: &str) -> Option<(f64, &str)> {
+    let is_of_number = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
+    let end = text.find(|c| !is_of_number(c)).unwrap_or(text.len());
+    let (digits, rest) = text.split_at(end);
+    Some((digits.replace(',', ".").parse().ok()?, rest))
+}

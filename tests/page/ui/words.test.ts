@@ -1,0 +1,28 @@
+// The page writes numbers and lengths as the engine does, by the module of words.
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import cases from '../../data/words.json' with { type: 'json' };
+import * as words from '../../../www/ui/words.ts';
+
+test('words are those of Rust, whose test reads the same cases', () => {
+  for (const { of, given, words: expected } of cases) {
+    const found = words[of as 'number'](...(given as [number]));
+    assert.equal(found, expected, `${of} of ${JSON.stringify(given)}`);
+  }
+});
+
+test('a typed length is read, or refused in words', () => {
+  const { by, length } = words.readLength('+-20cm', 'm');
+  assert.deepEqual([by, length], [true, -0.2]);
+  assert.throws(() => words.readLength('far', 'm'), /“far” is not a length/);
+  assert.throws(() => words.measured(1, 'furlongs', 'm'), /"furlongs" is no unit of a measure/);
+});
+
+test('what is compared, and units, cross as they are in Rust', () => {
+  const { lengths, unit } = words.comparedLengths(Float64Array.of(0.05, -0.03), 'm');
+  assert.deepEqual([lengths, unit], [['50.000', '−30.000'], 'mm']);
+  assert.deepEqual(words.unitsOfLength(), ['m', 'cm', 'mm', 'ft', 'in']);
+  assert.deepEqual([words.metresOf('ft'), words.metresOf('ell')], [0.3048, undefined]);
+  assert.deepEqual([words.rhinoUnit('cm'), words.rhinoUnit('ell')], ['Centimeters', undefined]);
+});
