@@ -100,7 +100,7 @@ test.describe('with essential controls only', () => {
 });
 
 test('axe: while only the HTML has loaded', async ({ page }) => {
-  await page.route('**/*.wasm', () => {});
+  await page.route('**/{engine,view}-*.wasm', () => {});
   await page.goto('./');
   await expectNothing(page);
 });

@@ -71,7 +71,7 @@ test('a slowly loading solver shows its progress', async ({ page }) => {
   await new Promise<void>((done) => host.listen(0, '127.0.0.1', done));
   const { port } = host.address() as AddressInfo;
   const url = `http://127.0.0.1:${port}/`;
-  await page.route('**/*.wasm', async (route) => {
+  await page.route('**/{engine,view}-*.wasm', async (route) => {
     const response = await route.fetch();
     const isSolver = (await response.body()).length === module.length;
     return isSolver ? route.continue({ url }) : route.fulfill({ response });

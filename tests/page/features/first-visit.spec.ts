@@ -32,7 +32,7 @@ const offCircle = ({ circularity }: PageState) => circularity?.max_distance ?? N
 
 test('text and tools appear before the solver and the view', async ({ page }) => {
   // Neither module ever arrives.
-  await page.route('**/*.wasm', () => {});
+  await page.route('**/{engine,view}-*.wasm', () => {});
   await page.goto('./');
   await expect(page.getByRole('heading', { level: 1, name: 'Shape-Up' })).toBeVisible();
   await expect(page.getByRole('button', { name: 'Run' })).toBeVisible();

@@ -124,7 +124,7 @@ test('it has the chosen theme rather than that of the system, and lets presses t
 
 test('presses made before anything has loaded take effect later', looks, async ({ page }) => {
   const releaseScript = await hold(page, '**/*.js');
-  const releaseModules = await hold(page, '**/*.wasm');
+  const releaseModules = await hold(page, '**/{engine,view}-*.wasm');
   const list = page.waitForResponse(/\/examples\/index\.json$/);
   await page.goto('./', { waitUntil: 'commit' });
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);

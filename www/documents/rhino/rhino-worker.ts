@@ -5,16 +5,23 @@
  */
 
 import { answerTo, type Call } from '../../solver/remote.ts';
-import { meshFromRhino } from './rhino-in.ts';
-import { rhinoFile, rhinoParts } from './rhino-out.ts';
+
+// What they import waits for the module of words. A worker that waits before it listens loses the
+// calls that are sent meanwhile.
+const reader = () => import('./rhino-in.ts');
+const writer = () => import('./rhino-out.ts');
+type Reader = Awaited<ReturnType<typeof reader>>;
+type Writer = Awaited<ReturnType<typeof writer>>;
 
 const methods = {
   /** The mesh in a file, as OBJ. Hidden objects are in it if asked for. */
-  read: meshFromRhino,
+  read: async (...given: Parameters<Reader['meshFromRhino']>) =>
+    (await reader()).meshFromRhino(...given),
   /** A scene with the table of its face errors, as a file. */
-  write: rhinoFile,
+  write: async (...given: Parameters<Writer['rhinoFile']>) => (await writer()).rhinoFile(...given),
   /** The parts to be built, as a file. */
-  writeParts: rhinoParts,
+  writeParts: async (...given: Parameters<Writer['rhinoParts']>) =>
+    (await writer()).rhinoParts(...given),
 };
 export type Rhino = typeof methods;
 
