@@ -16,15 +16,16 @@ const node = (...tests) => {
 };
 
 /**
- * Cargo with Clippy in place of the compiler, as `cargo clippy -- -D warnings` calls it, but here it
- * compiles as well: what is built for tests is linted in passing, and its dependencies are compiled
- * once, not checked beside.
+ * Cargo with Clippy in place of the compiler, as `cargo clippy -- -D warnings` calls it, except that it
+ * also compiles: what is built for tests is linted on the way, and its dependencies are compiled once
+ * instead of being checked as well. Clippy leaves out optimisations before those of LLVM; the tests
+ * run as fast.
  */
 const linted = {
   RUSTC_WORKSPACE_WRAPPER: 'clippy-driver',
   CLIPPY_ARGS: '-Dwarnings__CLIPPY_HACKERY__',
 };
-/** This crate without optimisation, where that takes less than it saves; dependencies as always. */
+/** This crate without optimisation, for lints and for tests that are soon over; dependencies as always. */
 const unoptimised = { CARGO_PROFILE_DEV_OPT_LEVEL: '0', CARGO_PROFILE_RELEASE_OPT_LEVEL: '0' };
 
 const nodeTests = ['scripts', 'page'].flatMap((folder) =>
@@ -68,8 +69,10 @@ const site = () => [
 
 const module = (feature) => ({ title: `the ${feature} module`, run: script('modules', feature) });
 
-/** The program with the tests of a module. */
-const testsOf = (feature) => ['--test', `wasm_${feature.split('-')[0]}`];
+const [words, , ...views] = modules;
+
+/** The program with the tests of a module; that of words is tested natively and in Node. */
+const testsOf = (feature) => (feature === words ? [] : ['--test', `wasm_${feature.split('-')[0]}`]);
 
 const browserTests = (feature) => ({
   title: `tests of the ${feature} module in the browser`,
@@ -84,11 +87,10 @@ const browserTests = (feature) => ({
 
 /** Its tests come before the next module, which takes its place as the library of this target. */
 const engine = [module('engine'), browserTests('engine')];
-const [words, , ...views] = modules;
 /** Those of the last view first. Beside a compiler, drawing in software takes five times as long. */
 const viewTests = views.toReversed().map(browserTests);
 
-/** Formats of what is not Rust, and tests that need no more compiled than words: seconds each. */
+/** Formats of what is not Rust, and tests that need no module but that of words. */
 const texts = [
   {
     title: 'format of the page',
@@ -112,12 +114,9 @@ const compiled = [
     title: 'types of the page',
     run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },
-  ...['words,engine', ...views].map((features) => ({
-    title: `lints of Rust, ${features}`,
-    run: [
-      'cargo',
-      ['build', '--lib', ...moduleArguments(features), ...testsOf(features.split(',').at(-1))],
-    ],
+  ...modules.map((feature) => ({
+    title: `lints of Rust, ${feature}`,
+    run: ['cargo', ['build', '--lib', ...moduleArguments(feature), ...testsOf(feature)]],
     env: { ...linted, ...unoptimised },
   })),
   {

@@ -12,7 +12,7 @@ const MOST = 3e6;
 
 /** Groups of files: a name, and a pattern of their names. */
 const GROUPS = [
-  ['engine', /engine-.*\.wasm$/],
+  ['engine and words', /(engine|words)-.*\.wasm$/],
   ['view', /view-web.*\.wasm$/],
   ['scripts', /\.js$/],
   ['pages and styles', /(\.html|\.css|\/)$/],

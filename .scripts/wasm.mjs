@@ -18,7 +18,7 @@ export const moduleArguments = (feature) => [
 
 /** The source folders of the page's modules, as declared in `src/lib.rs`. */
 const OF_WORDS = /^src\/(lib\.rs|math\/|words\/|web\/(mod|words)\.rs)/;
-const OF_VIEW = /^src\/(lib\.rs|math\/|words\/|view\/|web\/(mod\.rs|page\/))/;
+const OF_VIEW = /^src\/(lib\.rs|math\/|view\/|web\/(mod\.rs|page\/))/;
 
 /** Returns the sources of a module: edits of the engine recompile neither words nor views. */
 export function sourcesOf(feature) {

@@ -226,6 +226,7 @@ pub mod sparse;
 pub mod view;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
+#[cfg(any(feature = "engine", feature = "words"))]
 pub mod words;
 
 #[cfg(doc)]

@@ -1,6 +1,6 @@
-//! Words for the page, on its own thread: what follows the hand is written at once, where the engine
-//! is not. All is that of [`crate::words`] under the page's names; the symbol `units` is that of
-//! the unit of the mesh, empty if it is not known.
+//! The functions of [`crate::words`] under the page's names. They run on the page's thread, where a
+//! number that follows the hand is written at once; the engine runs in workers. `units` is the symbol
+//! of the unit of the mesh, empty if it is not known.
 
 use super::thrown;
 use crate::words::{
@@ -36,6 +36,18 @@ pub fn length(value: f64, units: &str, like: Option<f64>) -> String {
 #[wasm_bindgen]
 pub fn limit(value: f64, units: &str) -> String {
     words::limit(value, units)
+}
+
+/// Formats the area of a surface, which is in the squared unit of the mesh.
+#[wasm_bindgen(js_name = areaOf)]
+pub fn area_of(area: f64, units: &str) -> String {
+    words::area_of(area, units)
+}
+
+/// Formats a measured number with a unit, which is written after it.
+#[wasm_bindgen(js_name = numberIn)]
+pub fn number_in(value: f64, unit: &str) -> String {
+    words::number_in(value, unit)
 }
 
 /// Formats an estimated length with one or two digits.
@@ -101,8 +113,7 @@ pub fn rhino_unit(symbol: &str) -> Option<String> {
 
 /// Returns the measure's unit, by its name among those of the engine.
 fn measure_unit(name: &str) -> Result<MeasureUnit, JsValue> {
-    let known = MeasureUnit::ALL.into_iter().find(|unit| unit.name() == name);
-    known.ok_or_else(|| thrown(format!("{name:?} is no unit of a measure")))
+    MeasureUnit::of(name).ok_or_else(|| thrown(format!("{name:?} is no unit of a measure")))
 }
 
 /// Returns the unit in which values of a measure are written beside a value `like`.

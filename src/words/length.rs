@@ -1,6 +1,7 @@
 //! Lengths with their units.
 
 use super::number::{brief, decimal, leading_exponent, number, rounded, signed};
+use super::units::LengthUnit;
 
 /// Lengths below this many mm are 0: they are irrelevant for buildings.
 const LEAST_MM: f64 = 0.001;
@@ -68,7 +69,7 @@ pub struct ComparedLengths {
 }
 
 /// Formats lengths that are compared in a table: all in one unit and with as many decimals, so that
-/// the longest has five digits.
+/// the longest has at least five digits.
 pub fn compared_lengths(lengths: &[f64], units: &str) -> ComparedLengths {
     let longest = lengths.iter().fold(0.0_f64, |longest, length| longest.max(length.abs()));
     let (unit, factor) = unit_of(longest, units);
@@ -77,7 +78,7 @@ pub fn compared_lengths(lengths: &[f64], units: &str) -> ComparedLengths {
     ComparedLengths { lengths, unit: unit.to_owned() }
 }
 
-/// Formats the components of a displacement that are not negligible: `x +0.20  z −1.50 m`. `size` is
+/// Formats the components of a displacement that are not negligible: `x +0.200  z −1.50 m`. `size` is
 /// that of the mesh.
 pub fn displacement(by: [f64; 3], units: &str, size: f64) -> String {
     let far = by.iter().map(|part| part * part).sum::<f64>().sqrt();
@@ -129,7 +130,21 @@ pub fn millimetres_limit(mm: f64) -> String {
 
 /// Formats an area of a building, given in square mm, in square metres.
 pub fn area(square_mm: f64) -> String {
-    number(1e-6 * square_mm) + " m²"
+    area_of(square_mm, "mm")
+}
+
+/// Formats the area of a surface in square metres; without a unit if that of its mesh is not known.
+/// `area` is in the squared unit of the mesh, whose symbol is `units`.
+pub fn area_of(area: f64, units: &str) -> String {
+    match LengthUnit::of(units) {
+        Some(unit) => number_in(area * unit.metres * unit.metres, "m²"),
+        None => number(area),
+    }
+}
+
+/// Formats a measured number with a unit, which is written after it.
+pub fn number_in(value: f64, unit: &str) -> String {
+    with_unit(&number(value), unit)
 }
 
 /// Describes how far vertices moved, given the largest and the mean distance: `at most 0.21 m,
@@ -162,5 +177,6 @@ fn unit_of_building(mm: f64) -> (&'static str, f64) {
 }
 
 fn with_unit(number: &str, unit: &str) -> String {
-    format!("{number} {unit}").trim_end().to_owned()
+    let space = if matches!(unit, "" | "°") { "" } else { " " };
+    format!("{number}{space}{unit}")
 }

@@ -1,13 +1,13 @@
-//! The units of measures of a mesh: their values in words, and the bounds below which these are
-//! rounding errors.
+//! The units of measures of a mesh: how values are written in them, and below which bound a value is a
+//! rounding error.
 
-use super::length::{ROUNDING, length_like, unit_of};
-use super::number::number;
+use super::length::{ROUNDING, length_like, number_in, unit_of};
 use super::units::LengthUnit;
-use serde::Serialize;
+use serde::de::value::{Error, StrDeserializer};
+use serde::{Deserialize, Serialize};
 
 /// The unit of a measure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(all(target_arch = "wasm32", feature = "engine"), derive(tsify::Tsify))]
 #[cfg_attr(all(target_arch = "wasm32", feature = "engine"), tsify(missing_as_null))]
 #[serde(rename_all = "kebab-case")]
@@ -40,26 +40,9 @@ pub struct WrittenUnit {
 }
 
 impl MeasureUnit {
-    /// All units, in the order in which they are declared.
-    pub const ALL: [MeasureUnit; 6] = [
-        MeasureUnit::Length,
-        MeasureUnit::Percent,
-        MeasureUnit::Degrees,
-        MeasureUnit::Number,
-        MeasureUnit::PerLength,
-        MeasureUnit::PerArea,
-    ];
-
-    /// Its name in messages.
-    pub fn name(self) -> &'static str {
-        match self {
-            MeasureUnit::Length => "length",
-            MeasureUnit::Percent => "percent",
-            MeasureUnit::Degrees => "degrees",
-            MeasureUnit::Number => "number",
-            MeasureUnit::PerLength => "per-length",
-            MeasureUnit::PerArea => "per-area",
-        }
+    /// Returns the unit with this name in messages, if there is one.
+    pub fn of(name: &str) -> Option<MeasureUnit> {
+        MeasureUnit::deserialize(StrDeserializer::<Error>::new(name)).ok()
     }
 
     /// The exponent of the unit of the mesh in this unit; none if it does not depend on that.
@@ -119,8 +102,7 @@ impl MeasureUnit {
             return length_like(value, units, like);
         }
         let WrittenUnit { symbol, factor } = self.written(units, like);
-        let space = if symbol.is_empty() || symbol == "°" { "" } else { " " };
-        format!("{}{space}{symbol}", number(value * factor))
+        number_in(value * factor, &symbol)
     }
 }
 

@@ -3,7 +3,7 @@
 //!
 //! Measured values have three significant digits and a true minus sign. What somebody has entered,
 //! such as a tolerance, has the digits that were entered. Lengths without meaning for a building
-//! are 0..
+//! are 0.
 //!
 //! The page calls it by a small module of its own (`web/words`), since what follows the hand is
 //! written on its thread at once, where the engine is not.
@@ -26,8 +26,8 @@ mod units;
 
 pub use count::{and_more, count, group_digits, sentence};
 pub use length::{
-    ComparedLengths, ROUNDING, area, compared_lengths, coordinate, decimals_for, displacement,
-    length, length_like, limit, limit_like, millimetres, millimetres_limit, moved, rough_length,
+    ComparedLengths, ROUNDING, area, area_of, compared_lengths, coordinate, decimals_for, displacement,
+    length, length_like, limit, limit_like, millimetres, millimetres_limit, moved, number_in, rough_length,
 };
 pub use measure_unit::{MeasureUnit, WrittenUnit, energy_or_zero};
 pub use number::{

@@ -9,7 +9,8 @@ const PLAIN: std::ops::Range<f64> = 1e-3..1e6;
 
 /// Rounds to this many significant digits, in decimal, for numbers that somebody reads and may edit.
 pub fn rounded(value: f64, digits: usize) -> f64 {
-    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
+    let size = format!("{:.*e}", digits.saturating_sub(1), half_up(value.abs()));
+    size.parse().map_or(value, |size: f64| size.copysign(value))
 }
 
 /// Formats a measured number: `1.23`, `−0.500`, `12345`, `2.50e−7`; `–` if it is not finite.
@@ -66,7 +67,7 @@ pub fn ratio(value: f64) -> String {
 
 /// Formats a power of ten, as at the ticks of a logarithmic axis: `1e−5`.
 pub fn power_of_ten(value: f64) -> String {
-    signed(value, &format!("{value:.0e}"))
+    format!("{value:.0e}").replace('-', "−")
 }
 
 /// Formats a number of bytes in megabytes, without the unit: `1.2`.
@@ -109,7 +110,7 @@ pub(super) fn signed(value: f64, size: &str) -> String {
     format!("{sign}{}", size.replace('-', "−"))
 }
 
-/// Moves a size that lies in the middle of two decimal numbers up, as the page rounds: the standard
+/// Moves a size that lies in the middle of two decimal numbers up, as people round: the standard
 /// library takes the even one.
 fn half_up(size: f64) -> f64 {
     size * (1.0 + f64::EPSILON)

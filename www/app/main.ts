@@ -1,6 +1,7 @@
 /**
- * Entry point: creates the parts of the page and connects them. The solver worker and the view
- * module start concurrently; neither waits for the other.
+ * Entry point: creates the parts of the page and connects them. The module of words is there first:
+ * the page fetches it beside this script. The solver worker and the view module then start
+ * concurrently; neither waits for the other.
  */
 
 import { openChosen, acceptDrops } from '../documents/chosen-files.ts';

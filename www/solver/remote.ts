@@ -38,9 +38,12 @@ export type Answer =
   { id: number; value: unknown } | { id: number; refused: string; isDead: boolean };
 
 /** Calls one of the methods of an object in a worker, which is returned by `host`. */
-export async function answerTo(host: () => object, { id = 0, name, given }: Call): Promise<Answer> {
+export async function answerTo(
+  host: () => object | Promise<object>,
+  { id = 0, name, given }: Call,
+): Promise<Answer> {
   try {
-    const methods = host() as Record<string, (...given: unknown[]) => unknown>;
+    const methods = (await host()) as Record<string, (...given: unknown[]) => unknown>;
     return { id, value: await methods[name](...given) };
   } catch (thrown) {
     return { id, refused: messageOf(thrown), isDead: isTrap(thrown) };

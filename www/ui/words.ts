@@ -1,10 +1,15 @@
 /**
- * Numbers, lengths and counts in words, as the engine writes them (`src/words`): a module of Rust small
- * enough to be there before anything is shown. What imports this waits for it.
+ * Numbers, lengths and counts in words: a small module of Rust (`src/words`) on the page's thread, so
+ * that what follows the hand is written at once. What imports this waits for it; a page fetches it
+ * beside its scripts.
  */
 
 import init from '../pkg/words/shape_up.js';
 
-await init();
+await init().catch((thrown: unknown) => {
+  // Not missing, but nothing that this browser can compile.
+  if (thrown instanceof WebAssembly.CompileError) throw thrown;
+  throw new Error('a part of the page could not be fetched');
+});
 
 export * from '../pkg/words/shape_up.js';

@@ -14,6 +14,15 @@ const FAILURES: Record<string, { missing: string; status?: number; words: string
     status: 404,
     words: `Shape-Up could not be started (a part of the page could not be fetched). ${SUGGESTION}`,
   },
+  'the module of words is not there': {
+    missing: '**/assets/words-*.wasm',
+    status: 404,
+    words: `Shape-Up could not be started (a part of the page could not be fetched). ${SUGGESTION}`,
+  },
+  'the network fails at the module of words': {
+    missing: '**/assets/words-*.wasm',
+    words: `Shape-Up could not be started (a part of the page could not be fetched). ${SUGGESTION}`,
+  },
   "the solver's module is not there": {
     missing: '**/assets/engine-*.wasm',
     status: 404,
@@ -29,6 +38,13 @@ const FAILURES: Record<string, { missing: string; status?: number; words: string
     words: `The solver could not be started (its worker could not be fetched). ${SUGGESTION}`,
   },
 };
+
+/** Expects no complaints other than those about what is missing. */
+function expectOnlyMissing(complaints: string[]) {
+  const missing = /net::ERR_FAILED|404|a part of the page could not be fetched/;
+  expect(complaints.filter((text) => !missing.test(text))).toEqual([]);
+  complaints.length = 0;
+}
 
 for (const [title, { missing, status, words }] of Object.entries(FAILURES)) {
   test(`${title}: the message appears and stays`, async ({ page, complaints }) => {
@@ -48,8 +64,7 @@ for (const [title, { missing, status, words }] of Object.entries(FAILURES)) {
       await page.getByRole('alert').getByRole('button', { name: 'Reload' }).click();
       await page.waitForFunction(() => window.shapeUp?.state().vertices > 0);
     }
-    expect(complaints.filter((text) => !/net::ERR_FAILED|404/.test(text))).toEqual([]);
-    complaints.length = 0;
+    expectOnlyMissing(complaints);
   });
 }
 
@@ -64,3 +79,14 @@ test('a view that could not be fetched is not reported as missing graphics suppo
   expect(complaints.filter((text) => !/404/.test(text))).toEqual([]);
   complaints.length = 0;
 });
+
+for (const name of ['gallery', 'projections'])
+  test(`${name} without the module of words says why it is empty`, async ({ page, complaints }) => {
+    await page.route('**/assets/words-*.wasm', (route) => route.abort());
+    await page.goto(`./${name}.html`);
+    await expect(page.getByRole('alert')).toHaveText(
+      `This page could not be started (a part of the page could not be fetched). ${SUGGESTION}`,
+    );
+    await expect(page.getByText('Loading')).toHaveCount(0);
+    expectOnlyMissing(complaints);
+  });

@@ -45,6 +45,16 @@ async function started(page: Page, id: string) {
   return frame;
 }
 
+test('until it is started a view is a picture, and fetches no module', async ({ page }) => {
+  const modules: string[] = [];
+  page.on('request', (request) => {
+    if (/\.wasm|words-/.test(request.url())) modules.push(request.url());
+  });
+  await page.goto('./embed.html#example=hypar');
+  await expect(page.getByRole('img', { name: 'Hypar' })).toBeVisible();
+  expect(modules).toEqual([]);
+});
+
 test('a view in a page of another origin starts with a press, or plays by itself', async ({
   page,
   baseURL,

@@ -2,14 +2,14 @@
 
 import { Cancelled } from '../../solver/errors.ts';
 import { calling, Waiting, type Remote } from '../../solver/remote.ts';
-import type { Rhino } from './rhino-worker.ts';
+import type * as Converter from './rhino-converter.ts';
 
 /**
  * @param ask calls a method of the worker
  * @returns rejects with the error in the file, or when cancelled
  */
 export async function askRhino<Answer>(
-  ask: (rhino: Remote<Rhino>) => Promise<Answer>,
+  ask: (rhino: Remote<typeof Converter>) => Promise<Answer>,
   cancelled?: AbortSignal,
 ): Promise<Answer> {
   const worker = new Worker(new URL('./rhino-worker.ts', import.meta.url), {

@@ -1,6 +1,7 @@
 /** The convergence plot as a figure: energies over iterations. */
 
 import { tickExponents } from '../../ui/plot/ticks.ts';
+import { brief } from '../../ui/words.ts';
 
 /** In the order of the table's columns. */
 const SERIES = ['shape', 'close', 'smooth', 'handles', 'total'];
@@ -77,12 +78,12 @@ function linesSvg(given: Line[], words: { title: string; x: string; y: string })
       const at = round(y(10 ** exponent));
       return (
         `<line x1="${left}" x2="${width - right}" y1="${at}" y2="${at}" stroke="#d9dad6"/>` +
-        `<text x="${left - 8}" y="${at + 4}" text-anchor="end">10<tspan dy="-5" font-size="9">${minus(exponent)}</tspan></text>`
+        `<text x="${left - 8}" y="${at + 4}" text-anchor="end">10<tspan dy="-5" font-size="9">${brief(exponent)}</tspan></text>`
       );
     }),
     ...ticks(last).map(
       (place) =>
-        `<text x="${round(x(place))}" y="${height - bottom + 18}" text-anchor="middle">${Number(place.toPrecision(6))}</text>`,
+        `<text x="${round(x(place))}" y="${height - bottom + 18}" text-anchor="middle">${brief(place)}</text>`,
     ),
     ...lines.map(
       ({ colour, path, width }) =>
@@ -125,10 +126,6 @@ function ticks(last: number) {
 
 function round(value: number) {
   return Math.round(value * 100) / 100;
-}
-
-function minus(exponent: number) {
-  return String(exponent).replace('-', '−');
 }
 
 function escape(text: string) {

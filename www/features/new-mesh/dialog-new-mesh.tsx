@@ -8,7 +8,7 @@ import { Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
 import { rounded, unitsOfLength } from '../../ui/words.ts';
 import init, { newKinds, newMesh as meshOf } from '../../pkg/engine/shape_up.js';
-import { metresOf } from './plan.ts';
+import { metresOrOne } from './plan.ts';
 import { PlanForm } from './plan-form.tsx';
 import { openMesh, SpanForm } from './span-form.tsx';
 import { Trial, type Asked } from './trial.ts';
@@ -117,7 +117,7 @@ function SizesForm({
   });
   useLayoutEffect(() => {
     if (of === unit) return;
-    const factor = metresOf(of) / metresOf(unit);
+    const factor = metresOrOne(of) / metresOrOne(unit);
     const now = values.map((value, i) =>
       sizes[i].of === 'length' ? rounded(value * factor, DIGITS) : value,
     );

@@ -3,7 +3,7 @@
 import { useSignal } from '@preact/signals';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { ARROWS } from '../../ui/keys.ts';
-import { brief } from '../../ui/words.ts';
+import { brief, rounded } from '../../ui/words.ts';
 import { bulgeThrough, planGridStep } from '../../pkg/engine/shape_up.js';
 import { nameOf, type DrawnPlan, type Place, type Sketch, type Spot } from './plan.ts';
 import type { DrawnSide, PlanDrawing as Drawing, PlanPoint } from '../../pkg/engine/shape_up.js';
@@ -77,7 +77,7 @@ export function PlanDrawing({ drawn }: { drawn: DrawnPlan }) {
     const near = (axis: 0 | 1) => {
       const other = all.find((one) => Math.abs(one[axis] - at[axis]) * view.scale < NEAR);
       const { step } = view;
-      return other ? other[axis] : Number((Math.round(at[axis] / step) * step).toPrecision(12));
+      return other ? other[axis] : rounded(Math.round(at[axis] / step) * step, 12);
     };
     return [near(0), near(1)];
   }

@@ -5,9 +5,9 @@ import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
-import { limit, rounded as roundedTo } from '../../ui/words.ts';
+import { limit, rounded } from '../../ui/words.ts';
 import { bulgeOf } from '../../pkg/engine/shape_up.js';
-import { DrawnPlan, nameOf, rounded, type Plan, type Sketch } from './plan.ts';
+import { DrawnPlan, nameOf, roundedPlace, type Plan, type Sketch } from './plan.ts';
 import { PlanDrawing } from './plan-drawing.tsx';
 import type { Asked } from './trial.ts';
 
@@ -98,7 +98,7 @@ function hintFor({ places, pointer }: Sketch, unit: string) {
   const all = [...places, ...(pointer ? [pointer] : [])];
   const lengths = all.slice(1).map((at, k) => Math.hypot(at[0] - all[k][0], at[1] - all[k][1]));
   const last = lengths.findLast((length) => length > 0);
-  return last ? limit(roundedTo(last, 4), unit) : DRAW_HINT;
+  return last ? limit(rounded(last, 4), unit) : DRAW_HINT;
 }
 
 /** Place and side of the selected point. */
@@ -127,7 +127,7 @@ function SelectedPoint({ drawn }: { drawn: DrawnPlan }) {
               name={name}
               min={undefined}
               inputMode="decimal"
-              value={rounded(value)}
+              value={roundedPlace(value)}
               onAmount={change}
             />
             <span class="unit">{unit}</span>
@@ -175,7 +175,7 @@ function Sizes({ drawn }: { drawn: DrawnPlan }) {
         <SizeField
           key={`${size.id} ${drawn.replaced.value}`}
           size={size}
-          value={rounded(plan[size.id])}
+          value={roundedPlace(plan[size.id])}
           unit={drawn.unit.value}
           onSize={(value, problem) => {
             drawn.problems.value = { ...drawn.problems.value, [size.label]: problem };

@@ -2,7 +2,7 @@
 
 import { computed, signal } from '@preact/signals';
 import { getItem, setItem } from '../../ui/safe-storage.ts';
-import { metresOf as knownMetresOf, rounded as roundedTo } from '../../ui/words.ts';
+import { metresOf, rounded } from '../../ui/words.ts';
 import {
   drawnPlan,
   endOfSide,
@@ -34,9 +34,9 @@ const DIGITS = 6;
 const LAST = 'shape-up.plan';
 
 /** The length of a unit in metres; of an unknown one as of a metre. */
-export const metresOf = (symbol: string) => knownMetresOf(symbol) ?? 1;
+export const metresOrOne = (symbol: string) => metresOf(symbol) ?? 1;
 
-export const rounded = (value: number) => roundedTo(value, DIGITS);
+export const roundedPlace = (value: number) => rounded(value, DIGITS);
 
 export const nameOf = ({ loop, point }: Spot) =>
   `Point ${point + 1} of ${loop ? `hole ${loop}` : 'the outline'}`;
@@ -77,7 +77,7 @@ export class DrawnPlan {
   #selected = signal<Spot>({ loop: 0, point: 0 });
 
   constructor(unit: string) {
-    const metre = 1 / metresOf(unit);
+    const metre = 1 / metresOrOne(unit);
     const last = lastPlan();
     this.unit = signal(unit);
     this.plan = signal<Plan>(last ? scaled(last, metre) : (firstPlan(metre) as Plan));
@@ -128,7 +128,7 @@ export class DrawnPlan {
 
   startOver() {
     this.remember();
-    this.#replace(firstPlan(1 / metresOf(this.unit.value)) as Plan);
+    this.#replace(firstPlan(1 / metresOrOne(this.unit.value)) as Plan);
   }
 
   /** Removes the selected point, unless its loop would have no area. */
@@ -145,7 +145,7 @@ export class DrawnPlan {
   /** Adds a point in the middle of the side that begins at the selected one. */
   insertPoint() {
     const { loop, point } = this.selected.value;
-    const at = this.now().side.middle.map(rounded) as Place;
+    const at = this.now().side.middle.map(roundedPlace) as Place;
     this.step((_, points, before) => {
       before.bulge = 0;
       points.splice(point + 1, 0, { at, bulge: 0, corner: false });
@@ -200,7 +200,7 @@ export class DrawnPlan {
   /** Converts the plan to another unit. */
   convert(unit: string) {
     if (unit === this.unit.value) return;
-    const factor = metresOf(this.unit.value) / metresOf(unit);
+    const factor = metresOrOne(this.unit.value) / metresOrOne(unit);
     this.unit.value = unit;
     this.steps.value = [];
     this.#replace(scaled(this.plan.value, factor));
@@ -231,7 +231,7 @@ export class DrawnPlan {
 
   /** Stores the plan as the start of the next one. */
   keep() {
-    setItem(LAST, JSON.stringify(scaled(this.plan.value, metresOf(this.unit.value))));
+    setItem(LAST, JSON.stringify(scaled(this.plan.value, metresOrOne(this.unit.value))));
   }
 
   #replace(plan: Plan) {

@@ -3,7 +3,7 @@
 import { useLayoutEffect, useMemo, useState } from 'preact/hooks';
 import { Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
-import { length, number } from '../../ui/words.ts';
+import { length, rounded } from '../../ui/words.ts';
 import { NewSpans } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 import type { Asked } from './trial.ts';
@@ -37,7 +37,7 @@ export function SpanForm({ open, ask }: { open: OpenMesh; ask: (asked: Asked) =>
   const longest = Math.max(0, ...curves.map((curve) => curve.length));
   const [isInside, setInside] = useState(curves.length < 2);
   const [chosen, setChosen] = useState({ first: '', second: '' });
-  const [size, setSize] = useState({ panel: Number(number(PANEL * longest)), problem: '' });
+  const [size, setSize] = useState({ panel: rounded(PANEL * longest, 3), problem: '' });
 
   const all = curves.map(
     ({ label, length: far }, i) => [String(i), `${label}, ${length(far, units)}`] as const,

@@ -4,15 +4,15 @@ import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/ho
 import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
-import { groupDigits, length, number } from '../../ui/words.ts';
+import { areaOf, groupDigits, length } from '../../ui/words.ts';
 import { Thumbnail } from './thumbnail.tsx';
 import type { Connectivity, SceneDocument, VariantRow } from '../../solver/types.ts';
 
 /** Headings and tooltips of the table. */
 const COLUMNS = [
   ['', ''],
-  ['Worst', 'The greatest distance of a vertex from what it is required to meet'],
-  ['Moved', 'The greatest distance from the original'],
+  ['Worst', 'The largest distance of a vertex from a required constraint'],
+  ['Moved', 'The largest distance from the original'],
   ['Area', 'Of all faces'],
   ['Beyond', 'Panels beyond the tolerance'],
 ];
@@ -114,7 +114,7 @@ function Numbers({ row, scene }: { row: VariantRow; scene: SceneDocument }) {
       <th scope="row">{name}</th>
       <td class="figure">{distance === null ? '–' : length(distance, units, tolerance)}</td>
       <td class="figure">{length(moved.max, units)}</td>
-      <td class="figure">{units ? `${number(area)} ${units}²` : number(area)}</td>
+      <td class="figure">{areaOf(area, units)}</td>
       <td class="figure">
         {panels > 0 ? `${groupDigits(beyond)} of ${groupDigits(panels)}` : '–'}
       </td>

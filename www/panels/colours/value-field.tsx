@@ -3,8 +3,8 @@
 import { useState } from 'preact/hooks';
 import type { ComponentProps } from 'preact';
 
-/** A decimal number, which `Number` reads, and nothing else that it reads. */
-const DECIMAL = /^[+-]?(\d+[.,]?\d*|[.,]\d+)(e[+-]?\d+)?$/i;
+/** A decimal number as it is typed or shown, with a minus sign or a hyphen. */
+const DECIMAL = /^[+−-]?(\d+[.,]?\d*|[.,]\d+)(e[+−-]?\d+)?$/i;
 
 export function ValueField({
   shown,
@@ -25,7 +25,7 @@ export function ValueField({
     const value = numberIn(input.value);
     if (value === undefined || (value === 0 && isPositive)) {
       const least = isPositive ? 'above' : 'from';
-      input.setCustomValidity(`“${input.value}” is no number ${least} 0.`);
+      input.setCustomValidity(`“${input.value}” is not a number ${least} 0.`);
       input.reportValidity();
       return;
     }
@@ -65,6 +65,8 @@ export function ValueField({
 function numberIn(text: string) {
   const trimmed = text.trim();
   if (trimmed === '') return null;
-  const value = DECIMAL.test(trimmed) ? Number(trimmed.replace(',', '.')) : NaN;
+  const value = DECIMAL.test(trimmed)
+    ? Number(trimmed.replace(',', '.').replaceAll('−', '-'))
+    : NaN;
   return value >= 0 && Number.isFinite(value) ? value : undefined;
 }
