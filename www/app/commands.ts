@@ -1,10 +1,11 @@
 /** Binds buttons (`data-command`) and keys to the commands of `command-table.ts`. */
 
+import { effect } from '@preact/signals';
 import { isEnabled, press } from '../store/press.ts';
 import { setText } from '../ui/dom.ts';
-import { chordOf, digitOf, isTyping, keyName, isSwitchedOff } from '../ui/keys.ts';
+import { chordOf, digitOf, isSwitchedOff, isTyping, keyInTitle } from '../ui/keys.ts';
 import type { Command } from './context.ts';
-import type { Store } from '../store/state.ts';
+import type { State, Store } from '../store/state.ts';
 
 export function bindButtons(commands: Command[], store: Store) {
   const byName = new Map(commands.map((command) => [command.id, command]));
@@ -13,12 +14,17 @@ export function bindButtons(commands: Command[], store: Store) {
     const command = byName.get(button.dataset.command ?? '');
     if (!command) throw new Error(`no command is called ${button.dataset.command}`);
     button.addEventListener('click', () => press(command, store));
-    const shortcut = command.keys.length > 0 ? ` (${keyName(command.keys[0])})` : '';
-    store.subscribe(store.steady, (state) => {
-      const title = (command.title ? command.title(state) : command.label) + shortcut;
+    const entitle = (state: State) => {
+      const words = command.title ? command.title(state) : command.label;
+      const title = words + keyInTitle(...command.keys);
       // Assign changes only: assigning the same value also invalidates styles and notifies
       // mutation observers.
       if (button.title !== title) button.title = title;
+    };
+    // Its key may be switched off.
+    effect(() => entitle(store.get()));
+    store.subscribe(store.steady, (state) => {
+      entitle(state);
       const disabled = !isEnabled(command, state);
       if (button.disabled !== disabled) button.disabled = disabled;
       const pressed = command.pressed ? String(command.pressed(state)) : null;

@@ -3,6 +3,7 @@
  * panels and scripts all go through here.
  */
 
+import { workingKey } from '../ui/keys.ts';
 import { count } from '../ui/words.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials, type ExactFound } from './trials.ts';
@@ -36,7 +37,7 @@ export function createActions(
     try {
       return await promise;
     } catch (error) {
-      if (!(error instanceof Cancelled)) alerts.error(messageOf(error));
+      if (!(error instanceof Cancelled)) alerts.error(withoutPath(error));
       return undefined;
     }
   }
@@ -107,7 +108,8 @@ export function createActions(
 
   async function addHandles(vertices: number[], fixed: boolean) {
     if (areHandlesLocked(store.get().document)) return setStatus(HANDLES_LOCKED);
-    if (vertices.length === 0) return setStatus('Select a vertex first, then press H.');
+    if (vertices.length === 0)
+      return setStatus(`Select a vertex first, then press ${workingKey('H') || 'Make handle'}.`);
     const { handles = [] } = store.get().document ?? {};
     const known = new Map(handles.map((handle) => [handle.vertex, handle.fixed]));
     // Handles of this kind keep their weights and targets.
@@ -224,7 +226,7 @@ export function createActions(
       const { document, numbers } = store.get();
       const done = (converged && numbers?.ended.converged) || 'One iteration';
       const isInexact = document?.constraints.some(isHard) && !numbers?.exact?.met;
-      setStatus(isInexact ? `${done}; Run meets what is required` : done);
+      setStatus(isInexact ? `${done}; press Run to satisfy what is required` : done);
     },
 
     /** Performs the local step, or the global step after it. */
@@ -275,7 +277,7 @@ export function createActions(
 }
 
 /** The message on a refused edit, without its place in a scene file, of which the page shows nothing. */
-function withoutPath(error: unknown) {
+export function withoutPath(error: unknown) {
   const message = messageOf(error);
   const path = error instanceof Error && 'path' in error ? `${String(error.path)}: ` : '';
   return path.length > 2 && message.startsWith(path) ? message.slice(path.length) : message;

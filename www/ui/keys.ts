@@ -1,5 +1,6 @@
 /** Keys: the chords of the table of commands, and their display names. */
 
+import { signal } from '@preact/signals';
 import { getItem, setItem } from './safe-storage.ts';
 
 /** Keys that activate a focused button or list. */
@@ -67,16 +68,33 @@ export function keyName(chord: string) {
 const KEY = 'shape-up.single-keys';
 
 /** Whether a chord of the table of commands is switched off. */
-export const isSwitchedOff = (chord: string) => !singleKeys.on && /^(Shift\+)?[^ ]$/u.test(chord);
+export const isSwitchedOff = (chord: string) =>
+  !singleKeys.on && /^(Shift\+|Numpad)?[^ ]$/u.test(chord);
+
+/** Returns the display name of the first of these chords that works; empty if none does. */
+export function workingKey(...chords: string[]) {
+  const chord = chords.find((one) => !isSwitchedOff(one));
+  return chord === undefined ? '' : keyName(chord);
+}
+
+/** Returns that name as the end of a title, in brackets. */
+export function keyInTitle(...chords: string[]) {
+  const key = workingKey(...chords);
+  return key && ` (${key})`;
+}
+
+const isOn = signal(getItem(KEY) !== 'off');
 
 /**
  * Switch for shortcuts of single printable keys, required by WCAG 2.1.4: users of speech input, or
- * with a tremor, trigger them by accident. The switch is in the help.
+ * with a tremor, trigger them by accident. The switch is in the help. What names a key follows it.
  */
 export const singleKeys = {
-  on: getItem(KEY) !== 'off',
+  get on() {
+    return isOn.value;
+  },
   set(on: boolean) {
-    singleKeys.on = on;
+    isOn.value = on;
     setItem(KEY, on ? 'on' : 'off');
   },
 };

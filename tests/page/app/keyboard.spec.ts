@@ -238,7 +238,7 @@ test('arrow keys move through the toolbar, which remembers its position', async 
 /** Everything that opens: the button, and the role and name of what it opens. */
 const OPENING = [
   ['Help', 'dialog', 'Mouse and keys'],
-  ['More formats', 'dialog', 'Export'],
+  ['More formats', 'dialog', 'More formats'],
   ['Share', 'dialog', 'Share'],
   ['Examples', 'menu', 'Examples'],
   ['Open recent', 'menu', 'Open recent'],
@@ -359,6 +359,15 @@ test('shortcuts without Ctrl can be switched off, which is remembered', async ({
     );
     await expect(selectTool).toHaveAttribute('aria-pressed', 'false');
     await expect(page.getByRole('dialog')).toBeHidden();
+    // No title names a key that does nothing.
+    await expect(page.locator('button[data-command="step"]')).toHaveAttribute(
+      'title',
+      'Step: one iteration',
+    );
+    await expect(page.getByRole('button', { name: 'Help' })).toHaveAttribute(
+      'title',
+      'Mouse and keys (F1)',
+    );
   };
   await isOff();
   await openBars(page);

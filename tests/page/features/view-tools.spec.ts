@@ -168,7 +168,7 @@ test('the ghost stays at the original, and the ground shows the scale', looks, a
   await addConstraint(page, 'Plane', 'each face');
   await runToTheEnd(page);
   await showStep(page, 'Check');
-  const ghost = page.getByLabel('Original ghost');
+  const ghost = page.getByLabel('Ghost of the original');
   await ghost.check();
   await page.getByLabel('Ground grid').check();
   await hidePanels(page);

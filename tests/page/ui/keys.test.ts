@@ -2,7 +2,14 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { chordOf, digitOf, keyName } from '../../../www/ui/keys.ts';
+import {
+  chordOf,
+  digitOf,
+  keyInTitle,
+  keyName,
+  singleKeys,
+  workingKey,
+} from '../../../www/ui/keys.ts';
 
 test('letter keys are identified by character, digit keys by position', () => {
   const press = (key: string, more: Partial<KeyboardEvent> = {}) => {
@@ -19,4 +26,21 @@ test('letter keys are identified by character, digit keys by position', () => {
   assert.equal(digitOf(press('Home', { code: 'Numpad7' })), '');
   assert.equal(keyName('Ctrl+Shift+Z'), 'Ctrl+Shift+Z');
   assert.equal(keyName(' '), 'Space');
+});
+
+test('a key that is switched off is not named', () => {
+  assert.equal(workingKey('?', 'F1'), '?');
+  assert.equal(keyInTitle('Shift+H', 'Delete'), ' (Shift+H)');
+  singleKeys.set(false);
+  try {
+    assert.equal(workingKey('?', 'F1'), 'F1');
+    assert.equal(workingKey('5', 'Numpad5'), '');
+    assert.deepEqual(
+      [' ', 'Ctrl+S', 'Home'].map((key) => workingKey(key)),
+      ['Space', 'Ctrl+S', 'Home'],
+    );
+    assert.equal(keyInTitle('H'), '');
+  } finally {
+    singleKeys.set(true);
+  }
 });

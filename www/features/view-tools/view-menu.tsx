@@ -12,7 +12,7 @@ import { Choice } from '../../ui/components/fields.tsx';
 import { MOUSE_NAMES } from '../../viewport/input/mouse.ts';
 import { placeMenu } from '../../ui/controls/navigation.ts';
 import { byId } from '../../ui/dom.ts';
-import { keyName } from '../../ui/keys.ts';
+import { isSwitchedOff, keyName, workingKey } from '../../ui/keys.ts';
 import { fly } from '../../viewport/camera.ts';
 import type { State } from '../../store/state.ts';
 
@@ -31,7 +31,7 @@ export function ViewMenu() {
         ))}
       </div>
       <Item id="parallel" label="Parallel projection" />
-      <Item id="ghost" label="Original ghost" />
+      <Item id="ghost" label="Ghost of the original" />
       <Item id="ground" label="Ground grid" />
       <Item id="tape" label="Measure a distance" closes />
       <Item id="section" label="Section plane" />
@@ -51,11 +51,15 @@ function Item({ id, label, closes = false }: { id: string; label: string; closes
   // What a command depends on is followed where it reads it.
   const state = store.state as State;
   const { keys, pressed } = command;
+  const key = workingKey(...keys);
   return (
     <button
       type="button"
       class={id}
-      title={keys.map(keyName).join(', ')}
+      title={keys
+        .filter((chord) => !isSwitchedOff(chord))
+        .map(keyName)
+        .join(', ')}
       aria-pressed={pressed?.(state)}
       disabled={!isEnabled(command, state)}
       onClick={() => {
@@ -64,7 +68,7 @@ function Item({ id, label, closes = false }: { id: string; label: string; closes
       }}
     >
       {label}
-      {pressed && keys[0] && <kbd>{keyName(keys[0])}</kbd>}
+      {pressed && key && <kbd>{key}</kbd>}
     </button>
   );
 }

@@ -4,6 +4,7 @@ import './handles.css';
 import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
+import { keyInTitle } from '../../ui/keys.ts';
 import { count } from '../../ui/words.ts';
 import { SelectedHandles } from './selected.tsx';
 import type { SceneDocument } from '../../solver/types.ts';
@@ -52,7 +53,7 @@ function Verbs() {
     <div class="handles-row">
       <button
         type="button"
-        title="Turn the selected vertices into handles (H)"
+        title={`Turn the selected vertices into handles${keyInTitle('H')}`}
         onClick={() => actions.holdSelected(false)}
       >
         Make handle
@@ -66,7 +67,7 @@ function Verbs() {
       </button>
       <button
         type="button"
-        title="Remove the selected handles (Shift+H)"
+        title={`Remove the selected handles${keyInTitle('Shift+H', 'Delete')}`}
         disabled={!hasHandle}
         onClick={() => actions.releaseSelected()}
       >

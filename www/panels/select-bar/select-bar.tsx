@@ -8,6 +8,7 @@ import { createRef } from 'preact';
 import { describe } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton, Icon } from '../../ui/components/buttons.tsx';
+import { keyInTitle, singleKeys } from '../../ui/keys.ts';
 import type { State } from '../../store/state.ts';
 
 const SHAPES: { id: State['shape']; label: string; key: string; title: string }[] = [
@@ -42,7 +43,7 @@ export function SelectBar() {
           <button
             key={id}
             type="button"
-            title={`${title} (${key})`}
+            title={title + keyInTitle(key)}
             aria-pressed={selects && id === shape}
             onClick={() => actions.useTool({ tool: 'select', shape: id })}
           >
@@ -54,7 +55,7 @@ export function SelectBar() {
       <button
         type="button"
         class="toggle"
-        title="Also select what the surface hides (T)"
+        title={`Also select what the surface hides${keyInTitle('T')}`}
         aria-pressed={through}
         hidden={!selects}
         onClick={() => actions.useTool({ through: !through })}
@@ -68,7 +69,7 @@ export function SelectBar() {
         max="120"
         step="2"
         aria-label="Brush radius"
-        title="Brush radius ([ and ])"
+        title={`Brush radius${singleKeys.on ? ' ([ and ])' : ''}`}
         aria-valuetext={`${brush} pixels`}
         value={brush}
         hidden={!selects || shape !== 'paint'}

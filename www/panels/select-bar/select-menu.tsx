@@ -10,7 +10,7 @@ import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { placeMenu } from '../../ui/controls/navigation.ts';
 import { count } from '../../ui/words.ts';
-import { keyName } from '../../ui/keys.ts';
+import { workingKey } from '../../ui/keys.ts';
 import { opener } from './select-bar.tsx';
 import { Heading, OperationForm, SaveForm } from './select-forms.tsx';
 import type { Operation } from '../../solver/types.ts';
@@ -87,7 +87,7 @@ function Operations(props: { close: () => void; ask: (operation: Operation) => v
                   {operation.label}
                   {operation.params.length > 0 && '…'}
                 </span>
-                {operation.keys.length > 0 && <kbd>{keyName(operation.keys[0])}</kbd>}
+                {workingKey(...operation.keys) && <kbd>{workingKey(...operation.keys)}</kbd>}
               </button>
             ))}
         </Fragment>

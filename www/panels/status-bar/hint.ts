@@ -3,7 +3,7 @@
 import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { nextStep } from '../../store/next-step.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
-import { CTRL } from '../../ui/keys.ts';
+import { CTRL, workingKey } from '../../ui/keys.ts';
 import type { State } from '../../store/state.ts';
 
 /** Hints for the Select tool, by shape of the drag. */
@@ -17,18 +17,22 @@ export function hintOf(state: Readonly<State>) {
   const next = nextStep(state);
   if (document.constraints.length === 0)
     return next === 'shape'
-      ? 'Next: choose what its panels become, or add another constraint'
+      ? 'Next: press Make panels …, or Add constraint'
       : 'Next: add a constraint to say what shape its parts should have';
   const isLocked = areHandlesLocked(document);
   if (!isLocked && document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
     return 'Drag the handle, an arrow or a square · Enter, then arrow keys, moves it';
   if (sizeOfSelection(selection) > 0) {
-    const makes = isLocked ? '' : 'H turns the selection into handles · ';
+    const key = isLocked ? '' : workingKey('H');
+    const makes = key && `${key} turns the selection into handles · `;
     return `${makes}Add constraint can use it · Esc clears the selection`;
   }
   if (renderer === 'none') return 'Run, Export and the steps work without the 3D view';
-  if (tool === 'select')
-    return `${SHAPES[shape]} over ${mode} · Shift adds, ${CTRL} removes · V goes back to Drag`;
+  if (tool === 'select') {
+    const key = workingKey('V');
+    const back = key && ` · ${key} goes back to Drag`;
+    return `${SHAPES[shape]} over ${mode} · Shift adds, ${CTRL} removes${back}`;
+  }
   if (next === 'choose' && state.verdict)
     return 'Next: see the verdict in the view · drag elsewhere to orbit';
   const { running, converged } = state;
