@@ -135,25 +135,20 @@ impl Element {
 
     /// The name on the page, in the singular.
     pub fn label(self) -> &'static str {
-        self.words()[0]
-    }
-
-    /// Singular and plural.
-    fn words(self) -> [&'static str; 2] {
         match self {
-            Element::Face => ["face", "faces"],
-            Element::Edge => ["edge", "edges"],
-            Element::Ring => ["vertex with its neighbours", "vertices with their neighbours"],
-            Element::Tet => ["tetrahedron", "tetrahedra"],
-            Element::Curve => ["curve", "curves"],
-            Element::Polyline => ["polyline of the file", "polylines of the file"],
-            Element::EdgeLine => ["straight line of edges", "straight lines of edges"],
-            Element::Boundary => ["boundary loop", "boundary loops"],
-            Element::Strip => ["strip of faces", "strips of faces"],
-            Element::Group => ["group", "groups"],
-            Element::Corner => ["corner of a face", "corners of faces"],
-            Element::Star => ["inner vertex", "inner vertices"],
-            Element::Hinge => ["edge between two triangles", "edges between triangles"],
+            Element::Face => "face",
+            Element::Edge => "edge",
+            Element::Ring => "vertex with its neighbours",
+            Element::Tet => "tetrahedron",
+            Element::Curve => "curve",
+            Element::Polyline => "polyline of the file",
+            Element::EdgeLine => "straight line of edges",
+            Element::Boundary => "boundary loop",
+            Element::Strip => "strip of faces",
+            Element::Group => "group",
+            Element::Corner => "corner of a face",
+            Element::Star => "inner vertex",
+            Element::Hinge => "edge between two triangles",
         }
     }
 }
@@ -193,23 +188,20 @@ impl fmt::Display for SelectError {
 
 impl std::error::Error for SelectError {}
 
-/// Describes a selector in words: "all faces", "each face of eaves", "12 vertices".
+/// Describes a selector in words: "each face", "each face of eaves", "12 vertices".
 pub fn describe(selector: &Selector) -> String {
     match selector {
         Selector::Each { element, within, radius } => {
-            let [one, many] = match element {
-                Element::Ring => ["vertex", "vertices"],
-                element => element.words(),
+            let one = match element {
+                Element::Ring => "vertex",
+                element => element.label(),
             };
-            let words = match within {
-                Some(name) => format!("each {one} of {name}"),
-                None => format!("all {many}"),
-            };
+            let of = within.as_ref().map(|name| format!(" of {name}")).unwrap_or_default();
             match (element, radius) {
-                (_, 0) => words,
-                (Element::Ring, 1) => words + " with neighbours",
-                (_, 1) => words + " with 1 ring of neighbours",
-                (_, radius) => words + &format!(" with {radius} rings of neighbours"),
+                (_, 0) => format!("each {one}{of}"),
+                (Element::Ring, 1) => format!("each {one}{of} with its neighbours"),
+                (_, 1) => format!("each {one}{of} with 1 ring of neighbours"),
+                (_, radius) => format!("each {one}{of} with {radius} rings of neighbours"),
             }
         }
         Selector::Set(name) => format!("the vertices of {name}"),

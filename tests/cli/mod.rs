@@ -14,7 +14,7 @@ mod remesh;
 mod written;
 
 use folder::{Folder, PLANES, ROOF, scene};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::Path;
 
 #[test]
@@ -219,18 +219,18 @@ fn elements_that_do_not_fit_a_kind_are_counted_and_named() {
         (out, report["constraints"][kind].clone(), report["skipped"].clone())
     };
     for (on, kind, fit, skipped, words) in [
-        ("\"faces\"", "square", 3, 1, "square on all faces: 1 of 4 skipped; it takes exactly 4"),
+        ("\"faces\"", "square", 3, 1, "square on each face: 1 of 4 skipped; it takes exactly 4"),
         // One strip along the row, of eight vertices, and three across.
-        ("\"strips\"", "square", 3, 1, "square on all strips of faces: 1 of 4 skipped"),
+        ("\"strips\"", "square", 3, 1, "square on each strip of faces: 1 of 4 skipped"),
         // Four ribs have two vertices, one of them the curve of the file; the two sides have five.
         (
             "\"curves\"",
             "circle",
             2,
             4,
-            "circle on all curves: 4 of 6 skipped; it takes 3 or more vertices",
+            "circle on each curve: 4 of 6 skipped; it takes 3 or more vertices",
         ),
-        ("\"rings\"", "square", 6, 3, "square on all vertices with neighbours: 3 of 9 skipped"),
+        ("\"rings\"", "square", 6, 3, "square on each vertex with its neighbours: 3 of 9 skipped"),
     ] {
         let (out, found, left_out) = solve(on, kind);
         assert_eq!((found, left_out), (fit.into(), skipped.into()), "{kind} on {on}: {out}");
@@ -398,8 +398,14 @@ fn operators_are_listed_with_their_parameters() {
             assert!(kind.get(key).is_some(), "{kind}");
         }
         for param in kind["params"].as_array().unwrap() {
-            assert_eq!(keys(param), ["default", "forms", "id", "label", "range", "unit"]);
+            let mut found = keys(param);
+            found.retain(|key| *key != "labels");
+            assert_eq!(found, ["default", "forms", "id", "label", "range", "unit"]);
             let forms = param["forms"].as_array().unwrap();
+            // Only words have names of their own on the page.
+            for named in param.get("labels").and_then(Value::as_array).into_iter().flatten() {
+                assert!(named[1].is_string() && forms.contains(&json!({ "word": named[0] })));
+            }
             assert!(forms.contains(&form_of(&param["default"])), "{param}");
             let shown = forms.iter().all(|form| match form {
                 Value::String(name) => ["number", "range", "vector", "nothing"].contains(&&**name),

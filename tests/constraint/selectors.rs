@@ -264,11 +264,11 @@ fn what_the_mesh_does_not_have_is_named() {
 #[test]
 fn selectors_are_described_in_words() {
     let cases = [
-        (each(Element::Face, None, 0), "all faces"),
+        (each(Element::Face, None, 0), "each face"),
         (each(Element::Face, Some("eaves"), 0), "each face of eaves"),
-        (each(Element::Face, None, 2), "all faces with 2 rings of neighbours"),
-        (each(Element::Ring, None, 1), "all vertices with neighbours"),
-        (each(Element::Strip, None, 0), "all strips of faces"),
+        (each(Element::Face, None, 2), "each face with 2 rings of neighbours"),
+        (each(Element::Ring, None, 1), "each vertex with its neighbours"),
+        (each(Element::Strip, None, 0), "each strip of faces"),
         (each(Element::Strip, Some("eaves"), 0), "each strip of faces of eaves"),
         (each(Element::Ring, Some("eaves"), 2), "each vertex of eaves with 2 rings of neighbours"),
         (Selector::Set("eaves".into()), "the vertices of eaves"),

@@ -57,9 +57,9 @@ fn the_errors_of_the_faces_are_those_of_the_report() {
     let most = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
     for (name, expected) in [
         ("Planarity (m)", report.planarity.max_distance),
-        ("Planarity: e_p", report.planarity.e_p_max),
+        ("Planarity: as in the paper", report.planarity.e_p_max),
         ("Circularity (m)", report.circularity.max_distance),
-        ("Circularity: e_c", report.circularity.e_c_max),
+        ("Circularity: as in the paper", report.circularity.e_c_max),
     ] {
         assert_eq!(most(&column(&csv, name)), expected, "{name}: to the last bit");
     }

@@ -50,7 +50,7 @@ impl Projection for Area {
         summary: "The three vertices keep the area of their triangle, or take a given value.",
         arity: Arity::Exactly(3),
         colour: [100, 140, 60],
-        params: &Target::params("area", "Area", "Times the rest area"),
+        params: &Target::params("area", "Area", "Times the original area"),
         ..Info::PLAIN
     };
 

@@ -37,13 +37,13 @@ impl Projection for Bending {
     const INFO: Info = Info {
         id: "bending",
         label: "Bending",
-        summary: "Two triangles with a common edge are flat, or bent as much as at rest.",
+        summary: "Two triangles with a common edge are flat, or bent as much as in the original.",
         arity: Arity::Exactly(4),
         elements: &[Element::Hinge],
         colour: [120, 100, 150],
         params: &[Param::limits(
             "bend",
-            "Times the bending at rest",
+            "Times the original bending",
             "",
             0.0,
             [0.0, f64::INFINITY],

@@ -33,7 +33,7 @@ impl Projection for LineSegment {
         paper: "3.3",
         arity: Arity::Exactly(2),
         colour: [150, 105, 20],
-        params: &Target::params("length", "Length", "Times the rest length"),
+        params: &Target::params("length", "Length", "Times the original length"),
         ..Info::PLAIN
     };
 

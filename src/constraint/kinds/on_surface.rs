@@ -40,7 +40,7 @@ impl Projection for OnSurface {
     const INFO: Info = Info {
         id: "on-surface",
         label: "On surface",
-        summary: "The vertices glide on the surface that the mesh has at rest.",
+        summary: "The vertices glide on the surface of the original.",
         arity: Arity::AtLeast(1),
         centring: Centring::Placed,
         colour: [70, 130, 70],

@@ -31,7 +31,7 @@ impl Projection for PlanarSimilar {
     const INFO: Info = Info {
         id: "planar-similar",
         label: "Planar similar",
-        summary: "The vertices lie in one plane and have the shape of the flattened rest vertices, at any size.",
+        summary: "The vertices lie in one plane and keep their original shape, flattened, at any size.",
         paper: "3.2, Eq. 7-8",
         arity: Arity::AtLeast(3),
         exact: false,

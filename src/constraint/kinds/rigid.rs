@@ -20,7 +20,7 @@ impl Projection for Rigid {
     const INFO: Info = Info {
         id: "rigid",
         label: "Rigid",
-        summary: "The vertices keep their rest shape and size, and may move and turn as one.",
+        summary: "The vertices keep their original shape and size, and may move and turn as one.",
         paper: "3.2",
         arity: Arity::AtLeast(2),
         colour: [44, 160, 80],

@@ -25,7 +25,7 @@ impl Projection for Similar {
     const INFO: Info = Info {
         id: "similar",
         label: "Similar",
-        summary: "The vertices keep their rest shape up to its size, and so all its angles.",
+        summary: "The vertices keep their original shape, and so all its angles; the size may change.",
         paper: "3.2",
         arity: Arity::AtLeast(2),
         colour: [0, 145, 160],
@@ -35,6 +35,7 @@ impl Projection for Similar {
             unit: "",
             default: ParamValue::Range([None, None]),
             forms: &[Form::Range, Form::Number],
+            labels: &[],
             range: [0.0, f64::INFINITY],
         }],
         ..Info::PLAIN

@@ -48,7 +48,7 @@ impl Projection for Volume {
         arity: Arity::Exactly(4),
         elements: &[Element::Tet],
         colour: [165, 80, 110],
-        params: &Target::params("volume", "Volume", "Times the rest volume"),
+        params: &Target::params("volume", "Volume", "Times the original volume"),
         ..Info::PLAIN
     };
 

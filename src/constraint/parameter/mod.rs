@@ -31,6 +31,10 @@ pub struct Param {
     pub default: ParamValue,
     /// The accepted forms, including that of the default.
     pub forms: &'static [Form],
+    /// Each word that has another name on the page, with that name.
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional))]
+    pub labels: &'static [(&'static str, &'static str)],
     /// Least and greatest number, which also bound the ends of a range. Infinity is null in JSON.
     pub range: [f64; 2],
 }
@@ -48,7 +52,7 @@ impl Param {
         range: [f64; 2],
     ) -> Param {
         let default = ParamValue::Number(default);
-        Param { id, label, unit, default, forms: &[Form::Number], range }
+        Param { id, label, unit, default, forms: &[Form::Number], labels: &[], range }
     }
 
     /// A number, or a lower and an upper limit, in a range.
@@ -71,14 +75,19 @@ impl Param {
         words: &'static [Form],
     ) -> Param {
         let default = ParamValue::Word(default);
-        Param { id, label, unit: "", default, forms: words, range: UNLIMITED }
+        Param { id, label, unit: "", default, forms: words, labels: &[], range: UNLIMITED }
+    }
+
+    /// The parameter, with other names for some of its words.
+    pub(crate) const fn called(self, labels: &'static [(&'static str, &'static str)]) -> Param {
+        Param { labels, ..self }
     }
 
     /// A direction, by default the best fit.
     pub(crate) const fn direction(id: &'static str, label: &'static str) -> Param {
         let forms = &[Form::Nothing, Form::Vector];
         let default = ParamValue::Nothing;
-        Param { id, label, unit: "", default, forms, range: UNLIMITED }
+        Param { id, label, unit: "", default, forms, labels: &[], range: UNLIMITED }
     }
 
     /// A radius, by default the best fit.
@@ -88,6 +97,7 @@ impl Param {
         unit: "length",
         default: ParamValue::Nothing,
         forms: &[Form::Nothing, Form::Number, Form::Range],
+        labels: &[],
         range: [0.0, f64::INFINITY],
     };
 }

@@ -33,6 +33,7 @@ impl Target {
                 unit,
                 default: ParamValue::Word(Target::REST),
                 forms: &[Form::Word(Target::REST), Form::Number, Form::Range],
+                labels: &[(Target::REST, "original")],
                 range: [0.0, f64::INFINITY],
             },
             Param::limits("strain", strain_label, "", 1.0, [0.0, f64::INFINITY]),

@@ -61,8 +61,9 @@ pub const SETTINGS: &[Setting] = &[
             "Stay near",
             "surface",
             const { &forms::<ClosenessTo, 4>() },
-        ),
-        summary: "Surface: vertices may glide along the original surface, or along its curves if the file has no faces. Rest: each stays near its original position. None: no closeness. Target: near another surface, read from a file.",
+        )
+        .called(&[("rest", "original position")]),
+        summary: "Surface: vertices may glide along the original surface, or along its curves if the file has no faces. Original position: each stays near it. None: no closeness. Target: near another surface, read from a file.",
         group: NEAR,
     },
     Setting {

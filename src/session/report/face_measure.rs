@@ -73,7 +73,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     },
     FaceMeasure {
         id: "diagonals-by-edge",
-        label: "Planarity: diagonals by edge",
+        label: "Planarity: diagonals relative to the edge",
         words: "distance between the diagonals of a quad, relative to its mean edge length",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
@@ -82,7 +82,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     },
     FaceMeasure {
         id: "planarity-by-edge",
-        label: "Planarity: by edge",
+        label: "Planarity: relative to the edge",
         words: "largest distance of a face’s corners to its best plane, relative to its mean edge length",
         met: "each panel is flat",
         unit: MeasureUnit::Percent,
@@ -101,7 +101,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     },
     FaceMeasure {
         id: "e-p",
-        label: "Planarity: e_p of the paper",
+        label: "Planarity: as in the paper",
         words: "mean squared distance of a face’s corners to its best plane, in a model of size 1",
         met: "each panel is flat",
         unit: MeasureUnit::Number,
@@ -120,7 +120,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
     },
     FaceMeasure {
         id: "e-c",
-        label: "Circularity: e_c of the paper",
+        label: "Circularity: as in the paper",
         words: "mean squared distance of a face’s corners to its best circle, in a model of size 1",
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Number,
@@ -131,7 +131,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         id: "residual",
         label: "Constraints",
         words: "largest distance of a face’s corners to the shapes of their constraints",
-        met: "each panel meets its constraints",
+        met: "each panel satisfies its constraints",
         unit: MeasureUnit::Length,
         toleranced: true,
         values: residuals,

@@ -67,6 +67,17 @@ const MEASURES: [Form; FACE_MEASURES.len()] = {
     words
 };
 
+/// The same with their names on the page.
+const MEASURE_LABELS: [(&str, &str); FACE_MEASURES.len()] = {
+    let mut labels = [("", ""); FACE_MEASURES.len()];
+    let mut i = 0;
+    while i < labels.len() {
+        labels[i] = (FACE_MEASURES[i].id, FACE_MEASURES[i].label);
+        i += 1;
+    }
+    labels
+};
+
 /// All selection operations, in the order in which hosts list them.
 pub const OPERATIONS: &[Operation] = &[
     Operation {
@@ -211,11 +222,11 @@ pub const OPERATIONS: &[Operation] = &[
     Operation {
         id: "error",
         label: "By error",
-        summary: "Faces whose error is above a tolerance, in the unit of that error.",
+        summary: "Faces whose error is above a tolerance.",
         group: FIND,
         modes: &[Mode::Faces],
         params: &[
-            Param::word("measure", "Error", "planarity", &MEASURES),
+            Param::word("measure", "Error", "planarity", &MEASURES).called(&MEASURE_LABELS),
             Param::number("tolerance", "Above", "", 0.001, [0.0, f64::INFINITY]),
         ],
         ..PLAIN

@@ -263,6 +263,12 @@ test('elements are selected by valence, number of sides and error; wrong input i
 
   await page.keyboard.press('3');
   await selectBy(page, 'By error…');
+  // Measures have their names, and what is typed has their unit.
+  const measure = menu.getByRole('combobox', { name: 'Error: kind of value' });
+  await measure.selectOption('Angle error');
+  await expect(menu.getByText('°', { exact: true })).toBeVisible();
+  await measure.selectOption('Planarity');
+  await expect(menu.getByText('°', { exact: true })).toBeHidden();
   await menu.getByRole('spinbutton', { name: 'Above' }).fill('-1');
   await menu.getByRole('button', { name: 'Find' }).click();
   await expect(menu.getByRole('spinbutton', { name: 'Above' })).toHaveAttribute('aria-invalid');

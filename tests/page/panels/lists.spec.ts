@@ -43,8 +43,8 @@ test('a constraint is renamed in its row, and the name is saved', async ({ page 
   await page.keyboard.type('Skylight');
   await page.keyboard.press('Enter');
   await expect.poll(name).toBe('Skylight');
-  await expect(row).toContainText('Plane, all faces');
-  const opener = row.getByRole('button', { name: /^Skylight on all faces: parameters/ });
+  await expect(row).toContainText('Plane, each face');
+  const opener = row.getByRole('button', { name: /^Skylight on each face: parameters/ });
   await expect(opener).toBeFocused();
 
   await opener.dblclick();
@@ -82,7 +82,7 @@ test('the worst elements are in a table that selects them, also by keyboard', as
 
   // Sorting by constraint gives the same order here; after the run no error is large.
   const choice = page.getByRole('combobox', { name: 'Worst by' });
-  await choice.selectOption({ label: 'Constraint: Plane on all faces' });
+  await choice.selectOption({ label: 'Constraint: Plane on each face' });
   await expect(first).toHaveText(`face ${face}`);
   const before = known((await state(page)).planarity).max_distance;
   await runToTheEnd(page);
@@ -145,7 +145,7 @@ test('a run reports that all is within tolerance, or the worst element and what 
   await within('50');
   await runToTheEnd(page);
   const verdict = page.getByRole('group', { name: 'Verdict' });
-  await expect(verdict).toContainText('All constraints are met within 50 mm. Moved ');
+  await expect(verdict).toContainText('All constraints are satisfied within 50 mm. Moved ');
   await expect(row).toContainText('within 50 mm');
   await page.getByRole('application', { name: '3D view' }).focus();
   await page.keyboard.press('Escape');
@@ -172,7 +172,7 @@ test('a run reports that all is within tolerance, or the worst element and what 
   await page.getByRole('button', { name: 'Reset' }).click();
   const before = await worst(page);
   await runToTheEnd(page);
-  await verdict.getByRole('button', { name: /^Release the handles: / }).click();
+  await verdict.getByRole('button', { name: /^Remove the handles: / }).click();
   await waitForState(page, (now) => now.handles.length === 0 && now.converged && !now.running);
   // During a run the numbers are updated a few times a second.
   await expect.poll(() => worst(page)).toBeLessThan(0.5 * before);

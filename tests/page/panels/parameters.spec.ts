@@ -28,7 +28,7 @@ async function openRow(page: Page) {
   return row;
 }
 
-const LENGTH = 'Line segment on all edges: Length';
+const LENGTH = 'Line segment on each edge: Length';
 
 test('a constraint is added with the parameters of the dialog', async ({ page }) => {
   await showStep(page, 'Shape');
@@ -77,7 +77,7 @@ test('a direction is chosen by its axis, and contradictory parameters are report
   await addConstraint(page, 'Plane', 'each face');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
   await row.getByRole('button', { name: /parameters/ }).click();
-  const normal = parameter(row, 'Plane on all faces: Normal');
+  const normal = parameter(row, 'Plane on each face: Normal');
   await normal.getByRole('combobox').selectOption('direction');
   await expect.poll(async () => (await constraint(page)).normal).toEqual([0, 0, 1]);
   await normal.getByRole('button', { name: 'along X' }).click();
@@ -87,7 +87,7 @@ test('a direction is chosen by its axis, and contradictory parameters are report
     'true',
   );
   await expect(row.getByText(/normal X/)).toBeVisible();
-  const along = parameter(row, 'Plane on all faces: Along');
+  const along = parameter(row, 'Plane on each face: Along');
   await along.getByRole('combobox').selectOption('direction');
   await expect(row.getByText(/both .normal. and .along./)).toBeVisible();
   await expect(along.getByRole('combobox')).toHaveValue('nothing');
@@ -152,7 +152,7 @@ test('an expression in a number field is refused with words, and changes nothing
   await page.keyboard.type('2*0.5');
   await expect(weight).toHaveValue('2');
   const words = await weight.evaluate((field: HTMLInputElement) => field.validationMessage);
-  expect(words).toBe('“*” is no part of a number. Write the result, such as 0.5.');
+  expect(words).toBe('“*” is not part of a number. Write the result, such as 0.5.');
   await page.keyboard.press('Enter');
   await expect(weight).toHaveValue('1');
   expect((await constraint(page))?.weight ?? 1).toBe(1);

@@ -5,9 +5,11 @@ import { useSignal } from '@preact/signals';
 import { verticesOf, type Combine } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
+import { writtenUnit } from '../../ui/words.ts';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
 import type { ComponentChildren } from 'preact';
+import type { State } from '../../store/state.ts';
 import type { Operation, ParamValue } from '../../solver/types.ts';
 
 export const Heading = ({ children }: { children: ComponentChildren }) => (
@@ -19,6 +21,17 @@ function useFocusedForm() {
   const form = useRef<HTMLFormElement>(null);
   useEffect(() => form.current?.querySelector<HTMLElement>('input, select, button')?.focus(), []);
   return form;
+}
+
+/** The symbol of the unit of the face measure that is chosen in a form; empty without one. */
+function unitOfMeasure({ measures, model }: Readonly<State>, values: Record<string, ParamValue>) {
+  const chosen = measures.find(({ id }) => Object.values(values).includes(id));
+  if (!chosen) return '';
+  // What is entered is a number of this unit, so lengths are in that of the mesh.
+  const units = model?.units ?? '';
+  if (chosen.unit === 'length') return units;
+  const { symbol, factor } = writtenUnit(chosen.unit, units, 1);
+  return factor === 1 ? symbol : '';
 }
 
 /** The parameters of an operation. */
@@ -59,6 +72,7 @@ export function OperationForm(props: { operation: Operation; close: () => void }
         params={params}
         values={values.value}
         model={store.state.model}
+        unit={unitOfMeasure(store.state, values.value)}
         refusal={refusal}
         onValue={(id, value) => {
           forget();

@@ -1,5 +1,5 @@
 /**
- * What is typed into a number field and is no part of a number. Browsers leave such characters out
+ * What is typed into a number field and is not part of a number. Browsers leave such characters out
  * without a word, so that `2*0.5` became 20.5: here they are refused with words, with all that
  * follows, until the field is edited otherwise or left.
  */
@@ -26,7 +26,7 @@ export function refuseExpressions() {
     if (field === refused) return;
     accept();
     refused = field;
-    field.setCustomValidity(`“${text}” is no part of a number. Write the result, such as 0.5.`);
+    field.setCustomValidity(`“${text}” is not part of a number. Write the result, such as 0.5.`);
     field.reportValidity();
   });
   document.addEventListener('keydown', ({ key, ctrlKey, metaKey }) => {

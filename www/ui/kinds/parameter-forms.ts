@@ -1,6 +1,6 @@
 /** The forms of parameter values: keys, labels, conversion between forms, and values in words. */
 
-import { brief, number, rounded as roundedTo } from '../words.ts';
+import { brief, number, numberIn, rounded } from '../words.ts';
 import type { Form, ParamInfo, ParamValue } from '../../solver/types.ts';
 
 /** The part of the model that the controls use. */
@@ -42,8 +42,13 @@ export function keyOfValue(value: ParamValue) {
   return value.length === 2 ? 'range' : 'vector';
 }
 
-export function labelOf(form: Form) {
-  return typeof form === 'string' ? FORM_LABELS[form] : form.word;
+/** Returns the name of a word of a parameter. */
+const wordLabel = ({ labels = [] }: ParamInfo, word: string) =>
+  labels.find(([one]) => one === word)?.[1] ?? word;
+
+/** Returns the label of a form of a parameter. */
+export function labelOf(param: ParamInfo, form: Form) {
+  return typeof form === 'string' ? FORM_LABELS[form] : wordLabel(param, form.word);
 }
 
 export function unitOf({ unit }: ParamInfo, units: string) {
@@ -53,7 +58,7 @@ export function unitOf({ unit }: ParamInfo, units: string) {
 }
 
 /** Rounds an initial number to two digits. */
-const rounded = (value: number) => roundedTo(value, 2);
+const roundedUsual = (value: number) => rounded(value, 2);
 
 function inRange({ range: [least, greatest] }: ParamInfo, value: number) {
   return Math.min(Math.max(value, least), greatest ?? Infinity);
@@ -65,7 +70,7 @@ function usual(param: ParamInfo, { meanEdge }: Model) {
   const [least, greatest] = param.range;
   const middle = Number.isFinite(greatest) ? (least + greatest) / 2 : 90;
   const byUnit = { length: edge, area: edge ** 2, volume: edge ** 3, degrees: middle, '': 1 };
-  return inRange(param, rounded(byUnit[param.unit]));
+  return inRange(param, roundedUsual(byUnit[param.unit]));
 }
 
 /** Converts a value to another form of the parameter. */
@@ -78,7 +83,7 @@ export function converted(
   const [low, high] = Array.isArray(before) && before.length === 2 ? before : [null, null];
   switch (form) {
     case 'number':
-      if (low !== null && high !== null) return rounded((low + high) / 2);
+      if (low !== null && high !== null) return roundedUsual((low + high) / 2);
       return (
         low ?? high ?? (typeof param.default === 'number' ? param.default : usual(param, model))
       );
@@ -86,7 +91,7 @@ export function converted(
       if (keyOfValue(param.default) === 'range') return param.default;
       const middle = typeof before === 'number' ? before : usual(param, model);
       const ends = middle === 0 ? [0, usual(param, model)] : [0.9 * middle, 1.1 * middle];
-      const [from, to] = ends.map((end) => inRange(param, roundedTo(end, 3)));
+      const [from, to] = ends.map((end) => inRange(param, rounded(end, 3)));
       return from < to ? [from, to] : [to, from];
     }
     case 'vector':
@@ -105,14 +110,13 @@ export function axis(name: string): [number, number, number] {
 /** Formats a value with its unit. */
 export function valueInWords(param: ParamInfo, value: ParamValue, units: string) {
   const unit = unitOf(param, units);
-  const amount = (one: number) =>
-    unit === '°' ? `${number(one)}°` : `${number(one)} ${unit}`.trim();
+  const amount = (one: number) => numberIn(one, unit);
   if (value === null) return FORM_LABELS.nothing;
-  if (typeof value === 'string') return value;
+  if (typeof value === 'string') return wordLabel(param, value);
   if (typeof value === 'number') return amount(value);
   if (value.length === 3) {
     const named = AXES.find((name) => axis(name).every((part, i) => part === value[i]));
-    return named?.toUpperCase() ?? value.map((part) => brief(rounded(part))).join(', ');
+    return named?.toUpperCase() ?? value.map((part) => brief(roundedUsual(part))).join(', ');
   }
   const [from, to] = value;
   if (from === null && to === null) return 'any';

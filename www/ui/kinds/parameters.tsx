@@ -26,6 +26,7 @@ export function Parameters({
   values,
   model,
   name = '',
+  unit = '',
   refusal = null,
   onValue,
 }: {
@@ -35,6 +36,8 @@ export function Parameters({
   model: Model | null;
   /** prefixes the accessible names of the controls */
   name?: string;
+  /** the symbol of numbers that declare no unit of their own */
+  unit?: string;
   /** shown at its parameter until that is edited */
   refusal?: Refusal | null;
   /** called with a value that is entered, unless a field of it is invalid */
@@ -51,6 +54,7 @@ export function Parameters({
           name={`${prefix}${param.label}`}
           value={param.id in values ? values[param.id] : param.default}
           model={model ?? NO_MODEL}
+          usualUnit={unit}
           refusal={refusal?.id === param.id ? refusal : null}
           onValue={(value) => onValue(param.id, value)}
         />
@@ -91,9 +95,10 @@ function Parameter({
   name,
   value,
   model,
+  usualUnit,
   refusal,
   onValue,
-}: Of & { model: Model; refusal: Refusal | null }) {
+}: Of & { model: Model; usualUnit: string; refusal: Refusal | null }) {
   const [{ texts, problems }, setTyped] = useState(NOTHING);
   /** The refusal after which a field was edited. */
   const [settled, setSettled] = useState<Refusal | null>(null);
@@ -102,7 +107,7 @@ function Parameter({
   const key = keyOfValue(value);
   const numbers = Array.isArray(value) ? value : typeof value === 'number' ? [value] : [];
   const isVector = key === 'vector';
-  const unit = isVector || numbers.length === 0 ? '' : unitOf(param, model.units);
+  const unit = isVector || numbers.length === 0 ? '' : unitOf(param, model.units) || usualUnit;
   const error = `error-${name.replace(/\W+/g, '-')}`;
 
   const wrong = problems.findIndex(Boolean);
@@ -138,7 +143,7 @@ function Parameter({
         <Choice
           aria-label={`${name}: kind of value`}
           value={key}
-          options={param.forms.map((form) => [keyOf(form), labelOf(form)] as const)}
+          options={param.forms.map((form) => [keyOf(form), labelOf(param, form)] as const)}
           onChoose={(chosen) => {
             const form = param.forms.find((one) => keyOf(one) === chosen);
             setSettled(refusal);
