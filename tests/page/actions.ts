@@ -106,7 +106,7 @@ export async function saved(page: Page, name: string) {
 /** Exports in the given format and returns the saved file. */
 export async function exported(page: Page, format: string) {
   await tool(page, 'More formats');
-  const dialog = page.getByRole('dialog', { name: 'Export' });
+  const dialog = page.getByRole('dialog', { name: 'More formats' });
   const file = await downloaded(page, () =>
     dialog.getByRole('button', { name: new RegExp(`^${format}`) }).click(),
   );

@@ -6,7 +6,8 @@ import type { BuildReport } from '../../www/solver/types.ts';
 import { showStep } from './actions.ts';
 import { expect, waitForState, type PageState } from './support.ts';
 
-export const partsPanel = (page: Page) => page.getByRole('region', { name: 'Parts and sheets' });
+export const partsPanel = (page: Page) =>
+  page.getByRole('region', { name: 'Build: parts and sheets' });
 
 /** The report in a state of the page with parts. */
 export function reportOf({ build }: PageState): BuildReport {

@@ -115,7 +115,7 @@ export const walks: Record<string, State[]> = {
       only: 'desktop',
       reach: async (page) => {
         await tool(page, 'More formats');
-        await expect(page.getByRole('dialog', { name: 'Export' })).toBeVisible();
+        await expect(page.getByRole('dialog', { name: 'More formats' })).toBeVisible();
       },
       leave: escape,
     },
@@ -260,7 +260,7 @@ export const walks: Record<string, State[]> = {
         await waitForState(page, (now) => now.renderer.startsWith('web'));
         const soft = await softHandle(page);
         await dragVertex(page, soft, [10, -20]);
-        await expect(page.getByText('Press Reset to see the original')).toBeVisible();
+        await expect(page.getByText('Press Reset to go back to the original')).toBeVisible();
       },
     },
     {
@@ -400,7 +400,7 @@ export const walks: Record<string, State[]> = {
       only: 'phone',
       reach: async (page) => {
         await openExample(page, 'Lesson: a glass roof');
-        await expect(page.getByRole('button', { name: /goals met/ })).toBeVisible();
+        await expect(page.getByRole('button', { name: /goals satisfied/ })).toBeVisible();
       },
     },
     {
@@ -420,7 +420,7 @@ export const walks: Record<string, State[]> = {
         await runToTheEnd(page);
         await showStep(page, 'Open');
         const lesson = page.getByRole('region', { name: 'Lesson' });
-        await expect(lesson).toContainText('0 of 2 goals met');
+        await expect(lesson).toContainText('0 of 2 goals satisfied');
       },
     },
     {
@@ -437,7 +437,7 @@ export const walks: Record<string, State[]> = {
           await runToTheEnd(page);
         }
         const lesson = page.getByRole('region', { name: 'Lesson' });
-        await expect(lesson).toContainText('Passed: 2 goals met');
+        await expect(lesson).toContainText('Passed: 2 goals satisfied');
       },
     },
   ],

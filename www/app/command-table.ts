@@ -104,12 +104,12 @@ export function commandTable(
       title: ({ running }) =>
         running
           ? 'Pause the iteration'
-          : 'Move the mesh until the constraints are met as well as the weights allow',
+          : 'Move the mesh until the constraints are satisfied as well as the weights allow',
     },
     {
       id: 'step',
       group: 'Solver',
-      label: 'One iteration',
+      label: 'Step: one iteration',
       keys: ['.'],
       action: actions.step,
       needsModel: true,
@@ -117,7 +117,7 @@ export function commandTable(
     {
       id: 'half-step',
       group: 'Solver',
-      label: 'Half an iteration: the local step, then the global step',
+      label: 'Half step: the local step, then the global step',
       keys: [','],
       action: actions.halfStep,
       needsModel: true,
@@ -126,7 +126,7 @@ export function commandTable(
     {
       id: 'reset',
       group: 'Solver',
-      label: 'Back to the original',
+      label: 'Reset: back to the original',
       keys: ['Shift+R'],
       action: actions.reset,
       needsModel: true,
@@ -281,7 +281,7 @@ export function commandTable(
     {
       id: 'build',
       group: 'File',
-      label: 'Parts on sheets',
+      label: 'Build: parts on sheets',
       keys: [],
       action: docks('parts'),
       needsModel: true,

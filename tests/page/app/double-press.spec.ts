@@ -10,7 +10,7 @@ const N = 4;
 const DIALOGS = [
   ['button', 'Present', 'Presentation'],
   ['button', 'Share', 'Share'],
-  ['button', 'More formats', 'Export'],
+  ['button', 'More formats', 'More formats'],
   ['button', 'Write a lesson', 'Lesson'],
   ['button', 'Refine', 'Refine'],
   ['button', 'Edit mesh', 'Edit mesh'],

@@ -85,7 +85,7 @@ test('the button of the suggested next step is the filled one', async ({ page })
   await expect.poll(next).toBe('run');
   await openText(page, 'roof.obj', wavyGrid(6), 49);
   await expect.poll(next).toBe('shape');
-  await expect(page.getByText('Next: choose what its panels become')).toBeVisible();
+  await expect(page.getByText('Next: press Make panels …')).toBeVisible();
   const press = page.getByRole('button', { name: 'Make panels flat' });
   await press.click();
   await waitForState(page, (now) => now.converged && !now.running);

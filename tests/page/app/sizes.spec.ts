@@ -101,7 +101,7 @@ for (const opened of [false, true])
       await page.getByRole('button', { name: 'Make panels flat' }).click();
       await waitForState(page, (now) => now.converged && !now.running);
       await page.getByRole('button', { name: 'Build', exact: true }).click();
-      const parts = page.getByRole('region', { name: 'Parts and sheets' });
+      const parts = page.getByRole('region', { name: 'Build: parts and sheets' });
       await expect(parts).toBeVisible();
       await waitForState(page, (now) => now.build !== null);
       const { x, y, width, height } = await boxOf(parts);
@@ -175,7 +175,7 @@ test.describe('a phone in landscape', () => {
       expect(Math.max(...ends), name).toBeLessThanOrEqual(ON_ITS_SIDE.width);
     }
     await page.getByRole('button', { name: 'Build', exact: true }).click();
-    const parts = page.getByRole('region', { name: 'Parts and sheets' });
+    const parts = page.getByRole('region', { name: 'Build: parts and sheets' });
     await expect(parts).toBeVisible();
     const [one, other] = [await boxOf(parts), await boxOf(view(page))];
     expect(overlap(one, other)).toBe(false);

@@ -32,7 +32,7 @@ for (const [width, height] of [
     await expect(page.getByRole('button', { name: 'Something else' })).toBeVisible();
     expect(await cutOff(page)).toEqual([]);
     await page.evaluate(() => document.getElementById('build-button')?.click());
-    await expect(page.getByRole('region', { name: 'Parts and sheets' })).toBeVisible();
+    await expect(page.getByRole('region', { name: 'Build: parts and sheets' })).toBeVisible();
     await expect(page.getByRole('button', { name: 'Close parts and sheets' })).toBeVisible();
     expect(await cutOff(page)).toEqual([]);
   });

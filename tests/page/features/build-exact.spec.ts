@@ -108,7 +108,7 @@ test('panels made circular and then exact are the outlines in the saved drawings
   await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await waitForState(page, (now) => now.build !== null);
-  const parts = page.getByRole('region', { name: 'Parts and sheets' });
+  const parts = page.getByRole('region', { name: 'Build: parts and sheets' });
   await parts.getByLabel('Sheet width, mm').fill('60');
   await parts.getByLabel('Sheet width, mm').press('Tab');
   const { build } = await waitForState(page, (now) => now.build?.sheet_mm[0] === 60);

@@ -80,7 +80,7 @@ test('the exported tables equal the report of the command line', async ({ page }
 test('formats are grouped by purpose, and cut sheets lead to Build', async ({ page }) => {
   await openPage(page);
   await tool(page, 'More formats');
-  const dialog = page.getByRole('dialog', { name: 'Export' });
+  const dialog = page.getByRole('dialog', { name: 'More formats' });
   await expect(dialog.getByRole('heading', { level: 3 })).toHaveText([
     'Back to Rhino',
     'Other programs',
@@ -90,7 +90,7 @@ test('formats are grouped by purpose, and cut sheets lead to Build', async ({ pa
   ]);
   await dialog.getByRole('button', { name: /^Build/ }).click();
   await expect(dialog).toBeHidden();
-  await expect(page.getByRole('heading', { name: 'Parts and sheets' })).toBeVisible();
+  await expect(page.getByRole('heading', { name: 'Build: parts and sheets' })).toBeVisible();
 });
 
 test('the exported scene equals that of Save scene', async ({ page }) => {
@@ -136,7 +136,7 @@ test('a picture has the chosen size, legend and background', looks, async ({ pag
     [4, true, 'white'],
   ] as const) {
     await tool(page, 'More formats');
-    const dialog = page.getByRole('dialog', { name: 'Export' });
+    const dialog = page.getByRole('dialog', { name: 'More formats' });
     await dialog.getByRole('radio', { name: `${scale}×` }).check();
     await dialog.getByLabel('Legend').setChecked(legend);
     await dialog.getByRole('combobox', { name: 'Background' }).selectOption(ground);
@@ -192,7 +192,7 @@ test('a picture on white leaves the view in the dark theme', looks, async ({ pag
   await waitForState(page, (now) => now.renderer.startsWith('web'));
   const before = await middleOfPicture(page);
   await tool(page, 'More formats');
-  const dialog = page.getByRole('dialog', { name: 'Export' });
+  const dialog = page.getByRole('dialog', { name: 'More formats' });
   await dialog.getByRole('combobox', { name: 'Background' }).selectOption('white');
   await page.keyboard.press('Escape');
   await exported(page, 'PNG');

@@ -46,7 +46,7 @@ test('what is docked is not shown to the audience', async ({ page }) => {
   await makeSteps(page);
   await dialogOf(page).getByRole('button', { name: 'Close' }).click();
   await page.getByRole('button', { name: 'Build', exact: true }).click();
-  const docked = page.getByRole('region', { name: 'Parts and sheets' });
+  const docked = page.getByRole('region', { name: 'Build: parts and sheets' });
   await expect(docked).toBeVisible();
   await openSteps(page);
   await dialogOf(page).getByRole('button', { name: 'Start', exact: true }).click();

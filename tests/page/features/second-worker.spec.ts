@@ -26,7 +26,7 @@ test('while parts are made, edits are answered; making them can be cancelled and
 
   await work.getByRole('button', { name: 'Cancel' }).click();
   await expect(work).toBeHidden();
-  const panel = page.getByRole('region', { name: 'Parts and sheets' });
+  const panel = page.getByRole('region', { name: 'Build: parts and sheets' });
   await expect(panel.getByText('Cancelled.')).toBeVisible();
   await expect(page.getByRole('alert')).toBeEmpty();
   await panel.getByRole('button', { name: 'Close parts and sheets' }).click();

@@ -41,7 +41,7 @@ test('a Rhino file is written at the next press', async ({ page, complaints }) =
   const part = '**/rhino-worker-*.js';
   await page.route(part, (route) => route.abort());
   await tool(page, 'More formats');
-  const dialog = page.getByRole('dialog', { name: 'Export' });
+  const dialog = page.getByRole('dialog', { name: 'More formats' });
   const format = dialog.getByRole('button', { name: /^3DM/ });
   await format.click();
   await expect(dialog).toContainText('The .3dm converter could not be loaded. Check the network.');

@@ -48,7 +48,7 @@ test.describe('in one document', () => {
     await showStep(page, 'Shape');
     await page.getByRole('button', { name: 'Build', exact: true }).click();
     await waitForState(page, (now) => now.build !== null);
-    const panel = page.getByRole('region', { name: 'Parts and sheets' });
+    const panel = page.getByRole('region', { name: 'Build: parts and sheets' });
     const save = panel.getByRole('button', { name: 'Save drawings and tables' });
     const before = filesOf((await downloaded(page, () => save.click())).bytes);
     const scale = panel.getByLabel('Scale 1 :');

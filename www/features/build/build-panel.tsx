@@ -68,7 +68,7 @@ function Panel() {
   );
   const warnings = refused ? [refused] : (built?.words.warnings ?? []);
   return (
-    <Docked of="parts" title="Parts and sheets" head={head}>
+    <Docked of="parts" title="Build: parts and sheets" head={head}>
       {offers && hadDocument.current && (
         <div class="docked-columns parts-columns">
           <Settings parts={parts} offers={offers} />

@@ -1,4 +1,4 @@
-/** The Export dialog: the file formats, grouped by purpose. */
+/** The dialog More formats: the file formats, grouped by purpose. */
 
 import { signal } from '@preact/signals';
 import { useState } from 'preact/hooks';
@@ -36,7 +36,7 @@ const picture = signal<{ scale: number; legend: boolean; ground: Ground }>({
 });
 
 export function showExport(app: AppContext) {
-  showDialog(app, { id: 'export', title: 'Export', light: true }, ExportDialog);
+  showDialog(app, { id: 'export', title: 'More formats', light: true }, ExportDialog);
 }
 
 function ExportDialog({ close }: InDialog) {
