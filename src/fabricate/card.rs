@@ -130,7 +130,7 @@ impl Build {
                         words::degrees(worst)
                     )
                 } else if closing.eigenvalues[0] > ZERO {
-                    "the axes do not close around the handles of the surface".to_owned()
+                    "the axes do not close around the openings through the surface, as in a ring".to_owned()
                 } else {
                     LEAN.to_owned()
                 }
@@ -139,7 +139,7 @@ impl Build {
                 let tolerance = self.exact_tolerance();
                 let bent = |flat: &FlatPanel| flat.flatness > FLAT * tolerance;
                 if !can_be_exact(&self.surface, kind, self.distance(), tolerance) {
-                    "around some vertex, the planes at this distance from the panels do not meet in one point".to_owned()
+                    "around some vertex, the panels moved by this distance do not meet in one point".to_owned()
                 } else if self.flat.iter().flatten().any(bent) {
                     "the panels are not flat".to_owned()
                 } else {
@@ -147,7 +147,7 @@ impl Build {
                 }
             }
             OffsetKind::Edge => {
-                "the shape is not parallel to one whose edges touch a sphere".to_owned()
+                "only a mesh whose edges are parallel to those of a mesh around a sphere allows this".to_owned()
             }
         }
     }
@@ -182,13 +182,13 @@ mod tests {
     }
 
     #[test]
-    fn handles_are_the_reason_where_axes_close_around_panels_and_rims_and_not_on_the_whole() {
+    fn openings_are_the_reason_where_axes_close_around_panels_and_rims_and_not_on_the_whole() {
         let build = one_panel();
         let why = |least: f64| {
             let eigenvalues = [least, 0.1, 0.2];
             build.why_not(OffsetKind::Corner, &Closing { eigenvalues, ..Closing::default() })
         };
-        assert!(why(0.01).contains("handles of the surface"), "{}", why(0.01));
+        assert!(why(0.01).contains("openings through the surface"), "{}", why(0.01));
         assert!(why(1e-12).contains("lean"), "{}", why(1e-12));
     }
 }

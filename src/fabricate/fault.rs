@@ -33,7 +33,7 @@ impl Fault {
     /// A corner whose position is not in the file.
     pub(super) fn unplaced(vertex: u32) -> Fault {
         Fault(format!(
-            "a coordinate of vertex {vertex} in the file is no number, and where the vertex is now is a guess: nothing is built of it. Mend the file, or delete the faces at the vertex"
+            "a coordinate of vertex {vertex} in the file is not a number, and where the vertex is now is a guess: nothing is built of it. Correct the file, or delete the faces at the vertex"
         ))
     }
 
@@ -53,7 +53,7 @@ impl Fault {
     /// A closed surface whose panels face inwards.
     pub(super) fn inside_out() -> Fault {
         Fault(
-            "the surface is closed and its panels face inwards, so what is called outside here is its inside: flip all faces"
+            "the surface is closed and its panels face inwards, so what is called outside here is its inside: apply Flip faces, in Edit mesh"
                 .to_owned(),
         )
     }

@@ -51,11 +51,11 @@ impl Build {
         }
         suggestions.extend(flatness.map(|flatness| suggestion("plane", flatness)));
         let otherwise = if of_offset.is_some() && !corners {
-            "Let corners keep the distance: circular panels then make the offset exact."
+            "Set Measured at to Corners: circular panels then make the offset exact."
         } else if missed("safe_distance").is_some() {
-            "A smaller distance keeps edges from flipping."
+            "Reduce Distance: then no edge flips."
         } else if missed("lean").is_some() {
-            "Axes that follow the surface more closely lean less."
+            "Increase Upright axes: the axes then lean less."
         } else if rows.iter().all(|row| row.met != Some(false)) {
             "Every number is within its limit."
         } else {

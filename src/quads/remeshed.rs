@@ -145,12 +145,13 @@ fn not_followed(
         return None;
     }
     let follows = parts.iter().map(|part| follows(part, &places)).fold(0.7 * size, f64::min);
-    let count = match places.len() {
-        1 => "1 place is".to_owned(),
-        count => format!("{} places are", words::group_digits(count)),
+    let (count, them) = match places.len() {
+        1 => ("1 place is".to_owned(), "it"),
+        count => (format!("{} places are", words::group_digits(count)), "them"),
     };
     let follows = words::rough_length(follows, units);
-    let words = format!("{count} smaller than a panel: {follows} or less follows them");
+    let words =
+        format!("{count} smaller than a panel: to follow {them}, set Side to {follows} or less");
     Some(RemeshNote { words, places })
 }
 

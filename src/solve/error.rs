@@ -31,7 +31,7 @@ impl fmt::Display for SolveError {
         match self {
             SolveError::NotPositiveDefinite { vertex } => write!(
                 f,
-                "the system is singular at vertex {vertex}: its weights are too small compared with the others"
+                "vertex {vertex} is not held by anything strong enough: raise its weights, or add a handle there"
             ),
             SolveError::NoArea { vertex } => {
                 write!(f, "the part with vertex {vertex} has almost no area, expected a surface")

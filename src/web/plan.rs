@@ -33,7 +33,7 @@ pub fn new_plan(plan: Js<Plan>, units: &str) -> Result<Js<NewPlan>, JsValue> {
 }
 
 fn refused(why: &PlanError) -> JsValue {
-    let error = thrown(why);
+    let error = thrown(format_args!("{why:#}"));
     if let PlanError::Crossing(sides) = why {
         let numbers = sides.map(|side| [side.hole.map_or(0, |hole| hole + 1), side.point]);
         let numbers: js_sys::Array =

@@ -30,5 +30,5 @@ fn what_it_does_not_take_is_said() {
         assert!(failed.err.contains(expected), "{}", failed.err);
     }
     let failed = folder.run(&["edit", "flat.obj", "delete"]);
-    assert!(failed.err.contains("flat.obj: expected selected faces"), "{}", failed.err);
+    assert!(failed.err.contains("flat.obj: this needs selected faces"), "{}", failed.err);
 }

@@ -80,7 +80,7 @@ fn nothing_is_built_of_a_coordinate_that_is_no_number() {
     folder.write("roof.obj", BROKEN);
     let out = folder.run(&["check", "roof.obj"]).done();
     assert!(out.contains("1 vertex with a coordinate that is not a number"), "{out}");
-    let why = "a coordinate of vertex 2 in the file is no number";
+    let why = "a coordinate of vertex 2 in the file is not a number";
     folder.run(&["build", "roof.obj", "--out", "parts"]).refused(&[why, "nothing is built"]);
     // Nor of what is made of the mesh, in a scene or not; but without its faces.
     for (scene, made) in [
@@ -90,7 +90,7 @@ fn nothing_is_built_of_a_coordinate_that_is_no_number() {
         ("d.json", &["edit", "roof.obj", "delete", "--faces", "2"]),
     ] {
         folder.run(&[made, &["--out", scene]].concat()).done();
-        folder.run(&["build", scene]).refused(&["in the file is no number"]);
+        folder.run(&["build", scene]).refused(&["in the file is not a number"]);
     }
     folder.run(&["edit", "roof.obj", "delete", "--faces", "0", "--out", "whole.json"]).done();
     folder.run(&["build", "whole.json"]).done();

@@ -9,7 +9,7 @@ fn what_cannot_be_done_is_said() {
     let sentence = |found: Result<Edited, OperationError>| found.unwrap_err().to_string();
     let nothing = Picked::default();
     assert_eq!(sentence(apply(&mesh, "iron", None, &nothing)), "there is no operation `iron`");
-    assert_eq!(sentence(apply(&mesh, "delete", None, &nothing)), "expected selected faces");
+    assert_eq!(sentence(apply(&mesh, "delete", None, &nothing)), "this needs selected faces");
     assert_eq!(sentence(apply(&mesh, "dual", Some(&[]), &nothing)), "expected 1 sizes, found 0");
     assert_eq!(
         sentence(apply(&mesh, "dual", Some(&[200.0]), &nothing)),
@@ -48,7 +48,7 @@ fn the_reason_is_the_one_that_holds() {
     assert!(said.contains("touch at a vertex") && !said.contains("orientation"), "{said}");
     let mut turned = flat(2, 1);
     turned.faces = [[0, 1, 4, 3], [1, 4, 5, 2]].into_iter().collect();
-    assert!(sentence(&turned, "dual", None, &[]).contains("unify the orientation"));
+    assert!(sentence(&turned, "dual", None, &[]).contains("apply Unify orientation"));
     // A quad whose opposite corners are merged; only for welding there is a distance to change.
     let mut slender = flat(1, 1);
     slender.positions[3] = [0.1, 0.0, 0.0];

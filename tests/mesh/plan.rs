@@ -176,6 +176,13 @@ fn what_is_wrong_is_said() {
         "side 2 of the outline (outline[1]) and side 4 of the outline (outline[3]) cross or touch"
     );
     assert_eq!(
+        format!("{crossing:#}"),
+        "side 2 of the outline and side 4 of the outline cross or touch"
+    );
+    let of_hole = PlanError::Outside(0);
+    assert_eq!(of_hole.to_string(), "hole 1 (holes[0]) lies outside the outline");
+    assert_eq!(format!("{of_hole:#}"), "hole 1 lies outside the outline");
+    assert_eq!(
         of(|plan| {
             plan.layout = PlanLayout::Cut;
             plan.holes = vec![circle([50.0, 5.0], 2.0)];

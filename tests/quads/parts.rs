@@ -126,7 +126,7 @@ fn what_cannot_be_remeshed_is_refused_with_the_reason() {
     // What is said to fit does, and has the unit.
     for (error, fits) in [(&large, "or less"), (&small, "or more")] {
         let words = error.words("m");
-        let side = words.split("sides of ").nth(1).expect("it names a size");
+        let side = words.split("a Side of ").nth(1).expect("it names a size");
         let (number, rest) = side.split_once(' ').expect("it has a unit");
         assert_eq!(rest, format!("m {fits}"));
         let length: f64 = number.replace('−', "-").parse().expect("it is a number");

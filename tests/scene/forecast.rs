@@ -152,7 +152,7 @@ fn diagonal_quads_are_named_where_they_follow_the_lines_of_curvature() {
     assert_eq!(
         found.words("m"),
         "This mesh will move a lot for flat or circular panels (about 0.7 m on average): its edges are 44° off the lines of curvature on \
-         average. Diagonal quads follow them: the mesh will then move a little for circular panels and not at all \
+         average. Diagonal quads (in Edit mesh) follow them: the mesh will then move a little for circular panels and not at all \
          for flat ones."
     );
     let suggestion = found.suggestion().unwrap();
@@ -184,9 +184,9 @@ fn diagonal_quads_are_not_named_where_they_would_move_as_far() {
     let found = forecast(&wave);
     assert!(found.off_curvature_lines.unwrap() > 22.5, "{found:?}");
     assert_eq!((found.suggestion(), &found.diagonal), (None, &None));
-    assert!(
-        found.words("m").ends_with("Edges along them, or a larger tolerance, would reduce this.")
-    );
+    assert!(found.words("m").ends_with(
+        "New panels along the curvature, or a larger Tolerance in Check, would reduce this."
+    ));
     // Nor where the edges follow them.
     assert_eq!(forecast(&vault(0.1)).suggestion(), None);
 }

@@ -73,7 +73,7 @@ pub enum Support {
     Corners,
 }
 
-/// A side of a plan: its loop and its first point.
+/// A side of a plan: its loop and its first point. Written with its place in JSON, without it by `{:#}`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlanSide {
     /// The hole that it bounds; none for the outline.
@@ -87,13 +87,19 @@ impl fmt::Display for PlanSide {
         let PlanSide { hole, point } = *self;
         write!(f, "side {} of ", point + 1)?;
         match hole {
-            None => write!(f, "the outline (outline[{point}])"),
-            Some(hole) => write!(f, "hole {} (holes[{hole}][{point}])", hole + 1),
+            None => f.write_str("the outline")?,
+            Some(hole) => write!(f, "hole {}", hole + 1)?,
+        }
+        match hole {
+            _ if f.alternate() => Ok(()),
+            None => write!(f, " (outline[{point}])"),
+            Some(hole) => write!(f, " (holes[{hole}][{point}])"),
         }
     }
 }
 
-/// An error in a plan.
+/// An error in a plan. Elements are written with their place in JSON; for those who have drawn the plan,
+/// `{:#}` leaves it out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanError {
     /// An invalid entry of the text.
@@ -129,41 +135,50 @@ impl fmt::Display for PlanError {
             PlanError::Entry { path, message } if path.is_empty() => f.write_str(message),
             PlanError::Entry { path, message } => write!(f, "{path}: {message}"),
             PlanError::Crossing([first, second]) => {
-                write!(f, "{first} and {second} cross or touch")
+                first.fmt(f)?;
+                f.write_str(" and ")?;
+                second.fmt(f)?;
+                f.write_str(" cross or touch")
             }
             PlanError::Outside(hole) => {
-                write!(f, "hole {} (holes[{hole}]) lies outside the outline", hole + 1)
+                write_hole(f, *hole)?;
+                f.write_str(" lies outside the outline")
             }
             PlanError::FourCorners(marked) => write!(
                 f,
-                "expected four corners for panels along the outline, found {marked}: mark four, or cut a grid"
+                "expected four corners for panels along the outline, found {marked}: mark four points as Corner of the roof, or choose A grid, cut to fit"
             ),
             PlanError::NoCorners(marked) => {
                 write!(
                     f,
-                    "expected at least three corners to stand on, found {marked}: mark more, or let it stand on the outline"
+                    "expected at least three corners to stand on, found {marked}: mark more points as Corner of the roof, or let it stand on The whole outline"
                 )
             }
             PlanError::Holes => f.write_str(
-                "panels along the outline cannot have holes: remove the holes, or cut a grid",
+                "panels along the outline cannot have holes: delete the holes, or choose A grid, cut to fit",
             ),
             PlanError::Folded => f.write_str(
-                "panels along this outline would overlap: choose other corners, or cut a grid",
+                "panels along this outline would overlap: choose other corners, or A grid, cut to fit",
             ),
-            PlanError::TooCoarse(Some(hole)) => write!(
-                f,
-                "hole {} (holes[{hole}]) is too small for these panels: make them smaller",
-                hole + 1
-            ),
+            PlanError::TooCoarse(Some(hole)) => {
+                write_hole(f, *hole)?;
+                f.write_str(" is too small for these panels: reduce the size of a panel")
+            }
             PlanError::TooCoarse(None) => {
-                f.write_str("the outline is too small for these panels: make them smaller")
+                f.write_str("the outline is too small for these panels: reduce the size of a panel")
             }
             PlanError::NoSupport => {
-                f.write_str("a piece of the surface has no support: mark a corner on it")
+                f.write_str("a piece of the surface has no support: mark a point of it as Corner of the roof")
             }
             PlanError::TooManyFaces(why) => why.fmt(f),
         }
     }
+}
+
+/// Writes the number of a hole, and its place in JSON as [`PlanError`] does.
+fn write_hole(f: &mut fmt::Formatter<'_>, hole: usize) -> fmt::Result {
+    write!(f, "hole {}", hole + 1)?;
+    if f.alternate() { Ok(()) } else { write!(f, " (holes[{hole}])") }
 }
 
 impl std::error::Error for PlanError {}

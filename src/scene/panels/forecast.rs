@@ -113,10 +113,10 @@ impl Forecast {
         let is_near = kinds.iter().any(|kind| kind.how_far != HowFar::Lot);
         let words = match is_near {
             true => {
-                format!("Diagonal quads follow them: the mesh will then {}.", moves(kinds, None))
+                format!("Diagonal quads (in Edit mesh) follow them: the mesh will then {}.", moves(kinds, None))
             }
             false => {
-                "Diagonal quads are nearer to them: the mesh will then move half as far or less."
+                "Diagonal quads (in Edit mesh) are nearer to them: the mesh will then move half as far or less."
                     .to_owned()
             }
         };
@@ -156,7 +156,7 @@ impl Forecast {
         words += &match self.off_curvature_lines.filter(|&angle| angle >= OFF) {
             Some(angle) if is_far => {
                 let suggestion = self.suggestion().map_or_else(
-                    || "Edges along them, or a larger tolerance, would reduce this.".to_owned(),
+                    || "New panels along the curvature, or a larger Tolerance in Check, would reduce this.".to_owned(),
                     |suggestion| suggestion.words,
                 );
                 format!(
@@ -164,7 +164,7 @@ impl Forecast {
                     words::rough_degrees(angle)
                 )
             }
-            None if is_far => ". A larger tolerance would reduce this.".to_owned(),
+            None if is_far => ". A larger Tolerance in Check would reduce this.".to_owned(),
             _ => ".".to_owned(),
         };
         let some = |&[on_saddles, all]: &[usize; 2]| on_saddles as f64 > SADDLE_SHARE * all as f64;

@@ -89,11 +89,11 @@ impl Unpaired {
                 (format!("{} on {}", spec.label(), describe(&spec.on)), group_digits(of));
             match vertices {
                 0 => format!(
-                    "{what}: none of the {of} vertices has an image among the others, so it does nothing. \
+                    "{what}: none of the {of} vertices has a partner among the others, so it does nothing. \
                      Check the direction of its mirror or axis."
                 ),
                 some => format!(
-                    "{what}: {} of {of} vertices have an image; the others are free.",
+                    "{what}: {} of {of} vertices have a partner; the others are free.",
                     group_digits(some)
                 ),
             }

@@ -27,7 +27,7 @@ test('the dialog forecasts the result of each operation, and undo goes back step
   await expect(dialog.getByLabel('Operation')).toHaveValue('dual');
   await dialog.getByLabel('Operation').selectOption('Triangles to quads');
   await expect(
-    dialog.getByText('Not possible yet: expected two triangles side by side'),
+    dialog.getByText('Not possible yet: this needs two triangles side by side'),
   ).toBeVisible();
   await expect(dialog.getByRole('button', { name: 'Apply' })).toBeDisabled();
   await dialog.getByLabel('Operation').selectOption('Dual');
@@ -65,7 +65,7 @@ test('selected faces are deleted, the hole is filled, and losses are shown befor
   await page.evaluate((scene) => window.shapeUp.open(scene), scene);
   const dialog = await openEdit(page);
   await dialog.getByLabel('Operation').selectOption('Delete faces');
-  await expect(dialog.getByText('Not possible yet: expected selected faces.')).toBeVisible();
+  await expect(dialog.getByText('Not possible yet: this needs selected faces.')).toBeVisible();
   await dialog.getByRole('button', { name: 'Close' }).click();
 
   // Selects the faces in the corner and in the middle.

@@ -139,7 +139,7 @@ test('both choices at the boundary are forecast, and the automatic one can be ch
   await expect(forecasts.nth(0)).toHaveText(pattern);
   await expect(forecasts.nth(1)).toHaveText(pattern);
   const follows = await forecasts.nth(0).textContent();
-  await choice.selectOption('Cuts the panels');
+  await choice.selectOption('Panels are cut at it');
   await expect(card(page).locator('[aria-current=true]')).toContainText(/^Cut/);
   await choice.selectOption('Automatic');
   await expect(card(page).locator('[aria-current=true]')).toContainText(/^Followed/);

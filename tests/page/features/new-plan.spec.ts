@@ -115,7 +115,9 @@ test('an outline and a hole are drawn, panels are cut to them, and mistakes are 
   await point(dialog, 1).focus();
   await dialog.getByLabel('y', { exact: true }).fill('100');
   await dialog.getByLabel('y', { exact: true }).press('Enter');
-  await expect(dialog.getByText(/side \d of the outline .* cross or touch/)).toBeVisible();
+  await expect(
+    dialog.getByText(/side \d of the outline and side \d of the outline cross or touch/),
+  ).toBeVisible();
   await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeDisabled();
   await dialog.getByRole('button', { name: 'Undo' }).click();
   await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeEnabled();

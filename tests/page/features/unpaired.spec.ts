@@ -4,7 +4,7 @@ import { expect, openPage, test } from '../support.ts';
 
 test.use({ sameDocument: true });
 
-test('a symmetry reports how many vertices have an image', async ({ page }) => {
+test('a symmetry reports how many vertices have a partner', async ({ page }) => {
   await openPage(page);
   const open = (mirror: number[]) =>
     page.evaluate((mirror) => {
@@ -21,14 +21,14 @@ test('a symmetry reports how many vertices have an image', async ({ page }) => {
       };
       return window.shapeUp.open(scene, 'roof.shapeup.json');
     }, mirror);
-  const notice = page.getByRole('group', { name: 'Vertices without an image' });
+  const notice = page.getByRole('group', { name: 'Vertices without a partner' });
   await open([1, 0.3, 0]);
-  await expect(notice).toContainText('none of the 5 vertices has an image');
+  await expect(notice).toContainText('none of the 5 vertices has a partner');
   await open([1, 0, 0]);
-  await expect(notice).toContainText('4 of 5 vertices have an image; the others are free.');
+  await expect(notice).toContainText('4 of 5 vertices have a partner; the others are free.');
   await notice.getByRole('button', { name: 'Close' }).click();
   await expect(notice).toBeHidden();
   // Opening another model shows the same message again.
   await open([1, 0, 0]);
-  await expect(notice).toContainText('4 of 5 vertices have an image; the others are free.');
+  await expect(notice).toContainText('4 of 5 vertices have a partner; the others are free.');
 });

@@ -17,8 +17,8 @@ import type { BoundaryForecast, LayoutNote } from '../../pkg/engine/shape_up.js'
 
 /** The choices at the boundary, with the labels of their options and of their forecasts. */
 const BOUNDARIES: [BoundaryForecast['boundary'], string, string][] = [
-  ['follow', 'Followed by the panels', 'Followed'],
-  ['cut', 'Cuts the panels', 'Cut'],
+  ['follow', 'Panels follow it', 'Followed'],
+  ['cut', 'Panels are cut at it', 'Cut'],
 ];
 /** Followed, unless cut panels move half as far or less. */
 const AUTOMATIC = 'Automatic';
@@ -72,8 +72,8 @@ function Card() {
         <CloseButton label="Close new panels" onClick={leave} />
       </div>
       <Sizes layouts={layouts} />
-      <Slider layouts={layouts} of="follow" low="Fewer irregular points" high="Smaller move" />
-      <Slider layouts={layouts} of="even" low="Sizes as the curvature asks" high="Even sizes" />
+      <Slider layouts={layouts} of="follow" low="Fewer irregular points" high="Moves less" />
+      <Slider layouts={layouts} of="even" low="Small panels where it curves" high="Even sizes" />
       <Boundary layouts={layouts} />
       <Kept layouts={layouts} />
       <div class="said" aria-live="polite">

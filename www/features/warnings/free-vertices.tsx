@@ -58,10 +58,10 @@ export function FreeVertices() {
       <p>{count(free, stand, stand)}</p>
       <Button
         class="small bordered"
-        title="Replaces the weights by those that keep the design, with which they follow"
+        title="With these weights, the vertices follow the others"
         onClick={() => actions.edit({ preset: { id: 'opened' } })}
       >
-        Let them follow
+        Use the weights of Keep the design
       </Button>
       <Button class="small bordered" onClick={() => actions.addHandles(vertices, true)}>
         Fix them
@@ -82,7 +82,7 @@ export function Unpaired() {
   useEffect(() => setClosed(false), [words]);
   if (!words || isClosed) return null;
   return (
-    <div class="message notice" role="group" aria-label="Vertices without an image">
+    <div class="message notice" role="group" aria-label="Vertices without a partner">
       <p>{words}</p>
       <CloseButton label="Close" onClick={() => setClosed(true)} />
     </div>

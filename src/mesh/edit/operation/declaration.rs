@@ -103,7 +103,7 @@ impl fmt::Display for OperationError {
             OperationError::NotThere { element, index } => {
                 write!(f, "there is no {element} {index}")
             }
-            OperationError::Expected(what) => write!(f, "expected {what}"),
+            OperationError::Expected(what) => write!(f, "this needs {what}"),
             OperationError::Touching(face) => write!(f, "face {face} would touch itself"),
             OperationError::TouchingWithin(face) => {
                 write!(f, "{}; try a smaller distance", OperationError::Touching(*face))

@@ -45,7 +45,7 @@ fn refusal(mesh: &Mesh) -> OperationError {
     OperationError::Expected(if flipped.is_empty() {
         "one ring of faces around each vertex: some faces touch at a vertex only, or more than two at an edge"
     } else {
-        "faces with consistent orientation: unify the orientation first"
+        "faces with consistent orientation: apply Unify orientation first"
     })
 }
 
