@@ -74,7 +74,7 @@ pub const PRESETS: &[Preset] = &[
     },
     Preset {
         id: "fig-5",
-        label: "Fig. 5: 5, 10, 2",
+        label: "Figure 5: smooth surface",
         assumes: "Vertices glide over the original surface, those of the boundary along their own curve; corners of the boundary stay. The surface is smoothed.",
         needs: Needs::Boundary,
         weights: Weights { shape: 5.0, close: 10.0, smooth: 2.0 },
@@ -84,7 +84,7 @@ pub const PRESETS: &[Preset] = &[
     },
     Preset {
         id: "fig-7",
-        label: "Fig. 7: 5, 1, 0",
+        label: "Figure 7: near the original",
         assumes: "Vertices glide over the original surface, those of the boundary along their own curve; corners of the boundary stay. Nothing is smoothed.",
         needs: Needs::Nothing,
         weights: Weights { shape: 5.0, close: 1.0, smooth: 0.0 },
@@ -94,7 +94,7 @@ pub const PRESETS: &[Preset] = &[
     },
     Preset {
         id: "fig-6",
-        label: "Fig. 6, 8: 1, 0, 0",
+        label: "Figures 6 and 8: only constraints",
         assumes: "Only constraints and handles count: nothing keeps the mesh near the original.",
         needs: Needs::Handles,
         weights: Weights { shape: 1.0, close: 0.0, smooth: 0.0 },

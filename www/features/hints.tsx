@@ -21,7 +21,7 @@ const START = 'This is the original. Press Run.';
 /** @param now statement that holds for every panel */
 const hints = (now: string) => [
   `${now} Drag a blue handle: the shape is solved again as you drag.`,
-  'Press Reset to see the original.',
+  'Press Reset to go back to the original. Undo brings your shape back.',
   'Your turn: open a mesh of your own, or try another example.',
 ];
 

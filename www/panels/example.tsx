@@ -16,7 +16,7 @@ export function ExampleNote() {
   );
 }
 
-function Note({ example: { id, figure, summary, statement, plots } }: { example: Example }) {
+function Note({ example: { id, figure, summary, statement, plots, kinds } }: { example: Example }) {
   const { actions } = useApp();
   const all = useExamples();
   const at = all.findIndex((one) => one.id === id);
@@ -26,7 +26,10 @@ function Note({ example: { id, figure, summary, statement, plots } }: { example:
         {figure === null ? 'Example' : `Figure ${figure} of the paper Shape-Up`}
       </h2>
       <p>{summary}</p>
-      <p class="quiet">Once solved: {statement}</p>
+      {/* An example without constraints is a flat map: nothing is solved. */}
+      <p class="quiet">
+        {kinds.length > 0 ? 'Once solved' : 'Once flattened'}: {statement}
+      </p>
       {plots.map(({ label, plot }) => (
         <Button key={plot} class="bordered small" onClick={() => showPlot(actions, plot)}>
           {label}

@@ -153,7 +153,9 @@ test("the first minute: drag, Reset and Run, then a model of one's own, and no m
   const held = await waitForState(page, (now) => !now.running && now.exact?.met === true);
   expect(offCircle(held)).toBeLessThan(1e-8);
 
-  await expect(hint).toHaveText('Press Reset to see the original.');
+  await expect(hint).toHaveText(
+    'Press Reset to go back to the original. Undo brings your shape back.',
+  );
   await page.getByRole('button', { name: 'Reset' }).click();
   await expect(hint).toHaveText('This is the original. Press Run.');
   const start = await state(page);

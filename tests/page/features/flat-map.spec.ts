@@ -99,10 +99,10 @@ test('the numbers and the file equal those of the command line', async ({ page }
   // One of the settings; tests/solve/conformal.rs compares all with a reference.
   const { report, text } = commandLine(obj, '--weights', 'lscm', '--norm', 'vertices');
   await page.getByLabel('Weight of a polygon').selectOption('lscm');
-  await page.getByLabel('Norm over').selectOption('vertices');
+  await page.getByLabel('Keep from shrinking').selectOption('vertices');
   const { mean, max } = report.quasi_conformal;
-  await expect(value(page, 'Mean error')).toHaveText(mean.toFixed(4));
-  await expect(value(page, 'Worst error')).toHaveText(max.toFixed(4));
+  await expect(value(page, 'Mean distortion')).toHaveText(mean.toFixed(4));
+  await expect(value(page, 'Largest distortion')).toHaveText(max.toFixed(4));
   await expect(value(page, 'Flipped triangles')).toHaveText(String(report.flipped));
   const file = await saved(page, 'Export');
   const places = (obj: string) =>
@@ -121,14 +121,14 @@ test('a map belongs to the flattened shape, and can be renewed once the shape ch
 }) => {
   await openPage(page);
   await parametrize(page);
-  const mean = (await value(page, 'Mean error').textContent()) as string;
+  const mean = (await value(page, 'Mean distortion').textContent()) as string;
   const again = page.getByRole('button', { name: 'Flatten again' });
   await expect(again).toBeHidden();
   await runToTheEnd(page);
   await showStep(page, 'Check');
   await again.click();
   await expect(again).toBeHidden();
-  await expect(value(page, 'Mean error')).not.toHaveText(mean);
+  await expect(value(page, 'Mean distortion')).not.toHaveText(mean);
   // Another model has no map yet.
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   await expect(map(page)).toBeHidden();
@@ -148,7 +148,7 @@ test('a model without faces is not offered a map, and one without a boundary get
   await expect(button).toBeVisible();
   await parametrize(page);
   await expect(page.getByText('has no boundary: the map folds over itself')).toBeVisible();
-  await expect(page.getByLabel('Norm over')).toBeHidden();
+  await expect(page.getByLabel('Keep from shrinking')).toBeHidden();
 });
 
 test(
@@ -199,7 +199,7 @@ test('a map that folds offers settings with fewer folds', async ({ page }) => {
   await openText(page, 'tube.obj', tube({ width: 0.5, taper: 0.1, power: 2 }), 60);
   await parametrize(page);
   await expect(value(page, 'Flipped triangles')).not.toHaveText('0');
-  await expect(page.getByText(/^Weight .* flips none, mean error/)).toBeVisible();
+  await expect(page.getByText(/flips none, mean distortion/)).toBeVisible();
   await page.getByRole('button', { name: 'Use these settings' }).click();
   await expect(value(page, 'Flipped triangles')).toHaveText('0');
   await expect(page.getByLabel('Weight of a polygon')).toHaveValue('lscm');

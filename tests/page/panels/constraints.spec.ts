@@ -26,7 +26,7 @@ test.describe('with every row closed', () => {
     await showStep(page, 'Shape');
     const share = async (row: number) => {
       const text = await rows(page).nth(row).innerText();
-      return Number(/(\d+) % of the energy/.exec(text)?.[1]);
+      return Number(/(\d+) % of the total energy/.exec(text)?.[1]);
     };
     for (const row of [0, 1])
       await rows(page)
@@ -108,7 +108,7 @@ test('a preset sets all its weights and settings, and shows its assumptions befo
   await showStep(page, 'Check');
   const preset = page.getByRole('combobox', { name: 'Preset' });
   const weights = async () => (await sceneOf(page)).weights;
-  await preset.selectOption('Fig. 5: 5, 10, 2');
+  await preset.selectOption('Figure 5: smooth surface');
   await expect.poll(weights).toEqual({ shape: 5, close: 10, smooth: 2 });
   expect((await sceneOf(page)).closeness.boundary).toBeDefined();
   await expect(preset).toHaveValue('fig-5');

@@ -73,7 +73,7 @@ test('what is no decimal number is no tolerance', async ({ page }) => {
     await tolerance.fill(typed);
     await tolerance.press('Enter');
     const why = await tolerance.evaluate((field: HTMLInputElement) => field.validationMessage);
-    expect(why).toBe(`“${typed}” is no number above 0.`);
+    expect(why).toBe(`“${typed}” is not a number above 0.`);
   }
 });
 

@@ -47,7 +47,7 @@ test('circles are thin lines from near, and fade from afar', looks, async ({ pag
   await openExample(page, 'Canopy');
   await runToTheEnd(page);
   await showStep(page, 'Check');
-  const shown = page.getByLabel('Fitted shapes');
+  const shown = page.getByLabel('Best-fitting shapes');
   const both = async () => {
     await shown.check();
     const circles = await picture(page);

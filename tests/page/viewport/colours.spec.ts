@@ -171,8 +171,8 @@ test(
     /** The number of bytes of the picture that the arrows change, with outlines shown. */
     const changes = async () => {
       await showStep(page, 'Check');
-      const [outlines, arrows] = ['Projected shapes', 'Residual arrows'].map((name) =>
-        page.getByRole('checkbox', { name }),
+      const [outlines, arrows] = ['Outlines of the best fit', 'Arrows to the best fit'].map(
+        (name) => page.getByRole('checkbox', { name }),
       );
       const before = await stillPicture(page);
       await outlines.check();

@@ -14,16 +14,16 @@ import type { Parametrization } from '../../solver/types.ts';
 
 /** Label and explanation of each polygon weight. */
 const WEIGHTS = {
-  'inverse-area': ['1 / area', 'A small polygon counts as much as a large one.'],
-  one: ['1', 'Large polygons count more than small ones.'],
-  lscm: ['|z|² / area', 'On triangles, this is the least-squares conformal map.'],
+  'inverse-area': ['Equal', 'A small polygon counts as much as a large one.'],
+  one: ['By size', 'Large polygons count more than small ones.'],
+  lscm: ['Least squares', 'On triangles, this is the least-squares conformal map.'],
 };
 /** Norms that keep the map from shrinking: label and explanation. */
 const NORMS = {
-  boundary: ['the boundary', 'The boundary is kept from shrinking; the inside follows.'],
-  vertices: ['all vertices', 'All vertices are kept from shrinking, each equally.'],
+  boundary: ['The boundary', 'The boundary is kept from shrinking; the inside follows.'],
+  vertices: ['All vertices', 'All vertices are kept from shrinking, each equally.'],
 };
-const LOOKS = { checks: ['Checkerboard'], errors: ['Error'] };
+const LOOKS = { checks: ['Checkerboard'], errors: ['Angle distortion'] };
 const SQUARES = { min: 8, max: 96, step: 4 };
 const STALE = 'The model has moved since it was flattened.';
 
@@ -72,7 +72,7 @@ function Panel({ flatMap }: Of) {
       {/* A surface without boundary has only one norm. */}
       {!isClosed(found) && (
         <Option
-          label="Norm over"
+          label="Keep from shrinking"
           value={norm}
           of={NORMS}
           choose={(norm) => maps.choose({ norm })}
@@ -114,8 +114,12 @@ function Panel({ flatMap }: Of) {
 
 function Facts({ mean, max, flipped, seconds, parts, leftOut }: Parametrization) {
   const rows: [string, string, string][] = [
-    ['Mean error', ratio(mean), 'Quasi-conformal error, weighted by area: 1 keeps angles'],
-    ['Worst error', ratio(max), 'The greatest quasi-conformal error of a triangle'],
+    [
+      'Mean distortion',
+      ratio(mean),
+      'Of the angles, weighted by area: 1 is none (quasi-conformal)',
+    ],
+    ['Largest distortion', ratio(max), 'Of the angles of a triangle: 1 is none (quasi-conformal)'],
     ['Flipped triangles', groupDigits(flipped), 'Triangles that are upside down on the map'],
     ['Time', duration(1000 * seconds), 'Computation time in the solver'],
   ];
@@ -167,13 +171,18 @@ function FewerFlips({ fewerFlips }: FlatMap) {
     );
   if (fewerFlips === 'searching') return <p class="quiet">Trying the other settings …</p>;
   if (fewerFlips === 'none')
-    return <p class="quiet">No other setting flips fewer. Cut the surface open, or into parts.</p>;
+    return (
+      <p class="quiet">
+        No other setting flips fewer. Cut the surface open, or into parts, in the program that made
+        it.
+      </p>
+    );
   const { weights, norm, flipped, mean } = fewerFlips;
   const number = flipped === 0 ? 'none' : groupDigits(flipped);
   return (
     <>
       <p class="quiet">
-        {`Weight ${WEIGHTS[weights][0]} with the norm over ${NORMS[norm][0]} flips ${number}, mean error ${ratio(mean)}.`}
+        {`${WEIGHTS[weights][0]} and ${NORMS[norm][0].toLowerCase()}: flips ${number}, mean distortion ${ratio(mean)}.`}
       </p>
       <Button class="small bordered" onClick={() => maps.choose({ weights, norm })}>
         Use these settings
@@ -187,7 +196,7 @@ const isClosed = ({ parts, closedParts }: Parametrization) => closedParts === pa
 function closedWords({ parts, closedParts }: Parametrization) {
   if (closedParts === 0) return '';
   const which = parts === 1 ? 'The surface has' : `${closedParts} of ${parts} parts have`;
-  return `${which} no boundary: the map folds over itself. Cut it open to flatten it.`;
+  return `${which} no boundary: the map folds over itself. To flatten it, cut it open in the program that made it.`;
 }
 
 /** A choice, with a line that explains what is chosen. */

@@ -76,14 +76,14 @@ function Legend({ flatMap: { found } }: { flatMap: FlatMap }) {
     <div class="card map-legend">
       <span
         class="title"
-        title="The greater stretch of each face divided by the smaller: 1 where angles are kept"
+        title="The larger stretch of each face divided by the smaller: 1 where angles are kept (quasi-conformal error)"
       >
-        Quasi-conformal error
+        Angle distortion (1 = none)
       </span>
       <div
         class="bars"
         role="img"
-        aria-label={`Histogram of the error of ${total} faces, from 1 to ${ratio(high)}`}
+        aria-label={`Histogram of the angle distortion of ${total} faces, from 1 to ${ratio(high)}`}
       >
         {counts.map((count, k) => {
           // Keeps a bar of a few faces among thousands visible.

@@ -13,13 +13,13 @@ import type { State } from '../../store/state.ts';
 const SWITCHES = {
   edges: 'Edges',
   vertices: 'Vertices',
-  shapes: 'Fitted shapes',
-  outlines: 'Projected shapes',
-  arrows: 'Residual arrows',
-  ghost: 'Original ghost',
+  shapes: 'Best-fitting shapes',
+  outlines: 'Outlines of the best fit',
+  arrows: 'Arrows to the best fit',
+  ghost: 'Ghost of the original',
   ground: 'Ground grid',
   bands: 'Colours in bands',
-  gizmo: 'Gizmo',
+  gizmo: 'Arrows at handles',
   timings: 'Timings',
 };
 

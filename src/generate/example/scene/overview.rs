@@ -28,8 +28,8 @@ pub(super) const TRIANGLES: Example = Example {
 pub(super) const TETRAHEDRA: Example = Example {
     id: "fig-01-tets",
     title: "Solid club with a round head",
-    summary: "On tetrahedra: the skin of the square head swells to a sphere and two collars become circles, while the handle stays rigid and the head is raised.",
-    statement: "The skin of the head, more than 2 m from a sphere when it is pulled, comes within 15 cm of one; the collars, up to 48 cm from circles, within 3 cm; the handle keeps its shape within 1 cm.",
+    summary: "On tetrahedra: the skin of the square head swells to a sphere and two collars become circles, while the grip stays rigid and the head is raised.",
+    statement: "The skin of the head, more than 2 m from a sphere when it is pulled, comes within 15 cm of one; the collars, up to 48 cm from circles, within 3 cm; the grip keeps its shape within 1 cm.",
     ending: "mesh",
     make: tetrahedra,
 };
@@ -126,7 +126,7 @@ fn tetrahedra(scene: &mut Scene) -> Mesh {
         constraint("rigid", set("handle"), 20.0),
         constraint("rigid", each(Element::Tet), 0.5),
     ];
-    // The end of the handle is fixed, and the far side of the head is raised.
+    // The end of the grip is fixed, and the far side of the head is raised.
     let end = select(false, &|x| x == 0.0);
     let middle = [shaft + head, 0.5 * head, 0.5 * head];
     let tip = mesh.positions.iter().position(|&p| p == middle).expect("it is a corner of cubes");
