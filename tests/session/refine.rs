@@ -142,7 +142,7 @@ fn a_session_that_is_opened_again_goes_back_to_the_mesh_before() {
     let scene = Scene::from_json(&session.scene_with_mesh()).expect("it can be read");
     let mut again = Session::open(scene, session.mesh().clone()).expect("it can be opened");
     again.restore(&session.saved_history(), &[]).expect("it was saved a moment ago");
-    assert_eq!(again.undo_and_redo(), [Some("Release 1 vertex"), None]);
+    assert_eq!(again.undo_and_redo(), [Some("Remove 1 handle"), None]);
     assert_eq!(again.saved_history(), session.saved_history());
     let generation = again.mesh_generation();
     for _ in 0..3 {

@@ -93,7 +93,7 @@ fn handles_that_are_in_the_way_can_be_released() {
     let mut session = session(flat, lifted);
     run(&mut session, 3000);
     let suggestions = suggestions(&session);
-    assert_eq!(suggestions[0].label, "Release the handles");
+    assert_eq!(suggestions[0].label, "Remove the handles");
     each_helps(&mut session, &suggestions);
 }
 
@@ -117,7 +117,8 @@ fn weighing_constraints_more_brings_all_panels_within_the_tolerance() {
     let mut session = session(mesh, r#""constraints": [{ "kind": "circle", "on": "faces" }]"#);
     run(&mut session, 3000);
     let suggestions = suggestions(&session);
-    let more = suggestions.iter().find(|suggestion| suggestion.label == "Weigh constraints more");
+    let more =
+        suggestions.iter().find(|suggestion| suggestion.label == "More weight on constraints");
     let edit = more.expect("it helps").edit.to_string();
     session.edit(Edit::from_json(&edit).expect("it is an edit")).expect("fits");
     run(&mut session, 3000);

@@ -112,11 +112,11 @@ fn what_is_kept_is_exact_and_one_step_of_undo() {
     assert_eq!(session.undo_and_redo().map(|name| name.map(str::to_owned)), before);
     assert_eq!(session.keep_variation(), Ok(true));
     let kept = session.positions();
-    assert_eq!(session.undo_and_redo()[0], Some("Keep Variant 1"));
+    assert_eq!(session.undo_and_redo()[0], Some("Keep Variation 1"));
     let names = |session: &Session| -> Vec<String> {
         session.document().variants.kept.iter().map(|variant| variant.name.clone()).collect()
     };
-    assert_eq!(names(&session), ["Start", "Variant 1"]);
+    assert_eq!(names(&session), ["Start", "Variation 1"]);
     assert!(!show(&mut session, &variations, &[0.01]), "those are of the shape before");
     session.undo().expect("it was solvable");
     assert!(session.positions() == start && names(&session).is_empty());
@@ -196,7 +196,7 @@ fn variants_are_saved_gone_to_compared_and_taken_away() {
     let table = opened.variant_table(1e-6).expect("solvable");
     assert_eq!(opened.positions(), first, "comparing moves nothing");
     let names: Vec<&str> = table.iter().map(|row| &*row.name).collect();
-    assert_eq!(names, ["Start", "Variant 1", "Variant 2"]);
+    assert_eq!(names, ["Start", "Variation 1", "Variation 2"]);
     for (row, shape) in table.iter().zip([&start, &first, &second]) {
         assert_eq!(row.is_current, *shape == first);
         assert_eq!(row.is_design, *shape == first);
@@ -205,7 +205,7 @@ fn variants_are_saved_gone_to_compared_and_taken_away() {
         assert_eq!((row.panels, row.beyond), (25, 0));
     }
     let refused = opened.edit(Edit::RemoveVariant { index: 1 });
-    assert!(refused.is_err_and(|error| error.to_string().contains("design")));
+    assert!(refused.is_err_and(|error| error.to_string().contains("this shape is open")));
     opened.edit(Edit::RemoveVariant { index: 0 }).expect("it is not the design");
     assert_eq!(opened.document().variants.design, Some(0));
 }

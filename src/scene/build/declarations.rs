@@ -139,7 +139,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "joint",
         "Joint",
         number(Mesh, FROM_0, |own| Some(own.joint)),
-        "Gap between neighbouring panels of the building.",
+        "Gap between neighbouring panels, in the unit of the mesh.",
     )
     .of(&[Panels]),
     setting(
@@ -151,7 +151,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     )
     .of(FLAT),
     setting(Offset, "kind", "Measured at", KINDS, "What keeps its distance in the offset.")
-        .or("the kind that meets the limits, or has the smallest errors"),
+        .or("the kind that is within the limits, or has the smallest errors"),
     setting(
         Offset,
         "distance",
@@ -180,7 +180,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "gap",
         "Gap",
         number(Mm, ON_SHEET, |own| Some(own.gap)),
-        "Least gap between parts on a sheet.",
+        "Least space between parts on a sheet.",
     ),
     setting(
         Cutting,

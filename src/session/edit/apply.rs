@@ -69,7 +69,9 @@ pub(crate) fn apply(
                 (Some(false), None, None, true) => format!("Switch off {label}"),
                 (None, None, Some(Require::Soft), true) => format!("Make {label} soft"),
                 (None, None, Some(Require::Exact), true) => format!("Make {label} exact"),
-                (None, None, Some(Require::Within(_)), true) => format!("Bring {label} within"),
+                (None, None, Some(Require::Within(_)), true) => {
+                    format!("Set a tolerance for {label}")
+                }
                 _ => format!("Change {label}"),
             };
             let values = RowValues {
@@ -245,9 +247,11 @@ pub(crate) fn apply(
             let known: Vec<usize> = known.map(|&vertex| vertex as usize).collect();
             known.into_iter().for_each(|vertex| released[vertex] = true);
             let mut handles = draft.handles().to_vec();
+            let before = handles.len();
             handles.retain(|handle| !released[handle.vertex as usize]);
+            let removed = before - handles.len();
             draft.put_handles(handles);
-            format!("Release {}", of_vertices(vertices.len()))
+            format!("Remove {}", words::count(removed, "handle", "handles"))
         }
         Edit::Refine { .. } | Edit::Remesh(_) => {
             unreachable!("no draft makes another mesh")

@@ -45,7 +45,7 @@ pub(super) fn keep_variant(
         let message = format!("{} are kept already: remove one first", kept.len());
         return Err(SceneError { path: "variants.kept".to_owned(), message });
     }
-    let names = (1..).map(|number| format!("Variant {number}"));
+    let names = (1..).map(|number| format!("Variation {number}"));
     let name = { names }.find(|name| kept.iter().all(|variant| variant.name != *name));
     let name = name.unwrap_or_default();
     let words = format!("Keep {name}");
@@ -77,7 +77,7 @@ pub(super) fn remove_variant(index: usize, draft: &mut Draft<'_>) -> Result<Stri
     let words = format!("Remove {}", variant(index, draft)?.name);
     let mut variants = draft.document().variants.clone();
     if variants.design == Some(index) {
-        let message = "this one is the design: go to another one first".to_owned();
+        let message = "this shape is open: open another one first".to_owned();
         return Err(SceneError { path: format!("variants.kept[{index}]"), message });
     }
     variants.kept.remove(index);
@@ -90,7 +90,7 @@ fn variant<'a>(index: usize, draft: &'a Draft<'_>) -> Result<&'a Variant, SceneE
     let kept = &draft.document().variants.kept;
     kept.get(index).ok_or_else(|| SceneError {
         path: format!("variants.kept[{index}]"),
-        message: format!("there is no such variant: {} are kept", kept.len()),
+        message: format!("there is no such variation: {} are kept", kept.len()),
     })
 }
 

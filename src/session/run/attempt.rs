@@ -43,12 +43,12 @@ impl Attempt {
     /// What the run does meanwhile, in words.
     pub(crate) fn words(&self) -> &'static str {
         match self {
-            Attempt::FromSoft => "Meeting the tolerance …",
+            Attempt::FromSoft => "Coming within the tolerance …",
             Attempt::FromRest => "Trying from the original shape …",
             Attempt::Exact => "Trying exact panels …",
             Attempt::OnSurface => "Trying panels that slide along the surface …",
             Attempt::Smoother(_) => "Trying smoother panels …",
-            Attempt::Eased(_) => "Trying larger tolerances …",
+            Attempt::Eased(_) => "Trying relaxed tolerances …",
         }
     }
 

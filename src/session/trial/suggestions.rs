@@ -129,18 +129,18 @@ fn candidates(session: &Session) -> Vec<(String, Value)> {
     let mut offer = |label: &str, edit: Value| candidates.push((label.to_owned(), edit));
     let is_close = weights.close > 0.0 && document.closeness.to != ClosenessTo::None;
     if is_close {
-        offer("Weigh closeness less", json!({ "setWeights": { "close": weights.close / FACTOR } }));
+        offer("Less closeness", json!({ "setWeights": { "close": weights.close / FACTOR } }));
     }
     if weights.smooth > 0.0 {
-        offer("Smooth less", json!({ "setWeights": { "smooth": weights.smooth / FACTOR } }));
+        offer("Less smoothness", json!({ "setWeights": { "smooth": weights.smooth / FACTOR } }));
     }
     offer(
-        "Weigh constraints more",
+        "More weight on constraints",
         json!({ "setWeights": { "shape": weights.shape * sufficient_factor(session) } }),
     );
     let handles: Vec<u32> = session.solver().handles().iter().map(|handle| handle.vertex).collect();
     if !handles.is_empty() {
-        offer("Release the handles", json!({ "removeHandles": { "vertices": handles } }));
+        offer("Remove the handles", json!({ "removeHandles": { "vertices": handles } }));
     }
     if is_close && document.closeness.to == ClosenessTo::Rest {
         offer(
@@ -155,7 +155,7 @@ fn candidates(session: &Session) -> Vec<(String, Value)> {
         .max_by(|(_, a), (_, b)| a.worst_squared.total_cmp(&b.worst_squared));
     if let Some(((index, _), _)) = worst.filter(|_| enabled > 1) {
         let spec = &document.constraints[index];
-        let label = format!("Weigh {} more", spec.label());
+        let label = format!("More weight on {}", spec.label());
         offer(
             &label,
             json!({ "setConstraint": { "index": index, "weight": spec.weight * FACTOR } }),

@@ -40,7 +40,7 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
 
   // The circles are drawn once the mesh is there.
   await showStep(page, 'Check');
-  await expect(page.getByRole('checkbox', { name: 'Fitted shapes' })).toBeChecked();
+  await expect(page.getByRole('checkbox', { name: 'Best-fitting shapes' })).toBeChecked();
 
   // The other button is in the panel by now; it replaces the first constraint.
   await showStep(page, 'Shape');
@@ -98,11 +98,11 @@ test('panels that fold at every tolerance are reported and shown', async ({ page
   await openText(page, 'steps.obj', steppedGrid(8), 81);
   await press(page, 'flat').click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
-  await expect(offer(page).getByText(/^\d+ faces are folded or dented\. All 64 /)).toBeVisible();
+  await expect(offer(page).getByText(/^\d+ panels are folded or dented\. All 64 /)).toBeVisible();
   await offer(page).getByRole('button', { name: 'Show the folds' }).click();
   await waitForState(page, (now) => now.selection.faces.length > 0);
   // What would end no better is not offered.
-  await expect(offer(page).getByText('Looking for better choices …')).toBeHidden();
+  await expect(offer(page).getByText('Looking for suggestions …')).toBeHidden();
   await expect(offer(page).getByRole('button', { name: /Avoid|Smoother/ })).toBeHidden();
 });
 
@@ -302,7 +302,7 @@ test('unconstrained vertices are reported, and follow or are fixed by one click'
   await openText(page, 'roof.shapeup.json', JSON.stringify(scene), VERTICES);
   const notice = page.getByRole('group', { name: 'Vertices that stand still' });
   await expect(notice).toContainText(`${VERTICES - 6} vertices stand still`);
-  await notice.getByRole('button', { name: 'Let them follow' }).click();
+  await notice.getByRole('button', { name: 'Use the weights of Keep the design' }).click();
   await expect(notice).toBeHidden();
   const positions = () => page.evaluate(() => [...window.shapeUp.positions()]);
   const before = await positions();

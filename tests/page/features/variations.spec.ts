@@ -46,7 +46,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   expect(varied.exact?.max_distance).toBeLessThan(1e-8);
   await keep.click();
   const strip = panel.getByRole('group', { name: 'Kept', exact: true });
-  await expect(strip.getByRole('button', { name: 'Variant 1', exact: true })).toHaveAttribute(
+  await expect(strip.getByRole('button', { name: 'Variation 1', exact: true })).toHaveAttribute(
     'aria-current',
   );
   const kept = await everything(page);
@@ -65,7 +65,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   // Goes back to the start, and to the kept variant again.
   await strip.getByRole('button', { name: 'Start', exact: true }).click();
   await expect.poll(() => positions(page)).toEqual(start);
-  await strip.getByRole('button', { name: 'Variant 1', exact: true }).click();
+  await strip.getByRole('button', { name: 'Variation 1', exact: true }).click();
   await expect.poll(() => positions(page)).toEqual(kept.positions);
 
   // Sliders that were moved but not kept are reset on closing.

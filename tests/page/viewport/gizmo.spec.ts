@@ -101,9 +101,9 @@ test('the gizmo is shown for selected handles only, and can be switched off', as
   await waitForState(page, (now) => now.handles.length === 1);
   await partOf(page, 'z');
   await showStep(page, 'Check');
-  await page.getByRole('checkbox', { name: 'Gizmo' }).uncheck();
+  await page.getByRole('checkbox', { name: 'Arrows at handles' }).uncheck();
   await expect.poll(gizmo).toBeNull();
-  await page.getByRole('checkbox', { name: 'Gizmo' }).check();
+  await page.getByRole('checkbox', { name: 'Arrows at handles' }).check();
   await hidePanels(page);
   await partOf(page, 'z');
   await page.getByRole('application', { name: '3D view' }).focus();
@@ -216,6 +216,6 @@ test('a right click and the menu key show the commands available here', async ({
   await page.keyboard.press('Escape');
   await expect(menu).toBeHidden();
   await page.keyboard.press('Shift+F10');
-  await menu.getByRole('menuitem', { name: 'Release handle' }).press('Enter');
+  await menu.getByRole('menuitem', { name: 'Remove handle' }).press('Enter');
   await waitForState(page, (now) => now.handles.length === 0);
 });

@@ -101,7 +101,7 @@ function Preset({
       <Choice
         id={id}
         value={chosen < 0 ? '' : String(chosen)}
-        options={chosen < 0 ? [['', 'Own'], ...options] : options}
+        options={chosen < 0 ? [['', 'Custom'], ...options] : options}
         onChoose={(value) => onChoose(presets[Number(value)].values)}
       />
     </div>

@@ -146,7 +146,7 @@ function Changes({
       )}
       {verdict.again !== null && <Button onClick={makeAgain}>{verdict.again}</Button>}
       {isSearched && (
-        <div class="better" role="group" aria-label="Better choices">
+        <div class="better" role="group" aria-label="Suggestions">
           {better.presses.map((press, k) => (
             <Button
               key={press.id}
@@ -156,7 +156,7 @@ function Changes({
               {press.label}: {press.words}
             </Button>
           ))}
-          {better.isLooking && <p class="quiet">Looking for better choices …</p>}
+          {better.isLooking && <p class="quiet">Looking for suggestions …</p>}
         </div>
       )}
       {changesMesh && <NewPanelsButton hidden={!forecast.newPanelsHelp} />}

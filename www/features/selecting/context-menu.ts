@@ -102,9 +102,9 @@ function sectionsOf({
       'Handles',
       [
         [some(undefined), 'Make handle', () => actions.holdSelected(false)],
-        [some(undefined) || some(false), 'Fix here', () => actions.holdSelected(true)],
-        [some(true), 'Make movable', () => actions.holdSelected(false)],
-        offer(some(true) || some(false), 'Release handle', 'remove-handles'),
+        [some(undefined) || some(false), 'Fix', () => actions.holdSelected(true)],
+        [some(true), 'Make soft', () => actions.holdSelected(false)],
+        offer(some(true) || some(false), 'Remove handle', 'remove-handles'),
       ],
     ],
     ['Constraints', [offer(true, 'Add constraint', 'add-constraint')]],

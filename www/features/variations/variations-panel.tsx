@@ -37,7 +37,7 @@ export function VariationsButton() {
       title={
         isReady
           ? 'Other shapes that are as exact as this one'
-          : 'Available once all that is required is met'
+          : 'Available once all required constraints are satisfied'
       }
       onClick={() => pressNamed('variations', app)}
     >
@@ -76,7 +76,7 @@ function Panel() {
         ref={keep}
         type="button"
         class="primary"
-        title="Makes this the design"
+        title="Keeps this shape and continues from it"
         disabled={!isMoved || !variations.isExact.value}
         onClick={() => variations.keep()}
       >

@@ -9,7 +9,7 @@ import { latestOnly } from '../../store/latest-only.ts';
 import type { Connectivity } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
-const NONE = 'The shape does not meet all that is required yet: press Run first.';
+const NONE = 'Not all required constraints are satisfied yet. Press Run first.';
 const HINT = 'Move the sliders; their effects add up. The line under each shows how far it can go.';
 
 /** Slider steps from the middle to either end. */
@@ -97,7 +97,7 @@ export class Variations {
     const { actions } = this.#app;
     this.isExact.value = false;
     const done = await actions.variations.keep();
-    if (done) actions.setStatus('Kept: this is the design now');
+    if (done) actions.setStatus('Kept. You continue from this shape.');
     else this.isExact.value = true;
   }
 
@@ -132,7 +132,7 @@ export class Variations {
     if (!isShown || this.#updates.hasNext()) return;
     if (part < 1) this.steps.value = asked.map((step) => Math.round(part * step));
     this.words.value =
-      part < 1 ? 'This is as far as the shape can go and meet all that is required.' : HINT;
+      part < 1 ? 'Farther, the required constraints could not all be satisfied.' : HINT;
     this.isExact.value = true;
   }
 
@@ -176,7 +176,7 @@ export class Variations {
       this.found.value = [...this.found.value, { shape, connectivity, displacements, slide }];
     }
     this.words.value =
-      this.found.value.length > 0 ? HINT : 'The shape cannot change and meet all that is required.';
+      this.found.value.length > 0 ? HINT : 'No other shape satisfies all required constraints.';
     while (isCurrent()) {
       this.ranges.value = progress.ranges;
       if (!progress.more) break;

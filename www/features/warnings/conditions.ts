@@ -103,7 +103,7 @@ class Conditions {
     const message = this.messages.say({
       words,
       offers: [show],
-      waits: 'Looking for changes that help …',
+      waits: 'Looking for suggestions …',
     });
     const suggestions = await actions.trials.suggestions().catch(() => null);
     if (!suggestions) return this.messages.turn(message, { waits: '' });
@@ -113,7 +113,7 @@ class Conditions {
       act: () => this.#take(edit),
     }));
     const waits =
-      helping.length > 0 ? '' : 'No suggestion was found that lowers the worst distance.';
+      helping.length > 0 ? '' : 'No suggestion was found that makes the largest distance smaller.';
     this.messages.turn(message, { waits, offers: [show, ...helping] });
   }
 

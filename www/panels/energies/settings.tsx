@@ -126,7 +126,7 @@ function Pose() {
 const HOLDS = [
   { label: 'More', weight: 10, title: 'Ten times the closeness of the others' },
   { label: 'Less', weight: 0.1, title: 'A tenth of the closeness of the others' },
-  { label: 'Release', weight: 0, title: 'Nothing keeps them near the original' },
+  { label: 'None', weight: 0, title: 'Nothing keeps them near the original' },
   { label: 'Default', weight: 1, title: 'The same closeness as the others' },
 ];
 
