@@ -62,11 +62,11 @@ impl CheckRow {
     /// The row in words.
     pub fn words(&self) -> CheckWords {
         let state = match self.met {
-            Some(true) => "met".to_owned(),
+            Some(true) => "satisfied".to_owned(),
             Some(false) if self.failed > 0 => {
-                format!("not met by {}", words::group_digits(self.failed))
+                format!("not satisfied by {}", words::group_digits(self.failed))
             }
-            Some(false) => "not met".to_owned(),
+            Some(false) => "not satisfied".to_owned(),
             None => String::new(),
         };
         let limit = |limit| match self.unit {

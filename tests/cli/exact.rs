@@ -16,7 +16,7 @@ fn exact_panels_are_still_exact_when_their_file_is_read_again() {
     assert!(words.contains("hard constraints met: "), "{words}");
     // The verdict of the page.
     assert!(words.contains("\nAll 4 panels are circular within 1 mm. Worst "), "{words}");
-    assert!(words.contains("\nExact: worst "), "{words}");
+    assert!(words.contains("\nAll are exact. The largest error is "), "{words}");
     let exact = &folder.json("r.json")["exact"];
     assert_eq!((&exact["met"], &exact["unmet"]), (&true.into(), &Value::Array(vec![])));
     assert!(number(&exact["max_distance"]) <= number(&exact["tolerance"]), "{exact}");
@@ -123,7 +123,7 @@ fn a_scene_says_what_is_to_be_met_and_is_told_what_cannot_be() {
     let words = folder.run(&["solve", "two.shapeup.json", "--report", "r.json"]).done();
     assert!(words.contains("hard constraints not met by 2 constraints"), "{words}");
     // The verdict of the page.
-    assert!(words.contains("\n2 of 6 constraints cannot be met together: "), "{words}");
+    assert!(words.contains("\n2 of 6 constraints cannot be satisfied together: "), "{words}");
     assert_eq!(folder.json("r.json")["exact"]["unmet"], serde_json::json!([1, 2]));
 }
 

@@ -95,7 +95,7 @@ fn its_numbers_are_those_of_the_card() {
             Err(_) => assert!(row.value.is_none_or(|value| value < 0.0), "{value}"),
         }
         assert!(limit.starts_with("≤ ") || limit == "no limit");
-        assert_eq!(row.met == Some(true), state == "met", "{state}");
+        assert_eq!(row.met == Some(true), state == "satisfied", "{state}");
     }
     let sheets = format!("{} of 420 x 297 mm", report.sheets);
     assert!(words.contains(&sheets), "{words:?}");

@@ -78,7 +78,7 @@ fn a_row_of_the_check_has_its_value_its_limit_and_whether_it_is_met() {
     let at = |id: &str| card.check.iter().position(|row| row.id == id).unwrap();
     let CheckWords { value, limit, state } = &words.check[at("panel_flatness")];
     assert!(value.ends_with(" mm") && limit.starts_with("≤ ") && limit.ends_with(" mm"));
-    assert_eq!(state, &format!("not met by {}", card.check[at("panel_flatness")].failed));
+    assert_eq!(state, &format!("not satisfied by {}", card.check[at("panel_flatness")].failed));
     let lean = &words.check[at("lean")];
     assert!(lean.value.ends_with('°') && lean.limit.ends_with('°'), "{lean:?}");
     let PanelSuggestion { constraint, .. } = card.tighten.suggestions[0];
@@ -125,7 +125,7 @@ fn a_distance_inwards_is_compared_with_its_limit_as_it_is_met() {
         assert!(words.limit.starts_with(sign), "{words:?}");
         assert_eq!(
             (&*words.value, &*words.state),
-            (if distance > 0.0 { "50.0 mm" } else { "−50.0 mm" }, "met")
+            (if distance > 0.0 { "50.0 mm" } else { "−50.0 mm" }, "satisfied")
         );
     }
 }

@@ -345,18 +345,18 @@ fn goals_and_their_values_are_said_as_readers_write_them() {
     assert_eq!(
         sentences(&scene),
         [
-            "Worst planarity at most 5.00 mm",
+            "Planarity: at most 5.00 mm",
             "Planarity: no panel beyond 5.00 mm",
             "Planarity beyond 5.00 mm: at most 1 panel",
             "Planarity beyond 5.00 mm: at most 12 panels",
-            "Worst moved at most 0 mm",
-            "Panels exact",
-            "Worst panels at most 0.200 m",
+            "Moved: at most 0 mm",
+            "Panels: exact",
+            "Panels: largest distance at most 0.200 m",
             &format!("{types}: at most 3"),
         ]
     );
     scene.units = String::new();
-    assert_eq!(sentences(&scene)[6], "Worst panels at most 0.200");
+    assert_eq!(sentences(&scene)[6], "Panels: largest distance at most 0.200");
     scene.units = "m".to_owned();
 
     let mut session = Session::open(scene, bumpy(5)).expect("it fits");
@@ -366,23 +366,23 @@ fn goals_and_their_values_are_said_as_readers_write_them() {
     let said: Vec<&str> = progress.goals.iter().map(|goal| &*goal.words).collect();
     // In the unit of the limit.
     let in_mm = words::length_like(worst, "m", 0.005);
-    assert_eq!(said[0], format!("not met: {in_mm}"));
-    assert_eq!(said[1], format!("not met: {beyond} panels"));
-    assert_eq!(said[4], "met: 0 mm");
-    assert_eq!(said[7], "not met: measured when the shape is at rest");
+    assert_eq!(said[0], format!("not satisfied: {in_mm}"));
+    assert_eq!(said[1], format!("not satisfied: {beyond} panels"));
+    assert_eq!(said[4], "satisfied: 0 mm");
+    assert_eq!(said[7], "not satisfied: measured when the shape no longer moves");
     let met = progress.goals.iter().filter(|goal| goal.met).count();
-    assert_eq!((progress.passed, progress.words), (false, format!("{met} of 8 goals met")));
+    assert_eq!((progress.passed, progress.words), (false, format!("{met} of 8 goals satisfied")));
 }
 
 #[test]
 fn a_lesson_is_passed_when_all_goals_are_met() {
     let progress = |session: &mut Session| session.lesson_progress().expect("there is a lesson");
     let mut session = session();
-    assert_eq!(progress(&mut session).words, "1 of 3 goals met");
+    assert_eq!(progress(&mut session).words, "1 of 3 goals satisfied");
     session.solve(false).expect("positions stay finite");
     let passed = progress(&mut session);
-    assert!(passed.passed && passed.goals.iter().all(|goal| goal.words.starts_with("met: ")));
-    assert_eq!(passed.words, "Passed: 3 goals met");
+    assert!(passed.passed && passed.goals.iter().all(|goal| goal.words.starts_with("satisfied: ")));
+    assert_eq!(passed.words, "Passed: 3 goals satisfied");
     session.edit(Edit::SetLesson { lesson: None, unsolved: false }).expect("it can be removed");
     assert_eq!(session.lesson_progress(), None);
 }

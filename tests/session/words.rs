@@ -30,7 +30,7 @@ fn a_run_says_whether_all_is_met_or_which_element_is_worst() {
     let mut session = solved(&json!([{ "kind": "plane", "on": "faces" }]), &json!([]));
     let met = session.run_verdict(10.0).expect("there is a constraint");
     assert!(met.met && met.worst.is_none() && met.brief.is_empty(), "{met:?}");
-    let start = "All constraints are met within 10 m. Moved at most ";
+    let start = "All constraints are satisfied within 10 m. Moved at most ";
     assert!(met.full.starts_with(start) && met.full.ends_with(" on average."), "{met:?}");
 
     let missed = session.run_verdict(0.001).expect("there is a constraint");
@@ -52,13 +52,16 @@ fn a_run_says_whether_all_is_met_or_which_element_is_worst() {
 fn an_exact_shape_is_said_to_be_so_with_and_without_how_far_it_moved() {
     let planes = |require: Value| json!([{ "kind": "plane", "on": "faces", "require": require }]);
     let words = solved(&planes(json!("exact")), &json!([])).exact_words().expect("it was met");
-    assert_eq!(words.brief, "Exact: worst 0 mm.");
-    assert!(words.full.starts_with("Exact: worst 0 mm. Moved at most "), "{words:?}");
+    assert_eq!(words.brief, "All are exact. The largest error is 0 mm.");
+    assert!(
+        words.full.starts_with("All are exact. The largest error is 0 mm. Moved at most "),
+        "{words:?}"
+    );
     let within = solved(&planes(json!({ "within": 0.02 })), &json!([]));
     let words = within.exact_words().expect("it was met");
     assert_eq!(
         [&*words.brief, &words.full],
-        ["", "All required constraints are met within 20 mm."]
+        ["", "All required constraints are satisfied within 20 mm."]
     );
     assert!(words.suggestions.is_empty());
 }
@@ -72,10 +75,10 @@ fn what_contradicts_is_named_with_weaker_requirements_that_can_be_met() {
     };
     let session = solved(&json!([length(1.0), length(1.2)]), &json!([]));
     let words = session.exact_words().expect("it was tried");
-    let start = "2 of 2 constraints cannot be met together: Length 1 on 2 vertices, Length 1.2 on ";
+    let start = "2 of 2 constraints cannot be satisfied together: Length 1 on 2 vertices, Length 1.2 on ";
     assert!(words.full.starts_with(start), "{}", words.full);
     assert!(
-        words.full.contains(" In the closest shape that was found, the worst is off by "),
+        words.full.contains(" In the closest shape that was found, the largest error is "),
         "{}",
         words.full
     );
@@ -96,7 +99,7 @@ fn the_cost_of_exactness_and_the_gain_of_an_improvement_are_said() {
     let mut trial = session.exact_trial().expect("regular").expect("it is within");
     while trial.step(&session).expect("regular") {}
     let cost = trial.offer(&session).expect("nothing has changed").words;
-    assert_eq!(cost.taken, "Also made exact: worst 0 mm.");
+    assert_eq!(cost.taken, "Also made exact. The largest error is 0 mm.");
     assert!(cost.offered.starts_with("If made exact, the shape would move by up to "), "{cost:?}");
     let names: Vec<_> = cost.table.iter().map(|[name, ..]| &**name).collect();
     assert_eq!(names, ["Worst distance", "Moved at most", "on average", "Energy"]);
@@ -108,9 +111,9 @@ fn the_cost_of_exactness_and_the_gain_of_an_improvement_are_said() {
     let gain = search.offer(&session).expect("nothing has changed").words;
     assert!(
         gain.taken.starts_with("Improved: ")
-            && gain.taken.contains(" % less energy, moved by up to ")
+            && gain.taken.contains(" % less energy). It moved by up to ")
     );
-    assert!(gain.offered.starts_with("There is no better exact shape nearby: "), "{gain:?}");
+    assert!(gain.offered.starts_with("No exact shape nearby is "), "{gain:?}");
 }
 
 #[test]

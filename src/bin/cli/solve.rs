@@ -201,7 +201,7 @@ fn summary(input: &Path, report: &Report, told: &Told) -> String {
     line(format_args!("{}", output::planarity(&report.planarity, units, *tolerance)));
     line(format_args!("{}", output::circularity(&report.circularity, units, *tolerance)));
     if let Some(folded) = report.folded {
-        line(format_args!("folds       {folded} faces are folded or dented"));
+        line(format_args!("folds       {folded} panels are folded or dented"));
     }
     verdict.iter().for_each(|words| line(format_args!("{words}")));
     if let Some(exact) = &report.exact {

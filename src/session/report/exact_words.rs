@@ -89,15 +89,18 @@ impl ExactWords {
             document.constraints.iter().filter(|row| row.enabled && row.require.is_hard());
         if !hard.all(|row| row.require == Require::Exact) {
             let within = words::limit(report.tolerance, units);
-            let full = format!("All required constraints are met within {within}.");
+            let full = format!("All required constraints are satisfied within {within}.");
             return ExactWords { brief: String::new(), full, suggestions: Vec::new() };
         }
-        let exact = format!("Exact: worst {}.", words::length(report.max_distance, units));
+        let exact = format!(
+            "All are exact. The largest error is {}.",
+            words::length(report.max_distance, units)
+        );
         let moved = moved_in_words(rest.moved_by(scene.positions()), units, rest.diameter());
         let guarded = match report.on_guard {
             0 => String::new(),
             edges => format!(
-                " {} as short as allowed, {} of the original length.",
+                " {} as short as allowed: {} of the original length (Shortest edge, under Weights and solver).",
                 words::count(edges, "edge is", "edges are"),
                 words::number(report.shortest_edge.unwrap_or(0.0))
             ),
@@ -120,12 +123,15 @@ impl ExactWords {
         let (cannot, closest) = if report.too_large {
             (
                 "are not exact: the mesh, or one constraint, is too large for that",
-                "The worst is off by",
+                "The largest error is",
             )
         } else if report.contradiction {
-            ("cannot be met together", "In the closest shape that was found, the worst is off by")
+            (
+                "cannot be satisfied together",
+                "In the closest shape that was found, the largest error is",
+            )
         } else {
-            ("are not met yet", "The worst is off by")
+            ("are not satisfied yet", "The largest error is")
         };
         let places: Vec<String> =
             rows().map(|(_, row)| format!("{} on {}", row.label(), describe(&row.on))).collect();
@@ -158,11 +164,11 @@ impl TrialWords {
         let units = numbers.units;
         let offered = match exactness {
             Exactness::TooLarge => {
-                "The mesh, or one constraint, is too large to be exact; a tolerance can be met."
+                "The mesh, or one constraint, is too large for Exact. Within is possible."
                     .to_owned()
             }
             Exactness::Missed(misses) => format!(
-                "{} cannot be exact at the same time as the others.",
+                "{} cannot be exact together with the others.",
                 words::count(*misses, "constraint", "constraints")
             ),
             Exactness::Met(folded) => {
@@ -170,14 +176,14 @@ impl TrialWords {
                 let folds = match folded {
                     0 => String::new(),
                     folded => {
-                        format!(", and {} would fold", words::count(*folded, "face", "faces"))
+                        format!(", and {} would fold", words::count(*folded, "panel", "panels"))
                     }
                 };
                 format!("If made exact, the shape would move by up to {far} more{folds}.")
             }
         };
         let taken = format!(
-            "Also made exact: worst {}.",
+            "Also made exact. The largest error is {}.",
             words::length_like(numbers.distance[1], units, numbers.tolerance)
         );
         TrialWords { taken, offered, table: numbers.table() }
@@ -189,11 +195,10 @@ impl TrialWords {
         let gain = if before > 0.0 { words::part(1.0 - after / before) } else { words::part(0.0) };
         let far = words::length(numbers.by, numbers.units);
         TrialWords {
-            taken: format!("Improved: {gain} less energy, moved by up to {far}."),
-            offered: format!(
-                "There is no better exact shape nearby: the energy stays {}.",
-                words::number(before)
+            taken: format!(
+                "Improved: smoother, or nearer to the original ({gain} less energy). It moved by up to {far}."
             ),
+            offered: "No exact shape nearby is smoother or nearer to the original.".to_owned(),
             table: numbers.table(),
         }
     }

@@ -121,12 +121,14 @@ impl GoalWords<'_> {
             };
         }
         if measure.is_none() && build.is_none() && at_most == 0.0 {
-            return format!("{label} exact");
+            return format!("{label}: exact");
         }
         if self.is_count() {
             return format!("{label}: at most {at_most}");
         }
-        format!("Worst {} at most {}", label.to_lowercase(), written(at_most))
+        // The name of a constraint does not say what of it is measured; a label of a measure does.
+        let what = if measure.is_none() && build.is_none() { "largest distance " } else { "" };
+        format!("{label}: {what}at most {}", written(at_most))
     }
 
     /// Returns the value of the goal on the current shape in words, in the unit of its limit, so that
@@ -134,7 +136,7 @@ impl GoalWords<'_> {
     fn now_in_words(&self, value: Option<f64>, units: &str, size: f64) -> String {
         let Some(value) = value else {
             return match self.build {
-                Some(_) => "measured when the shape is at rest".to_owned(),
+                Some(_) => "measured when the shape no longer moves".to_owned(),
                 None => "no such constraint or value".to_owned(),
             };
         };
@@ -175,7 +177,7 @@ pub struct LessonProgress {
     pub goals: Vec<GoalProgress>,
     /// Whether all goals are met.
     pub passed: bool,
-    /// How many goals are met: `1 of 2 goals met`.
+    /// How many goals are met: `1 of 2 goals satisfied`.
     pub words: String,
 }
 
@@ -196,15 +198,17 @@ pub(crate) fn progress(model: &mut Measuring<'_>) -> Option<LessonProgress> {
     let (units, size) = (&model.scene.document().units, model.rest.diameter());
     let progress = |GoalResult { goal, value, met }: &GoalResult| {
         let now = described(goal).now_in_words(*value, units, size);
-        let words = format!("{}: {now}", if *met { "met" } else { "not met" });
+        let words = format!("{}: {now}", if *met { "satisfied" } else { "not satisfied" });
         GoalProgress { met: *met, words }
     };
     let goals: Vec<GoalProgress> = results.iter().map(progress).collect();
     let met = goals.iter().filter(|goal| goal.met).count();
     let passed = met == goals.len();
     let words = match passed {
-        true => format!("Passed: {} met", count(met, "goal", "goals")),
-        false => format!("{} of {} met", group_digits(met), count(goals.len(), "goal", "goals")),
+        true => format!("Passed: {} satisfied", count(met, "goal", "goals")),
+        false => {
+            format!("{} of {} satisfied", group_digits(met), count(goals.len(), "goal", "goals"))
+        }
     };
     Some(LessonProgress { goals, passed, words })
 }

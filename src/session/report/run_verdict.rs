@@ -63,7 +63,7 @@ impl RunVerdict {
         );
         let within = words::limit(tolerance, &units);
         if error <= tolerance {
-            let full = format!("All constraints are met within {within}. {far}");
+            let full = format!("All constraints are satisfied within {within}. {far}");
             return Some(RunVerdict { met: true, brief: String::new(), full, worst: None });
         }
         let worst = worst_constraints(model, row, 1).into_iter().next()?;

@@ -95,7 +95,7 @@ impl Verdict {
         match flaw {
             Flaw::Eased => String::new(),
             Flaw::SeamOpened => format!(
-                "A seam opened by {}: its vertices lie on each other but are not joined (Edit mesh, Join seams joins them).",
+                "A seam opened by {}: its vertices lie on each other but are not joined. To join them, press Edit mesh under Open or make, then choose Join seams.",
                 edges(self.seam)
             ),
             Flaw::Rougher | Flaw::Flatter => self.bend.words(),
@@ -154,7 +154,7 @@ impl Verdict {
     fn folds(&self) -> String {
         match self.folded {
             0 => String::new(),
-            folded => format!("{} folded or dented.", count(folded, "face is", "faces are")),
+            folded => format!("{} folded or dented.", count(folded, "panel is", "panels are")),
         }
     }
 }
@@ -236,10 +236,10 @@ mod tests {
              Your mesh moved by at most 0.213 m, 0.0512 m on average."
         );
         let folded = Verdict { folded: 1, ..verdict() };
-        let first = "1 face is folded or dented. All 800 panels are flat within 1 mm. Worst ";
+        let first = "1 panel is folded or dented. All 800 panels are flat within 1 mm. Worst ";
         assert!(full(&folded).starts_with(first), "{}", full(&folded));
         let bad = Verdict { within: 12, worst: 1.787, folded: 1, ..verdict() };
-        let words = "12 of 800 panels are flat within 1 mm. But 1 face is folded or dented. Worst 1787 mm. Your mesh ";
+        let words = "12 of 800 panels are flat within 1 mm. But 1 panel is folded or dented. Worst 1787 mm. Your mesh ";
         assert!(full(&bad).starts_with(words), "{}", full(&bad));
     }
 
@@ -294,7 +294,7 @@ mod tests {
             (Flaw::Eased, "All 800 "),
             (
                 Flaw::SeamOpened,
-                "A seam opened by 1.5 edges: its vertices lie on each other but are not joined (Edit mesh, Join seams joins them). All ",
+                "A seam opened by 1.5 edges: its vertices lie on each other but are not joined. To join them, press Edit mesh under Open or make, then choose Join seams. All ",
             ),
         ] {
             assert!(with(flaw).starts_with(words), "{}", with(flaw));

@@ -142,9 +142,9 @@ test.describe('behind tabs', () => {
   test('a lesson shows a line over the view, which opens its goals', async ({ page }) => {
     await page.goto('./#example=lesson-glass-roof');
     const line = page.getByRole('button', { name: /Lesson: / });
-    await expect(line).toHaveText('✗ Lesson: 1 of 2 goals met');
+    await expect(line).toHaveText('✗ Lesson: 1 of 2 goals satisfied');
     await runToTheEnd(page);
-    await expect(line).toHaveText('✗ Lesson: 0 of 2 goals met');
+    await expect(line).toHaveText('✗ Lesson: 0 of 2 goals satisfied');
     await line.click();
     const lesson = page.getByRole('region', { name: 'Lesson' });
     await expect(lesson).toBeInViewport();

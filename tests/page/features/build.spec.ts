@@ -339,7 +339,7 @@ test.describe('with a printer', () => {
     // The page's policy lets the style in.
     await expect(paper.locator('body')).toHaveCSS('display', 'flex');
     const states = await paper.locator('tr td:nth-child(4)').allTextContents();
-    expect(states.map((words) => words === 'met')).toEqual(check.map(({ met }) => met));
+    expect(states.map((words) => words === 'satisfied')).toEqual(check.map(({ met }) => met));
     // The link opens this model.
     await expect(paper.getByRole('link')).toHaveAttribute('href', /#link=/);
 

@@ -82,7 +82,7 @@ test.describe('with every row closed', () => {
     await page.getByRole('button', { name: 'Run', exact: true }).click();
     const unmet = await waitForState(page, (now) => !now.running && now.exact);
     expect(unmet.exact).toMatchObject({ met: false, contradiction: true, unmet: [0, 1] });
-    await expect(verdict(page)).toContainText('2 of 2 constraints cannot be met together');
+    await expect(verdict(page)).toContainText('2 of 2 constraints cannot be satisfied together');
     await verdict(page).getByRole('button', { name: 'Make Length 0.8 soft' }).click();
     await waitForState(page, (now) => !now.running && now.exact?.met);
 
@@ -127,7 +127,7 @@ test('a step iterates once, and notes that a run makes the shape exact', async (
   scene.constraints = [{ kind: 'circle', on: 'faces', require: 'exact' }];
   await openText(page, 'hard.shapeup.json', JSON.stringify(scene), VERTICES);
   await page.getByRole('button', { name: 'Step', exact: true }).click();
-  await expect(page.getByRole('status')).toHaveText(/Run meets what is required/);
+  await expect(page.getByRole('status')).toHaveText(/press Run to satisfy what is required/);
   expect((await exact(page))?.met ?? false).toBe(false);
 });
 

@@ -21,8 +21,8 @@ test('the gallery shows a lesson with its goals, which opens as a lesson', async
   await page.goto('./gallery.html');
   await expect(page.getByRole('heading', { name: 'Lessons', level: 2 })).toBeVisible();
   const card = page.getByRole('article', { name: TITLE, exact: true });
-  await expect(card).toContainText('Worst planarity at most 1.00 mm');
-  await expect(card).toContainText('Worst distance to original at most 50.0 mm');
+  await expect(card).toContainText('Planarity: at most 1.00 mm');
+  await expect(card).toContainText('Distance to original: at most 50.0 mm');
   await page.getByRole('searchbox', { name: 'Search' }).fill('lesson');
   await expect(page.getByRole('article')).toHaveCount(4);
   await card.getByRole('link', { name: TITLE }).click();
@@ -37,10 +37,10 @@ test('the goals are missed by Run alone, met with the right weights, handed in a
 }) => {
   await openPage(page);
   await openExample(page, TITLE);
-  await expect(lesson(page)).toContainText('1 of 2 goals met');
-  await expect(goals(page).first()).toContainText(/not met: 9\.\d+ mm/);
+  await expect(lesson(page)).toContainText('1 of 2 goals satisfied');
+  await expect(goals(page).first()).toContainText(/not satisfied: 9\.\d+ mm/);
   await runToTheEnd(page);
-  await expect(lesson(page)).toContainText('0 of 2 goals met');
+  await expect(lesson(page)).toContainText('0 of 2 goals satisfied');
 
   const weigh = async (energy: string, value: string) => {
     const field = page.getByRole('spinbutton', { name: energy });
@@ -49,10 +49,10 @@ test('the goals are missed by Run alone, met with the right weights, handed in a
   };
   await weigh('Shape weight', '10000');
   await runToTheEnd(page);
-  await expect(lesson(page)).toContainText('1 of 2 goals met');
+  await expect(lesson(page)).toContainText('1 of 2 goals satisfied');
   await weigh('Close weight', '50');
   await runToTheEnd(page);
-  await expect(lesson(page)).toContainText('Passed: 2 goals met');
+  await expect(lesson(page)).toContainText('Passed: 2 goals satisfied');
 
   await lesson(page).getByRole('button', { name: 'Results for hand-in' }).click();
   const form = page.getByRole('dialog', { name: 'Results for hand-in' });

@@ -28,14 +28,14 @@ test('Lesson: curvature and panels: the goals are met with Within, and missed wi
 }) => {
   await openPage(page);
   await openExample(page, 'Lesson: curvature and panels');
-  await expectGoals(page, '1 of 2 goals met');
+  await expectGoals(page, '1 of 2 goals satisfied');
   await expect(lesson(page)).toContainText('144 panels');
   for (const measure of ['Off the lines of curvature', 'Planarity']) await colourBy(page, measure);
   await require(page, 'Plane', 'Within');
   await colourBy(page, 'Moved');
-  await expectGoals(page, 'Passed: 2 goals met');
+  await expectGoals(page, 'Passed: 2 goals satisfied');
   await require(page, 'Plane', 'Exact');
-  await expectGoals(page, '1 of 2 goals met');
+  await expectGoals(page, '1 of 2 goals satisfied');
 });
 
 test('locked controls are shown as locked with the reason, and scripts are refused', async ({

@@ -26,8 +26,8 @@ test.beforeEach(async ({ page }) => {
 });
 
 /** The fields of a goal: its measure and its limit. */
-const worst = (dialog: Locator, goal: number) =>
-  dialog.getByRole('combobox', { name: `Goal ${goal}: worst`, exact: true });
+const about = (dialog: Locator, goal: number) =>
+  dialog.getByRole('combobox', { name: `Goal ${goal}: about`, exact: true });
 const most = (dialog: Locator, name: string) =>
   dialog.getByRole('spinbutton', { name, exact: true });
 
@@ -37,10 +37,10 @@ async function write(page: Page) {
   await page.getByRole('button', { name: 'Write a lesson' }).click();
   const dialog = page.getByRole('dialog', { name: 'Lesson' });
   await dialog.getByLabel('Task').fill(WORDS);
-  await worst(dialog, 1).selectOption({ label: 'Planarity' });
+  await about(dialog, 1).selectOption({ label: 'Planarity' });
   await most(dialog, 'Goal 1: planarity at most, mm').fill('5');
   await dialog.getByRole('button', { name: 'Add goal' }).click();
-  await worst(dialog, 2).selectOption({ label: 'Constraint: Plane' });
+  await about(dialog, 2).selectOption({ label: 'Constraint: Plane' });
   await most(dialog, 'Goal 2: constraint: plane at most, mm').fill('10');
   return dialog;
 }
@@ -70,12 +70,12 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
   await showStep(page, 'Shape');
   await expect(lesson(page)).toContainText('Make every panel flat.');
   await expect(goals(page)).toHaveCount(2);
-  await expect(goals(page).first()).toContainText(/at most 5\.00 mm.*not met: /);
-  await expect(lesson(page)).toContainText('0 of 2 goals met');
+  await expect(goals(page).first()).toContainText(/at most 5\.00 mm.*not satisfied: /);
+  await expect(lesson(page)).toContainText('0 of 2 goals satisfied');
   await runToTheEnd(page);
   await showStep(page, 'Shape');
   await expect(goals(page).first()).toContainText('✓');
-  await expect(lesson(page)).toContainText('Passed: 2 goals met');
+  await expect(lesson(page)).toContainText('Passed: 2 goals satisfied');
 
   const handedIn = async () => {
     await showStep(page, 'Shape');
@@ -93,7 +93,7 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
 
   await page.getByRole('button', { name: 'Reset' }).click();
   await showStep(page, 'Shape');
-  await expect(lesson(page)).toContainText('0 of 2 goals met');
+  await expect(lesson(page)).toContainText('0 of 2 goals satisfied');
   const failed = await handedIn();
   expect(JSON.parse(failed.text).passed).toBe(false);
 
@@ -148,7 +148,7 @@ test('a lesson with a missing limit or without goals is not saved, and can be re
   await expect(dialog).toBeVisible();
   // The remaining goal becomes the first.
   await dialog.getByRole('button', { name: 'Remove Goal 1: planarity' }).click();
-  await worst(dialog, 1).selectOption({ label: 'Angle error' });
+  await about(dialog, 1).selectOption({ label: 'Angle error' });
   await expect(most(dialog, 'Goal 1: angle error at most, °')).toHaveValue('10');
   await dialog.getByRole('button', { name: 'Remove Goal 1: angle error' }).click();
   await dialog.getByRole('button', { name: 'Save lesson' }).click();

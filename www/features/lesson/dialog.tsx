@@ -2,7 +2,7 @@
 
 import './lesson.css';
 import { useRef, useState } from 'preact/hooks';
-import { messageOf } from '../../solver/errors.ts';
+import { withoutPath } from '../../store/actions.ts';
 import { declared, toleranceOf } from '../../store/colours/measures.ts';
 import { pressNamed } from '../../store/press.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
@@ -21,6 +21,8 @@ interface Subject {
   value: string;
   label: string;
   unit: string;
+  /** whether a number of things is bounded, not the largest value */
+  isCount: boolean;
   /** from the unit of the goal in the file */
   factor: number;
   goal: GoalFile;
@@ -57,6 +59,7 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
     value: `beyond ${beyond} ${measure}`,
     label: `Panels beyond ${length(beyond, units)}: ${declared(state, measure)?.label ?? measure}`,
     unit: 'panels',
+    isCount: true,
     factor: 1,
     goal: { measure, beyond },
   });
@@ -65,6 +68,7 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
       value: `measure ${measure.id}`,
       label: measure.label,
       ...ofUnit(measure.unit),
+      isCount: false,
       goal: { measure: measure.id },
     })),
     ...measures.filter(({ toleranced }) => toleranced).map(({ id }) => counting(id, tolerance)),
@@ -72,12 +76,14 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
       value: `constraint ${label}`,
       label: `Constraint: ${label}`,
       ...lengths,
+      isCount: false,
       goal: { constraint: label },
     })),
     ...numbers.map(({ id, label, unit }) => ({
       value: `build ${id}`,
       label: `Build: ${label}`,
       ...ofUnit(unit === 'count' ? 'number' : unit),
+      isCount: unit === 'count',
       goal: { build: id },
     })),
     ...(lesson?.goals ?? []).flatMap(({ measure, beyond }) =>
@@ -161,7 +167,7 @@ function LessonDialog({
     const unsolved = entered.has('unsolved');
     const kept = await actions.edit({ setLesson: { lesson, unsolved } }, (refused) => {
       const path = refused instanceof Error && 'path' in refused ? String(refused.path) : '';
-      setRefusal(messageOf(refused));
+      setRefusal(withoutPath(refused));
       const fields = form.current?.querySelectorAll<HTMLInputElement>('[name="at-most"]');
       fields?.[Number(ERROR_AT.exec(path)?.[1])]?.focus();
       return true;
@@ -193,13 +199,13 @@ function LessonDialog({
       <h3>Goals</h3>
       <ul aria-label="Goals of the lesson">
         {goals.map((goal, i) => {
-          const { value, label, unit } = goal.subject;
+          const { value, label, unit, isCount } = goal.subject;
           const what = `Goal ${i + 1}: ${label.toLowerCase()}`;
           return (
             <li key={goal.id} ref={goal.isNew ? focusRow : null}>
-              worst
+              {!isCount && 'largest'}
               <Choice
-                aria-label={`Goal ${i + 1}: worst`}
+                aria-label={`Goal ${i + 1}: about`}
                 value={value}
                 options={subjects.map((one) => [one.value, one.label] as const)}
                 onChoose={(chosen) => {
@@ -252,8 +258,8 @@ function LessonDialog({
         Students start from the original, unsolved
       </label>
       <p class="quiet">
-        Students see the text and whether each goal is met while they work. Locked controls are
-        disabled. Undo this step to remove a lock. A constraint with limit 0 must be exact.
+        Students see the text and whether each goal is satisfied while they work. Locked controls
+        are disabled. To unlock, press Undo. A constraint with limit 0 must be exact.
       </p>
       <p class="refused" aria-live="assertive">
         {refusal}

@@ -1,6 +1,6 @@
 /**
  * The verdict on a run with hard constraints: the result, the cost of exactness if only a tolerance
- * was required, and the constraints that cannot be met together.
+ * was required, and the constraints that cannot be satisfied together.
  */
 
 import { isHard } from '../../store/state.ts';
@@ -53,7 +53,7 @@ export class ExactVerdict {
   #improves(): Offer {
     return {
       label: 'Improve',
-      title: 'Looks for an equally exact shape with less energy',
+      title: 'Looks for an equally exact shape that is smoother or nearer to the original',
       act: () => this.#improve(),
     };
   }
@@ -68,7 +68,8 @@ export class ExactVerdict {
       act: () => (isStopped = true),
     };
     const message = this.#messages.say({
-      words: 'Improving: looking for an equally exact shape with less energy …',
+      words:
+        'Improving: looking for an equally exact shape that is smoother or nearer to the original …',
       offers: [stop],
     });
     const isWanted = () => this.#messages.isShown(message);
@@ -114,7 +115,13 @@ export class ExactVerdict {
     };
     this.#messages.say({
       words: after(cost.words.offered),
-      offers: [{ label: 'Make exact', title: 'Uses the shape in the right column', act: take }],
+      offers: [
+        {
+          label: 'Make exact',
+          title: 'Replaces the shape by the exact one (right column of the table)',
+          act: take,
+        },
+      ],
       table: { words: cost.words, of: 'Exact' },
     });
   }

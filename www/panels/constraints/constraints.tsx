@@ -18,7 +18,7 @@ export function Constraints() {
   const { document } = useApp().store.state;
   if (!document) return null;
   if (document.constraints.length === 0)
-    return <p class="quiet">No constraints yet. Add one, then press Run.</p>;
+    return <p class="quiet">No constraints yet. To add one, press Add constraint.</p>;
   return (
     <ul aria-label="Constraints">
       {document.constraints.map((row, index, rows) => (
@@ -115,7 +115,7 @@ function Row({ row }: { row: ConstraintRow }) {
         </span>
       </span>
       <span class="measures">
-        {/* What must be met is not weighed against the rest. */}
+        {/* What is required is not weighed against the rest. */}
         {row.require === 'soft' && (
           <label>
             weight
@@ -254,7 +254,7 @@ function Worst({ row }: { row: ConstraintRow }) {
         {known && `worst ${length(lengthOrZero(value, model?.size ?? 0), units, tolerance)}`}
       </span>
       <span class={isWithin ? 'within met' : 'within'}>
-        {known && (isWithin && required !== null ? 'met' : side)}
+        {known && (isWithin && required !== null ? 'satisfied' : side)}
       </span>
     </>
   );

@@ -90,9 +90,9 @@ function ParameterRows({ row, name, kind, model }: Of & { kind: KindInfo; model:
 
 /** The requirements: id, label, meaning. */
 const OPTIONS = [
-  ['soft', 'Soft', 'Balanced against the other goals by its weight'],
+  ['soft', 'Soft', 'Weighed against the other constraints'],
   ['within', 'Within', 'No vertex may be farther from the shape than this length'],
-  ['exact', 'Exact', 'Met exactly; all that is soft is met as well as that allows'],
+  ['exact', 'Exact', 'Satisfied exactly. Soft constraints are then satisfied as well as possible.'],
 ] as const;
 
 /** The requirement of a constraint: soft, within a length, or exact. */
@@ -137,5 +137,5 @@ function Share({ row }: { row: ConstraintRow }) {
   const numbers = useThrottled(() => state.numbers);
   const total = energyOrZero(numbers?.energy.total ?? 0, state.model?.size ?? 0);
   if (!row.enabled || !numbers || total <= 0) return null;
-  return <p class="quiet figure">{part(numbers.shares[row.index])} of the energy</p>;
+  return <p class="quiet figure">{part(numbers.shares[row.index])} of the total energy</p>;
 }

@@ -23,7 +23,7 @@ interface Term {
 
 /** The terms; the explanation depends on the settings of the scene. */
 const TERMS: Term[] = [
-  { id: 'shape', label: 'Shape', words: () => 'meet the constraints' },
+  { id: 'shape', label: 'Shape', words: () => 'satisfy the constraints' },
   { id: 'close', label: 'Close', words: ({ closeness }) => CLOSENESS[closeness] },
   { id: 'smooth', label: 'Smooth', words: ({ smoothness }) => SMOOTHNESS[smoothness.of] },
 ];

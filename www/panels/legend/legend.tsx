@@ -62,7 +62,7 @@ function Within({ about, spread }: Of) {
   if (allowed === null) return null;
   const [met, all] = [spread.within, spread.faces].map(groupDigits);
   return (
-    <span class={met === all ? 'within met' : 'within'} title="Faces within the tolerance">
+    <span class={met === all ? 'within met' : 'within'} title="Panels within the tolerance">
       {`${met} of ${all} within`}
     </span>
   );
