@@ -1,10 +1,10 @@
 // axe finds no violations in any state of the page, in either theme.
 
-import type { Page } from '@playwright/test';
+import type { Page, ViewportSize } from '@playwright/test';
 import AxeBuilder from '@axe-core/playwright';
 import { openText } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
-import { expect, openPage, state, test, visit, waitForState } from '../support.ts';
+import { expect, LONG, openPage, state, test, visit, waitForState } from '../support.ts';
 import { walks, withoutGraphics } from '../walks.ts';
 
 /**
@@ -41,16 +41,35 @@ const isAtRest = () => !document.getAnimations().some((one) => one instanceof CS
 /** axe's colour rules, the only ones that depend on the theme. */
 const OF_COLOURS = ['color-contrast', 'link-in-text-block'];
 
+/** The windows of tablets, in both directions, to which a desktop's is changed in long tests. */
+const TABLETS = [
+  { width: 1024, height: 768 },
+  { width: 820, height: 1180 },
+];
+
 /**
- * Checks both themes; on a phone only one, because its colours are the same as in other windows.
+ * Checks both themes; on a phone only one if the test is not to be long, because its colours are the
+ * same as in other windows.
  */
 async function expectNothing(page: Page, name = '') {
+  const isPhone = test.info().project.name === 'phone';
+  const own = page.viewportSize() as ViewportSize;
+  // The size of a full screen is fixed.
+  const isFull = await page.evaluate(() => document.fullscreenElement !== null);
+  const windows = LONG && !isPhone && !isFull ? [own, ...TABLETS] : [own];
+  for (const size of windows) {
+    if (windows.length > 1) await page.setViewportSize(size);
+    await expectNothingInThemes(page, `${name}, ${size.width} by ${size.height}`, LONG || !isPhone);
+  }
+  if (windows.length > 1) await page.setViewportSize(own);
+}
+
+async function expectNothingInThemes(page: Page, name: string, inBoth: boolean) {
   const themes: ['light' | 'dark', string[] | undefined][] = [
     ['light', undefined],
     ['dark', OF_COLOURS],
   ];
-  const isPhone = test.info().project.name === 'phone';
-  for (const [colorScheme, rules] of isPhone ? themes.slice(0, 1) : themes) {
+  for (const [colorScheme, rules] of inBoth ? themes : themes.slice(0, 1)) {
     await page.emulateMedia({ colorScheme, reducedMotion: 'reduce' });
     await page.waitForFunction(isAtRest);
     expect.soft(await complaintsOf(page, rules), `${name}, ${colorScheme}`).toEqual([]);
