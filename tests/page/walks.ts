@@ -249,7 +249,7 @@ export const walks: Record<string, State[]> = {
         );
       },
       leave: async (page) => {
-        await page.getByRole('button', { name: 'Close parts and sheets' }).click();
+        await page.getByRole('button', { name: 'Close build: parts and sheets' }).click();
         await hidePanels(page);
       },
     },
@@ -301,7 +301,7 @@ export const walks: Record<string, State[]> = {
         await waitForState(page, (now) => now.build !== null);
       },
       leave: async (page) => {
-        await page.getByRole('button', { name: 'Close parts' }).click();
+        await page.getByRole('button', { name: 'Close build' }).click();
         await hidePanels(page);
       },
     },

@@ -33,6 +33,6 @@ for (const [width, height] of [
     expect(await cutOff(page)).toEqual([]);
     await page.evaluate(() => document.getElementById('build-button')?.click());
     await expect(page.getByRole('region', { name: 'Build: parts and sheets' })).toBeVisible();
-    await expect(page.getByRole('button', { name: 'Close parts and sheets' })).toBeVisible();
+    await expect(page.getByRole('button', { name: 'Close build: parts and sheets' })).toBeVisible();
     expect(await cutOff(page)).toEqual([]);
   });

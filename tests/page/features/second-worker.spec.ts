@@ -29,7 +29,7 @@ test('while parts are made, edits are answered; making them can be cancelled and
   const panel = page.getByRole('region', { name: 'Build: parts and sheets' });
   await expect(panel.getByText('Cancelled.')).toBeVisible();
   await expect(page.getByRole('alert')).toBeEmpty();
-  await panel.getByRole('button', { name: 'Close parts and sheets' }).click();
+  await panel.getByRole('button', { name: 'Close build: parts and sheets' }).click();
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await waitForState(page, (now, panels) => now.build?.panels === panels, SIDE * SIDE);
   await expect(panel.getByText('Cancelled.')).toBeHidden();
