@@ -16,13 +16,8 @@ const WAITING = 'icon.svg';
 /** Whether a page is there. */
 export const isWaiting = (page: Page) => page.url().endsWith(`/${WAITING}`);
 
-/** The media that every test begins with. */
-const MEDIA = {
-  media: null,
-  colorScheme: 'light',
-  reducedMotion: 'no-preference',
-  forcedColors: 'none',
-} as const;
+/** The media that every test begins with, beside the motion of its project. */
+const MEDIA = { media: null, colorScheme: 'light', forcedColors: 'none' } as const;
 
 /** Runs in the page: deletes all that the site has stored. */
 async function forget() {
@@ -124,7 +119,7 @@ class SharedPage {
   }
 
   /** Undoes what a test has done. Rejects if the page cannot be used again. */
-  async reset({ sameDocument }: Use) {
+  async reset({ sameDocument, reducedMotion }: Use) {
     const [context, page] = [this.#context, this.#page];
     for (const other of context.pages()) if (other !== page) await other.close();
     const isAsMade = this.#scripts.length === 0;
@@ -132,7 +127,7 @@ class SharedPage {
     await page.unrouteAll({ behavior: 'ignoreErrors' });
     await context.setOffline(false);
     await context.clearPermissions();
-    await page.emulateMedia(MEDIA);
+    await page.emulateMedia({ ...MEDIA, reducedMotion });
     if (this.#size) await page.setViewportSize(this.#size);
     // Away from the view, then outside the page, as before the first movement.
     for (const at of [1, -1]) await page.mouse.move(at, at);
@@ -158,6 +153,7 @@ interface Use {
   viewport: ViewportSize | null;
   /** whether the test begins with `openPage`, and can do so in the document of another test */
   sameDocument: boolean;
+  reducedMotion: 'reduce' | 'no-preference' | null;
 }
 
 /**

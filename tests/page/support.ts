@@ -126,6 +126,7 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
       serviceWorkers,
       permissions,
       proxy,
+      contextOptions: { reducedMotion = 'no-preference' },
     },
     use,
     testInfo,
@@ -133,7 +134,7 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
     const isLookedAt = testInfo.tags.includes(looks.tag);
     const options = {
       ...{ baseURL, deviceScaleFactor, hasTouch, isMobile },
-      ...{ serviceWorkers, permissions, proxy },
+      ...{ serviceWorkers, permissions, proxy, reducedMotion },
     };
     const make = () => makeContext(browser, { ...options, viewport }, { opened, isLookedAt });
     if (fresh) {
@@ -143,7 +144,8 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
       return;
     }
     const kind = JSON.stringify([options, opened, isLookedAt]);
-    await lend(sharedPages, kind, make, { viewport, sameDocument }, async (context) => {
+    const asked = { viewport, sameDocument, reducedMotion };
+    await lend(sharedPages, kind, make, asked, async (context) => {
       await use(context);
       return testInfo.status === testInfo.expectedStatus;
     });

@@ -165,6 +165,7 @@ for (const [device, width, height] of [
 }
 
 test('the picture moves to the result gradually, without stalling', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   await openPage(page);
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   const corner = await screenOf(page, 0);

@@ -89,10 +89,21 @@ test('views are chosen by keys and menu, at once with reduced motion', async ({ 
 });
 
 test('a short animation leads to the view', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' });
   await openPage(page);
   await openText(page, 'steps.obj', STEPS, 8);
   await screenOf(page, 0);
+  // Asking for a place on the screen would end the way there.
+  const frames = page.evaluate(async () => {
+    const { requestAnimationFrame: ask } = window;
+    let count = 0;
+    window.requestAnimationFrame = (draw) => ask(draw) && ++count;
+    await new Promise((done) => setTimeout(done, 1000));
+    window.requestAnimationFrame = ask;
+    return count;
+  });
   await page.keyboard.press('Shift+Digit1');
+  expect(await frames).toBeGreaterThan(10);
   await expect
     .poll(async () => Math.abs((await screenOf(page, 0))[1] - (await screenOf(page, 1))[1]))
     .toBeLessThan(0.01);
