@@ -56,7 +56,7 @@ test(
     const tolerance = page.getByLabel('Tolerance');
     await tolerance.fill('1000');
     await tolerance.press('Enter');
-    await expect(page.getByTitle('Faces within the tolerance')).toHaveText('36 of 36 within');
+    await expect(page.getByTitle('Panels within the tolerance')).toHaveText('36 of 36 within');
   },
 );
 

@@ -51,7 +51,7 @@ test('an example is flattened, and Escape returns to the model', looks, async ({
   await expect(map(page)).toBeVisible();
   await expect(page.getByRole('status')).toHaveText(/^Flattened in /);
   await expect(value(page, 'Flipped triangles')).toHaveText('0');
-  await expect(page.getByRole('img', { name: /^Histogram of the error/ })).toBeVisible();
+  await expect(page.getByRole('img', { name: /^Histogram of the angle distortion/ })).toBeVisible();
 
   // Side by side; one above the other in a narrow window.
   const view = page.getByRole('application', { name: '3D view' });

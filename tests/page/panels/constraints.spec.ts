@@ -113,13 +113,13 @@ test('a preset sets all its weights and settings, and shows its assumptions befo
   expect((await sceneOf(page)).closeness.boundary).toBeDefined();
   await expect(preset).toHaveValue('fig-5');
 
-  await preset.selectOption('Fig. 6, 8: 1, 0, 0');
+  await preset.selectOption('Figures 6 and 8: only constraints');
   const warning = page.getByRole('group', { name: /There are no handles/ });
   await expect(warning).toBeVisible();
   await expect(preset).toHaveValue('fig-5');
   await warning.getByRole('button', { name: 'Cancel' }).click();
   await expect(warning).toBeHidden();
-  await preset.selectOption('Fig. 6, 8: 1, 0, 0');
+  await preset.selectOption('Figures 6 and 8: only constraints');
   await warning.getByRole('button', { name: 'Use anyway' }).click();
   await expect(preset).toHaveValue('fig-6');
   expect((await sceneOf(page)).closeness.to).toBe('none');

@@ -202,7 +202,7 @@ test('the legend counts the faces within a tolerance', async ({ page }) => {
   await colours.selectOption('Planarity: diagonals');
   await hidePanels(page);
   const tolerance = page.getByLabel('Tolerance');
-  const within = page.getByTitle('Faces within the tolerance');
+  const within = page.getByTitle('Panels within the tolerance');
   const histogram = page.getByRole('img', { name: /^432 faces between 0 and .* %$/ });
   await expect(histogram).toBeVisible();
   const set = async (value: string) => {
@@ -323,7 +323,7 @@ test('errors are in the unit of the tolerance, beside how far the mesh moved', a
   await openText(page, 'm.shapeup.json', JSON.stringify(scene), 9);
   const legend = page.locator('#legend');
   await expect(page.getByLabel('Tolerance')).toHaveValue('1');
-  await expect(page.getByTitle('Faces within the tolerance')).toHaveText('3 of 4 within');
+  await expect(page.getByTitle('Panels within the tolerance')).toHaveText('3 of 4 within');
   await expect(legend).toContainText(/Worst 398 mm/);
   await showStep(page, 'Shape');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
