@@ -69,6 +69,9 @@
 //! without an answer, `change` for what changes the model, one after another, and `ask` for questions.
 //! What they may be is in `www/worker/interface.ts`.
 //!
+//! Numbers, lengths and counts are written by a small module of Rust on the page's own thread
+//! (`www/ui/words.ts`, [`words`]); what imports it waits until it is there.
+//!
 //! The address of the page takes `?renderer=webgl2` or `webgpu`, which otherwise the view chooses, and
 //! `?embed` for a frame in another page, with `&autoplay`, `&panel=model` (the steps), `&measure=` and
 //! the id of a measure, `&theme=light` or `dark`. A shared model is in its fragment, with positions
@@ -181,15 +184,18 @@
 //! | term | means |
 //! |---|---|
 //! | host | what uses a session: the page, the command line, a test |
-//! | rest shape, original | the mesh as opened, to which closeness and smoothness refer |
-//! | handle | vertices that are pulled to targets, or fixed there |
+//! | panel | a face of the mesh, as a part that is built |
+//! | original, in the code rest shape | the mesh as opened, to which closeness and smoothness refer |
+//! | handle | vertices that are pulled to targets |
+//! | fixed | of handles that stay at their targets exactly |
+//! | tolerance | the distance up to which a panel, or another element, is as it shall be |
 //! | row | constraints of one kind that a selector makes: one line of the list on the page |
 //! | hard | of constraints that are met within a length, or exactly, instead of being weighed |
-//! | met | satisfied within the length that is required |
+//! | satisfied, in the code met | within the length that is required |
 //! | press | making all panels circular or flat, by one button: a row of hard constraints and a run |
 //! | attempt | one way to meet hard constraints; a run tries several |
-//! | eased | with a larger tolerance for some panels, so that none folds |
-//! | forecast | an estimate, before a press, of how far it will move the mesh |
+//! | relaxed tolerance, in the code eased | a larger tolerance for some panels, so that none folds |
+//! | estimate, in the code forecast | said before a press: how far it will move the mesh |
 //! | suggestion | an edit that helps, tried before it is offered |
 //!
 //! # Conventions
@@ -226,7 +232,6 @@ pub mod sparse;
 pub mod view;
 #[cfg(target_arch = "wasm32")]
 pub mod web;
-#[cfg(any(feature = "engine", feature = "words"))]
 pub mod words;
 
 #[cfg(doc)]

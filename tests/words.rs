@@ -28,9 +28,7 @@ fn numbers_lengths_and_counts_are_worded_as_in_the_table_of_cases() {
                 let by = [0, 1, 2].map(|axis| given[0][axis].as_f64().unwrap());
                 words::displacement(by, text(1), other(2))
             }
-            "measured" => {
-                MeasureUnit::of(text(1)).unwrap().in_words(number, text(2), other(3))
-            }
+            "measured" => MeasureUnit::of(text(1)).unwrap().in_words(number, text(2), other(3)),
             "part" => words::part(number),
             "signedPart" => words::signed_part(number),
             "ratio" => words::ratio(number),
@@ -113,7 +111,18 @@ fn lengths_of_buildings_are_in_mm_up_to_ten_metres() {
     assert_eq!(limits, ["200 mm", "−100 mm", "0.5 mm", "25 m"]);
     let areas = [words::area(1.234e6), words::area_of(2e4, "cm"), words::area_of(2.0, "")];
     assert_eq!(areas, ["1.23 m²", "2.00 m²", "2.00"]);
-    assert_eq!(["", "°", "m²"].map(|unit| words::number_in(5.0, unit)), ["5.00", "5.00°", "5.00 m²"]);
+    assert_eq!(
+        ["", "°", "m²"].map(|unit| words::number_in(5.0, unit)),
+        ["5.00", "5.00°", "5.00 m²"]
+    );
+}
+
+#[test]
+fn a_range_may_be_open_at_each_end() {
+    let range = |from, to| words::range_in(from, to, "m");
+    let ranges = [range(None, None), range(None, Some(5.0)), range(Some(3.0), None)];
+    assert_eq!(ranges, ["any", "up to 5.00 m", "from 3.00 m"]);
+    assert_eq!(words::range_in(Some(80.0), Some(100.0), "°"), "80.0 to 100°");
 }
 
 #[test]

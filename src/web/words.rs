@@ -50,6 +50,12 @@ pub fn number_in(value: f64, unit: &str) -> String {
     words::number_in(value, unit)
 }
 
+/// Formats a range of numbers with their unit, of which each end may be missing.
+#[wasm_bindgen(js_name = rangeIn)]
+pub fn range_in(from: Option<f64>, to: Option<f64>, unit: &str) -> String {
+    words::range_in(from, to, unit)
+}
+
 /// Formats an estimated length with one or two digits.
 #[wasm_bindgen(js_name = roughLength)]
 pub fn rough_length(value: f64, units: &str) -> String {

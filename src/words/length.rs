@@ -147,6 +147,17 @@ pub fn number_in(value: f64, unit: &str) -> String {
     with_unit(&number(value), unit)
 }
 
+/// Formats a range of numbers with their unit, of which each end may be missing: `up to 5.00 m`,
+/// `from 3.00 m`, `3.00 to 5.00 m`, `any`.
+pub fn range_in(from: Option<f64>, to: Option<f64>, unit: &str) -> String {
+    match (from, to) {
+        (None, None) => "any".to_owned(),
+        (None, Some(to)) => format!("up to {}", number_in(to, unit)),
+        (Some(from), None) => format!("from {}", number_in(from, unit)),
+        (Some(from), Some(to)) => format!("{} to {}", number(from), number_in(to, unit)),
+    }
+}
+
 /// Describes how far vertices moved, given the largest and the mean distance: `at most 0.21 m,
 /// 0.05 m on average`; none if they did not move.
 ///

@@ -17,6 +17,8 @@
 //! | `measure_unit` | the units of measures of a mesh, and which values are rounding errors |
 //! | `count` | counts with their nouns, lists, sentences |
 
+#![cfg(any(feature = "engine", feature = "words"))]
+
 mod count;
 mod length;
 mod measure_unit;
@@ -26,8 +28,9 @@ mod units;
 
 pub use count::{and_more, count, group_digits, sentence};
 pub use length::{
-    ComparedLengths, ROUNDING, area, area_of, compared_lengths, coordinate, decimals_for, displacement,
-    length, length_like, limit, limit_like, millimetres, millimetres_limit, moved, number_in, rough_length,
+    ComparedLengths, ROUNDING, area, area_of, compared_lengths, coordinate, decimals_for,
+    displacement, length, length_like, limit, limit_like, millimetres, millimetres_limit, moved,
+    number_in, range_in, rough_length,
 };
 pub use measure_unit::{MeasureUnit, WrittenUnit, energy_or_zero};
 pub use number::{

@@ -26,3 +26,16 @@ test('what is compared, and units, cross as they are in Rust', () => {
   assert.deepEqual([words.metresOf('ft'), words.metresOf('ell')], [0.3048, undefined]);
   assert.deepEqual([words.rhinoUnit('cm'), words.rhinoUnit('ell')], ['Centimeters', undefined]);
 });
+
+test('what is missing on the page is missing in Rust', () => {
+  assert.equal(words.length(0.05, 'm', null), '50.0 mm');
+  assert.equal(words.measured(0.05, 'length', 'm', null), '50.0 mm');
+  assert.deepEqual(
+    [words.rangeIn(null, 5, 'm'), words.rangeIn(null, null, 'm')],
+    ['up to 5.00 m', 'any'],
+  );
+  assert.deepEqual([words.number(NaN), words.signedPart(-0)], ['–', '0.0 %']);
+  assert.deepEqual([words.lengthOrZero(-1e-12, 100), words.lengthOrZero(-1, 100)], [0, -1]);
+  const { symbol, factor } = words.writtenUnit('per-length', 'mm', 1);
+  assert.deepEqual([symbol, factor], ['1/m', 1000]);
+});

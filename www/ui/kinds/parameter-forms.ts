@@ -1,6 +1,6 @@
 /** The forms of parameter values: keys, labels, conversion between forms, and values in words. */
 
-import { brief, number, numberIn, rounded } from '../words.ts';
+import { brief, numberIn, rangeIn, rounded } from '../words.ts';
 import type { Form, ParamInfo, ParamValue } from '../../solver/types.ts';
 
 /** The part of the model that the controls use. */
@@ -110,17 +110,12 @@ export function axis(name: string): [number, number, number] {
 /** Formats a value with its unit. */
 export function valueInWords(param: ParamInfo, value: ParamValue, units: string) {
   const unit = unitOf(param, units);
-  const amount = (one: number) => numberIn(one, unit);
   if (value === null) return FORM_LABELS.nothing;
   if (typeof value === 'string') return wordLabel(param, value);
-  if (typeof value === 'number') return amount(value);
+  if (typeof value === 'number') return numberIn(value, unit);
   if (value.length === 3) {
     const named = AXES.find((name) => axis(name).every((part, i) => part === value[i]));
     return named?.toUpperCase() ?? value.map((part) => brief(roundedUsual(part))).join(', ');
   }
-  const [from, to] = value;
-  if (from === null && to === null) return 'any';
-  if (from === null) return `up to ${amount(to as number)}`;
-  if (to === null) return `from ${amount(from)}`;
-  return `${number(from)} to ${amount(to)}`;
+  return rangeIn(...value, unit);
 }
