@@ -20,8 +20,8 @@ const WEIGHTS = {
 };
 /** Norms that keep the map from shrinking: label and explanation. */
 const NORMS = {
-  boundary: ['The boundary', 'The boundary is kept from shrinking; the inside follows.'],
-  vertices: ['All vertices', 'All vertices are kept from shrinking, each equally.'],
+  boundary: ['Boundary', 'The boundary is kept from shrinking; the inside follows.'],
+  vertices: ['Vertices', 'All vertices are kept from shrinking, each equally.'],
 };
 const LOOKS = { checks: ['Checkerboard'], errors: ['Angle distortion'] };
 const SQUARES = { min: 8, max: 96, step: 4 };
