@@ -75,7 +75,8 @@ fn what_contradicts_is_named_with_weaker_requirements_that_can_be_met() {
     };
     let session = solved(&json!([length(1.0), length(1.2)]), &json!([]));
     let words = session.exact_words().expect("it was tried");
-    let start = "2 of 2 constraints cannot be satisfied together: Length 1 on 2 vertices, Length 1.2 on ";
+    let start =
+        "2 of 2 constraints cannot be satisfied together: Length 1 on 2 vertices, Length 1.2 on ";
     assert!(words.full.starts_with(start), "{}", words.full);
     assert!(
         words.full.contains(" In the closest shape that was found, the largest error is "),
