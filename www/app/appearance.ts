@@ -1,5 +1,5 @@
 /**
- * Attributes of the page for the style sheets: the theme, the next step (`shape`, `run` or `build`),
+ * Attributes of the page for the style sheets: the theme, the next step (`store/next-step.ts`),
  * whose button is filled, and whether the model moves, which hides the overlays in small windows.
  */
 

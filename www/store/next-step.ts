@@ -14,12 +14,13 @@ export const NEXT_STEP_KEYS = [
 
 /**
  * - `shape`: nothing is constrained yet, and there are panels
+ * - `constrain`: nothing is constrained or held yet, and no press can make the faces panels
  * - `run`: constraints are not met, or nothing can be built
  * - `choose`: a run has ended, but its shape is not good: something is beyond the tolerance, or its
  *   verdict offers better ones
  * - `build`: all is met
  */
-export type NextStep = 'shape' | 'run' | 'choose' | 'build';
+export type NextStep = 'shape' | 'constrain' | 'run' | 'choose' | 'build';
 
 type Known = Pick<State, (typeof NEXT_STEP_KEYS)[number]>;
 
@@ -31,8 +32,10 @@ export function nextStep({
   numbers,
   verdict,
 }: Known): NextStep {
-  if (!document?.constraints.some(({ enabled }) => enabled))
-    return model?.panels.some(({ reason }) => !reason) ? 'shape' : 'run';
+  if (!document?.constraints.some(({ enabled }) => enabled)) {
+    if (model?.panels.some(({ reason }) => !reason)) return 'shape';
+    return model?.faces && !document?.handles.length ? 'constrain' : 'run';
+  }
   if (running || !converged || numbers?.exact?.met === false || !model?.faces) return 'run';
   const isBeyond = document.constraints.some(
     ({ enabled, require }, row) =>

@@ -21,13 +21,12 @@ function after(change: object = {}) {
 }
 
 test('the next step is the first that is missing', () => {
-  const bare = { constraints: [] };
+  const bare = { constraints: [], handles: [] };
   assert.equal(after({ document: bare }), 'shape');
-  // A constraint has to be added: no button can know which.
-  assert.equal(
-    after({ document: bare, model: { faces: 4, panels: [{ reason: 'mixed' }] } }),
-    'run',
-  );
+  // A constraint has to be added: there is nothing to run. Run used to be the blue button.
+  const mixed = { faces: 4, panels: [{ reason: 'mixed' }] };
+  assert.equal(after({ document: bare, model: mixed }), 'constrain');
+  assert.equal(after({ document: { ...bare, handles: [{ vertex: 0 }] }, model: mixed }), 'run');
   assert.equal(after({ converged: false }), 'run');
   assert.equal(after({ running: true }), 'run');
   assert.equal(after({ numbers: { exact: { met: false } } }), 'run');
