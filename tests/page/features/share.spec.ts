@@ -39,7 +39,7 @@ test("a link contains the user's mesh, which is solved again", async ({ page, ot
   await page.getByLabel('Tolerance').fill('4');
   await page.getByLabel('Tolerance').press('Enter');
   const before = await runToTheEnd(page);
-  const within = (there: Page) => there.getByTitle('Faces within the tolerance');
+  const within = (there: Page) => there.getByTitle('Panels within the tolerance');
   const link = await linkOf(page);
   expect(new URL(link).hash).toMatch(/^#link=[\w-]+$/);
   await expect(dialogOf(page).getByText('Short enough')).toBeVisible();
