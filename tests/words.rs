@@ -109,8 +109,9 @@ fn lengths_of_buildings_are_in_mm_up_to_ten_metres() {
     assert_eq!([words::millimetres(0.0004), words::millimetres(-0.05)], ["0 mm", "−0.050 mm"]);
     let limits = [200.0, -100.0, 0.5, 25_000.0].map(words::millimetres_limit);
     assert_eq!(limits, ["200 mm", "−100 mm", "0.5 mm", "25 m"]);
-    let areas = [words::area(1.234e6), words::area_of(2e4, "cm"), words::area_of(2.0, "")];
-    assert_eq!(areas, ["1.23 m²", "2.00 m²", "2.00"]);
+    let areas = [words::area(1.234e6), words::area_of(2e4, "cm"), words::area_of(2.0, "ft")];
+    assert_eq!(areas, ["1.23 m²", "2.00 m²", "2.00 ft²"]);
+    assert_eq!(words::area_of(2.0, ""), "2.00");
     assert_eq!(
         ["", "°", "m²"].map(|unit| words::number_in(5.0, unit)),
         ["5.00", "5.00°", "5.00 m²"]

@@ -147,7 +147,7 @@ impl Build {
                 }
             }
             OffsetKind::Edge => {
-                "only a mesh whose edges are parallel to those of a mesh around a sphere allows this".to_owned()
+                "only a mesh whose edges are parallel to edges that all touch one sphere allows this".to_owned()
             }
         }
     }

@@ -51,11 +51,11 @@ impl Build {
         }
         suggestions.extend(flatness.map(|flatness| suggestion("plane", flatness)));
         let otherwise = if of_offset.is_some() && !corners {
-            "Set Measured at to Corners: circular panels then make the offset exact."
+            "Set “Measured at” to “Corners”: circular panels then make the offset exact."
         } else if missed("safe_distance").is_some() {
-            "Reduce Distance: then no edge flips."
+            "Bring “Distance” nearer to 0: fewer edges then flip."
         } else if missed("lean").is_some() {
-            "Increase Upright axes: the axes then lean less."
+            "Increase “Upright axes”: the axes then lean less."
         } else if rows.iter().all(|row| row.met != Some(false)) {
             "Every number is within its limit."
         } else {

@@ -47,7 +47,7 @@ impl fmt::Display for ResultFault {
             }
             // The numbers would mean nothing to most readers.
             ResultFault::Euler { .. } => {
-                f.write_str("its openings or parts would be others than those of the surface")
+                f.write_str("the new mesh would have other openings or parts")
             }
         }
     }

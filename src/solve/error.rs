@@ -31,7 +31,7 @@ impl fmt::Display for SolveError {
         match self {
             SolveError::NotPositiveDefinite { vertex } => write!(
                 f,
-                "vertex {vertex} is not held by anything strong enough: raise its weights, or add a handle there"
+                "the weights at vertex {vertex} differ too much from the others: lower the largest weights, or raise the smallest"
             ),
             SolveError::NoArea { vertex } => {
                 write!(f, "the part with vertex {vertex} has almost no area, expected a surface")

@@ -133,12 +133,14 @@ pub fn area(square_mm: f64) -> String {
     area_of(square_mm, "mm")
 }
 
-/// Formats the area of a surface in square metres; without a unit if that of its mesh is not known.
+/// Formats the area of a surface: in square metres, or in the squared unit of a mesh in feet or
+/// inches; without a unit if that is not known.
 /// `area` is in the squared unit of the mesh, whose symbol is `units`.
 pub fn area_of(area: f64, units: &str) -> String {
-    match LengthUnit::of(units) {
-        Some(unit) => number_in(area * unit.metres * unit.metres, "m²"),
-        None => number(area),
+    match (units, LengthUnit::of(units)) {
+        ("m" | "cm" | "mm", Some(unit)) => number_in(area * unit.metres * unit.metres, "m²"),
+        (_, Some(unit)) => number_in(area, &format!("{}²", unit.symbol)),
+        (_, None) => number(area),
     }
 }
 

@@ -184,9 +184,11 @@ fn diagonal_quads_are_not_named_where_they_would_move_as_far() {
     let found = forecast(&wave);
     assert!(found.off_curvature_lines.unwrap() > 22.5, "{found:?}");
     assert_eq!((found.suggestion(), &found.diagonal), (None, &None));
-    assert!(found.words("m").ends_with(
-        "New panels along the curvature, or a larger Tolerance in Check, would reduce this."
-    ));
+    assert!(
+        found
+            .words("m")
+            .ends_with("New panels along the curvature, or a larger tolerance, would reduce this.")
+    );
     // Nor where the edges follow them.
     assert_eq!(forecast(&vault(0.1)).suggestion(), None);
 }

@@ -103,7 +103,7 @@ fn the_cost_of_exactness_and_the_gain_of_an_improvement_are_said() {
     assert_eq!(cost.taken, "Also made exact. The largest error is 0 mm.");
     assert!(cost.offered.starts_with("If made exact, the shape would move by up to "), "{cost:?}");
     let names: Vec<_> = cost.table.iter().map(|[name, ..]| &**name).collect();
-    assert_eq!(names, ["Worst distance", "Moved at most", "on average", "Energy"]);
+    assert_eq!(names, ["Largest error", "Moved at most", "on average", "Energy"]);
     assert_eq!(cost.table[0][2], "0 mm");
     assert!(session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
 

@@ -22,6 +22,7 @@ const placeOf = (step: Step): HTMLDetailsElement => byId(`step-${step}`);
 /** Where the next step is done. */
 const WHERE: Record<NextStep, Step> = {
   shape: 'shape',
+  change: 'shape',
   constrain: 'shape',
   run: 'shape',
   choose: 'shape',

@@ -14,13 +14,14 @@ export const NEXT_STEP_KEYS = [
 
 /**
  * - `shape`: nothing is constrained yet, and there are panels
- * - `constrain`: nothing is constrained or held yet, and no press can make the faces panels
+ * - `change`: as before, but another mesh is needed or suggested first
+ * - `constrain`: nothing is constrained or held yet, and no press is for these faces
  * - `run`: constraints are not met, or nothing can be built
  * - `choose`: a run has ended, but its shape is not good: something is beyond the tolerance, or its
  *   verdict offers better ones
  * - `build`: all is met
  */
-export type NextStep = 'shape' | 'constrain' | 'run' | 'choose' | 'build';
+export type NextStep = 'shape' | 'change' | 'constrain' | 'run' | 'choose' | 'build';
 
 type Known = Pick<State, (typeof NEXT_STEP_KEYS)[number]>;
 
@@ -34,7 +35,8 @@ export function nextStep({
 }: Known): NextStep {
   if (!document?.constraints.some(({ enabled }) => enabled)) {
     if (model?.panels.some(({ reason }) => !reason)) return 'shape';
-    return model?.faces && !document?.handles.length ? 'constrain' : 'run';
+    if (document?.handles.length) return 'run';
+    return model?.panelSuggestion ? 'change' : 'constrain';
   }
   if (running || !converged || numbers?.exact?.met === false || !model?.faces) return 'run';
   const isBeyond = document.constraints.some(

@@ -7,9 +7,8 @@
 import init from '../pkg/words/shape_up.js';
 
 await init().catch((thrown: unknown) => {
-  // Not missing, but nothing that this browser can compile.
-  if (thrown instanceof WebAssembly.CompileError) throw thrown;
-  throw new Error('a part of the page could not be fetched');
+  const isMissing = thrown instanceof TypeError || String(thrown).includes('failed to fetch Wasm');
+  throw isMissing ? new Error('a part of the page could not be fetched') : thrown;
 });
 
 export * from '../pkg/words/shape_up.js';

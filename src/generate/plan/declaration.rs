@@ -146,29 +146,29 @@ impl fmt::Display for PlanError {
             }
             PlanError::FourCorners(marked) => write!(
                 f,
-                "expected four corners for panels along the outline, found {marked}: mark four points as Corner of the roof, or choose A grid, cut to fit"
+                "expected four corners for panels along the outline, found {marked}: mark four points as “Corner of the roof”, or choose “A grid, cut to fit”"
             ),
             PlanError::NoCorners(marked) => {
                 write!(
                     f,
-                    "expected at least three corners to stand on, found {marked}: mark more points as Corner of the roof, or let it stand on The whole outline"
+                    "expected at least three corners to stand on, found {marked}: mark more points as “Corner of the roof”, or choose “The whole outline”"
                 )
             }
             PlanError::Holes => f.write_str(
-                "panels along the outline cannot have holes: delete the holes, or choose A grid, cut to fit",
+                "panels along the outline cannot have holes: delete the holes, or choose “A grid, cut to fit”",
             ),
             PlanError::Folded => f.write_str(
-                "panels along this outline would overlap: choose other corners, or A grid, cut to fit",
+                "panels along this outline would overlap: choose other corners, or “A grid, cut to fit”",
             ),
             PlanError::TooCoarse(Some(hole)) => {
                 write_hole(f, *hole)?;
-                f.write_str(" is too small for these panels: reduce the size of a panel")
+                f.write_str(" is too small for these panels: reduce their size, Panel")
             }
             PlanError::TooCoarse(None) => {
-                f.write_str("the outline is too small for these panels: reduce the size of a panel")
+                f.write_str("the outline is too small for these panels: reduce their size, Panel")
             }
             PlanError::NoSupport => {
-                f.write_str("a piece of the surface has no support: mark a point of it as Corner of the roof")
+                f.write_str("a piece of the surface has no support: mark a point of it as “Corner of the roof”")
             }
             PlanError::TooManyFaces(why) => why.fmt(f),
         }

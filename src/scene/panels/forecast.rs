@@ -156,7 +156,10 @@ impl Forecast {
         words += &match self.off_curvature_lines.filter(|&angle| angle >= OFF) {
             Some(angle) if is_far => {
                 let suggestion = self.suggestion().map_or_else(
-                    || "New panels along the curvature, or a larger Tolerance in Check, would reduce this.".to_owned(),
+                    || {
+                        "New panels along the curvature, or a larger tolerance, would reduce this."
+                            .to_owned()
+                    },
                     |suggestion| suggestion.words,
                 );
                 format!(
@@ -164,7 +167,7 @@ impl Forecast {
                     words::rough_degrees(angle)
                 )
             }
-            None if is_far => ". A larger Tolerance in Check would reduce this.".to_owned(),
+            None if is_far => ". A larger tolerance would reduce this.".to_owned(),
             _ => ".".to_owned(),
         };
         let some = |&[on_saddles, all]: &[usize; 2]| on_saddles as f64 > SADDLE_SHARE * all as f64;

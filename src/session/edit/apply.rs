@@ -173,7 +173,7 @@ pub(crate) fn apply(
                 handles[place].hold = Hold::Soft { weight };
             }
             draft.put_handles(handles);
-            format!("Weigh {}", words::count(vertices.len(), "handle", "handles"))
+            format!("Weight of {}", words::count(vertices.len(), "handle", "handles"))
         }
         Edit::SetWeights(weights) => {
             draft.set(|document| {

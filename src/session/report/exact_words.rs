@@ -196,9 +196,9 @@ impl TrialWords {
         let far = words::length(numbers.by, numbers.units);
         TrialWords {
             taken: format!(
-                "Improved: smoother, or nearer to the original ({gain} less energy). It moved by up to {far}."
+                "Improved: what is not exact is satisfied better ({gain} less energy). It moved by up to {far}."
             ),
-            offered: "No exact shape nearby is smoother or nearer to the original.".to_owned(),
+            offered: "No better exact shape was found nearby.".to_owned(),
             table: numbers.table(),
         }
     }
@@ -217,7 +217,7 @@ impl TrialNumbers<'_> {
         };
         let error = |distance| words::length_like(distance, self.units, self.tolerance);
         vec![
-            row("Worst distance", self.distance.map(error)),
+            row("Largest error", self.distance.map(error)),
             row("Moved at most", moved(|moved| moved.max)),
             row("on average", moved(|moved| moved.mean)),
             row("Energy", self.energy.map(words::number)),

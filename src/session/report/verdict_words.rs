@@ -95,7 +95,7 @@ impl Verdict {
         match flaw {
             Flaw::Eased => String::new(),
             Flaw::SeamOpened => format!(
-                "A seam opened by {}: its vertices lie on each other but are not joined. To join them, press Edit mesh under Open or make, then choose Join seams.",
+                "A seam opened by {}: its vertices lie on each other but are not joined. To join them: Open or make, Change the mesh, Edit mesh, Join seams.",
                 edges(self.seam)
             ),
             Flaw::Rougher | Flaw::Flatter => self.bend.words(),
@@ -294,7 +294,7 @@ mod tests {
             (Flaw::Eased, "All 800 "),
             (
                 Flaw::SeamOpened,
-                "A seam opened by 1.5 edges: its vertices lie on each other but are not joined. To join them, press Edit mesh under Open or make, then choose Join seams. All ",
+                "A seam opened by 1.5 edges: its vertices lie on each other but are not joined. To join them: Open or make, Change the mesh, Edit mesh, Join seams. All ",
             ),
         ] {
             assert!(with(flaw).starts_with(words), "{}", with(flaw));

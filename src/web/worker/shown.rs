@@ -105,7 +105,7 @@ impl Solver {
     #[wasm_bindgen(js_name = variantPositions)]
     pub fn variant_positions(&self, index: usize) -> Result<Float64Array, JsValue> {
         let kept = &self.open()?.document().variants.kept;
-        let variant = kept.get(index).ok_or_else(|| thrown("there is no such variant"))?;
+        let variant = kept.get(index).ok_or_else(|| thrown("there is no such variation"))?;
         Ok(Float64Array::from(variant.positions.as_flattened()))
     }
 

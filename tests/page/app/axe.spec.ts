@@ -57,12 +57,22 @@ async function expectNothing(page: Page, name = '') {
   // The size of a full screen is fixed.
   const isFull = await page.evaluate(() => document.fullscreenElement !== null);
   const windows = LONG && !isPhone && !isFull ? [own, ...TABLETS] : [own];
+  const isOpen = await openParts(page);
   for (const size of windows) {
     if (windows.length > 1) await page.setViewportSize(size);
+    expect(await openParts(page), `${name} stays as it is in another window`).toEqual(isOpen);
     await expectNothingInThemes(page, `${name}, ${size.width} by ${size.height}`, LONG || !isPhone);
   }
   if (windows.length > 1) await page.setViewportSize(own);
 }
+
+/** The ids of what is open beside the steps: dialogs, menus, docked panels. */
+const openParts = (page: Page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('dialog[open], :popover-open, .docked:not([hidden])')].map(
+      ({ id }) => id,
+    ),
+  );
 
 async function expectNothingInThemes(page: Page, name: string, inBoth: boolean) {
   const themes: ['light' | 'dark', string[] | undefined][] = [

@@ -85,7 +85,7 @@ test('the button of the suggested next step is the filled one', async ({ page })
   await expect.poll(next).toBe('run');
   await openText(page, 'roof.obj', wavyGrid(6), 49);
   await expect.poll(next).toBe('shape');
-  await expect(page.getByText('Next: press Make panels …')).toBeVisible();
+  await expect(page.getByText('Next: make its panels flat or circular')).toBeVisible();
   const press = page.getByRole('button', { name: 'Make panels flat' });
   await press.click();
   await waitForState(page, (now) => now.converged && !now.running);
@@ -95,6 +95,23 @@ test('the button of the suggested next step is the filled one', async ({ page })
       .getByRole('button', { name, exact: true })
       .evaluate((button) => getComputedStyle(button).backgroundColor);
   expect(await colour('Build')).not.toBe(await colour('Run'));
+
+  // Nothing can be run where nothing is constrained.
+  const filled = await colour('Build');
+  await openText(page, 'curve.obj', 'v 0 0 0\nv 1 0 0\nv 2 1 0\nl 1 2 3\n', 3);
+  await expect.poll(next).toBe('constrain');
+  await expect.poll(() => colour('Add constraint')).toBe(filled);
+  expect(await colour('Run')).not.toBe(filled);
+  await expect(page.getByText('Next: add a constraint')).toBeVisible();
+  await openText(
+    page,
+    'triangles.obj',
+    'v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nf 1 2 3\nf 1 3 4\n',
+    4,
+  );
+  await expect.poll(next).toBe('change');
+  expect(await colour('Run')).not.toBe(filled);
+  await expect(page.getByText('Next: other panels')).toBeVisible();
 });
 
 test('actions on a selection are offered once something is selected', async ({ page }) => {

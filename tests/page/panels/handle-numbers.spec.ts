@@ -159,7 +159,7 @@ test('weight, Soft and Fixed apply to all selected handles', async ({ page }) =>
   await expect(weight).toHaveAttribute('placeholder', 'mixed');
   await enter(weight, '12');
   await waitForState(page, (now) => now.handles.every((handle) => handle.weight === 12));
-  await expect(undoButton(page)).toHaveAttribute('title', /Weigh 2 handles/);
+  await expect(undoButton(page)).toHaveAttribute('title', /Weight of 2 handles/);
 
   const soft = details(page).getByRole('button', { name: 'Soft' });
   await expect(soft).toHaveAttribute('aria-pressed', 'true');

@@ -26,6 +26,7 @@ test('the next step is the first that is missing', () => {
   // A constraint has to be added: there is nothing to run. Run used to be the blue button.
   const mixed = { faces: 4, panels: [{ reason: 'mixed' }] };
   assert.equal(after({ document: bare, model: mixed }), 'constrain');
+  assert.equal(after({ document: bare, model: { ...mixed, panelSuggestion: {} } }), 'change');
   assert.equal(after({ document: { ...bare, handles: [{ vertex: 0 }] }, model: mixed }), 'run');
   assert.equal(after({ converged: false }), 'run');
   assert.equal(after({ running: true }), 'run');

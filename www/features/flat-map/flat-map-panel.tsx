@@ -182,7 +182,7 @@ function FewerFlips({ fewerFlips }: FlatMap) {
   return (
     <>
       <p class="quiet">
-        {`${WEIGHTS[weights][0]} and ${NORMS[norm][0].toLowerCase()}: flips ${number}, mean distortion ${ratio(mean)}.`}
+        {`With “${WEIGHTS[weights][0]}” and “${NORMS[norm][0]}” it flips ${number}, mean distortion ${ratio(mean)}.`}
       </p>
       <Button class="small bordered" onClick={() => maps.choose({ weights, norm })}>
         Use these settings

@@ -259,7 +259,8 @@ function LessonDialog({
       </label>
       <p class="quiet">
         Students see the text and whether each goal is satisfied while they work. Locked controls
-        are disabled. To unlock, press Undo. A constraint with limit 0 must be exact.
+        are disabled. Until you close the page, Undo unlocks them. A constraint with limit 0 must be
+        exact.
       </p>
       <p class="refused" aria-live="assertive">
         {refusal}

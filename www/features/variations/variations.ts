@@ -176,7 +176,9 @@ export class Variations {
       this.found.value = [...this.found.value, { shape, connectivity, displacements, slide }];
     }
     this.words.value =
-      this.found.value.length > 0 ? HINT : 'No other shape satisfies all required constraints.';
+      this.found.value.length > 0
+        ? HINT
+        : 'No other shape nearby satisfies all required constraints.';
     while (isCurrent()) {
       this.ranges.value = progress.ranges;
       if (!progress.more) break;

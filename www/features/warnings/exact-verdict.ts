@@ -53,7 +53,8 @@ export class ExactVerdict {
   #improves(): Offer {
     return {
       label: 'Improve',
-      title: 'Looks for an equally exact shape that is smoother or nearer to the original',
+      title:
+        'Looks for an equally exact shape that is better in all else: closeness, smoothness, soft constraints',
       act: () => this.#improve(),
     };
   }
@@ -68,8 +69,7 @@ export class ExactVerdict {
       act: () => (isStopped = true),
     };
     const message = this.#messages.say({
-      words:
-        'Improving: looking for an equally exact shape that is smoother or nearer to the original …',
+      words: 'Improving: looking for an equally exact shape that is better in all else …',
       offers: [stop],
     });
     const isWanted = () => this.#messages.isShown(message);

@@ -6,6 +6,8 @@ import { count } from '../../ui/words.ts';
 import { messageOf } from '../../solver/errors.ts';
 import { card, type Result } from './card.ts';
 
+document.documentElement.dataset.started = '';
+
 type Entry = { example: Example; words: string; card: HTMLElement; section: HTMLElement };
 
 const RESULTS = new URL(/* @vite-ignore */ 'pictures/results.json', document.baseURI);

@@ -5,6 +5,8 @@ import { number } from '../../ui/words.ts';
 import { drawBars, drawPlane } from './drawing.ts';
 import { errors, project, reconcile, sum, type Point, type ConstraintSet } from './sets.ts';
 
+document.documentElement.dataset.started = '';
+
 type Bar = { label: string; errors: number[] };
 
 /** Size of the view box, whose origin is at the upper left. */

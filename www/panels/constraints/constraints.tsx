@@ -244,7 +244,10 @@ function Worst({ row }: { row: ConstraintRow }) {
   const required = typeof row.require === 'object' ? row.require.within : null;
   const allowed = required ?? tolerance;
   const isWithin = known && value <= allowed;
-  const side = `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`;
+  const compared =
+    required === null
+      ? `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`
+      : `${isWithin ? '' : 'not '}satisfied`;
   return (
     <>
       <span
@@ -253,9 +256,7 @@ function Worst({ row }: { row: ConstraintRow }) {
       >
         {known && `worst ${length(lengthOrZero(value, model?.size ?? 0), units, tolerance)}`}
       </span>
-      <span class={isWithin ? 'within met' : 'within'}>
-        {known && (isWithin && required !== null ? 'satisfied' : side)}
-      </span>
+      <span class={isWithin ? 'within met' : 'within'}>{known && compared}</span>
     </>
   );
 }

@@ -15,10 +15,9 @@ export function hintOf(state: Readonly<State>) {
   if (!model || !document) return '';
   if (dragged.length > 0) return 'Release to place it · Esc cancels';
   const next = nextStep(state);
-  if (document.constraints.length === 0)
-    return next === 'shape'
-      ? 'Next: press Make panels …, or Add constraint'
-      : 'Next: add a constraint to say what shape its parts should have';
+  if (next === 'shape') return 'Next: make its panels flat or circular, or add a constraint';
+  if (next === 'change') return 'Next: other panels for this mesh, or a constraint';
+  if (next === 'constrain') return 'Next: add a constraint to say what shape its parts shall have';
   const isLocked = areHandlesLocked(document);
   if (!isLocked && document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
     return 'Drag the handle, an arrow or a square · Enter, then arrow keys, moves it';

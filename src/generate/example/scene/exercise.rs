@@ -22,7 +22,7 @@ pub(super) const GLASS_ROOF: Example = Example {
 
 const TEXT: &str = "Each pane of this roof will be one flat sheet of glass.
 Make every pane flat to a millimetre, and keep the roof within 5 cm of where it was drawn.
-Press Run and see which goals are missed. Then open Shape, Weights and solver, and change the weights until both are met. Hand in your results.";
+Press Run and see which goals are missed. Then open Shape, Weights and solver, and change the weights until both are satisfied. Hand in your results.";
 
 /// A roof on four fixed feet, with two conflicting goals.
 fn glass_roof(scene: &mut Scene) -> Mesh {
