@@ -29,10 +29,10 @@ const STRANGE: [what: string, text: string, vertices: number, words: RegExp][] =
     /2 panels on 1 sheet/,
   ],
   [
-    'a coordinate that is no number',
+    'a coordinate that is not a number',
     'v 0 0 0\nv x 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n',
     4,
-    /A coordinate of vertex 1 in the file is no number/,
+    /A coordinate of vertex 1 in the file is not a number/,
   ],
   [
     'a unit that is not known',
@@ -58,7 +58,7 @@ for (const [what, text, vertices, words] of STRANGE) {
     await page.getByRole('button', { name: 'Build', exact: true }).click();
     await expect(partsPanel(page)).toContainText(words);
     const save = partsPanel(page).getByRole('button', { name: 'Save drawings' });
-    if (/no faces|no number|not known/.test(words.source)) {
+    if (/no faces|not a number|not known/.test(words.source)) {
       await expect(save).toBeDisabled();
       // The panel is open, although there are no parts.
       const build = page.getByRole('button', { name: 'Build', exact: true });
