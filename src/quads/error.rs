@@ -102,12 +102,14 @@ impl RemeshError {
             }
             RemeshError::SizeTooSmall { least } => {
                 let least = side(least * (1.0 + SAFE));
-                format!("there would be more than 100 000 panels: set Side to {least} or more")
+                format!(
+                    "there would be more than 100 000 panels, expected a Side of {least} or more"
+                )
             }
             RemeshError::SizeTooLarge { greatest, .. } => {
                 let greatest = side(greatest * (1.0 - SAFE));
                 format!(
-                    "panels of this size are too large for the surface: set Side to {greatest} or less"
+                    "panels of this size are too large for the surface, expected a Side of {greatest} or less"
                 )
             }
             RemeshError::Numerical => {
@@ -118,8 +120,8 @@ impl RemeshError {
             }
             RemeshError::NotFollowed { fault, follows } => {
                 let remedy = match follows {
-                    Some(size) => format!("set Side to {}", side(*size)),
-                    None => "make Side smaller".to_owned(),
+                    Some(size) => format!("expected a Side of {}", side(*size)),
+                    None => "expected a smaller Side".to_owned(),
                 };
                 format!("panels of this size cannot follow the surface ({fault}): {remedy}")
             }
