@@ -114,7 +114,7 @@ fn the_cost_of_exactness_and_the_gain_of_an_improvement_are_said() {
         gain.taken.starts_with("Improved: ")
             && gain.taken.contains(" % less energy). It moved by up to ")
     );
-    assert!(gain.offered.starts_with("No exact shape nearby is "), "{gain:?}");
+    assert!(gain.offered.starts_with("No better exact shape "), "{gain:?}");
 }
 
 #[test]

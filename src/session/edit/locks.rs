@@ -14,8 +14,7 @@ pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneErro
     let changes = matches!(edit, Edit::SetLesson { lesson, .. } if lesson.as_ref() != Some(now));
     if changes && !lock.is_empty() {
         let message =
-            "a lesson that locks something can be changed only where it was just written, by Undo"
-                .to_owned();
+            "locked by the lesson: only where it was just written, Undo removes it".to_owned();
         return Err(SceneError { path: "lesson.lock".to_owned(), message });
     }
     let changed = changed_by(edit, document);
