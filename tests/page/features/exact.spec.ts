@@ -105,7 +105,7 @@ test('an exact shape is improved in one undo step, and the gain is shown', async
   await expect(make.or(improve)).toBeVisible();
   if (await make.isVisible()) await make.click();
   await improve.click();
-  await expect(verdict(page).getByText(/^Improved: |No exact shape nearby/)).toBeVisible();
+  await expect(verdict(page).getByText(/^Improved: |No better exact shape/)).toBeVisible();
   const after = await exact(page);
   expect(after).toMatchObject({ met: true });
   expect(after?.max_distance).toBeLessThan(1e-8);

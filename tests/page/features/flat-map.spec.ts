@@ -192,28 +192,28 @@ test(
   },
 );
 
-test('a map that folds offers settings with fewer folds', async ({ page }) => {
-  await openPage(page);
-  // Two boundary loops: the map folds with the default settings, but not with others. A round tube
-  // has several maps of equal energy, between which rounding decides.
-  await openText(page, 'tube.obj', tube({ width: 0.5, taper: 0.1, power: 2 }), 60);
-  await parametrize(page);
-  await expect(value(page, 'Flipped triangles')).not.toHaveText('0');
-  // They are looked for unasked only if the map took less than 0.3 s.
-  const look = page.getByRole('button', { name: 'Look for settings that flip fewer' });
-  const found = page.getByText(/flips none, mean distortion/);
-  await expect(look.or(found)).toBeVisible();
-  if (await look.isVisible()) await look.click();
-  await expect(found).toBeVisible();
-  await page.getByRole('button', { name: 'Use these settings' }).click();
-  await expect(value(page, 'Flipped triangles')).toHaveText('0');
-  await expect(page.getByLabel('Weight of a polygon')).toHaveValue('lscm');
-  await expect(page.getByRole('button', { name: 'Use these settings' })).toBeHidden();
-});
-
-test.describe('while a map is made', () => {
-  // Its choices would stay in the page of other tests.
+test.describe('with choices of their own', () => {
+  // Choices of a flat map stay in the page, for all tests after them.
   test.use({ sameDocument: false, fresh: true });
+
+  test('a map that folds offers settings with fewer folds', async ({ page }) => {
+    await openPage(page);
+    // Two boundary loops: the map folds with the default settings, but not with others. A round tube
+    // has several maps of equal energy, between which rounding decides.
+    await openText(page, 'tube.obj', tube({ width: 0.5, taper: 0.1, power: 2 }), 60);
+    await parametrize(page);
+    await expect(value(page, 'Flipped triangles')).not.toHaveText('0');
+    // They are looked for unasked only if the map took less than 0.3 s.
+    const look = page.getByRole('button', { name: 'Look for settings that flip fewer' });
+    const found = page.getByText(/flips none, mean distortion/);
+    await expect(look.or(found)).toBeVisible();
+    if (await look.isVisible()) await look.click();
+    await expect(found).toBeVisible();
+    await page.getByRole('button', { name: 'Use these settings' }).click();
+    await expect(value(page, 'Flipped triangles')).toHaveText('0');
+    await expect(page.getByLabel('Weight of a polygon')).toHaveValue('lscm');
+    await expect(page.getByRole('button', { name: 'Use these settings' })).toBeHidden();
+  });
 
   test('one that is closed meanwhile does not come back', async ({ page }) => {
     // Maps after the first come late.
