@@ -71,11 +71,12 @@ const KEY = 'shape-up.single-keys';
 export const isSwitchedOff = (chord: string) =>
   !singleKeys.on && /^(Shift\+|Numpad)?[^ ]$/u.test(chord);
 
-/** Returns the display name of the first of these chords that works; empty if none does. */
-export function workingKey(...chords: string[]) {
-  const chord = chords.find((one) => !isSwitchedOff(one));
-  return chord === undefined ? '' : keyName(chord);
-}
+/** Returns the display names of those of these chords that work. */
+export const workingKeys = (...chords: string[]) =>
+  chords.filter((chord) => !isSwitchedOff(chord)).map(keyName);
+
+/** Returns the first of them; empty if none works. */
+export const workingKey = (...chords: string[]) => workingKeys(...chords)[0] ?? '';
 
 /** Returns that name as the end of a title, in brackets. */
 export function keyInTitle(...chords: string[]) {

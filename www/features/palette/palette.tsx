@@ -5,18 +5,12 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { isEnabled, press } from '../../store/press.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
-import { workingKey } from '../../ui/keys.ts';
+import { Key } from '../../ui/components/buttons.tsx';
 import type { State } from '../../store/state.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 
 export function openPalette(app: AppContext) {
   showDialog(app, { id: 'palette', title: 'Commands', light: true, lasts: true }, Palette);
-}
-
-/** The key of a command, if one works. */
-function Key({ of: { keys } }: { of: Command }) {
-  const key = workingKey(...keys);
-  return key ? <kbd>{key}</kbd> : null;
 }
 
 /** What a command is called in the list. */
@@ -90,7 +84,7 @@ function Palette({ close }: InDialog) {
           >
             <span>{command.label}</span>
             <span class="quiet">{command.group}</span>
-            <Key of={command} />
+            <Key of={command.keys} />
           </li>
         ))}
       </ul>

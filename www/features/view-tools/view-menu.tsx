@@ -7,12 +7,12 @@ import { useEffect } from 'preact/hooks';
 import { isEnabled, press } from '../../store/press.ts';
 import { useApp } from '../../store/use-app.ts';
 import { MICE } from '../../store/state.ts';
-import { CloseButton } from '../../ui/components/buttons.tsx';
+import { CloseButton, Key } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
 import { MOUSE_NAMES } from '../../viewport/input/mouse.ts';
 import { placeMenu } from '../../ui/controls/navigation.ts';
 import { byId } from '../../ui/dom.ts';
-import { isSwitchedOff, keyName, workingKey } from '../../ui/keys.ts';
+import { workingKeys } from '../../ui/keys.ts';
 import { fly } from '../../viewport/camera.ts';
 import type { State } from '../../store/state.ts';
 
@@ -51,15 +51,11 @@ function Item({ id, label, closes = false }: { id: string; label: string; closes
   // What a command depends on is followed where it reads it.
   const state = store.state as State;
   const { keys, pressed } = command;
-  const key = workingKey(...keys);
   return (
     <button
       type="button"
       class={id}
-      title={keys
-        .filter((chord) => !isSwitchedOff(chord))
-        .map(keyName)
-        .join(', ')}
+      title={workingKeys(...keys).join(', ')}
       aria-pressed={pressed?.(state)}
       disabled={!isEnabled(command, state)}
       onClick={() => {
@@ -68,7 +64,7 @@ function Item({ id, label, closes = false }: { id: string; label: string; closes
       }}
     >
       {label}
-      {pressed && key && <kbd>{key}</kbd>}
+      {pressed && <Key of={keys} />}
     </button>
   );
 }

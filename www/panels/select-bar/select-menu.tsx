@@ -7,10 +7,9 @@ import { Fragment } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { combineOf, sizeOfSelection } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
-import { CloseButton } from '../../ui/components/buttons.tsx';
+import { CloseButton, Key } from '../../ui/components/buttons.tsx';
 import { placeMenu } from '../../ui/controls/navigation.ts';
 import { count } from '../../ui/words.ts';
-import { workingKey } from '../../ui/keys.ts';
 import { opener } from './select-bar.tsx';
 import { Heading, OperationForm, SaveForm } from './select-forms.tsx';
 import type { Operation } from '../../solver/types.ts';
@@ -87,7 +86,7 @@ function Operations(props: { close: () => void; ask: (operation: Operation) => v
                   {operation.label}
                   {operation.params.length > 0 && '…'}
                 </span>
-                {workingKey(...operation.keys) && <kbd>{workingKey(...operation.keys)}</kbd>}
+                <Key of={operation.keys} />
               </button>
             ))}
         </Fragment>

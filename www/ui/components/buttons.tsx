@@ -1,5 +1,6 @@
-/** Buttons, and the icons on them. */
+/** Buttons, and the icons and keys on them. */
 
+import { workingKey } from '../keys.ts';
 import type { ComponentProps } from 'preact';
 
 type ButtonProps = ComponentProps<'button'>;
@@ -10,6 +11,12 @@ export const Icon = ({ name }: { name: string }) => (
     <use href={`#icon-${name}`} />
   </svg>
 );
+
+/** The first of these chords that works, beside the name of its command. */
+export function Key({ of }: { of: readonly string[] }) {
+  const key = workingKey(...of);
+  return key ? <kbd>{key}</kbd> : null;
+}
 
 export const Button = ({ class: own = 'bordered', ...rest }: ButtonProps) => (
   <button type="button" class={own} {...rest} />
