@@ -15,7 +15,7 @@ use crate::session::Error;
 use crate::solve::{
     ConformalNorm, ConformalWeights, FewerFlips, Moved, Parametrization, Require, SolveError,
 };
-use crate::words::MeasureUnit;
+use crate::words::{self, MeasureUnit};
 use std::rc::Rc;
 
 /// A forecast for this many faces takes about half a second.
@@ -96,6 +96,15 @@ impl Session {
     /// Returns the distances of the vertices from their rest positions.
     pub fn moved(&self) -> Moved {
         self.rest.moved_by(self.scene.positions())
+    }
+
+    /// Says how far the mesh moved, as a sentence.
+    pub fn moved_words(&self) -> String {
+        let Moved { max, mean } = self.moved();
+        match words::moved(max, mean, &self.document().units, self.rest.diameter()) {
+            Some(far) => format!("Moved {far}."),
+            None => "Nothing moved.".to_owned(),
+        }
     }
 
     /// Returns the smallest ratio of an edge length to its rest length. Ignores edges of zero rest
@@ -189,7 +198,7 @@ impl Session {
     /// Returns in words how well the hard constraints are met; none if they have not been met for
     /// the current shape, see [`Session::exact`].
     pub fn exact_words(&self) -> Option<ExactWords> {
-        self.exact().map(|report| ExactWords::of(&self.scene, &self.rest, &report))
+        self.exact().map(|report| ExactWords::of(&self.scene, &report))
     }
 
     /// Returns how far the mesh as opened would move for panels of one shape. None if no such shape

@@ -189,7 +189,7 @@ fn unit_of_building(mm: f64) -> (&'static str, f64) {
     if mm.abs() < MOST_MM { ("mm", 1.0) } else { ("m", 1e-3) }
 }
 
-fn with_unit(number: &str, unit: &str) -> String {
+pub(super) fn with_unit(number: &str, unit: &str) -> String {
     let space = if matches!(unit, "" | "°") { "" } else { " " };
     format!("{number}{space}{unit}")
 }

@@ -1,7 +1,8 @@
 //! The units of measures of a mesh: how values are written in them, and below which bound a value is a
 //! rounding error.
 
-use super::length::{ROUNDING, length_like, number_in, unit_of};
+use super::length::{ROUNDING, length_like, number_in, unit_of, with_unit};
+use super::number::brief;
 use super::units::LengthUnit;
 use serde::de::value::{Error, StrDeserializer};
 use serde::{Deserialize, Serialize};
@@ -104,6 +105,13 @@ impl MeasureUnit {
         let WrittenUnit { symbol, factor } = self.written(units, like);
         number_in(value * factor, &symbol)
     }
+
+    /// Formats a value that was entered, such as a limit: `1 mm`. As [`MeasureUnit::in_words`]
+    /// otherwise.
+    pub fn limit(self, value: f64, units: &str) -> String {
+        let WrittenUnit { symbol, factor } = self.written(units, value);
+        with_unit(&brief(value * factor), &symbol)
+    }
 }
 
 /// Returns an energy, or zero if it is a rounding error on a mesh of this `size`.
@@ -131,6 +139,8 @@ mod tests {
         assert_eq!(MeasureUnit::Percent.in_words(3.0, "m", 3.0), "3.00 %");
         assert_eq!(MeasureUnit::Degrees.in_words(3.0, "m", 3.0), "3.00°");
         assert_eq!(MeasureUnit::Length.in_words(0.3, "m", 0.005), "300 mm");
+        assert_eq!(MeasureUnit::Percent.limit(3.0, "m"), "3 %");
+        assert_eq!(MeasureUnit::Length.limit(0.0015, "m"), "1.5 mm");
     }
 
     #[test]

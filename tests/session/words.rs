@@ -29,19 +29,20 @@ fn solved(constraints: &Value, handles: &Value) -> Session {
 fn a_run_says_whether_all_is_met_or_which_element_is_worst() {
     let mut session = solved(&json!([{ "kind": "plane", "on": "faces" }]), &json!([]));
     let met = session.run_verdict(10.0).expect("there is a constraint");
-    assert!(met.met && met.worst.is_none() && met.brief.is_empty(), "{met:?}");
-    let start = "All constraints are satisfied within 10 m. Moved at most ";
-    assert!(met.full.starts_with(start) && met.full.ends_with(" on average."), "{met:?}");
+    assert!(met.met && met.worst.is_none() && met.numbers.is_empty(), "{met:?}");
+    assert_eq!(met.brief, "All constraints are satisfied within 10 m.");
+    let moved = session.moved_words();
+    assert!(moved.starts_with("Moved at most ") && moved.ends_with(" on average."), "{moved}");
 
     let missed = session.run_verdict(0.001).expect("there is a constraint");
     let worst = missed.worst.expect("a face is not flat");
-    assert_eq!(missed.brief, "The run has ended, and some constraints are beyond the tolerance.");
     let words = format!(
-        "The run has ended, and some constraints are beyond the tolerance. Worst: Plane on {}, ",
+        "The run has ended, and some constraints are beyond the tolerance of 1 mm. Worst: Plane on {}.",
         worst.element
     );
-    assert!(missed.full.starts_with(&words), "{}", missed.full);
-    assert!(missed.full.contains(" mm; the tolerance is 1 mm. Moved at "), "{}", missed.full);
+    assert_eq!(missed.brief, words);
+    let distance = &missed.numbers;
+    assert!(distance.starts_with("Its distance is ") && distance.ends_with(" mm."), "{distance}");
 
     // A constraint without a weight is not judged.
     let weightless = json!([{ "kind": "plane", "on": "faces", "weight": 0 }]);
@@ -49,19 +50,16 @@ fn a_run_says_whether_all_is_met_or_which_element_is_worst() {
 }
 
 #[test]
-fn an_exact_shape_is_said_to_be_so_with_and_without_how_far_it_moved() {
+fn an_exact_shape_is_said_to_be_so_with_and_without_its_error() {
     let planes = |require: Value| json!([{ "kind": "plane", "on": "faces", "require": require }]);
     let words = solved(&planes(json!("exact")), &json!([])).exact_words().expect("it was met");
-    assert_eq!(words.brief, "All are exact. The largest error is 0 mm.");
-    assert!(
-        words.full.starts_with("All are exact. The largest error is 0 mm. Moved at most "),
-        "{words:?}"
-    );
+    assert_eq!(words.brief, "All are exact.");
+    assert_eq!(words.numbers, "The largest error is 0 mm.");
     let within = solved(&planes(json!({ "within": 0.02 })), &json!([]));
     let words = within.exact_words().expect("it was met");
     assert_eq!(
-        [&*words.brief, &words.full],
-        ["", "All required constraints are satisfied within 20 mm."]
+        [&*words.brief, &words.numbers],
+        ["All required constraints are satisfied within 20 mm.", ""]
     );
     assert!(words.suggestions.is_empty());
 }
@@ -77,13 +75,9 @@ fn what_contradicts_is_named_with_weaker_requirements_that_can_be_met() {
     let words = session.exact_words().expect("it was tried");
     let start =
         "2 of 2 constraints cannot be satisfied together: Length 1 on 2 vertices, Length 1.2 on ";
-    assert!(words.full.starts_with(start), "{}", words.full);
-    assert!(
-        words.full.contains(" In the closest shape that was found, the largest error is "),
-        "{}",
-        words.full
-    );
-    assert_eq!(words.brief, words.full);
+    assert!(words.brief.starts_with(start), "{}", words.brief);
+    assert!(words.brief.ends_with(" This is the closest shape that was found."), "{words:?}");
+    assert!(words.numbers.starts_with("The largest error is "), "{words:?}");
     let found: Vec<_> = words.suggestions.iter().map(|one| (one.index, one.within)).collect();
     let [(0, None), (0, Some(wide)), (1, None), (1, Some(_))] = found[..] else {
         panic!("{found:?}")
@@ -100,11 +94,10 @@ fn the_cost_of_exactness_and_the_gain_of_an_improvement_are_said() {
     let mut trial = session.exact_trial().expect("regular").expect("it is within");
     while trial.step(&session).expect("regular") {}
     let cost = trial.offer(&session).expect("nothing has changed").words;
-    assert_eq!(cost.taken, "Also made exact. The largest error is 0 mm.");
+    assert_eq!(cost.taken, "Also made exact.");
     assert!(cost.offered.starts_with("If made exact, the shape would move by up to "), "{cost:?}");
-    let names: Vec<_> = cost.table.iter().map(|[name, ..]| &**name).collect();
-    assert_eq!(names, ["Largest error", "Moved at most", "on average", "Energy"]);
-    assert_eq!(cost.table[0][2], "0 mm");
+    assert!(cost.offered.contains(" more (at most "), "{cost:?}");
+    assert!(cost.offered.contains(" on average from the original)"), "{cost:?}");
     assert!(session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
 
     let mut search = session.improvement().expect("regular").expect("all is met");

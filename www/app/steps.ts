@@ -110,6 +110,13 @@ function tabs(store: Store, panel: HTMLElement) {
     });
   }
   store.subscribe(['step'], update);
+  // What comes of a press for all panels is said in the view.
+  store.subscribe(['press'], ({ press, step }) => {
+    if (!press?.isUnderWay || !narrow.matches || dataset.sheet !== 'open') return;
+    const hadFocus = panel.contains(document.activeElement);
+    show(step, false);
+    if (hadFocus) byId(`tab-${step}`).focus();
+  });
   panel.addEventListener(REVEALED, ({ target }) => {
     const step = STEPS.find((one) => target instanceof Node && placeOf(one).contains(target));
     if (step) show(step, true);

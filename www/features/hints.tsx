@@ -6,13 +6,12 @@
 
 import { useSignal, useSignalEffect } from '@preact/signals';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { declared, toleranceOf, worstOf } from '../store/colours/measures.ts';
+import { declared, worstOf } from '../store/colours/measures.ts';
 import { useApp } from '../store/use-app.ts';
 import { CloseButton } from '../ui/components/buttons.tsx';
 import { useThrottled } from '../ui/components/use-throttled.ts';
 import { byId } from '../ui/dom.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
-import { measured } from '../ui/words.ts';
 import type { State } from '../store/state.ts';
 
 const KEY = 'shape-up.hints';
@@ -56,10 +55,10 @@ function hintOf(state: Readonly<State>, at: number) {
   const { document, numbers, firstExample } = state;
   const about = declared(state, document?.measure ?? null);
   if (!document || !numbers || !about || !firstExample) return '';
-  const worst = worstOf(state, about.id);
-  const value = () => measured(worst, about.unit, document.units, toleranceOf(state, about));
-  const how = worst === 0 ? 'exactly' : `within ${value()}`;
-  const met = `${about.met[0].toUpperCase()}${about.met.slice(1)}, ${how}.`;
+  const met =
+    worstOf(state, about.id) === 0
+      ? `${about.met[0].toUpperCase()}${about.met.slice(1)}, exactly.`
+      : `What is wanted: ${about.met}. The legend shows how far off they are.`;
   return numbers.iteration === 0 && at < 2 ? START : hints(met)[at];
 }
 

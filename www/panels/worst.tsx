@@ -6,7 +6,7 @@
 import '../ui/styles/lists.css';
 import { useMemo, useRef } from 'preact/hooks';
 import { useSignal, type ReadonlySignal } from '@preact/signals';
-import { declared, movedInWords, toleranceOf } from '../store/colours/measures.ts';
+import { declared, toleranceOf } from '../store/colours/measures.ts';
 import { newestOnly } from '../store/latest-only.ts';
 import { useApp } from '../store/use-app.ts';
 import { Choice } from '../ui/components/fields.tsx';
@@ -91,8 +91,7 @@ function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<strin
     const rows = await newest(actions.reportErrors(worst()));
     if (!rows) return undefined;
     const what = about?.words ?? 'largest distance of a vertex from the shape of its constraint';
-    const moved = movedInWords(store.get());
-    return { rows, words: `The ${what}.${moved && ` Moved ${moved}.`}` };
+    return { rows, words: `The ${what}.` };
   }
 
   function follow() {

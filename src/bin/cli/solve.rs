@@ -5,7 +5,9 @@ use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::constraint::describe;
 use shape_up::session::Error;
-use shape_up::session::{EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of};
+use shape_up::session::{
+    EndWords, ExactReport, ExactWords, Report, Session, VerdictReport, tolerance_of,
+};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
 use std::fmt::Write;
@@ -139,12 +141,23 @@ struct Told {
 /// constraints.
 fn verdict(session: &mut Session, tolerance: f64) -> Vec<String> {
     let panels = session.verdict(tolerance).map(|verdict| session.verdict_words(&verdict).full());
-    match (panels, session.exact_words()) {
-        (Some(panels), Some(exact)) if exact.brief.is_empty() => vec![panels],
-        (Some(panels), Some(exact)) => vec![panels, exact.brief],
-        (Some(panels), None) => vec![panels],
-        (None, Some(exact)) => vec![exact.full],
-        (None, None) => session.run_verdict(tolerance).into_iter().map(|run| run.full).collect(),
+    let sentences = match session.exact_words() {
+        Some(ExactWords { brief, numbers, .. }) => Some((brief, numbers)),
+        None if panels.is_some() => None,
+        None => session.run_verdict(tolerance).map(|run| (run.brief, run.numbers)),
+    };
+    match (panels, sentences) {
+        // What is within a tolerance is said of the panels.
+        (Some(panels), Some((brief, numbers))) if !numbers.is_empty() => {
+            vec![panels, format!("{brief} {numbers}")]
+        }
+        (Some(panels), _) => vec![panels],
+        (None, Some((brief, numbers))) => {
+            let sentences = [brief, numbers, session.moved_words()];
+            let said: Vec<_> = sentences.into_iter().filter(|said| !said.is_empty()).collect();
+            vec![said.join(" ")]
+        }
+        (None, None) => Vec::new(),
     }
 }
 

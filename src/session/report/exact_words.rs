@@ -1,9 +1,8 @@
 //! How well hard constraints are met, what exactness costs, and what an improvement gains, in words.
 
-use super::run_verdict::moved_in_words;
 use crate::constraint::describe;
 use crate::session::run::ExactReport;
-use crate::session::state::{RestMesh, SolvedScene};
+use crate::session::state::SolvedScene;
 use crate::solve::{Moved, Require};
 use crate::words;
 use serde::Serialize;
@@ -17,10 +16,10 @@ const WIDER: f64 = 1.1;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ExactWords {
-    /// The verdict for a reader who has that on the panels already; may be empty.
+    /// Whether all are met, or which are not.
     pub brief: String,
-    /// The whole verdict.
-    pub full: String,
+    /// The largest error; empty if no constraint has to be exact.
+    pub numbers: String,
     /// Weaker requirements, after which the others can be met; empty if all are met.
     pub suggestions: Vec<WeakerRequirement>,
 }
@@ -45,23 +44,17 @@ pub struct TrialWords {
     pub taken: String,
     /// The result, if its shape is not taken.
     pub offered: String,
-    /// The shapes before and after: a name, and both values.
-    pub table: Vec<[String; 3]>,
 }
 
-/// The numbers of a trial, before and after.
+/// The numbers of a trial.
 pub(crate) struct TrialNumbers<'a> {
     /// The symbol of the unit of the mesh.
     pub(crate) units: &'a str,
     /// The size of the mesh.
     pub(crate) size: f64,
-    /// The largest distances of a vertex to its projection, and the tolerance of the mesh, in whose
-    /// unit they are written.
-    pub(crate) distance: [f64; 2],
-    pub(crate) tolerance: f64,
-    /// Displacements from the original.
-    pub(crate) moved: [Moved; 2],
-    /// The energies of the soft terms.
+    /// The displacements from the original after it.
+    pub(crate) moved: Moved,
+    /// The energies of the soft terms, before and after.
     pub(crate) energy: [f64; 2],
     /// The largest distance between the two shapes.
     pub(crate) by: f64,
@@ -79,7 +72,7 @@ pub(crate) enum Exactness {
 
 impl ExactWords {
     /// The verdict of `report` on the current shape.
-    pub(crate) fn of(scene: &SolvedScene, rest: &RestMesh, report: &ExactReport) -> ExactWords {
+    pub(crate) fn of(scene: &SolvedScene, report: &ExactReport) -> ExactWords {
         let document = scene.document();
         let units = &*document.units;
         if !report.met {
@@ -89,14 +82,10 @@ impl ExactWords {
             document.constraints.iter().filter(|row| row.enabled && row.require.is_hard());
         if !hard.all(|row| row.require == Require::Exact) {
             let within = words::limit(report.tolerance, units);
-            let full = format!("All required constraints are satisfied within {within}.");
-            return ExactWords { brief: String::new(), full, suggestions: Vec::new() };
+            let brief = format!("All required constraints are satisfied within {within}.");
+            return ExactWords { brief, numbers: String::new(), suggestions: Vec::new() };
         }
-        let exact = format!(
-            "All are exact. The largest error is {}.",
-            words::length(report.max_distance, units)
-        );
-        let moved = moved_in_words(rest.moved_by(scene.positions()), units, rest.diameter());
+        let error = words::length(report.max_distance, units);
         let guarded = match report.on_guard {
             0 => String::new(),
             edges => format!(
@@ -106,8 +95,8 @@ impl ExactWords {
             ),
         };
         ExactWords {
-            brief: format!("{exact}{guarded}"),
-            full: format!("{exact} {moved}{guarded}"),
+            brief: format!("All are exact.{guarded}"),
+            numbers: format!("The largest error is {error}."),
             suggestions: Vec::new(),
         }
     }
@@ -121,27 +110,22 @@ impl ExactWords {
         let hard = hard.filter(|(row, _)| row.enabled && row.require.is_hard());
         let all: usize = hard.map(|(_, row)| row.constraints.members.len()).sum();
         let (cannot, closest) = if report.too_large {
-            (
-                "are not exact: the mesh, or one constraint, is too large for that",
-                "The largest error is",
-            )
+            ("are not exact: the mesh, or one constraint, is too large for that", "")
         } else if report.contradiction {
-            (
-                "cannot be satisfied together",
-                "In the closest shape that was found, the largest error is",
-            )
+            ("cannot be satisfied together", " This is the closest shape that was found.")
         } else {
-            ("are not satisfied yet", "The largest error is")
+            ("are not satisfied yet", "")
         };
         let places: Vec<String> =
             rows().map(|(_, row)| format!("{} on {}", row.label(), describe(&row.on))).collect();
-        let full = format!(
-            "{} of {} constraints {cannot}: {}. {closest} {}.",
+        let brief = format!(
+            "{} of {} constraints {cannot}: {}.{closest}",
             words::group_digits(report.misses),
             words::group_digits(all),
-            places.join(", "),
-            words::length_like(report.max_distance, units, report.tolerance)
+            places.join(", ")
         );
+        let error = words::length_like(report.max_distance, units, report.tolerance);
+        let numbers = format!("The largest error is {error}.");
         let within = words::rounded(WIDER * report.max_distance, 2);
         let suggestions = rows().take(MOST_ROWS).flat_map(|(index, row)| {
             let label = row.label();
@@ -154,7 +138,7 @@ impl ExactWords {
                 },
             ]
         });
-        ExactWords { brief: full.clone(), full, suggestions: suggestions.collect() }
+        ExactWords { brief, numbers, suggestions: suggestions.collect() }
     }
 }
 
@@ -173,20 +157,18 @@ impl TrialWords {
             ),
             Exactness::Met(folded) => {
                 let far = words::length(numbers.by, units);
+                let away = words::moved(numbers.moved.max, numbers.moved.mean, units, numbers.size)
+                    .map_or_else(String::new, |away| format!(" ({away} from the original)"));
                 let folds = match folded {
                     0 => String::new(),
                     folded => {
                         format!(", and {} would fold", words::count(*folded, "panel", "panels"))
                     }
                 };
-                format!("If made exact, the shape would move by up to {far} more{folds}.")
+                format!("If made exact, the shape would move by up to {far} more{away}{folds}.")
             }
         };
-        let taken = format!(
-            "Also made exact. The largest error is {}.",
-            words::length_like(numbers.distance[1], units, numbers.tolerance)
-        );
-        TrialWords { taken, offered, table: numbers.table() }
+        TrialWords { taken: "Also made exact.".to_owned(), offered }
     }
 
     /// The words of a search for an equally exact shape of less energy.
@@ -199,28 +181,6 @@ impl TrialWords {
                 "Improved: what is not exact is satisfied better ({gain} less energy). It moved by up to {far}."
             ),
             offered: "No better exact shape was found nearby.".to_owned(),
-            table: numbers.table(),
         }
-    }
-}
-
-impl TrialNumbers<'_> {
-    fn table(&self) -> Vec<[String; 3]> {
-        let row = |name: &str, [before, after]: [String; 2]| [name.to_owned(), before, after];
-        let length = |length| words::length(length, self.units);
-        let still =
-            |moved: Moved| words::moved(moved.max, moved.mean, self.units, self.size).is_none();
-        let moved = |of: fn(Moved) -> f64| {
-            self.moved.map(
-                |moved| if still(moved) { "did not move".to_owned() } else { length(of(moved)) },
-            )
-        };
-        let error = |distance| words::length_like(distance, self.units, self.tolerance);
-        vec![
-            row("Largest error", self.distance.map(error)),
-            row("Moved at most", moved(|moved| moved.max)),
-            row("on average", moved(|moved| moved.mean)),
-            row("Energy", self.energy.map(words::number)),
-        ]
     }
 }

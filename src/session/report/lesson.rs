@@ -113,7 +113,7 @@ impl GoalWords<'_> {
     /// Returns the goal in words, on a mesh whose unit has the symbol `units`.
     fn in_words(&self, units: &str) -> String {
         let GoalWords { label, at_most, measure, build, .. } = *self;
-        let written = |value: f64| self.unit.in_words(value, units, value);
+        let written = |value: f64| self.unit.limit(value, units);
         if let Some(beyond) = self.beyond.map(written) {
             return match at_most {
                 0.0 => format!("{label}: no panel beyond {beyond}"),
@@ -187,8 +187,10 @@ pub struct LessonProgress {
 pub struct GoalProgress {
     /// Whether it is met.
     pub met: bool,
-    /// Whether it is met, and its value.
-    pub words: String,
+    /// Whether it is met.
+    pub words: &'static str,
+    /// Its value.
+    pub value: String,
 }
 
 /// Returns the progress in a lesson, given the values of its goals; none without a lesson.
@@ -197,9 +199,8 @@ pub(crate) fn progress(model: &mut Measuring<'_>) -> Option<LessonProgress> {
     let results = goals(model);
     let (units, size) = (&model.scene.document().units, model.rest.diameter());
     let progress = |GoalResult { goal, value, met }: &GoalResult| {
-        let now = described(goal).now_in_words(*value, units, size);
-        let words = format!("{}: {now}", if *met { "satisfied" } else { "not satisfied" });
-        GoalProgress { met: *met, words }
+        let words = if *met { "satisfied" } else { "not satisfied" };
+        GoalProgress { met: *met, words, value: described(goal).now_in_words(*value, units, size) }
     };
     let goals: Vec<GoalProgress> = results.iter().map(progress).collect();
     let met = goals.iter().filter(|goal| goal.met).count();

@@ -3,7 +3,6 @@
 
 use super::measuring::Measuring;
 use super::worst::{WorstElement, worst_constraints};
-use crate::solve::Moved;
 use crate::words;
 use serde::Serialize;
 
@@ -13,10 +12,10 @@ use serde::Serialize;
 pub struct RunVerdict {
     /// Whether all constraints are met within the tolerance.
     pub met: bool,
-    /// The verdict for a reader who has that on the panels already; empty if all are met.
+    /// Whether all are met, or which element is the worst.
     pub brief: String,
-    /// The whole verdict, with the worst element and how far the mesh moved.
-    pub full: String,
+    /// The distance of the worst element; empty if all are met.
+    pub numbers: String,
     /// The element that is farthest from its constraint; none if all are met.
     pub worst: Option<WorstElement>,
 }
@@ -56,31 +55,18 @@ impl RunVerdict {
                 (index, row.label().to_owned(), found.worst_squared.sqrt())
             })
             .reduce(|worst, other| if other.2 > worst.2 { other } else { worst })?;
-        let far = moved_in_words(
-            model.rest.moved_by(model.scene.positions()),
-            &units,
-            model.rest.diameter(),
-        );
         let within = words::limit(tolerance, &units);
         if error <= tolerance {
-            let full = format!("All constraints are satisfied within {within}. {far}");
-            return Some(RunVerdict { met: true, brief: String::new(), full, worst: None });
+            let brief = format!("All constraints are satisfied within {within}.");
+            return Some(RunVerdict { met: true, brief, numbers: String::new(), worst: None });
         }
         let worst = worst_constraints(model, row, 1).into_iter().next()?;
-        let brief = "The run has ended, and some constraints are beyond the tolerance.".to_owned();
-        let value = words::length_like(worst.value, &units, tolerance);
-        let full = format!(
-            "{brief} Worst: {label} on {}, {value}; the tolerance is {within}. {far}",
+        let brief = format!(
+            "The run has ended, and some constraints are beyond the tolerance of {within}. Worst: {label} on {}.",
             worst.element
         );
-        Some(RunVerdict { met: false, brief, full, worst: Some(worst) })
-    }
-}
-
-/// Says how far the mesh moved, as a sentence.
-pub(super) fn moved_in_words(moved: Moved, units: &str, size: f64) -> String {
-    match words::moved(moved.max, moved.mean, units, size) {
-        Some(far) => format!("Moved {far}."),
-        None => "Nothing moved.".to_owned(),
+        let numbers =
+            format!("Its distance is {}.", words::length_like(worst.value, &units, tolerance));
+        Some(RunVerdict { met: false, brief, numbers, worst: Some(worst) })
     }
 }

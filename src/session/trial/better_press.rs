@@ -191,14 +191,10 @@ impl BetterPresses {
     fn words(&self, id: &str, after: &Verdict) -> String {
         let units = &self.scene.units;
         let far = length(after.surface.max, units);
-        let instead = length(self.before.surface.max, units);
         let stays = after.surface.max <= STAYS * self.edge;
         let moves = match id {
             _ if stays => "the surface stays as it is".to_owned(),
             "surface" => format!("panels slide, the surface stays within {far}"),
-            _ if after.surface.max < self.before.surface.max => {
-                format!("the surface moves by {far} instead of {instead}")
-            }
             _ => format!("the surface moves by {far}"),
         };
         let [within, of] = [after.within, after.of].map(group_digits);

@@ -221,13 +221,10 @@ impl ExactTrial {
         let after = Cost { energy: self.exact.energy().total, moved: moved_by };
         let (too_large, misses) = (!self.exact.can_polish(), unmet.len());
         let folded = session.rest.folded_by(&positions).len();
-        let distance = session.exact().map_or(max_distance, |report| report.max_distance);
         let numbers = TrialNumbers {
             units: &session.document().units,
             size: session.rest.diameter(),
-            distance: [distance, max_distance],
-            tolerance: session.tolerance(),
-            moved: [self.before.moved, after.moved],
+            moved: after.moved,
             energy: [self.before.energy, after.energy],
             by: moved.max,
         };

@@ -1,9 +1,10 @@
-// axe finds no violations in any state of the page, in either theme.
+// In any state of the page axe finds no violations, in either theme, and each value is shown once.
 
 import type { Page, ViewportSize } from '@playwright/test';
 import AxeBuilder from '@axe-core/playwright';
 import { openText } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
+import { repeatedValues } from '../repeated-values.ts';
 import { expect, LONG, openPage, state, test, visit, waitForState } from '../support.ts';
 import { walks, withoutGraphics } from '../walks.ts';
 
@@ -58,6 +59,7 @@ async function expectNothing(page: Page, name = '') {
   const isFull = await page.evaluate(() => document.fullscreenElement !== null);
   const windows = LONG && !isPhone && !isFull ? [own, ...TABLETS] : [own];
   const isOpen = await openParts(page);
+  expect.soft(await repeatedValues(page), `${name}: each value once`).toEqual([]);
   for (const size of windows) {
     if (windows.length > 1) await page.setViewportSize(size);
     expect(await openParts(page), `${name} stays as it is in another window`).toEqual(isOpen);

@@ -2,7 +2,7 @@
 
 import type { Locator } from '@playwright/test';
 import { file, wavyGrid } from '../meshes.ts';
-import { showStep } from '../actions.ts';
+import { openText, showStep } from '../actions.ts';
 import { boxOf, expect, openPage, screenOf, test, waitForState } from '../support.ts';
 
 /** Whether two elements do not overlap. */
@@ -57,6 +57,23 @@ test('on a phone no tab is selected while the sheet is closed', phone, async ({ 
   await page.getByRole('tab', { name: 'Check' }).click();
   await expect(chosen).toHaveCount(0);
 });
+
+test(
+  'on a phone a press for all panels in the sheet closes it, so that the verdict is seen',
+  phone,
+  async ({ page }) => {
+    await openPage(page);
+    await openText(page, 'grid.obj', wavyGrid(6), 49);
+    const card = page.getByRole('group', { name: 'Panels', exact: true });
+    // The buttons are in the sheet once the card has the verdict.
+    for (const press of [card, page.locator('#step-shape')]) {
+      await press.getByRole('button', { name: 'Make panels flat' }).click();
+      await expect(card).toContainText('panels are flat within');
+      await page.getByRole('tab', { name: 'Shape' }).click();
+      await expect(card).toBeHidden();
+    }
+  },
+);
 
 test('the verdict on a run lies beside the framed model, not over it', async ({ page }) => {
   await openPage(page);

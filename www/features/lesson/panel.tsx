@@ -6,7 +6,7 @@
 import './lesson.css';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { ComponentType } from 'preact';
-import { movedInWords } from '../../store/colours/measures.ts';
+import { isWorst, movedInWords } from '../../store/colours/measures.ts';
 import { showDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, Icon } from '../../ui/components/buttons.tsx';
@@ -66,7 +66,8 @@ export function Lesson() {
       <p class="lesson-text">{lesson.text}</p>
       <ul aria-label="Goals">
         {lesson.goals.map((goal, i) => {
-          const { met, words } = now?.goals[i] ?? {};
+          const { met, words, value } = now?.goals[i] ?? {};
+          const isInLegend = goal.beyond === null && isWorst(state, goal.measure);
           return (
             <li
               key={i}
@@ -77,7 +78,10 @@ export function Lesson() {
                 {met !== undefined && mark(met)}
               </span>
               <span>{goal.sentence}</span>
-              <span class="now">{words}</span>
+              <span class="now">
+                {words}
+                {value && <span class={isInLegend ? 'in-legend' : undefined}>: {value}</span>}
+              </span>
             </li>
           );
         })}
@@ -89,7 +93,7 @@ export function Lesson() {
         {passed && `${mark(true)} `}
         {now?.words}
       </p>
-      {moved && <p class="quiet">Moved {moved}</p>}
+      {moved && <p class="quiet in-legend">Moved {moved}</p>}
       <Button aria-haspopup="dialog" onClick={() => showHandIn(app)}>
         Results for hand-in
       </Button>

@@ -93,10 +93,10 @@ class Conditions {
     if (hasHint()) return;
     const verdict = await actions.ask.runVerdict().catch(() => null);
     if (!verdict || store.get().document !== scene || store.get().running) return;
-    const words = this.messages.hasCard() ? verdict.brief : verdict.full;
-    const { worst } = verdict;
+    const { worst, brief: words } = verdict;
     if (!worst) {
-      if (words) this.messages.say({ words });
+      // The card of the panels says it already.
+      if (!this.messages.hasCard()) this.messages.say({ words });
       return;
     }
     const show = { label: 'Show it', act: () => showElements(this.#app, worst) };

@@ -39,15 +39,10 @@ export class ExactVerdict {
     await this.#showCost(words, scene.tolerance);
   }
 
-  /** The words of a verdict: what the card of the panels does not show already. */
-  #saidIn({ brief, full }: ExactWords) {
-    return this.#messages.hasCard() ? brief : full;
-  }
-
   /** Shows that all is exact. */
   #showMet(words: ExactWords) {
     if (this.#hasHint()) return;
-    this.#messages.say({ words: this.#saidIn(words), offers: [this.#improves()] });
+    this.#messages.say({ words: words.brief, offers: [this.#improves()] });
   }
 
   #improves(): Offer {
@@ -84,13 +79,15 @@ export class ExactVerdict {
       return;
     }
     if (!(await actions.exact.accept(found, false))) return this.#messages.withdraw(message);
-    this.#messages.say({ words: words.taken, table: { words, of: 'Improved' } });
+    this.#messages.say({ words: words.taken });
   }
 
   /** Reports the cost of exactness. */
   async #showCost(words: ExactWords, tolerance: number) {
     const { store, actions } = this.#app;
-    const after = (next: string) => `${this.#saidIn(words)} ${next}`.trim();
+    // The card of the panels already says what is within the tolerance.
+    const within = this.#messages.hasCard() ? '' : words.brief;
+    const after = (next: string) => `${within} ${next}`.trim();
     const message = this.#messages.say({
       words: after('Checking how far an exact shape would move …'),
     });
@@ -118,11 +115,10 @@ export class ExactVerdict {
       offers: [
         {
           label: 'Make exact',
-          title: 'Replaces the shape by the exact one (right column of the table)',
+          title: 'Replaces the shape by the exact one',
           act: take,
         },
       ],
-      table: { words: cost.words, of: 'Exact' },
     });
   }
 
@@ -142,7 +138,7 @@ export class ExactVerdict {
       act: () => actions.exact.require(index, within === null ? 'soft' : { within }),
     }));
     this.#messages.say({
-      words: this.#saidIn(words),
+      words: words.brief,
       offers: [{ label: 'Show them', act: show }, ...suggestions],
     });
     show();

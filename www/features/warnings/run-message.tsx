@@ -1,13 +1,12 @@
 /** The message on the last run, among the messages or on the card of the panels. */
 
-import './exact-verdict.css';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { byId } from '../../ui/dom.ts';
 import { useCover, useNarrow } from '../../viewport/use-cover.ts';
 import { panelsCard } from '../../store/panels-card.ts';
 import { conditions } from './conditions.ts';
-import type { Message, Said } from './run-messages.ts';
+import type { Message } from './run-messages.ts';
 
 /** Among the messages. */
 export function RunMessage() {
@@ -43,7 +42,7 @@ function Notice({ message }: { message: Message }) {
   );
 }
 
-function Content({ message: { words, offers = [], waits, table } }: { message: Message }) {
+function Content({ message: { words, offers = [], waits } }: { message: Message }) {
   const { messages } = conditions(useApp());
   return (
     <>
@@ -62,32 +61,6 @@ function Content({ message: { words, offers = [], waits, table } }: { message: M
         </Button>
       ))}
       {waits && <p class="quiet">{waits}</p>}
-      {table && <Table {...table} />}
     </>
-  );
-}
-
-/** The numbers of two shapes beside each other. */
-function Table({ words, of }: NonNullable<Said['table']>) {
-  const isExact = of === 'Exact';
-  return (
-    <table class="cost" aria-label={isExact ? 'Cost of exactness' : 'Improvement'}>
-      <thead>
-        <tr>
-          <td />
-          <th scope="col">{isExact ? 'Now' : 'Before'}</th>
-          <th scope="col">{of}</th>
-        </tr>
-      </thead>
-      <tbody>
-        {words.table.map(([name, now, then]) => (
-          <tr key={name}>
-            <th scope="row">{name}</th>
-            <td class="figure">{now}</td>
-            <td class="figure">{then}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
   );
 }

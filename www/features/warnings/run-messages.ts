@@ -3,7 +3,6 @@
 import { signal } from '@preact/signals';
 import { panelsCard } from '../../store/panels-card.ts';
 import type { Store } from '../../store/state.ts';
-import type { TrialWords } from '../../solver/types.ts';
 
 /** A button of a message; pressing it withdraws the message first. */
 export interface Offer {
@@ -17,8 +16,6 @@ export interface Said {
   offers?: Offer[];
   /** what is still looked for */
   waits?: string;
-  /** the numbers of two shapes, and what the second one is */
-  table?: { words: TrialWords; of: 'Exact' | 'Improved' };
 }
 
 export interface Message extends Said {

@@ -1,6 +1,7 @@
 /** The list of constraints. */
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { isColoured } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Icon } from '../../ui/components/buttons.tsx';
 import { AmountField } from '../../ui/components/fields.tsx';
@@ -233,7 +234,10 @@ function NameField({
   );
 }
 
-/** The largest distance of a row from its shape, and whether it is within what is allowed. */
+/**
+ * The largest distance of a row from its shape, unless the legend shows it, and whether it is within
+ * what is allowed.
+ */
 function Worst({ row }: { row: ConstraintRow }) {
   const { state } = useApp().store;
   const value = useThrottled(() => state.numbers?.worst[row.index]);
@@ -251,7 +255,7 @@ function Worst({ row }: { row: ConstraintRow }) {
   return (
     <>
       <span
-        class="worst figure"
+        class={`worst figure${isColoured(state, row) ? ' in-legend' : ''}`}
         title="The largest distance of a vertex from the shape of this constraint"
       >
         {known && `worst ${length(lengthOrZero(value, model?.size ?? 0), units, tolerance)}`}

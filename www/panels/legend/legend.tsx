@@ -4,7 +4,13 @@
  */
 
 import { useEffect, useRef } from 'preact/hooks';
-import { declared, movedInWords, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
+import {
+  declared,
+  isCounted,
+  movedInWords,
+  shownUnit,
+  toleranceOf,
+} from '../../store/colours/measures.ts';
 import { isDrawn } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Bars, Outline } from '../../ui/components/histogram.tsx';
@@ -56,10 +62,10 @@ interface Of {
   spread: Spread;
 }
 
-/** The number of faces within the tolerance. */
+/** The number of faces within the tolerance, where no verdict says it. */
 function Within({ about, spread }: Of) {
-  const allowed = toleranceOf(useApp().store.state, about);
-  if (allowed === null) return null;
+  const { state } = useApp().store;
+  if (toleranceOf(state, about) === null || isCounted(state, about)) return null;
   const [met, all] = [spread.within, spread.faces].map(groupDigits);
   return (
     <span class={met === all ? 'within met' : 'within'} title="Panels within the tolerance">

@@ -67,7 +67,8 @@ function Cell(props: { name?: string; title?: string; look: string; children: Co
 
 function Iteration() {
   const { state } = useApp().store;
-  const iteration = useThrottled(() => state.numbers?.iteration);
+  // After a run the last event says it.
+  const iteration = useThrottled(() => (state.running ? state.numbers?.iteration : undefined));
   return (
     <Cell name="iteration" look="narrow-hidden">
       {iteration !== undefined && groupDigits(iteration)}

@@ -1,7 +1,7 @@
 /** Measures, their tolerances, and their values in words. */
 
 import { length, lengthOrZero, writtenUnit } from '../../ui/words.ts';
-import type { FaceMeasure, Measure } from '../../solver/types.ts';
+import type { ConstraintRow, FaceMeasure, Measure } from '../../solver/types.ts';
 
 type State = Readonly<import('../state.ts').State>;
 
@@ -38,6 +38,25 @@ export function shownUnit(state: State) {
  */
 export const worstOf = ({ numbers, greatest }: State, measure: Measure) =>
   greatest?.measure === measure ? greatest.value : (numbers?.worstPanel ?? 0);
+
+/** Whether the largest value of a measure is the worst one of the legend. */
+export const isWorst = ({ measure, spread }: State, of: Measure | null) =>
+  spread !== null && of !== null && of === measure;
+
+/** Whether the largest distance of a row of constraints is the worst value of the legend. */
+export function isColoured(state: State, row: ConstraintRow) {
+  const { document, model, kinds } = state;
+  const isOnly = document?.constraints.filter(({ enabled }) => enabled).length === 1;
+  if (isOnly && isWorst(state, 'residual')) return true;
+  const measure = kinds.find(({ id }) => id === row.kind)?.measure ?? null;
+  return row.count === model?.faces && isWorst(state, measure);
+}
+
+/** Whether the verdict on the panels, which is shown, counts those within the tolerance of a measure. */
+export function isCounted({ verdict, kinds }: State, { id }: FaceMeasure) {
+  const kind = verdict && !verdict.isClosed ? verdict.report.kind : null;
+  return kinds.some((one) => one.id === kind && one.measure === id);
+}
 
 /**
  * Formats the vertices' distances from rest, "0.21 m, mean 0.05 m"; empty until something moves.
