@@ -77,9 +77,13 @@ impl CheckRow {
             value: self
                 .value
                 .map_or("not available".to_owned(), |value| self.value_in_words(value)),
+            // The limit of the distance is measured; the others are settings.
             limit: match self.limit {
-                // It is measured, and a sentence of the offset says it.
-                _ if self.id == "safe_distance" => String::new(),
+                // Inwards both are negative.
+                Some(measured) if self.id == "safe_distance" => {
+                    let sign = if measured < 0.0 { "≥" } else { "≤" };
+                    format!("{sign} {}", self.value_in_words(measured))
+                }
                 other => other.map_or("no limit".to_owned(), limit),
             },
             state,

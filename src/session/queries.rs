@@ -301,6 +301,12 @@ impl Session {
         report::scene_measure(self.document(), self.mesh())
     }
 
+    /// Returns the id of the measure whose largest value over all faces is the largest distance of
+    /// constraint row `index`; none if there is no such measure.
+    pub fn row_measure(&self, index: usize) -> Option<&'static str> {
+        report::row_measure(&self.scene, self.mesh(), index)
+    }
+
     /// Returns the largest value of the scene's measure, up to `seconds` old; rounding errors are 0,
     /// and so is the value without a measure.
     pub fn worst_by_scene_measure(&self, seconds: f64) -> f64 {

@@ -19,10 +19,10 @@ function repeated() {
     if (!parent?.checkVisibility({ opacityProperty: true, visibilityProperty: true })) continue;
     if (parent.closest('table, svg, canvas, script, style, select, .uplot')) continue;
     const words = (text.nodeValue ?? '').trim();
-    for (const [value] of words.matchAll(/\d+\.\d+ (mm|m|ft|in|°|%)(?![a-z])|\d+ of \d\d+/g)) {
+    for (const [value] of words.matchAll(/[\d.]+ (mm|m|ft|in|°|%)(?![a-z²³])|[\d\s]+ of \d\d+/gu)) {
       // Three digits of a value are hardly those of another one; round numbers are settings.
-      const digits = value.replace(/\D/g, '').replace(/^0+/, '');
-      if (digits.length >= 3) seen.set(value, [...(seen.get(value) ?? []), words]);
+      const digits = value.replace(/\D/g, '').replace(/^0+/, '').replace(/0+$/, '');
+      if (digits.length >= 3) seen.set(value.trim(), [...(seen.get(value.trim()) ?? []), words]);
     }
   }
   return [...seen]

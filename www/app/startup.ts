@@ -51,8 +51,9 @@ export class Startup {
   /** Opens the first document, unless the user opens another one meanwhile. */
   async begin() {
     const { openings } = this.#files;
-    window.addEventListener('hashchange', () =>
-      this.#actions.reportErrors(openings.begin((own) => this.#follow(own))),
+    // Before it is told, a document that has just been opened may have put its own name there.
+    window.addEventListener('hashchange', ({ newURL }) =>
+      this.#actions.reportErrors(openings.begin((own) => this.#follow(own, new URL(newURL).hash))),
     );
     await openings.begin((own) => this.#begin(own));
   }
@@ -69,7 +70,7 @@ export class Startup {
     // soon.
     this.#startAutosave();
     let problem = '';
-    const linked = await this.#openLink(opening).catch((error) => {
+    const linked = await this.#openLink(opening, location.hash).catch((error) => {
       problem = messageOf(error);
       return false;
     });
@@ -207,10 +208,10 @@ export class Startup {
   }
 
   /** Opens the link that the address has become. If it is none, the open model keeps its own. */
-  async #follow(opening: Opening) {
+  async #follow(opening: Opening, hash: string) {
     let isOpen = false;
     try {
-      isOpen = await this.#openLink(opening);
+      isOpen = await this.#openLink(opening, hash);
     } finally {
       if (!isOpen && this.#store.get().model && (await opening.isWanted()))
         this.#files.nameInAddress();
@@ -219,11 +220,10 @@ export class Startup {
 
   /**
    * Opens the document of the link, if any.
+   * @param hash of the address; that may change again while the link is read
    * @returns whether there is one
    */
-  async #openLink(opening: Opening): Promise<boolean> {
-    // The address may change again while the link is read.
-    const { hash } = location;
+  async #openLink(opening: Opening, hash: string): Promise<boolean> {
     if (hash.length < 2) return false;
     const link = await readLink(hash);
     if (!link) return false;

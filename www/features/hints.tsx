@@ -1,12 +1,12 @@
 /**
  * The hints of the first visit, in the card with the purpose of the page, which is in index.html:
  * following one leads to the next. Shown once, and only over the example, which is solved on
- * opening. Its statement of the accuracy is updated continuously, also during a drag.
+ * opening. What it says of the panels is updated continuously, also during a drag.
  */
 
 import { useSignal, useSignalEffect } from '@preact/signals';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { declared, worstOf } from '../store/colours/measures.ts';
+import { declared, isInLegend, worstOf } from '../store/colours/measures.ts';
 import { useApp } from '../store/use-app.ts';
 import { CloseButton } from '../ui/components/buttons.tsx';
 import { useThrottled } from '../ui/components/use-throttled.ts';
@@ -58,7 +58,7 @@ function hintOf(state: Readonly<State>, at: number) {
   const met =
     worstOf(state, about.id) === 0
       ? `${about.met[0].toUpperCase()}${about.met.slice(1)}, exactly.`
-      : `What is wanted: ${about.met}. The legend shows how far off they are.`;
+      : `Wanted: ${about.met}.${isInLegend(state, about.id) ? ' The legend shows how far off the panels are.' : ''}`;
   return numbers.iteration === 0 && at < 2 ? START : hints(met)[at];
 }
 

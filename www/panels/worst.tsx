@@ -6,7 +6,7 @@
 import '../ui/styles/lists.css';
 import { useMemo, useRef } from 'preact/hooks';
 import { useSignal, type ReadonlySignal } from '@preact/signals';
-import { declared, toleranceOf } from '../store/colours/measures.ts';
+import { colouring, toleranceOf } from '../store/colours/measures.ts';
 import { newestOnly } from '../store/latest-only.ts';
 import { useApp } from '../store/use-app.ts';
 import { Choice } from '../ui/components/fields.tsx';
@@ -21,10 +21,6 @@ const ROWS = 20;
 const ASK_EVERY_MS = 300;
 /** The option for the measure that colours the faces, or would by default. */
 const COLOURS = 'colours';
-
-/** The measure that colours the faces, or would by default. */
-const colouring = (state: Readonly<State>) =>
-  declared(state, state.measure ?? state.document?.measure ?? null);
 
 /** What the table can be about: id and label. */
 function choicesOf(state: Readonly<State>): [string, string][] {

@@ -5,9 +5,7 @@ use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::constraint::describe;
 use shape_up::session::Error;
-use shape_up::session::{
-    EndWords, ExactReport, ExactWords, Report, Session, VerdictReport, tolerance_of,
-};
+use shape_up::session::{EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
 use std::fmt::Write;
@@ -140,25 +138,22 @@ struct Told {
 /// Returns the verdict in the words of the page: on the panels, on hard constraints, or on all
 /// constraints.
 fn verdict(session: &mut Session, tolerance: f64) -> Vec<String> {
-    let panels = session.verdict(tolerance).map(|verdict| session.verdict_words(&verdict).full());
-    let sentences = match session.exact_words() {
-        Some(ExactWords { brief, numbers, .. }) => Some((brief, numbers)),
-        None if panels.is_some() => None,
-        None => session.run_verdict(tolerance).map(|run| (run.brief, run.numbers)),
-    };
-    match (panels, sentences) {
+    let exact = session.exact_words();
+    if let Some(panels) = session.verdict(tolerance) {
+        let panels = session.verdict_words(&panels).full();
         // What is within a tolerance is said of the panels.
-        (Some(panels), Some((brief, numbers))) if !numbers.is_empty() => {
-            vec![panels, format!("{brief} {numbers}")]
-        }
-        (Some(panels), _) => vec![panels],
-        (None, Some((brief, numbers))) => {
-            let sentences = [brief, numbers, session.moved_words()];
-            let said: Vec<_> = sentences.into_iter().filter(|said| !said.is_empty()).collect();
-            vec![said.join(" ")]
-        }
-        (None, None) => Vec::new(),
+        let exact = exact.filter(|words| !words.numbers.is_empty());
+        let exact = exact.map(|words| format!("{} {}", words.brief, words.numbers));
+        return [Some(panels), exact].into_iter().flatten().collect();
     }
+    let Some((brief, numbers)) = exact
+        .map(|words| (words.brief, words.numbers))
+        .or_else(|| session.run_verdict(tolerance).map(|words| (words.brief, words.numbers)))
+    else {
+        return Vec::new();
+    };
+    let sentences = [brief, numbers, session.moved_words()];
+    vec![sentences.into_iter().filter(|said| !said.is_empty()).collect::<Vec<_>>().join(" ")]
 }
 
 fn summary(input: &Path, report: &Report, told: &Told) -> String {

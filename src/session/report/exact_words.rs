@@ -158,14 +158,16 @@ impl TrialWords {
             Exactness::Met(folded) => {
                 let far = words::length(numbers.by, units);
                 let away = words::moved(numbers.moved.max, numbers.moved.mean, units, numbers.size)
-                    .map_or_else(String::new, |away| format!(" ({away} from the original)"));
+                    .map_or_else(String::new, |away| {
+                        format!(" It would then be {away}, from the original.")
+                    });
                 let folds = match folded {
                     0 => String::new(),
                     folded => {
                         format!(", and {} would fold", words::count(*folded, "panel", "panels"))
                     }
                 };
-                format!("If made exact, the shape would move by up to {far} more{away}{folds}.")
+                format!("If made exact, the shape would move by up to {far}{folds}.{away}")
             }
         };
         TrialWords { taken: "Also made exact.".to_owned(), offered }

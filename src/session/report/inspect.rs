@@ -2,7 +2,7 @@
 //! closeness factor of their own, vertices that no energy acts on.
 
 use super::constraint_map::ConstraintCoverage;
-use crate::constraint::{Element, Selector};
+use crate::constraint::{Element, Kind, Selector};
 use crate::mesh::Mesh;
 use crate::scene::{BoundaryRequire, ClosenessTo, Scene};
 use crate::session::state::{ResolvedRow, RestMesh, SolvedScene};
@@ -13,6 +13,18 @@ pub(super) fn required_measure(document: &Scene, index: usize) -> Option<&'stati
     let row = document.constraints.get(index)?;
     let of_faces = matches!(row.on, Selector::Each { element: Element::Face, radius: 0, .. });
     row.kind.info().measure.filter(|_| of_faces)
+}
+
+/// Returns the id of the measure whose largest value over all faces is the largest distance of row
+/// `index`; none if there is no such measure.
+pub(crate) fn row_measure(scene: &SolvedScene, mesh: &Mesh, index: usize) -> Option<&'static str> {
+    let document = scene.document();
+    let kind = &document.constraints.get(index)?.kind;
+    let ResolvedRow { constraints, skipped, .. } = scene.rows().get(index)?;
+    let is_on_all = *skipped == 0 && constraints.members.len() == mesh.faces.len();
+    // With parameters the shape is another one.
+    let usual = Kind::new(kind.info().id, serde_json::json!({}));
+    required_measure(document, index).filter(|_| is_on_all && usual.is_ok_and(|it| it == *kind))
 }
 
 /// Returns the id of the measure that fits a scene: that of the first enabled row that has one, else

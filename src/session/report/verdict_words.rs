@@ -49,7 +49,7 @@ impl Verdict {
         let scale = Scale { units, size, edge };
         let worst = length_like(self.worst, units, self.tolerance);
         let is_told = self.within == self.of && self.worst > SAYS_NO_MORE * self.tolerance;
-        let why = self.flaws.iter().map(|&flaw| self.why(flaw, &scale)).find(|it| !it.is_empty());
+        let why = self.told().map(|flaw| self.why(flaw, &scale));
         let folds = self.folds();
         let [before, after] = match self.within == self.of {
             true => [folds, String::new()],
@@ -89,6 +89,21 @@ impl Verdict {
         VerdictWords { brief: text(&sentences), numbers: text(&numbers), again: again.map(label) }
     }
 
+    /// The flaw that is said first; the count of the panels says that some are eased.
+    fn told(&self) -> Option<Flaw> {
+        let has_words = |flaw: &Flaw| match flaw {
+            Flaw::Eased => false,
+            Flaw::Rougher | Flaw::Flatter => self.bend.change.is_some(),
+            _ => true,
+        };
+        self.flaws.iter().copied().find(has_words)
+    }
+
+    /// Whether it says how far the surface moved.
+    pub(crate) fn says_surface(&self) -> bool {
+        self.told() == Some(Flaw::Away)
+    }
+
     /// Says what is not good about the shape; empty if the rest of the verdict says it.
     fn why(&self, flaw: Flaw, scale: &Scale<'_>) -> String {
         let edges = |far: f64| edges(far / scale.edge);
@@ -100,7 +115,8 @@ impl Verdict {
             ),
             Flaw::Rougher | Flaw::Flatter => self.bend.words(),
             Flaw::Away => {
-                format!("The surface moved by up to {}.", edges(self.surface.max))
+                let far = length(self.surface.max, scale.units);
+                format!("The surface moved by up to {far}, {}.", edges(self.surface.max))
             }
             Flaw::Moved => format!(
                 "Panels slid by {} on average; the surface stays within {}.",
@@ -284,7 +300,7 @@ mod tests {
         let with =
             |flaw| full(&Verdict { surface, boundary: 0.11, flaws: vec![flaw], ..verdict() });
         for (flaw, words) in [
-            (Flaw::Away, "The surface moved by up to 2 edges. All 800 "),
+            (Flaw::Away, "The surface moved by up to 0.980 m, 2 edges. All 800 "),
             (
                 Flaw::Moved,
                 "Panels slid by 10 % of an edge on average; the surface stays within 0.980 m. ",

@@ -92,6 +92,8 @@ struct ConstraintRow<'a> {
     count: usize,
     /// The number of elements whose vertex count does not fit the kind.
     skipped: usize,
+    /// The id of the measure of faces whose largest value is the largest distance of the row.
+    measure: Option<&'static str>,
     /// If the kind acts on pairs of vertices: how many have a partner at rest.
     paired: Option<Paired>,
     weight: f64,
@@ -164,6 +166,7 @@ impl<'a> Document<'a> {
                     on: describe(&spec.on),
                     count: row.constraints.members.len(),
                     skipped: row.skipped,
+                    measure: session.row_measure(index),
                     paired: row.paired,
                     weight: spec.weight,
                     enabled: spec.enabled,

@@ -133,3 +133,16 @@ test('a reload during the trials of a new mesh brings back the work', async ({ p
   await page.reload();
   await waitForState(page, (now, count) => now.vertices === count, vertices);
 });
+
+test('a link is followed although the document before it names itself in the address then', async ({
+  page,
+}) => {
+  await openPage(page);
+  await page.evaluate(() => {
+    const { href } = location;
+    location.hash = '#link=CAAqrVip';
+    // Before the page is told of the link.
+    history.replaceState(null, '', href);
+  });
+  await expect(page.getByRole('alert')).toContainText('probably truncated');
+});

@@ -27,7 +27,9 @@ test('panels within a tolerance are made exact at a stated cost, and a drag keep
   const made = verdict(page).getByText(/Also made exact/);
   await expect(make.or(made)).toBeVisible();
   if (await make.isVisible()) {
-    await expect(verdict(page)).toContainText(/more \(at most .+ on average from the original\)/);
+    await expect(verdict(page)).toContainText(
+      / mm\. It would then be at most .+ on average, from the original\./,
+    );
     await make.click();
   }
   // A run has nothing left to do.

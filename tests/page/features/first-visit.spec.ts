@@ -144,9 +144,7 @@ test("the first minute: drag, Reset and Run, then a model of one's own, and no m
     now.iteration > iteration && (now.circularity?.max_distance ?? NaN) < 0.01;
   await waitForState(page, followed, before);
   // What does not hold during a drag is not said to hold.
-  await expect(hint).toHaveText(
-    /^What is wanted: the corners of each panel lie on a circle\. The legend /,
-  );
+  await expect(hint).toHaveText(/^Wanted: the corners of each panel lie on a circle\. The legend /);
   await expect(page.locator('#legend')).toContainText(/Worst \d/);
   await page.mouse.up();
   // After the drag it is exact again.

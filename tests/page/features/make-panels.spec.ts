@@ -113,7 +113,8 @@ test('a surface that moves far is said to, and what ends better is a button with
   await openText(page, 'columns.obj', columns(), 1025);
   await press(page, 'circular').click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
-  const moved = /^The surface moved by up to \d+ % of an edge\. All 960 panels are circular/;
+  const moved =
+    /^The surface moved by up to [\d.]+ m, \d+ % of an edge\. All 960 panels are circular/;
   await expect(offer(page).getByText(moved)).toBeVisible();
   const better = offer(page).getByRole('button', {
     name: /^Within 50 mm: the surface moves by [\d.]+ m$/,

@@ -328,7 +328,9 @@ test('errors are in the unit of the tolerance, beside how far the mesh moved', a
   await showStep(page, 'Shape');
   const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
   // The row says no value that the legend says.
-  await expect(row.getByText(/^worst \d+ mm/)).toBeHidden();
+  const inRow = row.getByText(/^worst \d+ mm/);
+  await expect(inRow).toHaveCount(1);
+  await expect(inRow).toBeHidden();
   await expect(row).toContainText('beyond 1 mm');
   await expect(legend).not.toContainText('Moved');
   await runToTheEnd(page);
@@ -341,6 +343,11 @@ test('errors are in the unit of the tolerance, beside how far the mesh moved', a
   await page.getByLabel('Tolerance').press('Enter');
   // The remaining error is rounding.
   await expect(legend).toContainText(/Worst 0 m\s+Moved/);
+  // Beside a legend of something else the row says it.
+  await showStep(page, 'Check');
+  await page.getByRole('combobox', { name: 'Colour by' }).selectOption('displacement');
+  await showStep(page, 'Shape');
+  await expect(row.getByText(/^worst 0/)).toBeVisible();
 });
 
 test('the fields of the range are not rendered with every frame', async ({ page }) => {

@@ -48,7 +48,10 @@ export function CheckCard({ parts }: { parts: Parts }) {
   );
 }
 
-function Row({ row: { label, met, worst }, words }: { row: CheckRow; words: CheckWords }) {
+/** The row whose value and limits are those of the offset, above the card. */
+const SAFE = 'safe_distance';
+
+function Row({ row: { id, label, met, worst }, words }: { row: CheckRow; words: CheckWords }) {
   const app = useApp();
   const state = met === null ? 'none' : met ? 'met' : 'missed';
   const inside = (
@@ -57,8 +60,12 @@ function Row({ row: { label, met, worst }, words }: { row: CheckRow; words: Chec
         {MARKS[state]}
       </span>
       <span class="label">{label}</span>
-      <span class="figure">{words.value}</span>
-      <span class="quiet bound">{words.limit}</span>
+      {id !== SAFE && (
+        <>
+          <span class="figure">{words.value}</span>
+          <span class="quiet bound">{words.limit}</span>
+        </>
+      )}
       {met === false && <span class="quiet missed">{words.state}</span>}
     </>
   );

@@ -6,7 +6,7 @@
 import './lesson.css';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { ComponentType } from 'preact';
-import { isWorst, movedInWords } from '../../store/colours/measures.ts';
+import { isInLegend, movedInWords } from '../../store/colours/measures.ts';
 import { showDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, Icon } from '../../ui/components/buttons.tsx';
@@ -67,7 +67,10 @@ export function Lesson() {
       <ul aria-label="Goals">
         {lesson.goals.map((goal, i) => {
           const { met, words, value } = now?.goals[i] ?? {};
-          const isInLegend = goal.beyond === null && isWorst(state, goal.measure);
+          // A goal on a constraint has the value of its row.
+          const isInRow = goal.measure === null && goal.build === null;
+          const isMeasured = goal.beyond === null && isInLegend(state, goal.measure);
+          const elsewhere = isInRow ? 'in-rows' : isMeasured ? 'in-legend' : undefined;
           return (
             <li
               key={i}
@@ -80,7 +83,7 @@ export function Lesson() {
               <span>{goal.sentence}</span>
               <span class="now">
                 {words}
-                {value && <span class={isInLegend ? 'in-legend' : undefined}>: {value}</span>}
+                {value && <span class={elsewhere}>: {value}</span>}
               </span>
             </li>
           );

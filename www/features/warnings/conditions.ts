@@ -3,6 +3,7 @@
  * faces of zero area, and the verdict on a run. Each is said once.
  */
 
+import { isInLegend } from '../../store/colours/measures.ts';
 import { isHard } from '../../store/state.ts';
 import { meshActions } from '../../store/mesh-actions.ts';
 import { count, length } from '../../ui/words.ts';
@@ -100,8 +101,11 @@ class Conditions {
       return;
     }
     const show = { label: 'Show it', act: () => showElements(this.#app, worst) };
+    const row = scene.constraints.find(({ index }) => index === worst.row);
+    const elsewhere = isInLegend(store.get(), row?.measure ?? null) ? 'in-legend' : 'in-rows';
     const message = this.messages.say({
       words,
+      numbers: { words: verdict.numbers, elsewhere },
       offers: [show],
       waits: 'Looking for suggestions …',
     });

@@ -139,6 +139,7 @@ export class ExactVerdict {
     }));
     this.#messages.say({
       words: words.brief,
+      numbers: { words: words.numbers, elsewhere: 'in-rows' },
       offers: [{ label: 'Show them', act: show }, ...suggestions],
     });
     show();

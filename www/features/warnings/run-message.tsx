@@ -42,11 +42,14 @@ function Notice({ message }: { message: Message }) {
   );
 }
 
-function Content({ message: { words, offers = [], waits } }: { message: Message }) {
+function Content({ message: { words, numbers, offers = [], waits } }: { message: Message }) {
   const { messages } = conditions(useApp());
   return (
     <>
-      <p>{words}</p>
+      <p>
+        {words}
+        {numbers && <span class={numbers.elsewhere}> {numbers.words}</span>}
+      </p>
       {offers.map(({ label, title, act }) => (
         <Button
           key={label}

@@ -13,6 +13,8 @@ export interface Offer {
 
 export interface Said {
   words: string;
+  /** the numbers, and where they are shown else */
+  numbers?: { words: string; elsewhere: 'in-legend' | 'in-rows' };
   offers?: Offer[];
   /** what is still looked for */
   waits?: string;

@@ -1,7 +1,7 @@
 /** The list of constraints. */
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { isColoured } from '../../store/colours/measures.ts';
+import { isInLegend } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Icon } from '../../ui/components/buttons.tsx';
 import { AmountField } from '../../ui/components/fields.tsx';
@@ -255,7 +255,7 @@ function Worst({ row }: { row: ConstraintRow }) {
   return (
     <>
       <span
-        class={`worst figure${isColoured(state, row) ? ' in-legend' : ''}`}
+        class={`worst figure${isInLegend(state, row.measure) ? ' in-legend' : ''}`}
         title="The largest distance of a vertex from the shape of this constraint"
       >
         {known && `worst ${length(lengthOrZero(value, model?.size ?? 0), units, tolerance)}`}

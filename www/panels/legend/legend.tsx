@@ -6,6 +6,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import {
   declared,
+  hasWorst,
   isCounted,
   movedInWords,
   shownUnit,
@@ -62,13 +63,14 @@ interface Of {
   spread: Spread;
 }
 
-/** The number of faces within the tolerance, where no verdict says it. */
+/** The number of faces within the tolerance. */
 function Within({ about, spread }: Of) {
   const { state } = useApp().store;
-  if (toleranceOf(state, about) === null || isCounted(state, about)) return null;
+  if (toleranceOf(state, about) === null) return null;
   const [met, all] = [spread.within, spread.faces].map(groupDigits);
+  const classes = ['within', met === all ? 'met' : '', isCounted(state, about) ? 'in-card' : ''];
   return (
-    <span class={met === all ? 'within met' : 'within'} title="Panels within the tolerance">
+    <span class={classes.join(' ').trim()} title="Panels within the tolerance">
       {`${met} of ${all} within`}
     </span>
   );
@@ -112,7 +114,7 @@ function Values({ about, spread, model }: Of & { model: Loaded }) {
       </div>
       <Ends />
       <p class="quiet summary">
-        {`${about.signed ? 'Greatest' : 'Worst'} ${worst}`}
+        {hasWorst(about) && `${about.signed ? 'Greatest' : 'Worst'} ${worst}\n`}
         <Moved />
       </p>
     </>
@@ -174,5 +176,5 @@ function Ends() {
 function Moved() {
   const { state } = useApp().store;
   const moved = useThrottled(() => movedInWords(state));
-  return <>{moved && `\nMoved ${moved}`}</>;
+  return <>{moved && `Moved ${moved}`}</>;
 }

@@ -1,7 +1,7 @@
 /** The status bar: status message, hint, numbers of the iteration, and the environment. */
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { declared, movedInWords, toleranceOf, worstOf } from '../../store/colours/measures.ts';
+import { colouring, movedInWords, toleranceOf, worstOf } from '../../store/colours/measures.ts';
 import { isDrawn } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
@@ -67,8 +67,7 @@ function Cell(props: { name?: string; title?: string; look: string; children: Co
 
 function Iteration() {
   const { state } = useApp().store;
-  // After a run the last event says it.
-  const iteration = useThrottled(() => (state.running ? state.numbers?.iteration : undefined));
+  const iteration = useThrottled(() => state.numbers?.iteration);
   return (
     <Cell name="iteration" look="narrow-hidden">
       {iteration !== undefined && groupDigits(iteration)}
@@ -89,10 +88,10 @@ function TotalEnergy() {
 /** The greatest value of the measure that colours the faces, or would by default. */
 function WorstPanel() {
   const { state } = useApp().store;
-  const { document, model } = state;
-  const about = declared(state, state.measure ?? document?.measure ?? null);
+  const { model } = state;
+  const about = colouring(state);
   const words = useThrottled(() => {
-    const now = declared(state, state.measure ?? state.document?.measure ?? null);
+    const now = colouring(state);
     if (!now || !state.numbers) return '';
     const units = state.document?.units ?? '';
     return measured(worstOf(state, now.id), now.unit, units, toleranceOf(state, now));

@@ -1,7 +1,8 @@
 /** Measures, their tolerances, and their values in words. */
 
 import { length, lengthOrZero, writtenUnit } from '../../ui/words.ts';
-import type { ConstraintRow, FaceMeasure, Measure } from '../../solver/types.ts';
+import { panelsCard } from '../panels-card.ts';
+import type { FaceMeasure, Measure } from '../../solver/types.ts';
 
 type State = Readonly<import('../state.ts').State>;
 
@@ -32,6 +33,10 @@ export function shownUnit(state: State) {
   return writtenUnit(about.unit, state.document?.units ?? '', size);
 }
 
+/** Returns the declaration of the measure that colours the faces, or would by default. */
+export const colouring = (state: State) =>
+  declared(state, state.measure ?? state.document?.measure ?? null);
+
 /**
  * Returns the largest value of a measure over all faces, in its unit: of the one that colours the
  * faces, or else of the scene's.
@@ -39,23 +44,25 @@ export function shownUnit(state: State) {
 export const worstOf = ({ numbers, greatest }: State, measure: Measure) =>
   greatest?.measure === measure ? greatest.value : (numbers?.worstPanel ?? 0);
 
-/** Whether the largest value of a measure is the worst one of the legend. */
-export const isWorst = ({ measure, spread }: State, of: Measure | null) =>
-  spread !== null && of !== null && of === measure;
+/** The measure of the distances from the original, of which the legend has the largest and the mean. */
+const DISPLACEMENT: Measure = 'displacement';
 
-/** Whether the largest distance of a row of constraints is the worst value of the legend. */
-export function isColoured(state: State, row: ConstraintRow) {
-  const { document, model, kinds } = state;
-  const isOnly = document?.constraints.filter(({ enabled }) => enabled).length === 1;
-  if (isOnly && isWorst(state, 'residual')) return true;
-  const measure = kinds.find(({ id }) => id === row.kind)?.measure ?? null;
-  return row.count === model?.faces && isWorst(state, measure);
+/** Whether the legend, or else the status bar, says the largest value of a measure. */
+export function isInLegend(state: State, of: Measure | null) {
+  if (of === DISPLACEMENT) return true;
+  const shown = colouring(state);
+  return shown !== undefined && shown.id === of && !shown.signed;
 }
 
-/** Whether the verdict on the panels, which is shown, counts those within the tolerance of a measure. */
-export function isCounted({ verdict, kinds }: State, { id }: FaceMeasure) {
-  const kind = verdict && !verdict.isClosed ? verdict.report.kind : null;
-  return kinds.some((one) => one.id === kind && one.measure === id);
+/** Whether the legend says the largest value of the measure that colours the faces as their worst. */
+export const hasWorst = ({ id }: FaceMeasure) => id !== DISPLACEMENT;
+
+/** Whether the card of the panels counts those within the tolerance of a measure. */
+export function isCounted(state: State, { id }: FaceMeasure) {
+  const { verdict, running, document, kinds } = state;
+  if (panelsCard(state) !== 'verdict') return false;
+  if (running) return document?.measure === id;
+  return kinds.some(({ id: kind, measure }) => kind === verdict?.report.kind && measure === id);
 }
 
 /**
