@@ -166,6 +166,12 @@ const program = {
 
 const bench = [
   {
+    title: 'the package, installed in an empty folder',
+    run: node('tests/package/package.test.mjs'),
+    count: 'node',
+    inputs: () => [...common(), at('www', 'pkg', 'engine'), at('tests', 'package')],
+  },
+  {
     title: 'benchmark at its smallest size',
     run: node('tests/bench/bench.test.mjs'),
     count: 'node',

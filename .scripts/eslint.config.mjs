@@ -75,7 +75,7 @@ export default ts.config(
   ...roomRules,
   {
     // They run in Node, except the functions that they evaluate in a page.
-    files: ['tests/**/*.mjs', '.scripts/**/*.mjs'],
+    files: ['tests/**/*.mjs', '.scripts/**/*.{mjs,js}'],
     languageOptions: { globals: { ...globals.node, ...globals.browser } },
   },
   { files: ['.scripts/**/*.mjs'], rules: { 'no-console': 'off' } },

@@ -31,6 +31,17 @@ function section({ text, members }) {
   return `<section><h3>${licence}</h3><ul>${list.join('')}</ul><details><summary>Text</summary><pre>${escaped(text)}</pre></details></section>`;
 }
 
+/** Returns the components and texts without mark-up. */
+export function licencesInText() {
+  const section = ({ text, members }) => {
+    const names = members.map(({ name, version }) => `${name} ${version}`).join(', ');
+    return `${licencesOf(members[0]).join(' and ')}: ${names}\n\n${text}`;
+  };
+  return `${byText(shipped())
+    .map(section)
+    .join(`\n\n${'-'.repeat(72)}\n\n`)}\n`;
+}
+
 /** Inserts the components and texts into the template of the page. @param {string} html */
 export function licenceTexts(html) {
   const components = shipped();

@@ -12,6 +12,7 @@ mod examples;
 mod experiments;
 mod fabricate;
 mod golden;
+mod library;
 mod mesh;
 mod quads;
 mod rooms;
