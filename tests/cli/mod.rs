@@ -11,6 +11,7 @@ mod folder;
 mod lessons;
 mod new_mesh;
 mod remesh;
+mod watch;
 mod written;
 
 use folder::{Folder, PLANES, ROOF, scene};

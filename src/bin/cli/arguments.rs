@@ -16,6 +16,8 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, PartialEq)]
 pub(super) enum Command {
     Solve(Solve),
+    /// `shape-up watch`.
+    Watch(Solve),
     Build(Build),
     Check {
         mesh: PathBuf,
@@ -142,7 +144,14 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         Word::Option(name) => name,
     };
     match command.as_str() {
-        "solve" => solve(words),
+        "solve" => solve(words, "solve").map(Command::Solve),
+        "watch" => {
+            let solve = solve(words, "watch")?;
+            match solve.out {
+                Some(_) => Ok(Command::Watch(solve)),
+                None => Err("watch needs --out, the file that another program reads".to_owned()),
+            }
+        }
         "build" => build(words),
         "check" => check(words),
         "refine" => refine(words),
@@ -168,7 +177,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         "help" => Ok(Command::Help),
         "--version" | "-V" => Ok(Command::Version),
         _ => Err(format!(
-            "unknown command `{command}`, expected solve, build, refine, remesh, edit, check, new, parametrize, examples, experiment or operators"
+            "unknown command `{command}`, expected solve, watch, build, refine, remesh, edit, check, new, parametrize, examples, experiment or operators"
         )),
     }
 }
@@ -221,7 +230,7 @@ fn experiment(mut words: Words) -> Result<Command, String> {
     }
 }
 
-fn solve(mut words: Words) -> Result<Command, String> {
+fn solve(mut words: Words, command: &str) -> Result<Solve, String> {
     let (mut solve, mut input) = (Solve::default(), None);
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
@@ -247,17 +256,17 @@ fn solve(mut words: Words) -> Result<Command, String> {
             "--accelerator" => {
                 solve.accelerator = Some(words.one_of(&name)?);
             }
-            _ => return Err(unknown(&Word::Option(name), "solve")),
+            _ => return Err(unknown(&Word::Option(name), command)),
         }
     }
-    solve.input = input.ok_or("solve needs a scene or a mesh file")?;
+    solve.input = input.ok_or_else(|| format!("{command} needs a scene or a mesh file"))?;
     if solve.improve && solve.require == Some(Required::Auto) {
-        return Err(
-            "solve takes --improve with --exact or --within LENGTH, not with auto".to_owned()
-        );
+        return Err(format!(
+            "{command} takes --improve with --exact or --within LENGTH, not with auto"
+        ));
     }
     apart(&solve.input, &[("--out", &solve.out), ("--report", &solve.report)])?;
-    Ok(Command::Solve(solve))
+    Ok(solve)
 }
 
 fn build(mut words: Words) -> Result<Command, String> {

@@ -7,6 +7,7 @@
 //! | `usage` | the usage text |
 //! | `input` | reading of mesh and scene files |
 //! | `output` | atomic writing of files, mesh files of sessions, output folders, and standard output |
+//! | `watch` | `solve` again whenever the file is saved |
 //! | `solve`, `build`, `check`, `edit`, `refine`, `remesh`, `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `new_mesh` | the command `new` |
 //! | `results` | `check` of students' results |
@@ -26,6 +27,7 @@ mod remesh;
 mod results;
 mod solve;
 mod usage;
+mod watch;
 mod words;
 
 use arguments::Command;
@@ -71,6 +73,7 @@ pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
 fn perform(command: Command) -> Result<(), Failure> {
     match command {
         Command::Solve(solve) => solve::solve(&solve),
+        Command::Watch(solve) => watch::watch(&solve),
         Command::Build(build) => build::build(&build),
         Command::Refine(refine) => refine::refine(&refine),
         Command::Check { mesh, report } => check::check(&mesh, report.as_deref()),

@@ -18,6 +18,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH|auto
                 [--improve] [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE.obj|.ply|.stl|.mesh] [--report FILE.json] [--trace]
+       shape-up watch SCENE|MESH --out FILE [options of solve]
        shape-up build SCENE|MESH [--SETTING VALUE ...] [--sheet WxH|a3]
                 [--machine {}] [--units {}]
                 [--out DIR] [--report FILE.json] [--report-page FILE.html [--link URL]]
@@ -58,6 +59,8 @@ A MESH is solved with settings that preserve its shape, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
 --out writes the format that the name ends in, else OBJ; only Medit can store tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
+watch solves again whenever the file is saved, until it is stopped: the program that reads --out then has
+the shape of what it saved.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 of where each part goes (key-*.svg, key.pdf), tables (CSV) and, with fins, the beams as solids (OBJ).

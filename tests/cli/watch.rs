@@ -1,0 +1,58 @@
+//! `shape-up watch`.
+
+use crate::cli::folder::{Folder, ROOF};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// The program, which is stopped at the end of the test.
+struct Watching(Child);
+
+impl Drop for Watching {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// Waits until the text of a file is as wanted, and returns it.
+#[track_caller]
+fn wait_for(folder: &Folder, name: &str, wanted: impl Fn(&str) -> bool) -> String {
+    let begun = Instant::now();
+    loop {
+        let text = std::fs::read_to_string(folder.0.join(name)).unwrap_or_default();
+        if wanted(&text) {
+            return text;
+        }
+        assert!(begun.elapsed() < Duration::from_secs(60), "{name} stays {text:?}");
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}
+
+#[test]
+fn a_file_is_solved_again_whenever_it_is_saved() {
+    let folder = Folder::new("watch");
+    folder.write("roof.obj", ROOF);
+    let log = |name: &str| Stdio::from(std::fs::File::create(folder.0.join(name)).unwrap());
+    let asked = ["watch", "roof.obj", "--panels", "circle", "--within", "auto", "--out", "out.obj"];
+    let child = Command::new(env!("CARGO_BIN_EXE_shape-up"))
+        .args(asked)
+        .current_dir(&folder.0)
+        .stdout(log("said"))
+        .stderr(log("wrong"))
+        .spawn()
+        .unwrap();
+    let _watching = Watching(child);
+    let first = wait_for(&folder, "out.obj", |text| text.contains("\nf "));
+    // What is wrong is said, and the last result stays.
+    folder.write("roof.obj", "f 1 2 3\n");
+    wait_for(&folder, "wrong", |text| text.starts_with("roof.obj: the file has no vertices"));
+    assert_eq!(folder.read("out.obj"), first);
+    folder.write("roof.obj", ROOF.replace("v 2 2 -0.3", "v 2 2 0.4"));
+    wait_for(&folder, "out.obj", |text| text != first && text.contains("\nf "));
+}
+
+#[test]
+fn a_file_to_write_is_needed() {
+    let folder = Folder::new("watch-nothing");
+    folder.write("roof.obj", ROOF).run(&["watch", "roof.obj"]).misused("watch needs --out");
+}
