@@ -58,13 +58,29 @@ fn lengths_are_read_as_people_type_them() {
     assert_eq!(read("-.5", "m"), Ok((false, -0.5)));
     assert_eq!(read("+-0.5", "m"), Ok((true, -0.5)));
     assert_eq!(read("+ 3mm", "mm"), Ok((true, 3.0)));
-    for text in ["", "far", "1/0", "1e5", "1.2.3", ".", "2 m2", "--1", "1/-2", "inf", "5 furlongs"]
-    {
+    assert_eq!(read("−2e-3", ""), Ok((false, -0.002)));
+    assert_eq!(read("1E−2m", "cm"), Ok((false, 1.0)));
+    for text in [
+        "",
+        "far",
+        "1/0",
+        "1e",
+        "e5",
+        "1e999",
+        "1.2.3",
+        ".",
+        "2 m2",
+        "--1",
+        "1/-2",
+        "inf",
+        "5 furlongs",
+    ] {
         let refused = read(text, "m").unwrap_err().to_string();
         assert_eq!(refused, format!("“{text}” is not a length. Expected 1.5, 1/3 or +0.5."));
     }
     // A unit means nothing on a mesh without one.
-    assert!(read("20cm", "").is_err());
+    let refused = read("20cm", "").unwrap_err().to_string();
+    assert_eq!(refused, "“20cm” is not a number. Expected 1.5, 1/3 or +0.5.");
 }
 
 #[test]

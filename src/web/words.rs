@@ -90,10 +90,10 @@ pub fn coordinate(value: f64, decimals: usize) -> String {
     words::coordinate(value, decimals)
 }
 
-/// Reads a length as people type it.
+/// Reads a length as people type it, or a number if `units` is empty.
 ///
 /// # Errors
-/// If it is no length.
+/// If it is none.
 #[wasm_bindgen(js_name = readLength)]
 pub fn read_length(text: &str, units: &str) -> Result<TypedLength, JsValue> {
     TypedLength::read(text, units).map_err(thrown)

@@ -12,21 +12,25 @@ pub struct TypedLength {
     pub length: f64,
 }
 
-/// What was typed is no length.
+/// What was typed is no length, or no number where there is no unit.
 #[derive(Clone, Debug, PartialEq)]
-pub struct NotALength(String);
+pub struct NotALength {
+    text: String,
+    expected: &'static str,
+}
 
 impl std::fmt::Display for NotALength {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "“{}” is not a length. Expected 1.5, 1/3 or +0.5.", self.0)
+        write!(f, "“{}” is not a {}. Expected 1.5, 1/3 or +0.5.", self.text, self.expected)
     }
 }
 
 impl std::error::Error for NotALength {}
 
 impl TypedLength {
-    /// Reads a length: `1.5`, `1,5`, `1/3`, `20cm`; or a relative one, `+0.5` or `+-0.5`. `units` is
-    /// the symbol of the unit of the mesh; empty if it is not known.
+    /// Reads a length: `1.5`, `1,5`, `1e-3`, `1/3`, `20cm`; or a relative one, `+0.5` or `+-0.5`.
+    /// `units` is the symbol of the unit of the mesh; empty if it is not known, or if a plain number
+    /// is read.
     ///
     /// # Errors
     /// If it is no length.
@@ -36,10 +40,13 @@ impl TypedLength {
             Some(rest) => (true, rest.trim_start()),
             None => (false, text),
         };
-        let (sign, unsigned) = signed.strip_prefix('-').map_or((1.0, signed), |rest| (-1.0, rest));
+        let (sign, unsigned) =
+            signed.strip_prefix(MINUS).map_or((1.0, signed), |rest| (-1.0, rest));
         let length = unsigned_length(unsigned, units).map(|length| sign * length);
         let length = length.filter(|length| length.is_finite());
-        Ok(TypedLength { by, length: length.ok_or_else(|| NotALength(text.to_owned()))? })
+        let expected = if units.is_empty() { "number" } else { "length" };
+        let refused = || NotALength { text: text.to_owned(), expected };
+        Ok(TypedLength { by, length: length.ok_or_else(refused)? })
     }
 }
 
@@ -58,10 +65,21 @@ fn unsigned_length(text: &str, units: &str) -> Option<f64> {
     Some(value / divisor * factor)
 }
 
-/// Reads the digits at the start of a text, with a point or a comma, and returns what follows.
+/// The signs of negative numbers: as typed, and as the page writes it.
+const MINUS: [char; 2] = ['-', '−'];
+
+/// Reads the number at the start of a text, with a point or a comma, and returns what follows.
 fn number(text: &str) -> Option<(f64, &str)> {
     let is_of_number = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
-    let end = text.find(|c| !is_of_number(c)).unwrap_or(text.len());
-    let (digits, rest) = text.split_at(end);
-    Some((digits.replace(',', ".").parse().ok()?, rest))
+    let digits = text.find(|c| !is_of_number(c)).unwrap_or(text.len());
+    let (number, rest) = text.split_at(digits + exponent_length(&text[digits..]));
+    Some((number.replace(',', ".").replace(MINUS, "-").parse().ok()?, rest))
+}
+
+/// The length of the exponent at the start of a text; zero without one.
+fn exponent_length(text: &str) -> usize {
+    let Some(signed) = text.strip_prefix(['e', 'E']) else { return 0 };
+    let digits = signed.strip_prefix(MINUS).or(signed.strip_prefix('+')).unwrap_or(signed);
+    let rest = digits.trim_start_matches(|c: char| c.is_ascii_digit());
+    if rest.len() == digits.len() { 0 } else { text.len() - rest.len() }
 }

@@ -41,7 +41,6 @@ import { commandTable } from './command-table.ts';
 import { bindButtons, bindKeys, bindRunButton } from './commands.ts';
 import { offerReport, reportUncaughtErrors } from './errors.ts';
 import { keepFocus } from '../ui/keep-focus.ts';
-import { refuseExpressions } from '../ui/controls/number-typing.ts';
 import { arrangeForWidth } from './layout.ts';
 import { stayOffline } from './offline.ts';
 import { offerCancel, showLoading } from './progress.ts';
@@ -52,7 +51,6 @@ import type { AppContext } from './context.ts';
 
 const store = createStore();
 followTheme(store);
-refuseExpressions();
 const alerts = new Alerts(byId('alert'));
 reportUncaughtErrors(alerts, store);
 const solver = new SolverClient();

@@ -267,7 +267,7 @@ test('the undo history, camera, tolerance and plot are restored after a reload',
   await page.mouse.down({ button: 'right' });
   await page.mouse.move(x + width / 2 + 120, y + height - 70, { steps: 3 });
   await page.mouse.up({ button: 'right' });
-  const tolerance = page.getByRole('textbox', { name: 'Tolerance' });
+  const tolerance = page.getByRole('spinbutton', { name: 'Tolerance' });
   await tolerance.fill('0.3');
   await tolerance.press('Enter');
   await page.getByRole('tab', { name: 'Worst' }).click();

@@ -156,7 +156,7 @@ test('the sliders go on after an edit while a variation is shown', async ({ page
   await slide(slider, 'ArrowRight', 5);
   await expect(keep).toBeEnabled();
   // An edit that keeps the shape leaves the variation, and the search begins anew.
-  const tolerance = page.getByRole('textbox', { name: 'Tolerance' });
+  const tolerance = page.getByRole('spinbutton', { name: 'Tolerance' });
   await tolerance.fill('2');
   await tolerance.press('Enter');
   await expect(slider).toHaveValue('0');

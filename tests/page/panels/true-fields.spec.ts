@@ -55,7 +55,7 @@ test('Within takes the tolerance as it is, not as it was when the row was opened
   await openGrid(page, 4);
   await addConstraint(page, 'Plane', 'each face');
   await page.getByRole('button', { name: /^Plane.*: parameters/ }).click();
-  const tolerance = page.getByRole('textbox', { name: 'Tolerance' });
+  const tolerance = page.getByRole('spinbutton', { name: 'Tolerance' });
   await tolerance.fill('50');
   await tolerance.press('Enter');
   await expect.poll(async () => (await sceneOf(page)).tolerance).toBe(0.05);
@@ -68,13 +68,49 @@ test('Within takes the tolerance as it is, not as it was when the row was opened
 test('what is no decimal number is no tolerance', async ({ page }) => {
   await openGrid(page, 4);
   await addConstraint(page, 'Plane', 'each face');
-  const tolerance = page.getByRole('textbox', { name: 'Tolerance' });
+  const tolerance = page.getByRole('spinbutton', { name: 'Tolerance' });
   for (const typed of ['Infinity', '1e400', '0x10']) {
     await tolerance.fill(typed);
     await tolerance.press('Enter');
     const why = await tolerance.evaluate((field: HTMLInputElement) => field.validationMessage);
-    expect(why).toBe(`“${typed}” is not a number above 0.`);
+    expect(why).toBe(`“${typed}” is not a length. Expected 1.5, 1/3 or +0.5.`);
   }
+  await tolerance.fill('0');
+  await tolerance.press('Enter');
+  const why = await tolerance.evaluate((field: HTMLInputElement) => field.validationMessage);
+  expect(why).toBe('Expected a number above 0.');
+});
+
+test('numbers are read as people type them, and the arrow keys change them', async ({ page }) => {
+  await openGrid(page, 4);
+  await addConstraint(page, 'Plane', 'each face');
+  const weight = page.getByRole('spinbutton', { name: /^Plane.*: weight/ });
+  const inScene = async () => (await sceneOf(page)).constraints[0].weight;
+  for (const [typed, value] of [
+    ['2,5', 2.5],
+    ['1/4', 0.25],
+    ['+0.5', 0.75],
+    ['1e-3', 0.001],
+  ] as const) {
+    await weight.fill(typed);
+    await weight.press('Enter');
+    await expect(weight).toHaveValue(String(value));
+    await expect.poll(inScene).toBe(value);
+  }
+  await weight.press('ArrowUp');
+  await expect.poll(inScene).toBe(1.001);
+  for (const refused of ['-1', 'much', '2 cm', '']) {
+    await weight.fill(refused);
+    await weight.press('Enter');
+    await weight.blur();
+    await expect(weight).toHaveValue('1.001');
+  }
+  // A unit is converted to that of the field.
+  const tolerance = page.getByRole('spinbutton', { name: 'Tolerance' });
+  await tolerance.fill('2 cm');
+  await tolerance.press('Enter');
+  await expect(tolerance).toHaveValue('20');
+  await expect.poll(async () => (await sceneOf(page)).tolerance).toBe(0.02);
 });
 
 test('a handle is not made again', async ({ page }) => {

@@ -10,6 +10,7 @@ import { useRef } from 'preact/hooks';
 import { useSignal } from '@preact/signals';
 import { AppProvider, useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
+import { NumberInput, numberIn } from '../../ui/components/number-input.tsx';
 import { useInSight } from '../../ui/components/use-in-sight.ts';
 import { byId } from '../../ui/dom.ts';
 import { count, groupDigits } from '../../ui/words.ts';
@@ -20,6 +21,9 @@ import { Parameters } from '../../ui/kinds/parameters.tsx';
 import { useOffers } from './use-offers.ts';
 import type { Loaded, ParamValue } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
+
+/** What a weight may be. */
+const WEIGHT = { min: 0 };
 
 /** The dialog, which is empty while it is closed. */
 const theDialog = once(() => {
@@ -100,12 +104,12 @@ function NewConstraint({ close }: { close: () => void }) {
     if (!weight.current?.reportValidity() || !form.current?.checkValidity()) return;
     const defaults = Object.fromEntries(kind.params.map((param) => [param.id, param.default]));
     const params = { ...defaults, ...valuesOf(kind.id) };
-    const { value, valueAsNumber } = weight.current;
+    const entered = numberIn(weight.current, WEIGHT);
     const added = await actions.edit(
       {
         addConstraint: {
           ...{ kind: kind.id, params, on: place.on },
-          weight: value === '' ? 1 : valueAsNumber,
+          weight: entered ?? 1,
         },
       },
       refuse,
@@ -192,7 +196,13 @@ function NewConstraint({ close }: { close: () => void }) {
         </fieldset>
         <div class="weight-row">
           <label for="new-weight">Weight</label>
-          <input ref={weight} type="number" min="0" step="any" defaultValue="1" id="new-weight" />
+          <NumberInput
+            field={weight}
+            accepted={WEIGHT}
+            defaultValue="1"
+            id="new-weight"
+            onInput={({ currentTarget }) => numberIn(currentTarget, WEIGHT)}
+          />
           <span class="quiet">against the other constraints</span>
         </div>
         <div class="dialog-foot">

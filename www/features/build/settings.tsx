@@ -150,6 +150,7 @@ function Field({
             id={id}
             min={form.range[0]}
             max={form.range[1]}
+            unit={{ '': '', mesh: unit, mm: 'mm', degrees: '' }[form.unit]}
             placeholder={absent && 'auto'}
             value={typeof value === 'number' ? value : null}
             onAmount={onValue}

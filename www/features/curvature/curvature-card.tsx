@@ -68,6 +68,7 @@ function Card() {
           <span>Spacing</span>
           <AmountField
             name="Distance between lines"
+            unit={document?.units}
             value={distance}
             placeholder={answer ? number(answer.distance) : ''}
             onAmount={(value) => setDistance(value || null)}

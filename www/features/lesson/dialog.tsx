@@ -9,6 +9,7 @@ import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
+import { NumberInput, numberIn } from '../../ui/components/number-input.tsx';
 import { length, rounded, writtenUnit } from '../../ui/words.ts';
 import { LOCKS } from './panel.tsx';
 import type { AppContext } from '../../app/context.ts';
@@ -125,6 +126,8 @@ function firstGoals(state: Readonly<State>, scene: SceneDocument, subjects: Subj
 /** Gives the focus to the first control of a row that was just added. */
 const focusRow = (row: HTMLElement | null) => row?.querySelector('select')?.focus();
 
+/** What the limit of a goal may be. */
+const LIMIT = { min: 0 };
 const ERROR_AT = /^lesson\.goals\[(\d+)\]/;
 
 function LessonDialog({
@@ -155,7 +158,8 @@ function LessonDialog({
   async function keep(then?: () => unknown) {
     if (!form.current?.reportValidity()) return;
     const entered = new FormData(form.current);
-    const limits = entered.getAll('at-most').map(Number);
+    const fields = [...form.current.querySelectorAll<HTMLInputElement>('[name="at-most"]')];
+    const limits = fields.map((field) => numberIn(field, LIMIT) ?? 0);
     const lesson = {
       text: text.current?.value.trim() ?? '',
       goals: goals.map(({ subject: { goal, factor } }, i) => ({
@@ -168,8 +172,7 @@ function LessonDialog({
     const kept = await actions.edit({ setLesson: { lesson, unsolved } }, (refused) => {
       const path = refused instanceof Error && 'path' in refused ? String(refused.path) : '';
       setRefusal(withoutPath(refused));
-      const fields = form.current?.querySelectorAll<HTMLInputElement>('[name="at-most"]');
-      fields?.[Number(ERROR_AT.exec(path)?.[1])]?.focus();
+      fields[Number(ERROR_AT.exec(path)?.[1])]?.focus();
       return true;
     });
     if (kept === undefined) return;
@@ -214,12 +217,11 @@ function LessonDialog({
                 }}
               />
               at most
-              <input
-                type="number"
+              <NumberInput
+                accepted={LIMIT}
                 name="at-most"
-                min="0"
-                step="any"
                 required
+                onInput={({ currentTarget }) => numberIn(currentTarget, LIMIT)}
                 aria-label={`${what} at most${unit && `, ${unit}`}`}
                 defaultValue={goal.limit}
               />

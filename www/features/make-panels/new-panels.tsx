@@ -118,7 +118,7 @@ function Sizes({ layouts }: Of) {
         <span>Panels</span>
         <AmountField
           name="Panels"
-          step="1"
+          isWhole
           isReplaced
           value={count ?? null}
           onAmount={(to) => layouts.wish({ count: to || null, size: null })}
@@ -128,6 +128,7 @@ function Sizes({ layouts }: Of) {
         <span>Side</span>
         <AmountField
           name="Side"
+          unit={units}
           isReplaced
           value={size ?? null}
           onAmount={(to) => layouts.wish({ size: to || null, count: null })}

@@ -8,7 +8,7 @@ import { newestOnly } from '../../store/latest-only.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
-import { Choice } from '../../ui/components/fields.tsx';
+import { AmountField, Choice } from '../../ui/components/fields.tsx';
 import { count, limit, rounded } from '../../ui/words.ts';
 import type { Refinement } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
@@ -88,16 +88,7 @@ function RefineDialog({ close }: InDialog) {
       </label>
       <label>
         <span>Keep creases above, in degrees</span>
-        <input
-          type="number"
-          min="0"
-          max="180"
-          step="1"
-          defaultValue={String(KEEP)}
-          onChange={({ currentTarget: { validity, value } }) =>
-            setKeep(validity.valid && value !== '' ? Number(value) : KEEP)
-          }
-        />
+        <AmountField max={180} value={keep} onAmount={setKeep} onEmpty={() => setKeep(KEEP)} />
       </label>
       {hasRows && (
         <label>

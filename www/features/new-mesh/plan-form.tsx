@@ -48,7 +48,7 @@ export function PlanForm({ unit, ask }: { unit: string; ask: (asked: Asked) => v
       drawn.endSketch();
     }
     // A number field has an undo of its own.
-    const isText = event.target instanceof HTMLInputElement && event.target.type === 'number';
+    const isText = event.target instanceof HTMLInputElement && event.target.role === 'spinbutton';
     if (event.key === 'z' && (event.ctrlKey || event.metaKey) && !isText) {
       event.preventDefault();
       drawn.undo();
@@ -125,8 +125,8 @@ function SelectedPoint({ drawn }: { drawn: DrawnPlan }) {
             <span>{name}</span>
             <AmountField
               name={name}
-              min={undefined}
-              inputMode="decimal"
+              min={-Infinity}
+              unit={unit}
               value={roundedPlace(value)}
               onAmount={change}
             />

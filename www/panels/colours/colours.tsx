@@ -38,6 +38,7 @@ export function Colours() {
           <span class="with-unit">
             <ValueField
               id="tolerance"
+              unit={about.unit === 'length' ? unit.symbol : ''}
               placeholder="none"
               shown={allowed === null || !allowed ? '' : brief(allowed * unit.factor)}
               isPositive

@@ -50,6 +50,7 @@ const MAPS = [
   [BEYOND, 'Beyond tolerance', 'Only faces beyond the tolerance are coloured'],
   ['viridis', 'Viridis', 'All faces are coloured'],
   ['cividis', 'Cividis', 'All faces are coloured, the same with red-green blindness'],
+  ['turbo', 'Turbo', 'All faces are coloured; not to be read with red-green blindness'],
   ['diverging', 'Diverging', 'Blue within the tolerance, red beyond it'],
   ['grey', 'Grey', 'All faces in shades of grey, for print'],
 ] as const;
@@ -79,6 +80,7 @@ function Range() {
         <span class="with-unit">
           <ValueField
             aria-label="Colours from"
+            unit={about.unit === 'length' ? unit : ''}
             // Signed values have a symmetric range.
             disabled={about.signed}
             shown={number(range[0] * factor)}
@@ -87,6 +89,7 @@ function Range() {
           to
           <ValueField
             aria-label="Colours to"
+            unit={about.unit === 'length' ? unit : ''}
             shown={number(range[1] * factor)}
             onValue={end('high')}
           />

@@ -1,18 +1,19 @@
-/** A field for a value of a measure, with a point or a comma. */
+/** A field for a value of a measure. */
 
 import { useState } from 'preact/hooks';
+import { NumberInput, numberIn } from '../../ui/components/number-input.tsx';
 import type { ComponentProps } from 'preact';
-
-/** A decimal number as it is typed or shown, with a minus sign or a hyphen. */
-const DECIMAL = /^[+−-]?(\d+[.,]?\d*|[.,]\d+)(e[+−-]?\d+)?$/i;
 
 export function ValueField({
   shown,
+  unit,
   isPositive = false,
   onValue,
   ...rest
-}: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role'> & {
+}: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role' | 'min' | 'max' | 'step'> & {
   shown: string;
+  /** the symbol of its unit if that is one of length */
+  unit: string;
   /** whether 0 is refused, too */
   isPositive?: boolean;
   /** @param value null if the field is empty */
@@ -20,25 +21,19 @@ export function ValueField({
 }) {
   /** Input that is not accepted yet. */
   const [typed, setTyped] = useState<string | null>(null);
+  const accepted = { unit, min: 0 };
 
   function accept(input: HTMLInputElement) {
-    const value = numberIn(input.value);
-    if (value === undefined || (value === 0 && isPositive)) {
-      const least = isPositive ? 'above' : 'from';
-      input.setCustomValidity(`“${input.value}” is not a number ${least} 0.`);
-      input.reportValidity();
-      return;
-    }
+    const value = numberIn(input, accepted);
+    if (value === 0 && isPositive) input.setCustomValidity('Expected a number above 0.');
+    if (!input.reportValidity()) return;
     setTyped(null);
     onValue(value);
   }
 
   return (
-    <input
-      type="text"
-      inputMode="decimal"
-      autocomplete="off"
-      class="number"
+    <NumberInput
+      accepted={accepted}
       value={typed ?? shown}
       onInput={({ currentTarget }) => {
         currentTarget.setCustomValidity('');
@@ -59,14 +54,4 @@ export function ValueField({
       {...rest}
     />
   );
-}
-
-/** Returns the number of a text; null if it is empty, undefined if it has none from zero. */
-function numberIn(text: string) {
-  const trimmed = text.trim();
-  if (trimmed === '') return null;
-  const value = DECIMAL.test(trimmed)
-    ? Number(trimmed.replace(',', '.').replaceAll('−', '-'))
-    : NaN;
-  return value >= 0 && Number.isFinite(value) ? value : undefined;
 }

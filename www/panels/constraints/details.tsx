@@ -120,6 +120,7 @@ function Requirement({ row: { index, require }, name }: Of) {
         <>
           <AmountField
             name={`${name}: within`}
+            unit={symbol}
             value={rounded(length * factor, 6)}
             onAmount={(value) => ask({ within: value / factor })}
           />

@@ -1,11 +1,12 @@
 /** Common fields. */
 
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { NumberInput, numberIn, type Accepted } from './number-input.tsx';
 import type { ComponentProps } from 'preact';
 
 /**
- * A field for a non-negative number, reported on change. Invalid input is reverted, and so is input
- * that Escape ends.
+ * A field for a number, not negative unless `min` says so, reported on change. Invalid input is
+ * reverted when the field is left, and so is input that Escape ends.
  */
 export function AmountField({
   name,
@@ -13,43 +14,56 @@ export function AmountField({
   onAmount,
   onEmpty,
   isReplaced = false,
+  unit,
+  min = 0,
+  max,
+  isWhole,
   ...rest
-}: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role'> & {
-  /** its accessible name, unless a label names it */
-  name?: string;
-  /** null for none */
-  value: number | null;
-  onAmount: (to: number) => unknown;
-  /** called for a field that is emptied; without it, this is invalid too */
-  onEmpty?: () => unknown;
-  /** whether what is typed next replaces a value that comes while the field has the focus */
-  isReplaced?: boolean;
-}) {
+}: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role' | 'min' | 'max' | 'step'> &
+  Accepted & {
+    /** its accessible name, unless a label names it */
+    name?: string;
+    /** null for none */
+    value: number | null;
+    onAmount: (to: number) => unknown;
+    /** called for a field that is emptied; without it, this is invalid too */
+    onEmpty?: () => unknown;
+    /** whether what is typed next replaces a value that comes while the field has the focus */
+    isReplaced?: boolean;
+  }) {
   /** Input that is not reported yet. */
   const [typed, setTyped] = useState<string | null>(null);
   const shown = value === null ? '' : String(value);
   const field = useRef<HTMLInputElement>(null);
+  const accepted = { unit, min, max, isWhole };
   useLayoutEffect(() => {
     const { current } = field;
     if (isReplaced && typed === null && document.activeElement === current) current?.select();
   }, [shown]);
   const revert = () => {
     setTyped(null);
+    if (!field.current) return;
     // A rejected text is no value that could change.
-    if (field.current) field.current.value = shown;
+    field.current.value = shown;
+    field.current.setCustomValidity('');
   };
   return (
-    <input
-      ref={field}
-      type="number"
-      min="0"
-      step="any"
+    <NumberInput
+      field={field}
+      accepted={accepted}
       aria-label={name}
+      aria-valuenow={value ?? undefined}
       value={typed ?? shown}
-      onInput={({ currentTarget }) => setTyped(currentTarget.value)}
-      onChange={({ currentTarget: { validity, value: text, valueAsNumber } }) => {
-        if (validity.valid && text !== '') onAmount(valueAsNumber);
-        else if (validity.valid && onEmpty) onEmpty();
+      onInput={({ currentTarget }) => {
+        currentTarget.setCustomValidity('');
+        setTyped(currentTarget.value);
+      }}
+      onChange={({ currentTarget }) => {
+        const to = numberIn(currentTarget, accepted, value ?? 0);
+        // What is wrong is said until the field is left.
+        if (!currentTarget.reportValidity()) return;
+        if (to !== null) onAmount(to);
+        else onEmpty?.();
         revert();
       }}
       onKeyDown={(event) => {

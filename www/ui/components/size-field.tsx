@@ -1,6 +1,7 @@
 /** A labelled field for a size that the solver declares. */
 
 import { useState } from 'preact/hooks';
+import { NumberInput, numberIn } from './number-input.tsx';
 import type { Size } from '../../pkg/engine/shape_up.js';
 
 /**
@@ -21,21 +22,18 @@ export function SizeField({
 }) {
   const [text, setText] = useState(String(value));
   const isLength = of === 'length';
+  const accepted = { unit: isLength ? unit : '', min: least, max: most, isWhole: !isLength };
   return (
     <label>
       <span>{label}</span>
-      <input
-        type="number"
-        min={String(least)}
-        max={String(most)}
-        step={isLength ? 'any' : '1'}
-        inputMode={isLength ? 'decimal' : 'numeric'}
+      <NumberInput
+        accepted={accepted}
         required
         value={text}
         onInput={({ currentTarget: field }) => {
-          // A number that is being typed may have no value yet.
-          if (!field.validity.badInput) setText(field.value);
-          onSize(field.valueAsNumber, field.validationMessage);
+          setText(field.value);
+          const number = numberIn(field, accepted, value);
+          onSize(number ?? NaN, field.validationMessage);
         }}
       />
       <span class="unit" data-of={of}>
