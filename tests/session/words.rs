@@ -96,8 +96,8 @@ fn the_cost_of_exactness_and_the_gain_of_an_improvement_are_said() {
     let cost = trial.offer(&session).expect("nothing has changed").words;
     assert_eq!(cost.taken, "Also made exact.");
     assert!(cost.offered.starts_with("If made exact, the shape would move by up to "), "{cost:?}");
-    assert!(cost.offered.contains(". It would then be at most "), "{cost:?}");
-    assert!(cost.offered.ends_with(" on average, from the original."), "{cost:?}");
+    assert!(cost.away.starts_with("It would then be at most "), "{cost:?}");
+    assert!(cost.away.ends_with(" on average, from the original."), "{cost:?}");
     assert!(session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
 
     let mut search = session.improvement().expect("regular").expect("all is met");

@@ -5,19 +5,20 @@
 
 import { combineOf, describe, select, sizeOfSelection, type Combine } from './selection.ts';
 import type { Operation, ParamValue } from '../solver/types.ts';
-import type { Mode, Store } from './state.ts';
+import type { Mode, Selection, Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Actions } from './actions.ts';
 import type { Command } from '../app/context.ts';
 
 /**
- * Parameters of an operation, how its result is combined with the selection, and where it starts from
- * in place of the selection.
+ * Parameters of an operation, how its result is combined with the selection, where it starts from in
+ * place of the selection, and an element that the result must contain.
  */
 interface How {
   params?: Record<string, ParamValue>;
   combine?: Combine;
   from?: Partial<Record<Mode, Iterable<number>>>;
+  including?: number;
 }
 
 const MODES: Mode[] = ['vertices', 'edges', 'faces'];
@@ -26,11 +27,14 @@ export class Selecting {
   #store;
   #solver;
   #actions;
+  /** The operation of the last double-click, and what it selected. */
+  #last: { operation: Operation; selection: Selection } | null = null;
 
   constructor(store: Store, solver: SolverClient, actions: Actions) {
     this.#store = store;
     this.#solver = solver;
     this.#actions = actions;
+    store.subscribe(['model'], () => (this.#last = null));
     this.#announce();
   }
 
@@ -51,7 +55,7 @@ export class Selecting {
 
   async #apply(
     operation: Operation,
-    { params = {}, combine = 'replace', from }: How,
+    { params = {}, combine = 'replace', from, including }: How,
   ): Promise<boolean> {
     // The selection before may not be there yet.
     await this.#solver.settled();
@@ -68,6 +72,7 @@ export class Selecting {
     const isReplaced = combine === 'replace' && state.selection !== selection;
     if (state.model !== model || isReplaced) return false;
     const gives = MODES.find((one) => found[one].length > 0);
+    if (including !== undefined && !(gives && found[gives].includes(including))) return false;
     if (!gives) {
       this.#actions.setStatus(`${operation.label}: nothing found`);
       return false;
@@ -90,9 +95,20 @@ export class Selecting {
     const isOther = event.shiftKey && withShift;
     const operation = isOther ? withShift : plain;
     if (!operation) return;
+    const isAgain = this.#last?.operation === operation && this.#last.selection[mode].has(item);
     this.#store.set({ mode });
     const combine = isOther ? 'replace' : combineOf(event);
-    void this.applyOrReport(operation, { from: { [mode]: [item] }, combine });
+    const how: How = { from: { [mode]: [item] }, combine };
+    const wider = isAgain ? operations.find(({ id }) => id === operation.again) : undefined;
+    void this.#select(operation, wider, how, item);
+  }
+
+  /** Applies the wider operation if its result contains the item, else the operation. */
+  async #select(operation: Operation, wider: Operation | undefined, how: How, item: number) {
+    const isWider = wider && (await this.applyOrReport(wider, { ...how, including: item }));
+    const isDone = isWider || (await this.applyOrReport(operation, how));
+    const { selection } = this.#store.get();
+    this.#last = isDone && how.combine === 'replace' ? { operation, selection } : null;
   }
 
   /** Adds the operations with keys to the commands, once the solver has declared them. */

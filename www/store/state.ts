@@ -57,6 +57,8 @@ export interface State {
   shape: 'box' | 'lasso' | 'paint';
   /** whether a drag also selects hidden elements */
   through: boolean;
+  /** whether a box or a lasso also selects what it only touches, whichever way it is drawn */
+  touching: boolean;
   /** radius, CSS pixels */
   brush: number;
   /** what a click selects */
@@ -110,7 +112,7 @@ export interface State {
     log: boolean;
     gizmo: boolean;
     timings: boolean;
-    map: 'viridis' | 'cividis' | 'diverging' | 'grey';
+    map: 'viridis' | 'cividis' | 'turbo' | 'diverging' | 'grey';
   };
   /**
    * in the format of `View.camera`; if anything other than the viewport sets it, the camera moves
@@ -243,6 +245,7 @@ const INITIAL: State = {
   tool: 'drag',
   shape: 'box',
   through: false,
+  touching: false,
   brush: 24,
   mode: 'vertices',
   selection: { vertices: new Set(), edges: new Set(), faces: new Set() },

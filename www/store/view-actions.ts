@@ -72,8 +72,9 @@ export function createViewActions(store: Store) {
 
     tint: (tint: State['tint']) => store.set({ tint }),
 
-    useTool: (tool: Partial<Pick<State, 'tool' | 'shape' | 'through' | 'brush' | 'tape'>>) =>
-      store.set(tool),
+    useTool: (
+      tool: Partial<Pick<State, 'tool' | 'shape' | 'through' | 'touching' | 'brush' | 'tape'>>,
+    ) => store.set(tool),
 
     /** Sets parts of the display. */
     look: (

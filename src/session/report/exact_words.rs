@@ -44,6 +44,8 @@ pub struct TrialWords {
     pub taken: String,
     /// The result, if its shape is not taken.
     pub offered: String,
+    /// How far that shape is from the original; empty if it is not offered.
+    pub away: String,
 }
 
 /// The numbers of a trial.
@@ -146,6 +148,7 @@ impl TrialWords {
     /// The words of a trial of exact constraints instead of those within a distance.
     pub(crate) fn of_exactness(numbers: &TrialNumbers<'_>, exactness: &Exactness) -> TrialWords {
         let units = numbers.units;
+        let mut away = String::new();
         let offered = match exactness {
             Exactness::TooLarge => {
                 "The mesh, or one constraint, is too large for Exact. Within is possible."
@@ -157,20 +160,20 @@ impl TrialWords {
             ),
             Exactness::Met(folded) => {
                 let far = words::length(numbers.by, units);
-                let away = words::moved(numbers.moved.max, numbers.moved.mean, units, numbers.size)
-                    .map_or_else(String::new, |away| {
-                        format!(" It would then be {away}, from the original.")
-                    });
+                let moved = numbers.moved;
+                if let Some(then) = words::moved(moved.max, moved.mean, units, numbers.size) {
+                    away = format!("It would then be {then}, from the original.");
+                }
                 let folds = match folded {
                     0 => String::new(),
                     folded => {
                         format!(", and {} would fold", words::count(*folded, "panel", "panels"))
                     }
                 };
-                format!("If made exact, the shape would move by up to {far}{folds}.{away}")
+                format!("If made exact, the shape would move by up to {far}{folds}.")
             }
         };
-        TrialWords { taken: "Also made exact.".to_owned(), offered }
+        TrialWords { taken: "Also made exact.".to_owned(), offered, away }
     }
 
     /// The words of a search for an equally exact shape of less energy.
@@ -183,6 +186,7 @@ impl TrialWords {
                 "Improved: what is not exact is satisfied better ({gain} less energy). It moved by up to {far}."
             ),
             offered: "No better exact shape was found nearby.".to_owned(),
+            away: String::new(),
         }
     }
 }

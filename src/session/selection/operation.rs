@@ -34,6 +34,9 @@ pub struct Operation {
     pub double_click: Option<Mode>,
     /// The kind of element on which a double-click with Shift triggers it.
     pub shift_double_click: Option<Mode>,
+    /// The id of the operation that another double-click on its result triggers, if that contains the
+    /// element.
+    pub again: Option<&'static str>,
 }
 
 const ALL_MODES: &[Mode] = &[Mode::Vertices, Mode::Edges, Mode::Faces];
@@ -54,6 +57,7 @@ const PLAIN: Operation = Operation {
     keys: &[],
     double_click: None,
     shift_double_click: None,
+    again: None,
 };
 
 /// The ids of the measures of faces, as words.
@@ -169,6 +173,7 @@ pub const OPERATIONS: &[Operation] = &[
         needs_selection: true,
         modes: &[Mode::Vertices, Mode::Edges],
         double_click: Some(Mode::Edges),
+        again: Some("boundary"),
         ..PLAIN
     },
     Operation {

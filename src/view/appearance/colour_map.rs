@@ -1,8 +1,8 @@
 //! Perceptually uniform colour maps of errors, which are also readable with colour blindness:
 //! viridis (van der Walt and Smith 2015) and cividis (Nuñez, Anderton and Renslow 2018) from their
 //! light to their dark ends, a grey map, one that diverges at a tolerance, and one for values beyond
-//! a tolerance. In all of them small errors are
-//! light and unobtrusive, and large errors stand out.
+//! a tolerance. In all of them small errors are light and unobtrusive, and large errors stand out.
+//! Turbo (Mikhailov 2019) is neither; it is there for those who compare with pictures of other programs.
 //!
 //! Values of both signs have a map that is pale at zero and equally dark at both ends.
 //!
@@ -24,6 +24,9 @@ pub enum ColourMap {
     Viridis,
     /// For all values: from yellow over grey to dark blue, nearly the same with red-green blindness.
     Cividis,
+    /// For all values: from blue over green and yellow to red, as many programs have it. Not uniform,
+    /// and not readable with red-green blindness.
+    Turbo,
     /// For all values: from nearly white to dark.
     Grey,
     /// For all values: from light blue over nearly white, at this fraction of the range, and orange
@@ -43,6 +46,8 @@ pub enum MapChoice {
     Viridis,
     /// [`ColourMap::Cividis`].
     Cividis,
+    /// [`ColourMap::Turbo`].
+    Turbo,
     /// [`ColourMap::Grey`].
     Grey,
     /// [`ColourMap::Diverging`] about this value.
@@ -50,8 +55,8 @@ pub enum MapChoice {
 }
 
 impl MapChoice {
-    /// Returns the map `viridis`, `cividis`, `grey`, or `diverging` about `middle` (viridis without
-    /// it).
+    /// Returns the map `viridis`, `cividis`, `turbo`, `grey`, or `diverging` about `middle` (viridis
+    /// without it).
     ///
     /// # Errors
     /// Any other name.
@@ -60,9 +65,10 @@ impl MapChoice {
             ("diverging", Some(middle)) => Ok(MapChoice::Diverging(middle)),
             ("viridis" | "diverging", _) => Ok(MapChoice::Viridis),
             ("cividis", _) => Ok(MapChoice::Cividis),
+            ("turbo", _) => Ok(MapChoice::Turbo),
             ("grey", _) => Ok(MapChoice::Grey),
             _ => {
-                let (got, known) = (name.to_owned(), "viridis, cividis, grey or diverging");
+                let (got, known) = (name.to_owned(), "viridis, cividis, turbo, grey or diverging");
                 Err(ViewError::Word { what: "colour map", got, known })
             }
         }
@@ -140,6 +146,7 @@ impl ColourMap {
         match self {
             ColourMap::Viridis => colorous::VIRIDIS.eval_continuous(1.0 - part),
             ColourMap::Cividis => colorous::CIVIDIS.eval_continuous(1.0 - part),
+            ColourMap::Turbo => colorous::TURBO.eval_continuous(part),
             ColourMap::Grey => along(&GREY, part),
             ColourMap::Diverging(middle) if part < middle => along(&WITHIN, part / middle),
             ColourMap::Diverging(middle) if middle >= 1.0 => along(&WITHIN, 1.0),
@@ -259,6 +266,7 @@ mod tests {
         assert_eq!(MapChoice::named("diverging", Some(0.5)), Ok(MapChoice::Diverging(0.5)));
         assert_eq!(MapChoice::named("diverging", None), Ok(MapChoice::Viridis));
         assert_eq!(MapChoice::named("cividis", None), Ok(MapChoice::Cividis));
+        assert_eq!(MapChoice::named("turbo", None), Ok(MapChoice::Turbo));
         assert!(MapChoice::named("jet", None).is_err());
     }
 

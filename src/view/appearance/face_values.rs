@@ -172,6 +172,7 @@ impl Appearance {
         match self.map {
             MapChoice::Viridis => ColourMap::Viridis,
             MapChoice::Cividis => ColourMap::Cividis,
+            MapChoice::Turbo => ColourMap::Turbo,
             MapChoice::Grey => ColourMap::Grey,
             MapChoice::Diverging(middle) => {
                 let part = scale.and_then(|scale| scale.part(middle));

@@ -47,8 +47,8 @@ impl View {
         self.model().set_section(plane).map_err(thrown)
     }
 
-    /// Sets the colour map for values on all faces: `viridis`, `cividis`, `grey`, or `diverging` about
-    /// the value `middle` (viridis without `middle`).
+    /// Sets the colour map for values on all faces: `viridis`, `cividis`, `turbo`, `grey`, or
+    /// `diverging` about the value `middle` (viridis without `middle`).
     ///
     /// # Errors
     /// Any other name.

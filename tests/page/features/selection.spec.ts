@@ -109,6 +109,10 @@ test('a box to the right selects what is inside, to the left also what it touche
   await drag(page, [b, a]);
   const crossing = (await counts(page))[2];
   expect(crossing).toBeGreaterThan(Math.max(window, 3));
+  // With "Touching" the direction does not matter.
+  await page.getByRole('button', { name: 'Touching' }).click();
+  await drag(page, [a, b]);
+  expect((await counts(page))[2]).toBe(crossing);
 });
 
 test('a lasso selects what it encloses, and Escape restores the selection', async ({ page }) => {
@@ -208,6 +212,15 @@ test('a double-click selects a loop or a flat patch; keys grow, shrink, invert a
   await page.mouse.dblclick(...(await middleOf(page, [vertex(2, 3), vertex(3, 3)])));
   await page.keyboard.up('Shift');
   await expect(status(page)).toHaveText(`${N + 1} edges selected`);
+  // On the boundary a second double-click selects all of it, elsewhere the loop again.
+  await page.mouse.dblclick(...(await middleOf(page, [vertex(2, 0), vertex(3, 0)])));
+  await expect(status(page)).toHaveText(`${N} edges selected`);
+  await page.mouse.dblclick(...(await middleOf(page, [vertex(3, 0), vertex(4, 0)])));
+  await expect(status(page)).toHaveText(`${4 * N} edges selected`);
+  for (let twice = 0; twice < 2; twice++) {
+    await page.mouse.dblclick(...(await middleOf(page, [vertex(2, 3), vertex(3, 3)])));
+    await expect(status(page)).toHaveText(`${N} edges selected`);
+  }
   // Alt and a click select the loop, too.
   await page.keyboard.down('Alt');
   await page.mouse.click(...(await middleOf(page, [vertex(3, 2), vertex(3, 3)])));

@@ -333,6 +333,17 @@ test('errors are in the unit of the tolerance, beside how far the mesh moved', a
   await expect(inRow).toBeHidden();
   await expect(row).toContainText('beyond 1 mm');
   await expect(legend).not.toContainText('Moved');
+  // The tolerance is a tick on the colours, and moves along them.
+  const tick = legend.locator('.tick');
+  const placeOfTick = () => tick.evaluate((one) => Number.parseFloat(one.style.left));
+  await expect(tick).toBeVisible();
+  const before = await placeOfTick();
+  await page.getByLabel('Tolerance').fill('50');
+  await page.getByLabel('Tolerance').press('Enter');
+  await expect.poll(placeOfTick).toBeGreaterThan(before);
+  await page.getByLabel('Tolerance').fill('1');
+  await page.getByLabel('Tolerance').press('Enter');
+  await expect.poll(placeOfTick).toBeLessThan(1);
   await runToTheEnd(page);
   await expect(legend).toContainText(/Moved \d.* m, mean \d/);
   // Each number is there once.

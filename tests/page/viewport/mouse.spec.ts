@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import { openGrid } from '../actions.ts';
-import { boxOf, expect, test } from '../support.ts';
+import { boxOf, expect, screenOf, state, test } from '../support.ts';
 
 type Button = 'left' | 'middle' | 'right';
 
@@ -86,4 +86,32 @@ test('Backspace goes back to the view before, and with Shift forward', async ({ 
   await expect.poll(isAt(top)).toBe(true);
   await page.keyboard.press('Shift+Backspace');
   await expect(page.getByRole('status')).toHaveText('No view to go on to');
+});
+
+test.describe('on a Mac', () => {
+  test.use({ fresh: true });
+
+  test('Control and a click open the menu, Command removes from the selection', async ({
+    page,
+  }) => {
+    await page.addInitScript(() => {
+      Object.defineProperty(Navigator.prototype, 'platform', { value: 'MacIntel' });
+    });
+    await openGrid(page, 4);
+    await page.keyboard.press('b');
+    await page.keyboard.press('1');
+    const at = await screenOf(page, 12);
+    await page.mouse.click(...at);
+    await expect.poll(async () => (await state(page)).selection.vertices).toEqual([12]);
+    await page.keyboard.down('Control');
+    await page.mouse.click(...at);
+    await page.keyboard.up('Control');
+    await expect(page.getByRole('menu', { name: 'What is here' })).toBeVisible();
+    await page.keyboard.press('Escape');
+    expect((await state(page)).selection.vertices).toEqual([12]);
+    await page.keyboard.down('Meta');
+    await page.mouse.click(...at);
+    await page.keyboard.up('Meta');
+    await expect.poll(async () => (await state(page)).selection.vertices).toEqual([]);
+  });
 });

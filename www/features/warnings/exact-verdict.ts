@@ -112,6 +112,7 @@ export class ExactVerdict {
     };
     this.#messages.say({
       words: after(cost.words.offered),
+      numbers: { words: cost.words.away, elsewhere: 'where-room' },
       offers: [
         {
           label: 'Make exact',

@@ -13,8 +13,8 @@ export interface Offer {
 
 export interface Said {
   words: string;
-  /** the numbers, and where they are shown else */
-  numbers?: { words: string; elsewhere: 'in-legend' | 'in-rows' };
+  /** the numbers, and where they are shown else, or that they are shown only where there is room */
+  numbers?: { words: string; elsewhere: 'in-legend' | 'in-rows' | 'where-room' };
   offers?: Offer[];
   /** what is still looked for */
   waits?: string;

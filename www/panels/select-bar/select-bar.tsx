@@ -27,7 +27,7 @@ export const opener = createRef<HTMLButtonElement>();
 
 export function SelectBar() {
   const { store, actions } = useApp();
-  const { tool, shape, through, brush, selection, model } = store.state;
+  const { tool, shape, through, touching, brush, selection, model } = store.state;
   const selects = tool === 'select';
   const words = describe(selection);
   return (
@@ -62,6 +62,17 @@ export function SelectBar() {
       >
         <Icon name="through" />
         <span>Select through</span>
+      </button>
+      <button
+        type="button"
+        class="toggle"
+        title="Also select what a box or a lasso only touches, whichever way it is drawn"
+        aria-pressed={touching}
+        hidden={!selects || shape === 'paint'}
+        onClick={() => actions.useTool({ touching: !touching })}
+      >
+        <Icon name="touching" />
+        <span>Touching</span>
       </button>
       <input
         type="range"

@@ -6,6 +6,8 @@
  * | box | elements inside (solid line) | also elements that it crosses (dashed line), as in Rhino |
  * | lasso | elements inside | elements inside |
  * | paint | elements that the brush touches | the same |
+ *
+ * Touching, box and lasso take what they cross in either direction: a finger has no habit of one.
  */
 
 import { NOTHING, select, type Combine } from '../../store/selection.ts';
@@ -74,10 +76,10 @@ export class RegionSelection {
       this.#path = [at];
     } else if (shape === 'lasso') {
       if (Math.hypot(at[0] - last[0], at[1] - last[1]) >= LASSO_STEP) this.#path.push(at);
-      this.#draw([...this.#path, at], false);
+      this.#draw([...this.#path, at], this.#store.get().touching);
     } else {
       this.#path = [this.#path[0], at];
-      this.#draw(corners(this.#path[0], at), isCrossing(this.#path[0], at));
+      this.#draw(corners(this.#path[0], at), this.#crosses(at));
     }
   }
 
@@ -86,9 +88,9 @@ export class RegionSelection {
     const { shape } = this.#store.get();
     if (shape !== 'paint') {
       this.#combine = combine;
-      const from = this.#path[0];
-      if (shape === 'lasso') this.#take([...this.#path, at], false);
-      else this.#take(corners(from, at), isCrossing(from, at));
+      const { touching } = this.#store.get();
+      if (shape === 'lasso') this.#take([...this.#path, at], touching);
+      else this.#take(corners(this.#path[0], at), this.#crosses(at));
     }
     this.hide();
   }
@@ -110,6 +112,11 @@ export class RegionSelection {
 
   hide() {
     this.#overlay.classList.remove('drawing', 'painting');
+  }
+
+  /** Whether a box from the press to here takes what it crosses. */
+  #crosses(to: Point) {
+    return this.#store.get().touching || to[0] < this.#path[0][0];
   }
 
   #draw(points: Point[], crossing: boolean) {
@@ -137,10 +144,6 @@ export class RegionSelection {
 
 function corners(from: Point, to: Point): Point[] {
   return [from, [to[0], from[1]], to, [from[0], to[1]]];
-}
-
-function isCrossing(from: Point, to: Point) {
-  return to[0] < from[0];
 }
 
 /** Returns the area swept by a round brush: two half circles and the strip between them. */
