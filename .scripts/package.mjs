@@ -25,7 +25,12 @@ export function writePackage(folder) {
   const { version, license, description } = JSON.parse(readFileSync(at('package.json'), 'utf8'));
   const about = {
     ...{ name: 'shape-up-engine', version, description, license, type: 'module' },
-    ...{ main: 'index.js', types: 'index.d.ts', sideEffects: false },
+    ...{ types: 'index.d.ts', sideEffects: false },
+    // A bundler for pages must not meet the modules of Node.
+    exports: {
+      '.': { types: './index.d.ts', node: './node.js', default: './index.js' },
+      './shape_up_bg.wasm': './shape_up_bg.wasm',
+    },
     engines: { node: '>=20.19' },
   };
   writeFileSync(join(folder, 'package.json'), `${JSON.stringify(about, null, 2)}\n`);

@@ -1,6 +1,6 @@
 //! `shape-up watch`.
 
-use crate::cli::folder::{Folder, ROOF};
+use crate::cli::folder::{Folder, PLANES, ROOF, scene};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -49,6 +49,34 @@ fn a_file_is_solved_again_whenever_it_is_saved() {
     assert_eq!(folder.read("out.obj"), first);
     folder.write("roof.obj", ROOF.replace("v 2 2 -0.3", "v 2 2 0.4"));
     wait_for(&folder, "out.obj", |text| text != first && text.contains("\nf "));
+}
+
+#[test]
+fn a_scene_is_solved_again_when_its_mesh_is_saved() {
+    let folder = Folder::new("watch-scene");
+    folder.write("roof.obj", ROOF).write("roof.json", scene(PLANES));
+    let asked = ["watch", "roof.json", "--out", "out.obj"];
+    let child = Command::new(env!("CARGO_BIN_EXE_shape-up"))
+        .args(asked)
+        .current_dir(&folder.0)
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let _watching = Watching(child);
+    let first = wait_for(&folder, "out.obj", |text| text.contains("\nf "));
+    folder.write("roof.obj", ROOF.replace("v 2 2 -0.3", "v 2 2 0.4"));
+    wait_for(&folder, "out.obj", |text| text != first && text.contains("\nf "));
+}
+
+#[test]
+fn nothing_that_is_watched_is_overwritten_and_what_is_not_there_is_said() {
+    let folder = Folder::new("watch-faults");
+    folder.write("roof.obj", ROOF).write("roof.json", scene(PLANES));
+    folder
+        .run(&["watch", "roof.json", "--out", "roof.obj"])
+        .misused("--out would replace the input");
+    folder.run(&["watch", "none.obj", "--out", "out.obj"]).refused(&["none.obj"]);
+    assert_eq!(folder.read("roof.obj"), ROOF);
 }
 
 #[test]

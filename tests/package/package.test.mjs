@@ -40,6 +40,8 @@ test('the engine is packed, installed in an empty project, and solves', () => {
       'shape_up_bg.wasm',
     ])
       assert.ok(names.includes(name), `${name} of ${names}`);
+    // A bundler for pages would look for the modules of Node.
+    assert.doesNotMatch(readFileSync(join(folder, 'made', 'index.js'), 'utf8'), /node:/);
     writeFileSync(join(folder, 'package.json'), '{ "private": true }');
     run('npm', 'install', '--offline', '--no-audit', '--no-fund', `./${filename}`);
     writeFileSync(join(folder, 'vault.obj'), vault());

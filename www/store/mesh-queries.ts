@@ -27,14 +27,16 @@ export class Selecting {
   #store;
   #solver;
   #actions;
-  /** The operation of the last double-click, and what it selected. */
+  /** The operation of the last double-click, and what it selected, of which all since then is a part. */
   #last: { operation: Operation; selection: Selection } | null = null;
 
   constructor(store: Store, solver: SolverClient, actions: Actions) {
     this.#store = store;
     this.#solver = solver;
     this.#actions = actions;
-    store.subscribe(['model'], () => (this.#last = null));
+    store.subscribe(['model', 'selection'], ({ selection }) => {
+      if (!this.#last || !isWithin(selection, this.#last.selection)) this.#last = null;
+    });
     this.#announce();
   }
 
@@ -106,7 +108,7 @@ export class Selecting {
   /** Applies the wider operation if its result contains the item, else the operation. */
   async #select(operation: Operation, wider: Operation | undefined, how: How, item: number) {
     const isWider = wider && (await this.applyOrReport(wider, { ...how, including: item }));
-    const isDone = isWider || (await this.applyOrReport(operation, how));
+    const isDone = !isWider && (await this.applyOrReport(operation, how));
     const { selection } = this.#store.get();
     this.#last = isDone && how.combine === 'replace' ? { operation, selection } : null;
   }
@@ -145,6 +147,11 @@ export class Selecting {
     });
   }
 }
+
+/** Whether something is selected, and nothing that another selection has not. */
+const isWithin = (selection: Selection, other: Selection) =>
+  sizeOfSelection(selection) > 0 &&
+  MODES.every((mode) => [...selection[mode]].every((item) => other[mode].has(item)));
 
 /** Whether an operation can be a command: one that asks for something has a form instead. */
 const isCommand = ({ keys, params, takesName }: Operation) =>

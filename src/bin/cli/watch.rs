@@ -1,26 +1,37 @@
 //! `shape-up watch`: solves a file again whenever another program saves it.
 
-use super::arguments::Solve;
-use super::{Failure, one_line, solve};
+use super::arguments::{Solve, apart};
+use super::{Failure, input, one_line, solve};
+use shape_up::scene::Scene;
+use shape_up::session::named_files;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
-/// How often the file is looked at.
+/// How often the files are looked at.
 const EVERY: Duration = Duration::from_millis(200);
 
-/// The time and the size of a file, by which a save is noticed.
-type Stamp = (SystemTime, u64);
+/// The time and the size of a file, by which a save is noticed; none while there is no such file, since
+/// some programs write another one and rename it.
+type Stamp = Option<(SystemTime, u64)>;
 
 /// Solves until the program is stopped. What is wrong with the input is said, and waited for.
 pub(super) fn watch(command: &Solve) -> Result<(), Failure> {
-    let (mut last, mut solved) = (None, None);
+    // An output in the place of an input would be solved again and again.
+    for file in inputs(&command.input) {
+        apart(&file, &[("--out", &command.out), ("--report", &command.report)])
+            .map_err(Failure::Usage)?;
+    }
+    solve::solve(command)?;
+    let mut solved = stamps(&command.input);
+    let mut last = solved.clone();
     loop {
-        let now = stamp(&command.input);
+        thread::sleep(EVERY);
+        let now = stamps(&command.input);
         // A file that is still written changes from one look to the next.
-        if now.is_some() && now == last && now != solved {
-            solved = now;
+        if now == last && now != solved && now.iter().all(Option::is_some) {
+            solved.clone_from(&now);
             match solve::solve(command) {
                 Ok(()) => {}
                 Err(Failure::Input(message)) => eprintln!("{}", one_line(&message)),
@@ -28,12 +39,26 @@ pub(super) fn watch(command: &Solve) -> Result<(), Failure> {
             }
         }
         last = now;
-        thread::sleep(EVERY);
     }
 }
 
-/// None while there is no such file: some programs write another one and rename it.
-fn stamp(path: &Path) -> Option<Stamp> {
-    let about = fs::metadata(path).ok()?;
-    Some((about.modified().ok()?, about.len()))
+/// The input, and the files that a scene names.
+fn inputs(path: &Path) -> Vec<PathBuf> {
+    let mut all = vec![path.to_owned()];
+    if input::is_scene(path) {
+        let text = fs::read_to_string(path).unwrap_or_default();
+        let scene = Scene::from_json(&text);
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let named = scene.iter().flat_map(named_files);
+        all.extend(named.map(|name| folder.join(name)));
+    }
+    all
+}
+
+fn stamps(path: &Path) -> Vec<Stamp> {
+    let stamp = |path: &PathBuf| {
+        let about = fs::metadata(path).ok()?;
+        Some((about.modified().ok()?, about.len()))
+    };
+    inputs(path).iter().map(stamp).collect()
 }

@@ -153,7 +153,7 @@ function controlAt(number: number) {
   }
   const name =
     control.ariaLabel || control.innerText || control.labels?.[0]?.innerText || control.id;
-  return { name, x, y, isNumber: control.matches('[type=number], [type=text], [role=spinbutton]') };
+  return { name, x, y, isNumber: control.matches('[type=text]') };
 }
 
 /** A position in the window, often that of a vertex or a handle. */

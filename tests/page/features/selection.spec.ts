@@ -217,6 +217,13 @@ test('a double-click selects a loop or a flat patch; keys grow, shrink, invert a
   await expect(status(page)).toHaveText(`${N} edges selected`);
   await page.mouse.dblclick(...(await middleOf(page, [vertex(3, 0), vertex(4, 0)])));
   await expect(status(page)).toHaveText(`${4 * N} edges selected`);
+  // Not of another selection.
+  await page.mouse.dblclick(...(await middleOf(page, [vertex(3, 0), vertex(4, 0)])));
+  await expect(status(page)).toHaveText(`${N} edges selected`);
+  await page.keyboard.press('Escape');
+  await expect(status(page)).toHaveText('Nothing selected');
+  await page.mouse.dblclick(...(await middleOf(page, [vertex(3, 0), vertex(4, 0)])));
+  await expect(status(page)).toHaveText(`${N} edges selected`);
   for (let twice = 0; twice < 2; twice++) {
     await page.mouse.dblclick(...(await middleOf(page, [vertex(2, 3), vertex(3, 3)])));
     await expect(status(page)).toHaveText(`${N} edges selected`);

@@ -196,13 +196,7 @@ function NewConstraint({ close }: { close: () => void }) {
         </fieldset>
         <div class="weight-row">
           <label for="new-weight">Weight</label>
-          <NumberInput
-            field={weight}
-            accepted={WEIGHT}
-            defaultValue="1"
-            id="new-weight"
-            onInput={({ currentTarget }) => numberIn(currentTarget, WEIGHT)}
-          />
+          <NumberInput field={weight} accepted={WEIGHT} defaultValue="1" id="new-weight" />
           <span class="quiet">against the other constraints</span>
         </div>
         <div class="dialog-foot">

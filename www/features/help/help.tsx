@@ -26,17 +26,14 @@ const pointer = (mouse: State['mouse']): [string, string][] => [
   ['Shift drag', 'beside the model: move the view'],
   [
     'Double-click',
-    'a vertex: make a handle; an edge: select its loop, with Shift its ring, again on the boundary all of it; a face: select its flat patch',
+    'a vertex: make a handle; an edge: select its loop, on the boundary a second time all of it, with Shift its ring; a face: select its flat patch',
   ],
   ['Other buttons', `${MOUSE_WORDS[mouse]} (the menu Views has other settings)`],
   ['Right click', 'open the menu; so does a long press'],
   ['Wheel, pinch', 'zoom to the cursor'],
   ['Two fingers', 'pan and zoom'],
   ['Hold Reset', 'show the original as long as it is held'],
-  [
-    'Type a number',
-    '1.5, 1/3, 20 cm in a field of a length, +0.5 to add; arrow keys change it by 1',
-  ],
+  ['Type a number', '1.5, 1/3, 20 cm in a field of a length, +0.5 to add'],
 ];
 /** Keys of the view itself; see `gestures.ts`, `handle-keys.ts` and `pointer.ts`. */
 const VIEW_KEYS: [string, string][] = [

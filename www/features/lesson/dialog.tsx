@@ -221,7 +221,6 @@ function LessonDialog({
                 accepted={LIMIT}
                 name="at-most"
                 required
-                onInput={({ currentTarget }) => numberIn(currentTarget, LIMIT)}
                 aria-label={`${what} at most${unit && `, ${unit}`}`}
                 defaultValue={goal.limit}
               />

@@ -48,7 +48,8 @@ export function PlanForm({ unit, ask }: { unit: string; ask: (asked: Asked) => v
       drawn.endSketch();
     }
     // A number field has an undo of its own.
-    const isText = event.target instanceof HTMLInputElement && event.target.role === 'spinbutton';
+    const isText =
+      event.target instanceof HTMLInputElement && event.target.matches('[role=spinbutton]');
     if (event.key === 'z' && (event.ctrlKey || event.metaKey) && !isText) {
       event.preventDefault();
       drawn.undo();

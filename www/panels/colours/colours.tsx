@@ -2,9 +2,8 @@
 
 import { declared, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
-import { Choice } from '../../ui/components/fields.tsx';
+import { AmountField, Choice } from '../../ui/components/fields.tsx';
 import { brief } from '../../ui/words.ts';
-import { ValueField } from './value-field.tsx';
 
 export function Colours() {
   const { store, actions } = useApp();
@@ -36,13 +35,15 @@ export function Colours() {
         <div class="field-row">
           <label for="tolerance">Tolerance</label>
           <span class="with-unit">
-            <ValueField
+            <AmountField
               id="tolerance"
               unit={about.unit === 'length' ? unit.symbol : ''}
               placeholder="none"
-              shown={allowed === null || !allowed ? '' : brief(allowed * unit.factor)}
+              value={allowed ? allowed * unit.factor : null}
+              shown={allowed ? brief(allowed * unit.factor) : ''}
               isPositive
-              onValue={(value) => setTolerance(value === null ? null : value / unit.factor)}
+              onAmount={(value) => setTolerance(value / unit.factor)}
+              onEmpty={() => setTolerance(null)}
             />
             <span class="quiet">{unit.symbol}</span>
           </span>

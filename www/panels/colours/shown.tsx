@@ -4,9 +4,8 @@ import { useComputed } from '@preact/signals';
 import { declared, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
-import { Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { number } from '../../ui/words.ts';
-import { ValueField } from './value-field.tsx';
 import type { State } from '../../store/state.ts';
 
 /** Labels of the switches, in the order of display. */
@@ -50,7 +49,7 @@ const MAPS = [
   [BEYOND, 'Beyond tolerance', 'Only faces beyond the tolerance are coloured'],
   ['viridis', 'Viridis', 'All faces are coloured'],
   ['cividis', 'Cividis', 'All faces are coloured, the same with red-green blindness'],
-  ['turbo', 'Turbo', 'All faces are coloured; not to be read with red-green blindness'],
+  ['turbo', 'Turbo', 'All faces are coloured; not readable with red-green blindness'],
   ['diverging', 'Diverging', 'Blue within the tolerance, red beyond it'],
   ['grey', 'Grey', 'All faces in shades of grey, for print'],
 ] as const;
@@ -71,27 +70,31 @@ function Range() {
   const maps = MAPS.filter(([id]) => allowed !== null || (id !== BEYOND && id !== 'diverging'));
   const isFull = allowed === null || display.full;
   const map = maps.some(([id]) => id === display.map) ? display.map : 'viridis';
-  const end = (name: 'low' | 'high') => (value: number | null) =>
-    actions.setRange({ [name]: value === null ? null : value / factor });
+  const end = (name: 'low' | 'high') => ({
+    onAmount: (value: number) => actions.setRange({ [name]: value / factor }),
+    onEmpty: () => actions.setRange({ [name]: null }),
+  });
   return (
     <>
       <div class="field-row">
         <span>Colours</span>
         <span class="with-unit">
-          <ValueField
-            aria-label="Colours from"
+          <AmountField
+            name="Colours from"
             unit={about.unit === 'length' ? unit : ''}
             // Signed values have a symmetric range.
             disabled={about.signed}
+            value={range[0] * factor}
             shown={number(range[0] * factor)}
-            onValue={end('low')}
+            {...end('low')}
           />
           to
-          <ValueField
-            aria-label="Colours to"
+          <AmountField
+            name="Colours to"
             unit={about.unit === 'length' ? unit : ''}
+            value={range[1] * factor}
             shown={number(range[1] * factor)}
-            onValue={end('high')}
+            {...end('high')}
           />
           <span class="quiet">{unit}</span>
         </span>

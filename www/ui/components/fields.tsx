@@ -11,6 +11,7 @@ import type { ComponentProps } from 'preact';
 export function AmountField({
   name,
   value,
+  shown = value === null ? '' : String(value),
   onAmount,
   onEmpty,
   isReplaced = false,
@@ -18,13 +19,16 @@ export function AmountField({
   min = 0,
   max,
   isWhole,
+  isPositive,
   ...rest
 }: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role' | 'min' | 'max' | 'step'> &
-  Accepted & {
+  Omit<Accepted, 'present'> & {
     /** its accessible name, unless a label names it */
     name?: string;
     /** null for none */
     value: number | null;
+    /** the value in words, if other than all its digits */
+    shown?: string;
     onAmount: (to: number) => unknown;
     /** called for a field that is emptied; without it, this is invalid too */
     onEmpty?: () => unknown;
@@ -33,9 +37,10 @@ export function AmountField({
   }) {
   /** Input that is not reported yet. */
   const [typed, setTyped] = useState<string | null>(null);
-  const shown = value === null ? '' : String(value);
   const field = useRef<HTMLInputElement>(null);
-  const accepted = { unit, min, max, isWhole };
+  /** Whether Enter was pressed after the last input. */
+  const isEntered = useRef(false);
+  const accepted = { unit, min, max, isWhole, isPositive, present: value };
   useLayoutEffect(() => {
     const { current } = field;
     if (isReplaced && typed === null && document.activeElement === current) current?.select();
@@ -45,28 +50,28 @@ export function AmountField({
     if (!field.current) return;
     // A rejected text is no value that could change.
     field.current.value = shown;
-    field.current.setCustomValidity('');
+    numberIn(field.current, accepted);
   };
   return (
     <NumberInput
       field={field}
       accepted={accepted}
       aria-label={name}
-      aria-valuenow={value ?? undefined}
       value={typed ?? shown}
       onInput={({ currentTarget }) => {
-        currentTarget.setCustomValidity('');
+        isEntered.current = false;
         setTyped(currentTarget.value);
       }}
       onChange={({ currentTarget }) => {
-        const to = numberIn(currentTarget, accepted, value ?? 0);
-        // What is wrong is said until the field is left.
-        if (!currentTarget.reportValidity()) return;
+        const to = numberIn(currentTarget, accepted);
+        // What is wrong is said until the field is left; leaving it is not held up.
+        if (isEntered.current && !currentTarget.reportValidity()) return;
         if (to !== null) onAmount(to);
-        else onEmpty?.();
+        else if (currentTarget.validity.valid) onEmpty?.();
         revert();
       }}
       onKeyDown={(event) => {
+        if (event.key === 'Enter') isEntered.current = true;
         if (event.key !== 'Escape' || typed === null) return;
         event.stopPropagation();
         revert();

@@ -3,8 +3,9 @@
  * `+0.5` to add to what it has.
  */
 
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { brief, readLength, rounded } from '../words.ts';
-import type { ComponentProps, Ref } from 'preact';
+import type { ComponentProps, RefObject } from 'preact';
 
 /** Significant digits of decimals, which sums of them keep. */
 const DIGITS = 15;
@@ -17,55 +18,78 @@ export interface Accepted {
   max?: number;
   /** whether only whole numbers are accepted */
   isWhole?: boolean;
+  /** whether only numbers above 0 are accepted */
+  isPositive?: boolean;
+  /** what is added to; nothing is where it is absent */
+  present?: number | null;
 }
 
-/** Returns the number in a field; null if it is empty or invalid, which its validity then says. */
-export function numberIn(field: HTMLInputElement, accepted: Accepted, present = 0): number | null {
-  const text = field.value.trim();
-  const [number, problem] = text === '' ? [null, ''] : readIn(text, accepted, present);
-  field.setCustomValidity(problem);
-  return problem ? null : number;
-}
-
-/** Returns the number of a text, and what is wrong with it. */
-function readIn(
-  text: string,
-  { unit = '', min = -Infinity, max = Infinity, isWhole = false }: Accepted,
-  present: number,
-): [number, string] {
+/** Returns the number of a text, null if it is empty, and what is wrong with it. */
+export function readNumber(text: string, accepted: Accepted): [number | null, string] {
+  const { unit = '', min = -Infinity, max = Infinity, isWhole, isPositive, present } = accepted;
+  if (text.trim() === '') return [null, ''];
   try {
     const { by, length } = readLength(text, unit);
-    const number = by ? present + length : length;
-    if (number < min) return [number, `Expected at least ${brief(min)}.`];
-    if (number > max) return [number, `Expected at most ${brief(max)}.`];
-    return [number, isWhole && !Number.isInteger(number) ? 'Expected a whole number.' : ''];
+    if (by && typeof present !== 'number') return [null, 'There is no number to add to.'];
+    const number = by ? (present ?? 0) + length : length;
+    if (isPositive && !(number > 0)) return [null, 'Expected a number above 0.'];
+    if (number < min) return [null, `Expected at least ${brief(min)}.`];
+    if (number > max) return [null, `Expected at most ${brief(max)}.`];
+    if (isWhole && !Number.isInteger(number)) return [null, 'Expected a whole number.'];
+    return [number, ''];
   } catch (error) {
-    return [NaN, error instanceof Error ? error.message : String(error)];
+    return [null, error instanceof Error ? error.message : String(error)];
   }
 }
 
-/** @param props.accepted for the arrow keys, which change the number by one */
+/** Returns the number in a field; null if it is empty or invalid, which its validity then says. */
+export function numberIn(field: HTMLInputElement, accepted: Accepted) {
+  const [number, problem] = readNumber(field.value, accepted);
+  field.setCustomValidity(problem);
+  return number;
+}
+
+/** Its validity is always that of its text. */
 export function NumberInput({
   accepted,
   field,
+  onInput,
   onKeyDown,
   ...rest
 }: Omit<ComponentProps<'input'>, 'type' | 'role' | 'min' | 'max' | 'step'> & {
   accepted: Accepted;
-  field?: Ref<HTMLInputElement>;
+  field?: RefObject<HTMLInputElement | null>;
 }) {
+  const own = useRef<HTMLInputElement>(null);
+  const place = field ?? own;
+  const { unit, min, max, isWhole } = accepted;
+  const text = rest.value ?? rest.defaultValue;
+  useLayoutEffect(() => {
+    if (place.current) numberIn(place.current, accepted);
+  }, [text, unit, min, max]);
+  const [now] = readNumber(typeof text === 'string' ? text : '', accepted);
+  // The keys for decimals of a phone have neither signs nor letters.
+  const isPlain = !unit && (min ?? -1) >= 0;
   return (
     <input
-      ref={field}
+      ref={place}
       type="text"
       role="spinbutton"
-      inputMode={accepted.isWhole ? 'numeric' : 'decimal'}
+      aria-valuenow={now ?? undefined}
+      aria-valuemin={Number.isFinite(min) ? min : undefined}
+      aria-valuemax={Number.isFinite(max) ? max : undefined}
+      inputMode={isPlain ? (isWhole ? 'numeric' : 'decimal') : undefined}
       autocomplete="off"
       class="number"
+      onInput={(event) => {
+        numberIn(event.currentTarget, accepted);
+        onInput?.(event);
+      }}
       onKeyDown={(event) => {
         onKeyDown?.(event);
         const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-        if (!by || event.defaultPrevented) return;
+        const isModified = event.shiftKey || event.altKey || event.ctrlKey || event.metaKey;
+        if (!by || isModified || event.defaultPrevented) return;
         event.preventDefault();
         step(event.currentTarget, by, accepted);
       }}
@@ -74,13 +98,13 @@ export function NumberInput({
   );
 }
 
-/** Changes the number in a field, as if it had been typed and entered. */
+/** Changes the number in a field by one, as if it had been typed and entered. */
 function step(field: HTMLInputElement, by: number, accepted: Accepted) {
+  const number = numberIn(field, accepted);
+  if (!field.reportValidity()) return;
   const { min = -Infinity, max = Infinity } = accepted;
-  const number = numberIn(field, accepted) ?? 0;
-  const next = rounded(number + by, DIGITS);
-  if (next < min || next > max) return;
-  field.value = String(next);
+  const next = rounded((number ?? 0) + by, DIGITS);
+  field.value = String(Math.min(Math.max(next, min), max));
   field.dispatchEvent(new Event('input', { bubbles: true }));
   field.dispatchEvent(new Event('change', { bubbles: true }));
 }

@@ -32,8 +32,7 @@ export function SizeField({
         value={text}
         onInput={({ currentTarget: field }) => {
           setText(field.value);
-          const number = numberIn(field, accepted, value);
-          onSize(number ?? NaN, field.validationMessage);
+          onSize(numberIn(field, accepted) ?? NaN, field.validationMessage);
         }}
       />
       <span class="unit" data-of={of}>

@@ -3,7 +3,7 @@
 import { Fragment } from 'preact';
 import { useLayoutEffect, useState } from 'preact/hooks';
 import { Choice } from '../components/fields.tsx';
-import { NumberInput, numberIn, type Accepted } from '../components/number-input.tsx';
+import { NumberInput, readNumber, type Accepted } from '../components/number-input.tsx';
 import {
   AXES,
   FIELD_NAMES,
@@ -112,23 +112,20 @@ function Parameter({
   const error = `error-${name.replace(/\W+/g, '-')}`;
 
   const [min, max] = isVector ? [] : param.range;
-  /** What its numbers may be; a null is an infinite limit. */
-  const accepted: Accepted = {
-    unit: param.unit === 'length' ? (model.units ?? '') : '',
+  /** What a number may be; a null is an infinite limit. */
+  const accepted = (at: number): Accepted => ({
+    unit: param.unit === 'length' ? model.units : '',
     min: min ?? -Infinity,
     max: max ?? Infinity,
-  };
+    present: numbers[at],
+  });
 
   const wrong = problems.findIndex(Boolean);
   const refused = refusal === settled ? null : refusal;
   const refusedPlace = refused && (refused.place < numbers.length ? refused.place : 0);
   const place = wrong >= 0 ? wrong : refusedPlace;
 
-  /** The number in a field; null if there is none. */
-  const read = (at: number, field: HTMLInputElement) => numberIn(field, accepted, numbers[at] ?? 0);
-
   function type(at: number, field: HTMLInputElement) {
-    read(at, field);
     setTyped({
       texts: numbers.map((_, i) => (i === at ? field.value : texts[i])),
       // An error that appears on blur would move the page under the pointer that leaves the field
@@ -141,7 +138,10 @@ function Parameter({
   function enter(at: number, field: HTMLInputElement) {
     type(at, field);
     if (!field.validity.valid || problems.some((problem, i) => i !== at && problem)) return;
-    const entered = numbers.map((number, i) => (i === at ? read(at, field) : number));
+    const entered = numbers.map((number, i) => {
+      const text = i === at ? field.value : texts[i];
+      return text === undefined ? number : readNumber(text, accepted(i))[0];
+    });
     setTyped(NOTHING);
     onValue((entered.length === 1 ? entered[0] : entered) as ParamValue);
   }
@@ -167,7 +167,7 @@ function Parameter({
           <Fragment key={i}>
             {key === 'range' && i === 1 && '–'}
             <NumberInput
-              accepted={accepted}
+              accepted={accepted(i)}
               placeholder={key === 'range' ? 'no limit' : ''}
               required={key !== 'range'}
               value={texts[i] ?? (number === null ? '' : String(number))}
