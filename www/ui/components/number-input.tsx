@@ -9,6 +9,8 @@ import type { ComponentProps, RefObject } from 'preact';
 
 /** Significant digits of decimals, which sums of them keep. */
 const DIGITS = 15;
+/** A range that begins here has all numbers above 0. */
+const ABOVE_ZERO = 2.2250738585072014e-308;
 
 /** What a field accepts. */
 export interface Accepted {
@@ -32,7 +34,8 @@ export function readNumber(text: string, accepted: Accepted): [number | null, st
     const { by, length } = readLength(text, unit);
     if (by && typeof present !== 'number') return [null, 'There is no number to add to.'];
     const number = by ? (present ?? 0) + length : length;
-    if (isPositive && !(number > 0)) return [null, 'Expected a number above 0.'];
+    if ((isPositive || min === ABOVE_ZERO) && !(number > 0))
+      return [null, 'Expected a number above 0.'];
     if (number < min) return [null, `Expected at least ${brief(min)}.`];
     if (number > max) return [null, `Expected at most ${brief(max)}.`];
     if (isWhole && !Number.isInteger(number)) return [null, 'Expected a whole number.'];
@@ -76,7 +79,7 @@ export function NumberInput({
       type="text"
       role="spinbutton"
       aria-valuenow={now ?? undefined}
-      aria-valuemin={Number.isFinite(min) ? min : undefined}
+      aria-valuemin={Number.isFinite(min) && min !== ABOVE_ZERO ? min : undefined}
       aria-valuemax={Number.isFinite(max) ? max : undefined}
       inputMode={isPlain ? (isWhole ? 'numeric' : 'decimal') : undefined}
       autocomplete="off"
