@@ -65,7 +65,7 @@ export function SelectBar() {
       </button>
       <button
         type="button"
-        class="toggle"
+        class="toggle touching"
         title="Also select what a box or a lasso only touches, whichever way it is drawn"
         aria-pressed={touching}
         hidden={!selects || shape === 'paint'}
