@@ -49,7 +49,7 @@ impl Verdict {
         let scale = Scale { units, size, edge };
         let worst = length_like(self.worst, units, self.tolerance);
         let is_told = self.within == self.of && self.worst > SAYS_NO_MORE * self.tolerance;
-        let why = self.told().map(|flaw| self.why(flaw, &scale));
+        let why = self.flaws.iter().map(|&flaw| self.why(flaw, &scale)).find(|it| !it.is_empty());
         let folds = self.folds();
         let [before, after] = match self.within == self.of {
             true => [folds, String::new()],
@@ -87,21 +87,6 @@ impl Verdict {
         let label =
             |_| format!("Solve again within {}", limit_like(self.tolerance, units, self.tolerance));
         VerdictWords { brief: text(&sentences), numbers: text(&numbers), again: again.map(label) }
-    }
-
-    /// The flaw that is said first; the count of the panels says that some are eased.
-    fn told(&self) -> Option<Flaw> {
-        let has_words = |flaw: &Flaw| match flaw {
-            Flaw::Eased => false,
-            Flaw::Rougher | Flaw::Flatter => self.bend.change.is_some(),
-            _ => true,
-        };
-        self.flaws.iter().copied().find(has_words)
-    }
-
-    /// Whether it says how far the surface moved.
-    pub(crate) fn says_surface(&self) -> bool {
-        self.told() == Some(Flaw::Away)
     }
 
     /// Says what is not good about the shape; empty if the rest of the verdict says it.

@@ -195,13 +195,7 @@ impl BetterPresses {
         let moves = match id {
             _ if stays => "the surface stays as it is".to_owned(),
             "surface" => format!("panels slide, the surface stays within {far}"),
-            _ if self.before.says_surface() || after.surface.max >= self.before.surface.max => {
-                format!("the surface moves by {far}")
-            }
-            _ => {
-                let instead = length(self.before.surface.max, units);
-                format!("the surface moves by {far} instead of {instead}")
-            }
+            _ => format!("the surface moves by {far}"),
         };
         let [within, of] = [after.within, after.of].map(group_digits);
         let larger = |eased: EasedPanels| limit_like(eased.within, units, after.tolerance);
