@@ -7,6 +7,16 @@ use std::time::{Duration, Instant};
 /// The program, which is stopped at the end of the test.
 struct Watching(Child);
 
+impl Watching {
+    /// Begins to watch in a folder; what is wrong is written to the file `wrong` there.
+    fn begin(folder: &Folder, arguments: &[&str]) -> Watching {
+        let wrong = std::fs::File::create(folder.0.join("wrong")).unwrap();
+        let mut program = Command::new(env!("CARGO_BIN_EXE_shape-up"));
+        program.arg("watch").args(arguments).current_dir(&folder.0);
+        Watching(program.stdout(Stdio::null()).stderr(wrong).spawn().unwrap())
+    }
+}
+
 impl Drop for Watching {
     fn drop(&mut self) {
         let _ = self.0.kill();
@@ -32,16 +42,8 @@ fn wait_for(folder: &Folder, name: &str, wanted: impl Fn(&str) -> bool) -> Strin
 fn a_file_is_solved_again_whenever_it_is_saved() {
     let folder = Folder::new("watch");
     folder.write("roof.obj", ROOF);
-    let log = |name: &str| Stdio::from(std::fs::File::create(folder.0.join(name)).unwrap());
-    let asked = ["watch", "roof.obj", "--panels", "circle", "--within", "auto", "--out", "out.obj"];
-    let child = Command::new(env!("CARGO_BIN_EXE_shape-up"))
-        .args(asked)
-        .current_dir(&folder.0)
-        .stdout(log("said"))
-        .stderr(log("wrong"))
-        .spawn()
-        .unwrap();
-    let _watching = Watching(child);
+    let press = ["roof.obj", "--panels", "circle", "--within", "auto", "--out", "out.obj"];
+    let _watching = Watching::begin(&folder, &press);
     let first = wait_for(&folder, "out.obj", |text| text.contains("\nf "));
     // What is wrong is said, and the last result stays.
     folder.write("roof.obj", "f 1 2 3\n");
@@ -55,14 +57,7 @@ fn a_file_is_solved_again_whenever_it_is_saved() {
 fn a_scene_is_solved_again_when_its_mesh_is_saved() {
     let folder = Folder::new("watch-scene");
     folder.write("roof.obj", ROOF).write("roof.json", scene(PLANES));
-    let asked = ["watch", "roof.json", "--out", "out.obj"];
-    let child = Command::new(env!("CARGO_BIN_EXE_shape-up"))
-        .args(asked)
-        .current_dir(&folder.0)
-        .stdout(Stdio::null())
-        .spawn()
-        .unwrap();
-    let _watching = Watching(child);
+    let _watching = Watching::begin(&folder, &["roof.json", "--out", "out.obj"]);
     let first = wait_for(&folder, "out.obj", |text| text.contains("\nf "));
     folder.write("roof.obj", ROOF.replace("v 2 2 -0.3", "v 2 2 0.4"));
     wait_for(&folder, "out.obj", |text| text != first && text.contains("\nf "));

@@ -23,9 +23,10 @@ pub(super) fn watch(command: &Solve) -> Result<(), Failure> {
         apart(&file, &[("--out", &command.out), ("--report", &command.report)])
             .map_err(Failure::Usage)?;
     }
-    solve::solve(command)?;
+    // Before it is solved: it may be saved meanwhile.
     let mut solved = stamps(&command.input);
     let mut last = solved.clone();
+    solve::solve(command)?;
     loop {
         thread::sleep(EVERY);
         let now = stamps(&command.input);
