@@ -3,6 +3,7 @@
 import { defineConfig } from '@playwright/test';
 import { createServer } from 'node:net';
 import { browserFlags, findBrowser, webgl2Flags } from '../../.scripts/browser.mjs';
+import { leftOut } from './nightly.ts';
 
 /** Returns a free port. */
 function freePort() {
@@ -81,12 +82,13 @@ export default defineConfig({
       },
       // Touch tests are for the phone.
       testIgnore: specs(['phone', 'touch', BOTH, ...ALONE]),
-      grepInvert: /@phone/,
+      grepInvert: leftOut(/@phone/),
     },
     {
       name: 'both',
       use: { viewport: { width: 1440, height: 900 }, ...launched([...browserFlags, lazily]) },
       testMatch: specs([BOTH]),
+      grepInvert: leftOut(),
     },
     {
       name: 'alone',
@@ -98,7 +100,7 @@ export default defineConfig({
       name: 'phone',
       use: { viewport: { width: 390, height: 844 } },
       testMatch: specs(ARRANGED),
-      grepInvert: /@desktop/,
+      grepInvert: leftOut(/@desktop/),
     },
   ],
   webServer: {

@@ -23,6 +23,7 @@ import {
 } from './shared-pages.ts';
 
 export { expect };
+export { LONG } from './nightly.ts';
 
 /** Allowed console messages, with the reason. */
 const allowed = [
@@ -52,9 +53,6 @@ function openEverything() {
   const levels = ['mesh', 'weights', 'show', 'plots', 'teach'].map((id) => `level-${id}`);
   localStorage.setItem('shape-up.open', JSON.stringify([...steps, ...levels]));
 }
-
-/** Whether tests that can go on for long do so: see `npm run test:long`. */
-export const LONG = process.env.LONG === '1';
 
 /**
  * The tag of a test that examines the picture. Filling pixels in software takes longer than the
