@@ -26,7 +26,7 @@ const linted = {
   CLIPPY_ARGS: '-Dwarnings__CLIPPY_HACKERY__',
 };
 /** This crate without optimisation, for lints and for tests that are soon over; dependencies as always. */
-const unoptimised = { CARGO_PROFILE_DEV_OPT_LEVEL: '0', CARGO_PROFILE_RELEASE_OPT_LEVEL: '0' };
+const unoptimised = { CARGO_PROFILE_DEV_OPT_LEVEL: '0' };
 
 const nodeTests = ['scripts', 'page'].flatMap((folder) =>
   filesUnder(at('tests', folder))
@@ -104,6 +104,9 @@ const texts = [
   },
 ];
 
+/** All features at once: what they depend on is checked once, for lints and documentation. */
+const withAll = moduleArguments([...modules, 'cli'].join(','));
+
 const compiled = [
   {
     // With types: after the modules, whose declarations it reads, as the next step does.
@@ -114,18 +117,18 @@ const compiled = [
     title: 'types of the page',
     run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },
-  ...modules.map((feature) => ({
-    title: `lints of Rust, ${feature}`,
-    run: ['cargo', ['build', '--lib', ...moduleArguments(feature), ...testsOf(feature)]],
-    env: { ...linted, ...unoptimised },
-  })),
+  {
+    // What is compiled natively is linted there.
+    title: 'lints of Rust in the browser',
+    run: [
+      'cargo',
+      ['clippy', '--lib', ...modules.flatMap(testsOf), ...withAll, '--', '-D', 'warnings'],
+    ],
+  },
   {
     // With all features, so that links between all rooms resolve.
     title: 'documentation',
-    run: [
-      'cargo',
-      ['doc', '--lib', '--no-deps', ...moduleArguments([...modules, 'cli'].join(','))],
-    ],
+    run: ['cargo', ['doc', '--lib', '--no-deps', ...withAll]],
     env: { RUSTDOCFLAGS: '-D warnings' },
   },
 ];
