@@ -127,21 +127,21 @@ impl Verdict {
         count_in_words(self.adjective, within, self.of, &tolerance)
     }
 
-    /// The same, with the panels that are within a larger tolerance only, so that no face folds.
+    /// The same, with the panels that are within a larger tolerance only, so that no face folds; if these
+    /// are most, that is the tolerance of all.
     fn reached(&self, units: &str) -> String {
         let Some(eased) = self.eased else { return self.met(self.within, self.tolerance, units) };
         let larger = limit_like(eased.within, units, self.tolerance);
-        let met = match eased.panels == self.of {
-            true => {
-                return format!(
-                    "{} With a tolerance of {}, panels would fold.",
-                    self.met(self.of, eased.within, units),
-                    limit_like(self.tolerance, units, self.tolerance)
-                );
-            }
-            false => self.met(self.within, self.tolerance, units),
-        };
-        let others = match (eased.panels, self.of - self.within - eased.panels) {
+        let left = self.of - self.within - eased.panels;
+        if left == 0 && eased.panels > self.within {
+            return format!(
+                "{} With a tolerance of {}, panels would fold.",
+                self.met(self.of, eased.within, units),
+                limit_like(self.tolerance, units, self.tolerance)
+            );
+        }
+        let met = self.met(self.within, self.tolerance, units);
+        let others = match (eased.panels, left) {
             (1, 0) => "the other one".to_owned(),
             (others, 0) => format!("the other {}", group_digits(others)),
             (some, _) => format!("{} more", group_digits(some)),
@@ -314,6 +314,7 @@ mod tests {
         assert!(eased(1, 799).starts_with(one), "{}", eased(1, 799));
         let all =
             "All 800 panels are flat within 120 mm. With a tolerance of 1 mm, panels would fold. ";
-        assert!(eased(800, 3).starts_with(all), "{}", eased(800, 3));
+        assert!(eased(800, 0).starts_with(all), "{}", eased(800, 0));
+        assert!(eased(797, 3).starts_with(all), "{}", eased(797, 3));
     }
 }
