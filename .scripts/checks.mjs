@@ -50,12 +50,12 @@ const pageTests = (...projects) => [
 const common = () =>
   ['.scripts', '.cargo', 'Cargo.toml', 'Cargo.lock', 'package-lock.json'].map((name) => at(name));
 /**
- * What decides over the tests of Rust, which also read the README and the results that the gallery
- * shows. Steps with `inputs` are skipped while these are unchanged.
+ * What decides over the tests of Rust, which also read the README, the results that the gallery
+ * shows and the script for Rhino. Steps with `inputs` are skipped while these are unchanged.
  */
 const rust = () => [
   ...common(),
-  ...['src', 'README.md', 'www/pictures'].map((name) => at(name)),
+  ...['src', 'README.md', 'www/pictures', 'www/rhino'].map((name) => at(name)),
   ...filesUnder(at('tests')).filter(
     (path) => !/^tests\/(page|scripts)\//.test(relative(root, path)),
   ),

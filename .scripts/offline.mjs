@@ -11,10 +11,11 @@ const SOURCE = at('www', 'app', 'service-worker.ts');
 const NAMED = ['icon.svg', 'manifest.webmanifest'];
 const WORKER = 'service-worker.js';
 /**
- * Cached only on use: the Rhino converter, the licences and the sources; and the examples, which are
- * there for links from elsewhere: the page makes them itself, from their list.
+ * Cached only on use: the Rhino converter; the pages about Rhino, the checks and the licences, with
+ * the sources; and the examples, which are there for links from elsewhere: the page makes them
+ * itself, from their list.
  */
-const SELDOM = /(^|\/)(rhino|licences|sources\/)|^examples\/(?!index)/;
+const SELDOM = /(^|\/)(rhino|checked|licences|sources\/)|^examples\/(?!index)/;
 /** Pictures of the gallery, a third of all other files: cached together when it is opened. */
 const PICTURE = /^pictures\/.*\.webp$/;
 /** The view's module, of which a browser uses one variant. */

@@ -11,7 +11,9 @@ import { at } from './project.mjs';
 
 /** The pictures of the first screen, which `index.html` has already. */
 const FIRST = /[\\/]first-[^\\/]*$/;
-// Examples and their pictures keep their names, because links to them are permanent.
+/** The script for Rhino and Grasshopper. */
+const SCRIPT = ['rhino', 'shape_up.py'];
+// Examples, their pictures and the script keep their names, because links to them are permanent.
 const examples = {
   name: 'examples',
   apply: 'build',
@@ -20,6 +22,7 @@ const examples = {
       const filter = (path) => !FIRST.test(path);
       cpSync(at('www', folder), at('dist', folder), { recursive: true, filter });
     }
+    cpSync(at('www', ...SCRIPT), at('dist', ...SCRIPT));
     lockPages(at('dist'));
     await writeOfflineParts(at('dist'));
   },
@@ -43,7 +46,10 @@ const smallPages = {
   },
 };
 
-/** Inserts the common head of the reading pages, and their links with the current page marked. */
+const escaped = (text) =>
+  text.replace(/[&<>]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[sign]);
+
+/** Inserts the common head of the reading pages, their links with the current page marked, and the script. */
 const readingPages = {
   name: 'reading-pages',
   transformIndexHtml: {
@@ -55,6 +61,9 @@ const readingPages = {
         .replace('<!-- reading head -->', () => part('reading-head'))
         .replace('<!-- reading header -->', () =>
           part('reading-header').replace(link, `${link} aria-current="page"`),
+        )
+        .replace('<!-- shape_up.py -->', () =>
+          escaped(readFileSync(at('www', ...SCRIPT), 'utf8').trim()),
         );
     },
   },
@@ -98,7 +107,7 @@ const layers = {
 };
 
 /** The pages of the site. */
-const pages = ['index', 'gallery', 'projections', 'licences', 'embed'];
+const pages = ['index', 'gallery', 'projections', 'licences', 'checked', 'rhino', 'embed'];
 
 const documents = pages.map((page) => at('www', `${page}.html`));
 /**

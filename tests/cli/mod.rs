@@ -11,6 +11,7 @@ mod folder;
 mod lessons;
 mod new_mesh;
 mod remesh;
+mod rhino;
 mod watch;
 mod written;
 

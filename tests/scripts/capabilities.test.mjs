@@ -1,4 +1,5 @@
-// The table of the paper's capabilities refers to existing files, tests and examples.
+// The table of the paper's capabilities refers to existing files, tests and examples, and the page
+// "What is checked" to existing files.
 
 import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
@@ -52,4 +53,11 @@ test('every file, test and example that it names is there', () => {
       assert.ok(read(at(file)).includes(wanted), `${number}: ${file} has no ${title}`);
     }
   }
+});
+
+test('every path on the page about what is checked is there', () => {
+  const page = read(at('www', 'checked.html'));
+  const paths = [...page.matchAll(/<code>([\w./-]+\/[\w./-]*)<\/code>/g)].map(([, path]) => path);
+  assert.ok(paths.length > 20, `${paths.length} paths`);
+  for (const path of paths) assert.ok(existsSync(at(path)), path);
 });

@@ -186,6 +186,17 @@ test('axe: the page about projections', async ({ page }) => {
   await expectNothing(page);
 });
 
+for (const [name, heading] of [
+  ['checked', 'What is checked'],
+  ['rhino', 'From Rhino and Grasshopper'],
+]) {
+  test(`axe: the page “${heading}”`, async ({ page }) => {
+    await page.goto(`./${name}.html`);
+    await expect(page.getByRole('heading', { name: heading, level: 1 })).toBeVisible();
+    await expectNothing(page);
+  });
+}
+
 test('axe: an embedded view that is not yet started', async ({ page }) => {
   await page.goto('./embed.html?embed#example=fig-05-circular');
   await expect(page.getByRole('img', { name: 'Hall of circular panels' })).toBeVisible();

@@ -91,8 +91,8 @@ test('from opening to sharing there are no requests to other sites and no violat
   await waitForState(page, (now) => now.vertices === 25);
   await page.reload();
   await waitForState(page, (now) => now.vertices === 25);
-  for (const other of ['./gallery.html', './projections.html', './licences.html']) {
-    await page.goto(other);
+  for (const other of ['gallery', 'projections', 'licences', 'checked', 'rhino']) {
+    await page.goto(`./${other}.html`);
     await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
   }
   expect(violations).toEqual([]);

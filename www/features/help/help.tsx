@@ -106,6 +106,14 @@ function Help({ close }: InDialog) {
         Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012.{' '}
         <a href="./licences.html" target="_blank">
           Licences
+        </a>
+        {' · '}
+        <a href="./checked.html" target="_blank">
+          What is checked
+        </a>
+        {' · '}
+        <a href="./rhino.html" target="_blank">
+          Rhino and Grasshopper
         </a>{' '}
         <Button aria-haspopup="dialog" onClick={() => showCitation(app)}>
           Cite
