@@ -3,7 +3,7 @@
 import { effect } from '@preact/signals';
 import { isEnabled, press } from '../store/press.ts';
 import { setText } from '../ui/dom.ts';
-import { chordOf, digitOf, isSwitchedOff, isTyping, keyInTitle } from '../ui/keys.ts';
+import { chordOf, digitOf, isSwitchedOff, isTypedInto, isTyping, keyInTitle } from '../ui/keys.ts';
 import type { Command } from './context.ts';
 import type { State, Store } from '../store/state.ts';
 
@@ -41,6 +41,8 @@ export function bindKeys(commands: Command[], store: Store, settled: () => Promi
     if (event.defaultPrevented || event.altKey) return;
     const chord = chordOf(event);
     if (!chord.startsWith('Ctrl+') && chord !== 'Escape' && isTyping(event)) return;
+    // All of the text, not of the mesh.
+    if (chord === 'Ctrl+A' && isTypedInto(document.activeElement)) return;
     const digit = digitOf(event);
     // With Shift, the printed character has precedence: some keyboards have + on a digit key.
     const names = digit.startsWith('Shift') ? [chord, digit] : [digit, chord];

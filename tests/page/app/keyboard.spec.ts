@@ -340,6 +340,21 @@ test('on a French keyboard letters work by character and digits by key position'
   await expect(page.getByRole('dialog', { name: 'Mouse and keys' })).toBeVisible();
 });
 
+test('in a field Ctrl+A selects its text, elsewhere what the tool selects', async ({ page }) => {
+  await openPage(page);
+  await page.keyboard.press('3');
+  const field = page.getByRole('spinbutton').filter({ visible: true }).first();
+  await field.focus();
+  await page.keyboard.press('Control+a');
+  const isAll = (input: HTMLInputElement) =>
+    input.selectionStart === 0 && input.selectionEnd === input.value.length;
+  expect(await field.evaluate(isAll)).toBe(true);
+  expect((await state(page)).selection.faces).toEqual([]);
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await page.keyboard.press('Control+a');
+  await waitForState(page, (now) => now.selection.faces.length === now.faces);
+});
+
 test('shortcuts without Ctrl can be switched off, which is remembered', async ({ page }) => {
   await openBars(page);
   await page.keyboard.press('?');
