@@ -281,6 +281,34 @@ fn a_reopened_shape_is_said_to_be_of_the_attempt_that_found_it() {
 }
 
 #[test]
+fn a_comb_that_became_round_is_poor() {
+    let mut mesh = Mesh::default();
+    let outline = [[0, 0], [30, 0], [30, 20], [26, 20], [26, 4], [17, 4]];
+    let outline =
+        outline.into_iter().chain([[17, 20], [13, 20], [13, 4], [4, 4], [4, 20], [0, 20]]);
+    mesh.positions =
+        outline.map(|[x, y]| [f64::from(x) / 10.0, f64::from(y) / 10.0, 0.0]).collect();
+    mesh.faces.push(&std::array::from_fn::<u32, 12, _>(|corner| corner as u32));
+    let verdict = press(&mut opened(mesh), "circle");
+    assert_eq!(verdict.within, verdict.of);
+    assert_eq!(verdict.level, Level::Poor, "{:?}", verdict.flaws);
+}
+
+#[test]
+fn a_vertex_of_no_face_stays_where_it_is() {
+    // Along the surface it was pulled onto it, and said to be what moved farthest.
+    let mut mesh = sheared(6, saddle, 0.4, 0.3);
+    let alone = [9.0, 9.0, 9.0];
+    mesh.positions.push(alone);
+    let mut session = opened(mesh);
+    let tolerance = session.tolerance();
+    session.make_panels("circle", tolerance, PanelStart::Surface).expect("it has quads");
+    while !session.step().expect("it stays finite").ended {}
+    session.end_run();
+    assert_eq!(session.positions().last(), Some(&alone));
+}
+
+#[test]
 fn an_attempt_that_errs_is_followed_by_the_others() {
     // With this smoothness the normal matrix is singular in single precision: the search ended there.
     let mut scene = Scene::opened("own.obj");

@@ -117,6 +117,13 @@ impl Panels {
 }
 
 impl Verdict {
+    /// The relaxed tolerance, if it is that of most panels and none is beyond it: then it is said to be
+    /// that of all.
+    pub(crate) fn relaxed_for_most(&self) -> Option<f64> {
+        let EasedPanels { panels, within } = self.eased?;
+        (panels > self.within && panels + self.within == self.of).then_some(within)
+    }
+
     /// Returns how many panels have the shape required by the last enabled row on single faces,
     /// with distances up to `tolerance`. None if no row constrains panels.
     /// Its place is judged by `edge`, the mean edge or infinity, and `search` met its hard constraints,

@@ -130,18 +130,17 @@ impl Verdict {
     /// The same, with the panels that are within a larger tolerance only, so that no face folds; if these
     /// are most, that is the tolerance of all.
     fn reached(&self, units: &str) -> String {
-        let Some(eased) = self.eased else { return self.met(self.within, self.tolerance, units) };
-        let larger = limit_like(eased.within, units, self.tolerance);
-        let left = self.of - self.within - eased.panels;
-        if left == 0 && eased.panels > self.within {
+        if let Some(relaxed) = self.relaxed_for_most() {
             return format!(
                 "{} With a tolerance of {}, panels would fold.",
-                self.met(self.of, eased.within, units),
+                self.met(self.of, relaxed, units),
                 limit_like(self.tolerance, units, self.tolerance)
             );
         }
         let met = self.met(self.within, self.tolerance, units);
-        let others = match (eased.panels, left) {
+        let Some(eased) = self.eased else { return met };
+        let larger = limit_like(eased.within, units, self.tolerance);
+        let others = match (eased.panels, self.of - self.within - eased.panels) {
             (1, 0) => "the other one".to_owned(),
             (others, 0) => format!("the other {}", group_digits(others)),
             (some, _) => format!("{} more", group_digits(some)),

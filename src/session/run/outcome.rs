@@ -12,8 +12,8 @@ pub enum Level {
     Good,
     /// It can be built, but the design has changed, or some panels have a larger tolerance.
     Fair,
-    /// It cannot be built, because requirements are not met or faces are folded; or a curved surface
-    /// became flat.
+    /// It cannot be built, because requirements are not met or faces are folded; or nothing is left of
+    /// the design: a curved surface became flat, or is far away.
     Poor,
 }
 
@@ -52,6 +52,8 @@ const MOVED: f64 = 0.2;
 const SHORT: f64 = 0.2;
 /// Largest fraction of the area that is lost.
 const SHRUNK: f64 = 0.05;
+/// Farther than this fraction of the size of the mesh, nothing is left of the design.
+const RUINED: f64 = 0.15;
 
 impl ShapeMeasure {
     /// The level of a shape whose requirements are met, some within a larger tolerance if `is_eased`,
@@ -61,7 +63,8 @@ impl ShapeMeasure {
             return (Level::Poor, Vec::new());
         }
         let flaws = self.flaws(is_eased, edge);
-        if flaws.contains(&Flaw::Away) && self.bend.is_flat() {
+        let is_ruin = self.bend.is_flat() || self.surface.max > RUINED * self.size;
+        if flaws.contains(&Flaw::Away) && is_ruin {
             return (Level::Poor, flaws);
         }
         (if flaws.is_empty() { Level::Good } else { Level::Fair }, flaws)
@@ -162,7 +165,30 @@ impl Outcome {
             bend: Bend { rest: 4.0, now: 4.0, change: None },
             shortest_edge: 0.9,
             area_lost: 0.0,
+            size: 10.0,
         };
         Outcome { met: true, misses: 0, missed: Vec::new(), measure, energy: 9.0, work: 1 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BendChange, Flaw, Level, Outcome};
+
+    #[test]
+    fn a_shape_of_whose_design_nothing_is_left_is_poor() {
+        // A pavilion became a sliver, and a hypar flat but for one corner: both were said to be fair.
+        let edge = 1.0;
+        let mut measure = Outcome::of_test(&[]).measure;
+        measure.surface.max = 1.0;
+        assert_eq!(measure.level(false, edge), (Level::Fair, vec![Flaw::Away]));
+        measure.surface.max = 2.0;
+        assert_eq!(measure.level(false, edge), (Level::Poor, vec![Flaw::Away]));
+        // Where it is to be elsewhere, its place is not judged.
+        assert_eq!(measure.level(false, f64::INFINITY).0, Level::Good);
+        measure.surface.max = 1.0;
+        (measure.bend.rest, measure.bend.now) = (5.0, 0.7);
+        measure.bend.change = Some(BendChange::Flatter);
+        assert_eq!(measure.level(false, edge), (Level::Poor, vec![Flaw::Flatter, Flaw::Away]));
     }
 }

@@ -28,6 +28,8 @@ pub(crate) struct ShapeMeasure {
     pub(crate) shortest_edge: f64,
     /// The fraction of the area that is lost, after wrinkles are smoothed away.
     pub(crate) area_lost: f64,
+    /// The diameter of the original.
+    pub(crate) size: f64,
 }
 
 /// Distances between two surfaces: of the vertices of each from the other, in the unit of the mesh.
@@ -78,6 +80,7 @@ impl ShapeMeasure {
             bend: Bend::of(now, rest),
             shortest_edge: shortest_edge(now, rest),
             area_lost: lost(rest.smoothed_area(), rest.smoothed_area_at(now)),
+            size: rest.diameter(),
         }
     }
 }
@@ -122,7 +125,7 @@ const HARDLY_ROUGH: f64 = 1.0;
 /// It has become flatter if this angle is below this fraction of the angle at rest,
 const FLATTER: f64 = 0.5;
 /// and flat if it is below this fraction.
-const FLAT: f64 = 0.1;
+const FLAT: f64 = 0.2;
 
 impl Bend {
     fn of(now: &[Point], rest: &RestMesh) -> Bend {

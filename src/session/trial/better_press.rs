@@ -5,7 +5,7 @@ use crate::mesh::Mesh;
 use crate::scene::{ClosenessTo, Scene, panel_adjective, panel_offers};
 use crate::session::edit::PanelStart;
 use crate::session::run::{BendChange, Flaw, Level};
-use crate::session::{EasedPanels, Error, Session, Verdict};
+use crate::session::{Error, Session, Verdict};
 use crate::words::{group_digits, length, limit_like};
 use serde::Serialize;
 
@@ -198,16 +198,15 @@ impl BetterPresses {
             _ => format!("the surface moves by {far}"),
         };
         let [within, of] = [after.within, after.of].map(group_digits);
-        let larger = |eased: EasedPanels| limit_like(eased.within, units, after.tolerance);
+        let limit = |within: f64| limit_like(within, units, after.tolerance);
         match (after.eased, self.before.level) {
-            // As the verdict says it then.
-            (Some(eased), _) if eased.panels == after.of => {
-                format!("all {of} panels within {}; {moves}", larger(eased))
-            }
-            (Some(eased), _) => {
-                let larger = larger(eased);
-                format!("{within} of {of} panels, the others within {larger}; {moves}")
-            }
+            (Some(eased), _) => match after.relaxed_for_most() {
+                Some(relaxed) => format!("all {of} panels within {}; {moves}", limit(relaxed)),
+                None => {
+                    let larger = limit(eased.within);
+                    format!("{within} of {of} panels, the others within {larger}; {moves}")
+                }
+            },
             (None, Level::Poor) => format!("all panels without folds; {moves}"),
             _ => moves,
         }
