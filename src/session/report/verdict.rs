@@ -117,11 +117,16 @@ impl Panels {
 }
 
 impl Verdict {
+    /// Whether all panels are within their tolerance, which may be a relaxed one.
+    pub(crate) fn is_met(&self) -> bool {
+        self.within + self.eased.map_or(0, |eased| eased.panels) == self.of
+    }
+
     /// The relaxed tolerance, if it is that of most panels and none is beyond it: then it is said to be
     /// that of all.
     pub(crate) fn relaxed_for_most(&self) -> Option<f64> {
         let EasedPanels { panels, within } = self.eased?;
-        (panels > self.within && panels + self.within == self.of).then_some(within)
+        (panels > self.within && self.is_met()).then_some(within)
     }
 
     /// Returns how many panels have the shape required by the last enabled row on single faces,

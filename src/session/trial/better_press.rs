@@ -199,16 +199,17 @@ impl BetterPresses {
         };
         let [within, of] = [after.within, after.of].map(group_digits);
         let limit = |within: f64| limit_like(within, units, after.tolerance);
-        match (after.eased, self.before.level) {
-            (Some(eased), _) => match after.relaxed_for_most() {
+        match after.eased {
+            Some(eased) => match after.relaxed_for_most() {
                 Some(relaxed) => format!("all {of} panels within {}; {moves}", limit(relaxed)),
                 None => {
                     let larger = limit(eased.within);
                     format!("{within} of {of} panels, the others within {larger}; {moves}")
                 }
             },
-            (None, Level::Poor) => format!("all panels without folds; {moves}"),
-            _ => moves,
+            None if self.before.folded > 0 => format!("all panels without folds; {moves}"),
+            None if !self.before.is_met() => format!("all {of} panels; {moves}"),
+            None => moves,
         }
     }
 }
