@@ -33,7 +33,7 @@ pub enum RemeshError {
         /// The least size, in the unit of the mesh.
         least: f64,
     },
-    /// The panel size exceeds half the length of a boundary loop, or a quarter of a closed surface.
+    /// The panel size exceeds half the length of a boundary loop, or its square is more than a quarter of the surface.
     SizeTooLarge {
         /// The greatest size, in the unit of the mesh.
         greatest: f64,

@@ -1,5 +1,6 @@
 //! What is wrong with a result.
 
+use crate::words::count;
 use std::fmt;
 
 /// What is wrong with a result.
@@ -34,19 +35,34 @@ pub enum ResultFault {
         /// Of the result.
         found: i64,
     },
+    /// The number of connected parts is not that of the input.
+    Parts {
+        /// Of the input.
+        expected: usize,
+        /// Of the result.
+        found: usize,
+    },
 }
 
 impl fmt::Display for ResultFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            ResultFault::Face { count } => write!(f, "{count} faces are not quads"),
-            ResultFault::Edge { count } => write!(f, "{count} edges have three or more faces"),
-            ResultFault::Vertex { count } => write!(f, "{count} vertices join parts that touch"),
+            ResultFault::Face { count: found } => {
+                write!(f, "{}", count(*found, "face is not a quad", "faces are not quads"))
+            }
+            ResultFault::Edge { count: found } => {
+                let many = "edges have faces that do not fit together";
+                write!(f, "{}", count(*found, "edge has faces that do not fit together", many))
+            }
+            ResultFault::Vertex { count: found } => {
+                let [one, many] = ["vertex joins", "vertices join"];
+                write!(f, "{} parts that touch", count(*found, one, many))
+            }
             ResultFault::Loops { expected, found } => {
                 write!(f, "there are {found} boundary loops instead of {expected}")
             }
             // The numbers would mean nothing to most readers.
-            ResultFault::Euler { .. } => {
+            ResultFault::Euler { .. } | ResultFault::Parts { .. } => {
                 f.write_str("the new mesh would have other openings or parts")
             }
         }

@@ -61,7 +61,7 @@ impl Asked<'_> {
         let MapOptions { follow, direction, .. } = *self.options;
         let mut best: Option<(Part, MapNotes)> = None;
         let mut fault: Option<ResultFault> = None;
-        mapper.maps(
+        let mapped = mapper.maps(
             [follow, direction, self.wanted],
             observer,
             &mut |prepared, map, notes, observer| {
@@ -84,24 +84,32 @@ impl Asked<'_> {
                 let is_late = best.is_some() && level >= LAST_RETRY;
                 Ok(!is_whole && !is_late)
             },
-        )?;
+        );
+        // What a later level fails at takes nothing from what was found.
+        if let Err(error) = mapped
+            && (best.is_none() || error == RemeshError::Cancelled)
+        {
+            return Err(error);
+        }
         let Some((mut best, notes)) = best else {
             return Err(RemeshError::NotFollowed {
                 fault: fault.expect("a map failed"),
                 follows: None,
             });
         };
+        let abandoned = notes.abandoned_creases;
         let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS;
         if notes.level == 0 && notes.flipped.is_empty() && is_small {
             for (k, factor) in NUMBERS.into_iter().enumerate() {
                 let weights = [follow, direction, self.wanted * factor];
                 let share = (1 + k) as f64 / (1 + NUMBERS.len()) as f64;
                 let mut observed = |_, _| observer(RemeshStage::Extract, share);
-                mapper.maps(weights, &mut observed, &mut |prepared, map, notes, _| {
+                let mapped = mapper.maps(weights, &mut observed, &mut |prepared, map, notes, _| {
                     if let Ok(found) = self.result(prepared, &map, &notes) {
                         let count = found.faces.len() as f64 / self.wanted;
                         let is_near = count.max(1.0 / count) < OFF;
                         if notes.flipped.is_empty()
+                            && notes.abandoned_creases <= abandoned
                             && is_near
                             && found.lost.len() <= best.lost.len()
                             && found.off_circles() < best.off_circles()
@@ -111,7 +119,10 @@ impl Asked<'_> {
                     }
                     // The first map of each number.
                     Ok(false)
-                })?;
+                });
+                if let Err(RemeshError::Cancelled) = mapped {
+                    return Err(RemeshError::Cancelled);
+                }
             }
         }
         Ok(best)
@@ -226,7 +237,7 @@ fn finish(
             normals: used.iter().map(|&node| samples.normals[node]).collect(),
             tensors: used.iter().map(|&node| samples.tensors[node]).collect(),
         },
-        shape: Shape { euler: 0, loops: 0 },
+        shape: Shape { euler: 0, loops: 0, parts: 0 },
         size: prepared.size,
         level: notes.level,
         lost,

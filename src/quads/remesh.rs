@@ -4,7 +4,7 @@
 use super::map::GridMapper;
 use super::part::{Asked, Part};
 use super::remeshed::{notes_on, together, without};
-use super::surface::{InputParts, InputSurface, LeftPart};
+use super::surface::{InputParts, InputSurface, LeftPart, MOST_PANELS};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
 use crate::mesh::{Mesh, Surface};
 
@@ -93,6 +93,11 @@ impl Remesher {
             PanelSize::Length(length) => length,
             PanelSize::Count(count) => (self.area / count.max(1) as f64).sqrt(),
         };
+        // Each part has the same limit for itself.
+        let least = (self.area / MOST_PANELS).sqrt();
+        if size < least {
+            return Err(RemeshError::SizeTooSmall { least });
+        }
         let Remesher { mesh, surfaces, .. } = self;
         let fits = |kept: &Kept| {
             (kept.size, kept.crease, kept.boundary) == (size, options.crease, options.boundary)

@@ -29,6 +29,34 @@ fn each_part_has_its_share_of_the_panels() {
     assert!((340..=460).contains(&found.measures.quads), "{}", found.measures.quads);
 }
 
+#[test]
+fn a_ring_thinner_than_a_panel_does_not_vanish() {
+    // No faces at all have the Euler characteristic and the loops of a torus.
+    let ring = parametric([60, 12], [true, true], |u, v| {
+        let radius = 1.0 + 0.05 * cosine(v);
+        [radius * cosine(u), radius * sine(u), 0.05 * sine(v)]
+    });
+    for size in [0.3, 0.5, 0.65] {
+        match with(&ring, MapOptions::of_size(PanelSize::Length(size))) {
+            Ok(found) => {
+                assert!(!found.mesh.faces.is_empty(), "{size}");
+                assert_eq!((found.measures.euler, found.measures.loops), (0, 0), "{size}");
+            }
+            Err(error) => assert!(
+                matches!(error, RemeshError::NotFollowed { .. } | RemeshError::SizeTooLarge { .. }),
+                "{size}: {error}"
+            ),
+        }
+    }
+}
+
+#[test]
+fn the_limit_of_panels_is_that_of_all_parts_together() {
+    let mesh = both(&tube(), &tube(), [10.0, 0.0, 0.0]);
+    let refused = panels(&mesh, 150_000).unwrap_err();
+    assert!(matches!(refused, RemeshError::SizeTooSmall { .. }), "{refused}");
+}
+
 /// A bowl whose lowest point is at the origin and is its first vertex.
 fn bowl(upwards: f64) -> Mesh {
     let mut mesh = Mesh::default();

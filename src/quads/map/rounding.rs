@@ -53,6 +53,10 @@ impl Inverse {
             let moves = |j: usize, k: usize| {
                 is_free(j) && (x[k] + g[(k, j)] / g[(j, j)] * shift(j) - nearest(x[k])).abs() > 0.5
             };
+            // With a value that is no number there is none; what is done with the values refuses it.
+            if tied.is_empty() {
+                break;
+            }
             if tied.iter().any(|&j| tied.iter().any(|&k| j != k && moves(j, k))) {
                 tied.truncate(1);
             }

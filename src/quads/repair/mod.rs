@@ -90,7 +90,7 @@ mod tests {
 
     /// Repairs faces of a disk, and checks that they are quads of the same disk.
     fn check(mut nodes: Vec<Node>, faces: &[&[usize]]) -> (Vec<Node>, Repaired) {
-        let disk = Shape { euler: 1, loops: 1 };
+        let disk = Shape { euler: 1, loops: 1, parts: 1 };
         let faces: Vec<Vec<usize>> = faces.iter().map(|face| face.to_vec()).collect();
         assert_eq!(verify(&faces, disk, |_| true).1, []);
         let repaired = repair(&mut nodes, faces, |_| false);

@@ -1,6 +1,7 @@
 //! Whether the faces are a surface like the input: the result is checked itself, not the map from
 //! which it comes.
 
+use crate::mesh::components;
 use crate::quads::fault::ResultFault;
 
 /// The shape of a surface as far as deformations keep it.
@@ -10,6 +11,8 @@ pub(in crate::quads) struct Shape {
     pub(in crate::quads) euler: i64,
     /// Number of boundary loops.
     pub(in crate::quads) loops: usize,
+    /// Number of connected parts.
+    pub(in crate::quads) parts: usize,
 }
 
 /// The shape of faces, and what keeps them from being a surface: numbers of edges and of vertices.
@@ -47,6 +50,10 @@ pub(in crate::quads) fn verify<F: AsRef<[usize]>>(
     }
     if found.shape.euler != expected.euler {
         faults.push(ResultFault::Euler { expected: expected.euler, found: found.shape.euler });
+    }
+    // A torus would otherwise be no faces at all, which have as many loops and the same Euler number.
+    if found.shape.parts != expected.parts {
+        faults.push(ResultFault::Parts { expected: expected.parts, found: found.shape.parts });
     }
     (found.shape, faults)
 }
@@ -91,8 +98,21 @@ fn examine<F: AsRef<[usize]>>(faces: &[F]) -> Found {
             wrong_vertices += 1;
         }
     }
-    let shape = Shape { euler: vertices - edges + faces.len() as i64, loops: loops(outer) };
+    let euler = vertices - edges + faces.len() as i64;
+    let shape = Shape { euler, loops: loops(outer), parts: parts(faces) };
     Found { shape, edges: wrong_edges, vertices: wrong_vertices }
+}
+
+/// Number of parts whose faces share vertices.
+fn parts<F: AsRef<[usize]>>(faces: &[F]) -> usize {
+    let faces: Vec<Vec<u32>> =
+        faces.iter().map(|face| face.as_ref().iter().map(|&node| node as u32).collect()).collect();
+    let count = faces.iter().flatten().max().map_or(0, |&last| last as usize + 1);
+    let part_of = components(count, faces.iter().map(Vec::as_slice));
+    let mut parts: Vec<u32> = faces.iter().flatten().map(|&v| part_of[v as usize]).collect();
+    parts.sort_unstable();
+    parts.dedup();
+    parts.len()
 }
 
 /// Whether the corners at a vertex, with the next and the last node of their faces, follow each other
@@ -149,9 +169,9 @@ mod tests {
     fn a_cube_and_a_cube_without_lid_are_surfaces() {
         let cube =
             [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
-        let closed = Shape { euler: 2, loops: 0 };
+        let closed = Shape { euler: 2, loops: 0, parts: 1 };
         assert_eq!(verify(&cube, closed, is_quad), (closed, Vec::new()));
-        let open = Shape { euler: 1, loops: 1 };
+        let open = Shape { euler: 1, loops: 1, parts: 1 };
         assert_eq!(verify(&cube[1..], open, is_quad), (open, Vec::new()));
         let (_, faults) = verify(&cube[1..], closed, is_quad);
         assert_eq!(faults.len(), 2);
@@ -162,10 +182,22 @@ mod tests {
 
     #[test]
     fn quads_that_touch_in_a_vertex_and_triangles_are_named() {
+        let disk = Shape { euler: 1, loops: 1, parts: 1 };
         let bow = [vec![0, 1, 2, 3], vec![0, 4, 5, 6]];
-        let (_, faults) = verify(&bow, Shape { euler: 1, loops: 1 }, is_quad);
+        let (_, faults) = verify(&bow, disk, is_quad);
         assert!(faults.contains(&ResultFault::Vertex { count: 1 }), "{faults:?}");
-        let (_, faults) = verify(&[[0, 1, 2]], Shape { euler: 1, loops: 1 }, is_quad);
+        let (_, faults) = verify(&[[0, 1, 2]], disk, is_quad);
         assert_eq!(faults, [ResultFault::Face { count: 1 }]);
+    }
+
+    #[test]
+    fn no_faces_are_no_torus_and_two_parts_are_not_one() {
+        let torus = Shape { euler: 0, loops: 0, parts: 1 };
+        let nothing: [[usize; 4]; 0] = [];
+        let missing = ResultFault::Parts { expected: 1, found: 0 };
+        assert_eq!(verify(&nothing, torus, is_quad).1, [missing]);
+        let two = [[0, 1, 2, 3], [4, 5, 6, 7]];
+        let apart = Shape { euler: 2, loops: 2, parts: 1 };
+        assert_eq!(verify(&two, apart, is_quad).1, [ResultFault::Parts { expected: 1, found: 2 }]);
     }
 }

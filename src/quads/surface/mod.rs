@@ -23,4 +23,5 @@ mod refine;
 pub(super) use edges::Edges;
 pub use input::InputSurface;
 pub(super) use input::{InputParts, LeftPart, Tensor};
+pub(super) use prepare::MOST_PANELS;
 pub use prepare::{PrepareNotes, Prepared};

@@ -15,7 +15,7 @@ const SHORTEST_CREASE: f64 = 6.0;
 /// A boundary loop must be at least this many panels long.
 const SHORTEST_LOOP: f64 = 2.0;
 /// More panels than this are refused.
-const MOST_PANELS: f64 = 100_000.0;
+pub(in crate::quads) const MOST_PANELS: f64 = 100_000.0;
 
 /// A connected surface, ready for its field.
 #[derive(Clone, Debug, PartialEq)]
