@@ -116,7 +116,8 @@ pub enum Accelerator {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "kebab-case"))]
 pub enum ClosenessTo {
     /// The closest point of the rest surface; of the curves if there are no faces, of the points if
-    /// there are no curves either. A vertex of no face beside others with faces: its rest position.
+    /// there are no curves either. Beside faces, a vertex of none has its rest position, as for
+    /// [`ClosenessTo::Target`].
     #[default]
     Surface,
     /// The vertex's own rest position.

@@ -290,22 +290,27 @@ fn a_comb_that_became_round_is_poor() {
         outline.map(|[x, y]| [f64::from(x) / 10.0, f64::from(y) / 10.0, 0.0]).collect();
     mesh.faces.push(&std::array::from_fn::<u32, 12, _>(|corner| corner as u32));
     let verdict = press(&mut opened(mesh), "circle");
-    assert_eq!(verdict.within, verdict.of);
-    assert_eq!(verdict.level, Level::Poor, "{:?}", verdict.flaws);
+    assert_eq!((verdict.within, verdict.folded), (verdict.of, 0));
+    assert!(verdict.flaws.contains(&Flaw::Shrunk), "{:?}", verdict.flaws);
+    assert_eq!(verdict.level, Level::Poor);
 }
 
 #[test]
 fn a_vertex_of_no_face_stays_where_it_is() {
     // Along the surface it was pulled onto it, and said to be what moved farthest.
     let mut mesh = sheared(6, saddle, 0.4, 0.3);
-    let alone = [9.0, 9.0, 9.0];
-    mesh.positions.push(alone);
+    let alone = [[9.0, 9.0, 9.0], [9.0, 9.0, 29.0], [9.0, 19.0, 29.0]];
+    // The last two are a guide line.
+    mesh.curves.push(&[50, 51]);
+    mesh.positions.extend(alone);
     let mut session = opened(mesh);
     let tolerance = session.tolerance();
     session.make_panels("circle", tolerance, PanelStart::Surface).expect("it has quads");
     while !session.step().expect("it stays finite").ended {}
     session.end_run();
-    assert_eq!(session.positions().last(), Some(&alone));
+    assert_eq!(session.positions()[49..], alone);
+    let verdict = session.verdict(tolerance).expect("panels were asked for");
+    assert!(verdict.surface.max < 1.0, "{:?}", verdict.surface);
 }
 
 #[test]

@@ -22,8 +22,8 @@ pub struct Verdict {
     pub adjective: &'static str,
     /// How good the shape is.
     pub level: Level,
-    /// Why it is not good, the gravest reason first; for a poor one, which lacks panels or has folded
-    /// faces, only an open seam.
+    /// Why it is not good, the gravest reason first; for one that lacks panels or has folded faces, only
+    /// an open seam.
     pub flaws: Vec<Flaw>,
     /// Number of panels whose worst vertex is within the tolerance.
     pub within: usize,

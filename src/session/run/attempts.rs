@@ -229,6 +229,8 @@ impl Attempts {
                     // At the limit of a good shape, neither is better.
                     [Level::Good, Level::Fair] if BETTER * change(best) > 1.0 => true,
                     [Level::Fair, Level::Good] => false,
+                    [Level::Good | Level::Fair, Level::Poor] => true,
+                    [Level::Poor, Level::Good | Level::Fair] => false,
                     _ => change(new) <= BETTER * change(best),
                 },
             },

@@ -13,7 +13,7 @@ pub enum Level {
     /// It can be built, but the design has changed, or some panels have a larger tolerance.
     Fair,
     /// It cannot be built, because requirements are not met or faces are folded; or nothing is left of
-    /// the design: a curved surface became flat, or is far away.
+    /// the design: a curved surface became nearly flat, is far away, or lost much of its area.
     Poor,
 }
 
@@ -52,8 +52,11 @@ const MOVED: f64 = 0.2;
 const SHORT: f64 = 0.2;
 /// Largest fraction of the area that is lost.
 const SHRUNK: f64 = 0.05;
-/// Farther than this fraction of the size of the mesh, nothing is left of the design.
+/// Nothing is left of the design farther than this fraction of the size of the mesh, if that is more
+/// than an edge,
 const RUINED: f64 = 0.15;
+/// or with more than this fraction of the area lost.
+const MOST_SHRUNK: f64 = 0.25;
 
 impl ShapeMeasure {
     /// The level of a shape whose requirements are met, some within a larger tolerance if `is_eased`,
@@ -63,8 +66,10 @@ impl ShapeMeasure {
             return (Level::Poor, Vec::new());
         }
         let flaws = self.flaws(is_eased, edge);
-        let is_ruin = self.bend.is_flat() || self.surface.max > RUINED * self.size;
-        if flaws.contains(&Flaw::Away) && is_ruin {
+        let is_away = flaws.contains(&Flaw::Away);
+        let is_far = self.surface.max > edge.max(RUINED * self.size);
+        let is_ruin = is_far || self.bend.is_hardly_bent() || self.area_lost > MOST_SHRUNK;
+        if is_away && is_ruin {
             return (Level::Poor, flaws);
         }
         (if flaws.is_empty() { Level::Good } else { Level::Fair }, flaws)
@@ -184,9 +189,14 @@ mod tests {
         assert_eq!(measure.level(false, edge), (Level::Fair, vec![Flaw::Away]));
         measure.surface.max = 2.0;
         assert_eq!(measure.level(false, edge), (Level::Poor, vec![Flaw::Away]));
+        // Less than an edge of a coarse mesh.
+        assert_eq!(measure.level(false, 2.5).0, Level::Fair);
         // Where it is to be elsewhere, its place is not judged.
         assert_eq!(measure.level(false, f64::INFINITY).0, Level::Good);
         measure.surface.max = 1.0;
+        measure.area_lost = 0.3;
+        assert_eq!(measure.level(false, edge).0, Level::Poor);
+        measure.area_lost = 0.0;
         (measure.bend.rest, measure.bend.now) = (5.0, 0.7);
         measure.bend.change = Some(BendChange::Flatter);
         assert_eq!(measure.level(false, edge), (Level::Poor, vec![Flaw::Flatter, Flaw::Away]));

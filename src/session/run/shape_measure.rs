@@ -93,14 +93,16 @@ impl SurfaceDistance {
         if now == rest.positions() {
             return SurfaceDistance::default();
         }
-        let neighbours = rest.topology().neighbours();
-        let has_edges = |v: &usize| !neighbours.row(*v).is_empty();
+        // What the surface is made of: beside faces neither curves nor lone vertices.
+        let faces = rest.topology().vertex_faces();
+        let parts = if faces.indices().is_empty() { rest.topology().neighbours() } else { faces };
+        let is_on_it = |v: &usize| !parts.row(*v).is_empty();
         let moved = Surface::new(now, rest.mesh());
         let (mut sum, mut count, mut max) = (0.0, 0.0, 0.0);
         let original = other.unwrap_or_else(|| rest.surface());
         for (points, surface) in [(now, original), (rest.positions(), &moved)] {
             let mut hint = Surface::NO_HINT;
-            for v in (0..points.len()).filter(has_edges) {
+            for v in (0..points.len()).filter(is_on_it) {
                 let to = surface.closest(points[v], &mut hint);
                 let squared = (Vec3::from(to) - Vec3::from(points[v])).length_squared();
                 sum += squared;
@@ -124,8 +126,10 @@ const ROUGH: f64 = 1.25;
 const HARDLY_ROUGH: f64 = 1.0;
 /// It has become flatter if this angle is below this fraction of the angle at rest,
 const FLATTER: f64 = 0.5;
-/// and flat if it is below this fraction.
-const FLAT: f64 = 0.2;
+/// hardly bent if it is below this fraction,
+const HARDLY_BENT: f64 = 0.2;
+/// and flat if it is below this one.
+const FLAT: f64 = 0.1;
 
 impl Bend {
     fn of(now: &[Point], rest: &RestMesh) -> Bend {
@@ -136,6 +140,11 @@ impl Bend {
             _ => None,
         };
         Bend { rest, now, change }
+    }
+
+    /// Whether a curved surface lost nearly all of its curvature.
+    pub(crate) fn is_hardly_bent(&self) -> bool {
+        self.now < HARDLY_BENT * self.rest
     }
 
     /// Whether a curved surface became flat.

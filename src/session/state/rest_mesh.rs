@@ -40,7 +40,7 @@ type KnownTarget = (Rc<Mesh>, Option<Rc<Surface>>);
 impl RestMesh {
     pub(crate) fn new(mesh: Mesh) -> RestMesh {
         let topology = Topology::new(&mesh);
-        let diameter = BoundingSphere::of(&mesh.positions).diameter();
+        let diameter = BoundingSphere::of(&mesh.used_positions()).diameter();
         RestMesh {
             mesh,
             topology,
@@ -201,7 +201,7 @@ impl RestMesh {
         Moved::of(self.displacements(now))
     }
 
-    /// Diameter of the bounding sphere, in the unit of the mesh.
+    /// Diameter of the bounding sphere of all but lone vertices, in the unit of the mesh.
     pub(crate) fn diameter(&self) -> f64 {
         self.diameter
     }

@@ -198,17 +198,18 @@ impl BetterPresses {
             _ => format!("the surface moves by {far}"),
         };
         let [within, of] = [after.within, after.of].map(group_digits);
+        let all = if after.of == 1 { "the panel".to_owned() } else { format!("all {of} panels") };
         let limit = |within: f64| limit_like(within, units, after.tolerance);
         match after.eased {
             Some(eased) => match after.relaxed_for_most() {
-                Some(relaxed) => format!("all {of} panels within {}; {moves}", limit(relaxed)),
+                Some(relaxed) => format!("{all} within {}; {moves}", limit(relaxed)),
                 None => {
                     let larger = limit(eased.within);
                     format!("{within} of {of} panels, the others within {larger}; {moves}")
                 }
             },
             None if self.before.folded > 0 => format!("all panels without folds; {moves}"),
-            None if !self.before.is_met() => format!("all {of} panels; {moves}"),
+            None if self.before.within < self.before.of => format!("{all}; {moves}"),
             None => moves,
         }
     }

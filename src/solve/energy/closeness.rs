@@ -114,11 +114,11 @@ impl CloseEnergy {
             ClosenessTo::None => {}
             ClosenessTo::Rest => energy.points.extend(others.map(at_point)),
             ClosenessTo::Surface | ClosenessTo::Target => {
-                // A vertex of no face is not on the rest surface, unless that is all of curves or points.
+                // Beside faces, a curve or a lone vertex is no part of the surface.
                 let faces = topology.vertex_faces();
-                let is_of_faces = to == ClosenessTo::Surface && !faces.indices().is_empty();
+                let has_faces = !faces.indices().is_empty();
                 let (on, off): (Vec<u32>, Vec<u32>) =
-                    others.partition(|&v| !is_of_faces || !faces.row(v as usize).is_empty());
+                    others.partition(|&v| !has_faces || !faces.row(v as usize).is_empty());
                 energy.points.extend(off.into_iter().map(at_point));
                 let vertices: Vec<SurfaceTarget> = on.into_iter().map(on_surface).collect();
                 let order = argsort(vertices.iter().map(|target| u64::from(target.node)));
