@@ -25,7 +25,7 @@ const linted = {
   RUSTC_WORKSPACE_WRAPPER: 'clippy-driver',
   CLIPPY_ARGS: '-Dwarnings__CLIPPY_HACKERY__',
 };
-/** This crate without optimisation, for lints and for tests that are soon over; dependencies as always. */
+/** This crate without optimisation, for tests that are soon over; dependencies as always. */
 const unoptimised = { CARGO_PROFILE_DEV_OPT_LEVEL: '0' };
 
 const nodeTests = ['scripts', 'page'].flatMap((folder) =>
@@ -118,7 +118,8 @@ const compiled = [
     run: [tool('tsc'), ['--pretty', 'false', '--project', '.scripts/tsconfig.json']],
   },
   {
-    // What is compiled natively is linted there.
+    // What is compiled natively is linted there. With all features at once, what one module alone does
+    // not use is not found; its build prints a warning.
     title: 'lints of Rust in the browser',
     run: [
       'cargo',

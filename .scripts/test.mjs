@@ -1,5 +1,6 @@
-// npm test: all checks, the fast ones first; at the end it prints how many tests passed.
-// npm run check: those that need no browser. npm run test:long: with the long versions of tests.
+// npm test: the checks, the fast ones first; at the end it prints how many tests passed.
+// npm run check: those that need no browser. npm run test:long: with the long versions of tests,
+// and with those that only the night runs.
 
 import { existsSync } from 'node:fs';
 import { stages } from './checks.mjs';

@@ -1,6 +1,6 @@
 // Tests that only `npm run test:long` runs, which the workflow of the repository does every night:
-// those that tell a story of another test once more, in another window, for another fault of the
-// same kind. What holds that story in between is named.
+// those that tell a story of another test once more, in another window or for another fault of the
+// same kind, and the slowest that compare pictures. What holds the story in between is named.
 
 /** Whether tests that can go on for long do so. */
 export const LONG = process.env.LONG === '1';
@@ -18,17 +18,18 @@ export const NIGHTLY: Group[] = [
   {
     spec: 'axe',
     project: 'phone',
-    titles: ['around the view', 'new panels', 'other examples', 'what opens from the tools'].map(
-      (walk) => `axe: ${walk}`,
-    ),
+    titles: ['around the view', 'new panels'].map((walk) => `axe: ${walk}`),
     heldBy: 'the same walks on the desktop, and the other walks on a phone',
   },
   {
     spec: 'axe',
     project: 'phone',
     titles: [
-      ...['the gallery', 'the page about projections', 'an embedded view'],
-      ...['the page “What is checked', 'the page “From Rhino'],
+      'the gallery',
+      'the page about projections',
+      'the page “What is checked”',
+      'the page “From Rhino and Grasshopper”',
+      'an embedded view',
     ].map((page) => `axe: ${page}`),
     heldBy: 'the same pages on the desktop',
   },
@@ -41,23 +42,12 @@ export const NIGHTLY: Group[] = [
   {
     spec: 'first-picture',
     project: 'phone',
-    titles: [
-      'the example is on the screen before it can be drawn, dark',
-      'presses made before anything has loaded',
-      'the first picture is removed',
-    ],
-    heldBy: 'the same on the desktop, and the light picture on a phone',
-  },
-  {
-    spec: 'first-picture',
-    titles: ['in a window of other proportions'],
-    heldBy: 'the picture of the example on the desktop and on a phone',
+    titles: ['the first picture is removed'],
+    heldBy: 'the same on the desktop',
   },
   {
     spec: 'backends',
-    titles: ['an adapter that never answers', 'no device', 'pictures that stay empty'].map(
-      (fault) => `WebGL2 draws if WebGPU has ${fault}`,
-    ),
+    titles: ['WebGL2 draws if WebGPU has no device'],
     heldBy: 'no adapter, before the module of WebGPU is loaded, and a lost device, after it',
   },
   {
@@ -68,7 +58,7 @@ export const NIGHTLY: Group[] = [
   {
     spec: 'autosave',
     titles: ['two tabs reloaded at the same moment', 'with storage full'],
-    heldBy: 'two tabs do not overwrite each other; with storage blocked the page works',
+    heldBy: 'two tabs do not overwrite each other; tests/page/documents/recent-documents.test.ts',
   },
   {
     spec: 'replacing',
@@ -82,18 +72,18 @@ export const NIGHTLY: Group[] = [
   },
   {
     spec: 'colours',
-    titles: ['choosing a measure again', 'residuals are arrows'],
-    heldBy: 'the colours of measures and constraints, and the native tests of residuals',
+    titles: ['residuals are arrows'],
+    heldBy: 'nothing in between: it compares pictures for ten seconds',
   },
   {
     spec: 'circles',
     titles: ['circles are thin lines from near'],
-    heldBy: 'the native tests of the lines of circles, and the picture of the example',
+    heldBy: 'nothing in between: it compares pictures for fifteen seconds',
   },
 ];
 
 /** Matches what Playwright tests a pattern with: project, file and title, separated by spaces. */
-export const patternOf = ({ spec, titles, project }: Group) => {
+const patternOf = ({ spec, titles, project }: Group) => {
   const escaped = titles.map((title) => title.replaceAll(/[.*+?^${}()|[\]\\]/g, String.raw`\$&`));
   return new RegExp(`^${project ?? ''}.*\\b${spec}\\.spec\\.ts (${escaped.join('|')})`);
 };
