@@ -9,10 +9,13 @@ def solve_file(source, out, panels="circle", within="auto", program="shape-up"):
     with tempfile.TemporaryDirectory() as folder:
         report = os.path.join(folder, "report.json")
         command = [program, "solve", source, "--panels", panels, "--within", str(within)]
-        done = subprocess.run(
-            command + ["--out", out, "--report", report],
-            stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))  # for Windows
+        try:
+            done = subprocess.run(
+                command + ["--out", out, "--report", report],
+                stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
+                creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0))  # for Windows
+        except FileNotFoundError:
+            raise RuntimeError(f"{program} was not found: give its full path as `program`")
         if done.returncode != 0:  # The message, without the usage that may follow it.
             raise RuntimeError(done.stderr.split("\n\n")[0].strip() or str(done))
         with open(report, encoding="utf-8") as file:
@@ -29,6 +32,8 @@ def solve(vertices, faces, panels="circle", within="auto", program="shape-up", u
             for point in vertices:
                 print("v", *(repr(float(x)) for x in point), file=file)
             for face in faces:
+                if min(face) < 0:
+                    raise ValueError(f"expected vertex numbers from 0, not {list(face)}")
                 print("f", *(int(vertex) + 1 for vertex in face), file=file)
         report = solve_file(source, out, panels, within, program)
         with open(out, encoding="utf-8") as file:
@@ -36,7 +41,9 @@ def solve(vertices, faces, panels="circle", within="auto", program="shape-up", u
     return [tuple(map(float, row)) for row in rows], report
 
 
-if __name__ == "__main__" and len(sys.argv) == 3:
+if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
     try:
         sys.stdout.reconfigure(encoding="utf-8")
         print(solve_file(*sys.argv[1:])["verdict"]["words"])
