@@ -12,7 +12,7 @@ use crate::scene::{
     AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, Lock, SmoothnessOf, all_faces,
 };
 use crate::session::Error;
-use crate::solve::{Exact, ExactAnswer, Require, Solver};
+use crate::solve::{Exact, ExactAnswer, Require, Solver, farthest};
 use crate::words;
 
 impl Session {
@@ -51,13 +51,28 @@ impl Session {
         })
     }
 
+    /// Whether a constraint is to be far from the original: a sphere about all vertices, a surface
+    /// beside it. Constraints on all faces are panels, which are where the original is.
+    fn is_asked_elsewhere(&self) -> bool {
+        let (rest, rows) = (&self.rest, &self.document().constraints);
+        let is_far = |row: &ConstraintSpec, constraints| {
+            row.on != all_faces()
+                && farthest(rest.mesh(), rest.positions(), constraints) > rest.mean_edge()
+        };
+        self.scene.enabled_rows().any(|row| is_far(&rows[row], &self.rows()[row].constraints))
+    }
+
     /// The mean edge at rest, by which the place of a shape is judged; infinite if the shape is meant to
     /// be elsewhere than the original.
     pub(super) fn edge_of_design(&self) -> f64 {
         let is_kept =
             matches!(self.document().closeness.to, ClosenessTo::Rest | ClosenessTo::Surface)
                 && self.document().variants.design_positions().is_none();
-        if is_kept && !self.is_pulled() { self.rest.mean_edge() } else { f64::INFINITY }
+        if is_kept && !self.is_pulled() && !self.is_asked_elsewhere() {
+            self.rest.mean_edge()
+        } else {
+            f64::INFINITY
+        }
     }
 
     /// Whether the first attempt of a run does not begin at the soft solution.

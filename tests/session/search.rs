@@ -296,6 +296,23 @@ fn a_comb_that_became_round_is_poor() {
 }
 
 #[test]
+fn the_place_of_a_shape_that_is_asked_for_elsewhere_is_not_judged() {
+    // A flat roof that is to be a dome was said to be far from the original, and a high one poor.
+    let mut session = opened(sheared(8, |_, _| 0.0, 0.0, 0.0));
+    for edit in [
+        r#"{ "addConstraint": { "kind": "sphere", "on": { "vertices": "0-80" }, "weight": 1, "params": { "radius": 7.2 } } }"#,
+        r#"{ "setConstraint": { "index": 0, "require": "exact" } }"#,
+    ] {
+        session.edit(Edit::from_json(edit).expect("it is an edit")).expect("it fits");
+    }
+    let verdict = press(&mut session, "circle");
+    assert_eq!((verdict.within, verdict.folded), (verdict.of, 0));
+    assert!(verdict.surface.max > 1.25, "{:?}", verdict.surface);
+    let of_place = [Flaw::Away, Flaw::Moved, Flaw::OffBoundary];
+    assert!(!of_place.iter().any(|it| verdict.flaws.contains(it)), "{:?}", verdict.flaws);
+}
+
+#[test]
 fn a_vertex_of_no_face_stays_where_it_is() {
     // Along the surface it was pulled onto it, and said to be what moved farthest.
     let mut mesh = sheared(6, saddle, 0.4, 0.3);
