@@ -2,6 +2,7 @@
 
 import '../ui/styles/lists.css';
 import { useState } from 'preact/hooks';
+import { frameOf } from '../store/frame.ts';
 import { useApp } from '../store/use-app.ts';
 import { Button } from '../ui/components/buttons.tsx';
 import { count } from '../ui/words.ts';
@@ -28,9 +29,10 @@ export function Log() {
 }
 
 function File() {
-  const { model, document } = useApp().store.state;
+  const { state } = useApp().store;
+  const { model } = state;
   if (!model) return null;
-  const lines = factsOf(model, document?.units ?? model.units, document?.up ?? model.up);
+  const lines = factsOf(model, frameOf(state));
   return (
     <>
       {lines.map((line) => (
@@ -112,11 +114,11 @@ function Copy() {
   const [result, setResult] = useState('');
 
   async function copy() {
-    const { model, document } = store.get();
+    const { model } = store.get();
     const lines = [
       ...(model
         ? [
-            ...factsOf(model, document?.units ?? model.units, document?.up ?? model.up),
+            ...factsOf(model, frameOf(store.get())),
             ...model.problems.map(({ message }) => `Problem: ${message}`),
             ...model.notes.map((note) => `Note: ${note}`),
             '',
@@ -141,7 +143,7 @@ function Copy() {
 }
 
 /** Returns the contents of the file, a sentence each. */
-function factsOf(model: Loaded, units: string, up: 'y' | 'z') {
+function factsOf(model: Loaded, { units, up }: ReturnType<typeof frameOf>) {
   const guessed = (is: boolean) => (is ? ' (guessed)' : '');
   const parts = [
     count(model.vertices, 'vertex', 'vertices'),

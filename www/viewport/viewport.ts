@@ -11,6 +11,7 @@ import { ShapeTransition } from './shape-transition.ts';
 import { Emitter } from '../solver/emitter.ts';
 import { messageOf } from '../solver/errors.ts';
 import { LAYERS, showDisplay, showValues } from './layers.ts';
+import { frameOf } from '../store/frame.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { State, Store } from '../store/state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
@@ -321,7 +322,7 @@ export class Viewport extends Emitter<ViewportEvents> {
     const state = this.#store.get();
     if (this.#newMesh) {
       const { faceOffsets, faceIndices, curveOffsets, curveIndices } = geometry.connectivity;
-      if (state.model) view.setUp(state.model.up);
+      view.setUp(frameOf(state).up);
       view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);
       view.setEdges(geometry.connectivity.edges);
       this.#newMesh = false;

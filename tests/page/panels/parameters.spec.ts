@@ -115,6 +115,28 @@ test('a parameter in a row takes effect at once, and is one undo step', async ({
   await expect.poll(async () => (await constraint(page)).length).toBeUndefined();
 });
 
+test('lengths and directions are of the unit and the axis as they are now', async ({ page }) => {
+  // They used to be those with which the file was opened.
+  await showStep(page, 'Shape');
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('mm');
+  await page.getByRole('combobox', { name: 'Up axis' }).selectOption('y');
+  const row = await openRow(page);
+  await parameter(row, LENGTH).getByRole('combobox').selectOption('exactly');
+  const field = row.getByRole('spinbutton', { name: LENGTH, exact: true });
+  await field.fill('20 cm');
+  await field.press('Enter');
+  await expect.poll(async () => (await constraint(page)).length).toBe(200);
+  await page.getByRole('button', { name: 'Add constraint' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  await dialog.getByRole('radio', { name: 'Plane', exact: true }).check();
+  const normal = parameter(dialog, 'Normal');
+  await normal.getByRole('combobox').selectOption('direction');
+  await expect(normal.getByRole('button', { name: 'along Y' })).toHaveAttribute(
+    'aria-pressed',
+    'true',
+  );
+});
+
 test('a refused parameter keeps its old value and shows the reason', async ({ page }) => {
   const row = await openRow(page);
   const length = parameter(row, LENGTH);

@@ -8,6 +8,7 @@ import './add-constraint.css';
 import { render } from 'preact';
 import { useRef } from 'preact/hooks';
 import { useSignal } from '@preact/signals';
+import { frameOf } from '../../store/frame.ts';
 import { AppProvider, useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { NumberInput, numberIn } from '../../ui/components/number-input.tsx';
@@ -166,7 +167,7 @@ function NewConstraint({ close }: { close: () => void }) {
                 key={kind.id}
                 params={kind.params}
                 values={valuesOf(kind.id)}
-                model={model}
+                frame={frameOf(store.state)}
                 refusal={refusal}
                 onValue={(id, value) => {
                   forget();

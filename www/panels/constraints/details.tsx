@@ -3,6 +3,7 @@
  */
 
 import '../../ui/styles/lists.css';
+import { frameOf } from '../../store/frame.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Choice } from '../../ui/components/fields.tsx';
@@ -18,7 +19,7 @@ import {
 import { Drawing } from '../../ui/kinds/drawing.tsx';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
-import type { ConstraintRow, KindInfo, Loaded, Require } from '../../solver/types.ts';
+import type { ConstraintRow, KindInfo, Require } from '../../solver/types.ts';
 
 interface Of {
   row: ConstraintRow;
@@ -33,9 +34,9 @@ export function Details({
   rename,
 }: Of & { select: () => unknown; rename: () => void }) {
   const { store, actions } = useApp();
-  const { kinds, model, document } = store.state;
+  const { kinds, document } = store.state;
   const kind = kinds.find(({ id }) => id === row.kind);
-  if (!kind || !model) return null;
+  if (!kind) return null;
   const { eased } = row;
   const remove = () => actions.edit({ removeConstraint: { index: row.index } });
   const duplicate = () => actions.edit({ duplicateConstraint: { index: row.index } });
@@ -50,7 +51,7 @@ export function Details({
           {lengthText(eased.within, document?.units ?? '')}, so that none folds.
         </p>
       )}
-      <ParameterRows row={row} name={name} kind={kind} model={model} />
+      <ParameterRows row={row} name={name} kind={kind} />
       <Share row={row} />
       <div class="row-buttons">
         <Button onClick={select} aria-label={`${name}: select what it acts on`}>
@@ -70,14 +71,14 @@ export function Details({
   );
 }
 
-function ParameterRows({ row, name, kind, model }: Of & { kind: KindInfo; model: Loaded }) {
-  const { actions } = useApp();
+function ParameterRows({ row, name, kind }: Of & { kind: KindInfo }) {
+  const { store, actions } = useApp();
   const { refusal, refuse, forget } = useRefusal(kind.params);
   return (
     <Parameters
       params={kind.params}
       values={row.params}
-      model={model}
+      frame={frameOf(store.state)}
       name={name}
       refusal={refusal}
       onValue={(id, value) => {

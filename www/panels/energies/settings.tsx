@@ -2,6 +2,7 @@
 
 import './settings.css';
 import { Fragment, type ComponentChildren } from 'preact';
+import { frameOf } from '../../store/frame.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -38,7 +39,7 @@ export function Settings() {
 
 function Setting({ setting }: { setting: SettingInfo }) {
   const { store, actions } = useApp();
-  const { document, model } = store.state;
+  const { document } = store.state;
   const params = [setting];
   const { refusal, refuse, forget } = useRefusal(params);
   return (
@@ -46,7 +47,7 @@ function Setting({ setting }: { setting: SettingInfo }) {
       <Parameters
         params={params}
         values={document?.settings ?? {}}
-        model={model}
+        frame={frameOf(store.state)}
         refusal={refusal}
         onValue={(id, value) => {
           forget();

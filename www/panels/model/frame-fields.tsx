@@ -5,6 +5,7 @@
 
 import { useState } from 'preact/hooks';
 import { rememberFrame, type Frame } from '../../documents/known-frames.ts';
+import { frameOf } from '../../store/frame.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
@@ -19,7 +20,7 @@ export function FrameFields({ model }: { model: Loaded }) {
   const { store, actions, files } = useApp();
   /** The model whose guess the user has confirmed or corrected. */
   const [confirmed, setConfirmed] = useState<Loaded | null>(null);
-  const { units = model.units, up = model.up } = store.state.document ?? {};
+  const { units, up } = frameOf(store.state);
   const symbols = SYMBOLS.includes(units) ? SYMBOLS : [units, ...SYMBOLS];
   const guess = model === confirmed ? '' : guessInWords(model);
 

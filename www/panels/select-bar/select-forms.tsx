@@ -2,6 +2,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { useSignal } from '@preact/signals';
+import { frameOf } from '../../store/frame.ts';
 import { verticesOf, type Combine } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -24,11 +25,11 @@ function useFocusedForm() {
 }
 
 /** The symbol of the unit of the face measure that is chosen in a form; empty without one. */
-function unitOfMeasure({ measures, model }: Readonly<State>, values: Record<string, ParamValue>) {
-  const chosen = measures.find(({ id }) => Object.values(values).includes(id));
+function unitOfMeasure(state: Readonly<State>, values: Record<string, ParamValue>) {
+  const chosen = state.measures.find(({ id }) => Object.values(values).includes(id));
   if (!chosen) return '';
   // What is entered is a number of this unit, so lengths are in that of the mesh.
-  const units = model?.units ?? '';
+  const { units } = frameOf(state);
   if (chosen.unit === 'length') return units;
   const { symbol, factor } = writtenUnit(chosen.unit, units, 1);
   return factor === 1 ? symbol : '';
@@ -71,7 +72,7 @@ export function OperationForm(props: { operation: Operation; close: () => void }
       <Parameters
         params={params}
         values={values.value}
-        model={store.state.model}
+        frame={frameOf(store.state)}
         unit={unitOfMeasure(store.state, values.value)}
         refusal={refusal}
         onValue={(id, value) => {

@@ -3,11 +3,11 @@
 import { brief, numberIn, rangeIn, rounded } from '../words.ts';
 import type { Form, ParamInfo, ParamValue } from '../../solver/types.ts';
 
-/** The part of the model that the controls use. */
-export interface Model {
+/** What the controls need to know of the coordinates, as they are now. */
+export interface Frame {
   /** of lengths; empty when not known */
   units: string;
-  /** default length */
+  /** default length; 0 when not known */
   meanEdge: number;
   up: 'y' | 'z';
 }
@@ -65,7 +65,7 @@ function inRange({ range: [least, greatest] }: ParamInfo, value: number) {
 }
 
 /** Returns an initial number for a parameter without a numeric default. */
-function usual(param: ParamInfo, { meanEdge }: Model) {
+function usual(param: ParamInfo, { meanEdge }: Frame) {
   const edge = meanEdge || 1;
   const [least, greatest] = param.range;
   const middle = Number.isFinite(greatest) ? (least + greatest) / 2 : 90;
@@ -78,24 +78,24 @@ export function converted(
   param: ParamInfo,
   form: Form,
   before: ParamValue,
-  model: Model,
+  frame: Frame,
 ): ParamValue {
   const [low, high] = Array.isArray(before) && before.length === 2 ? before : [null, null];
   switch (form) {
     case 'number':
       if (low !== null && high !== null) return roundedUsual((low + high) / 2);
       return (
-        low ?? high ?? (typeof param.default === 'number' ? param.default : usual(param, model))
+        low ?? high ?? (typeof param.default === 'number' ? param.default : usual(param, frame))
       );
     case 'range': {
       if (keyOfValue(param.default) === 'range') return param.default;
-      const middle = typeof before === 'number' ? before : usual(param, model);
-      const ends = middle === 0 ? [0, usual(param, model)] : [0.9 * middle, 1.1 * middle];
+      const middle = typeof before === 'number' ? before : usual(param, frame);
+      const ends = middle === 0 ? [0, usual(param, frame)] : [0.9 * middle, 1.1 * middle];
       const [from, to] = ends.map((end) => inRange(param, rounded(end, 3)));
       return from < to ? [from, to] : [to, from];
     }
     case 'vector':
-      return keyOfValue(param.default) === 'vector' ? param.default : axis(model.up);
+      return keyOfValue(param.default) === 'vector' ? param.default : axis(frame.up);
     case 'nothing':
       return null;
     default:

@@ -13,19 +13,16 @@ import {
   keyOfValue,
   labelOf,
   unitOf,
-  type Model,
+  type Frame,
 } from './parameter-forms.ts';
 import type { ParamInfo, ParamValue } from '../../solver/types.ts';
 import type { Refusal } from './parameter-refusal.ts';
-
-/** Used if no model is open. */
-const NO_MODEL: Model = { units: '', meanEdge: 0, up: 'z' };
 
 /** The parameters of one kind as rows of controls; nothing for a kind without parameters. */
 export function Parameters({
   params,
   values,
-  model,
+  frame,
   name = '',
   unit = '',
   refusal = null,
@@ -34,7 +31,8 @@ export function Parameters({
   params: ParamInfo[];
   /** missing ones have their default */
   values: Record<string, ParamValue>;
-  model: Model | null;
+  /** as it is now */
+  frame: Frame;
   /** prefixes the accessible names of the controls */
   name?: string;
   /** the symbol of numbers that declare no unit of their own */
@@ -54,7 +52,7 @@ export function Parameters({
           param={param}
           name={`${prefix}${param.label}`}
           value={param.id in values ? values[param.id] : param.default}
-          model={model ?? NO_MODEL}
+          frame={frame}
           usualUnit={unit}
           refusal={refusal?.id === param.id ? refusal : null}
           onValue={(value) => onValue(param.id, value)}
@@ -95,11 +93,11 @@ function Parameter({
   param,
   name,
   value,
-  model,
+  frame,
   usualUnit,
   refusal,
   onValue,
-}: Of & { model: Model; usualUnit: string; refusal: Refusal | null }) {
+}: Of & { frame: Frame; usualUnit: string; refusal: Refusal | null }) {
   const [{ texts, problems }, setTyped] = useState(NOTHING);
   /** The refusal after which a field was edited. */
   const [settled, setSettled] = useState<Refusal | null>(null);
@@ -108,13 +106,13 @@ function Parameter({
   const key = keyOfValue(value);
   const numbers = Array.isArray(value) ? value : typeof value === 'number' ? [value] : [];
   const isVector = key === 'vector';
-  const unit = isVector || numbers.length === 0 ? '' : unitOf(param, model.units) || usualUnit;
+  const unit = isVector || numbers.length === 0 ? '' : unitOf(param, frame.units) || usualUnit;
   const error = `error-${name.replace(/\W+/g, '-')}`;
 
   const [min, max] = isVector ? [] : param.range;
   /** What a number may be; a null is an infinite limit. */
   const accepted = (at: number): Accepted => ({
-    unit: param.unit === 'length' ? model.units : '',
+    unit: param.unit === 'length' ? frame.units : '',
     min: min ?? -Infinity,
     max: max ?? Infinity,
     present: numbers[at],
@@ -157,7 +155,7 @@ function Parameter({
           onChoose={(chosen) => {
             const form = param.forms.find((one) => keyOf(one) === chosen);
             setSettled(refusal);
-            if (form) onValue(converted(param, form, value, model));
+            if (form) onValue(converted(param, form, value, frame));
           }}
         />
       )}
