@@ -111,20 +111,25 @@ impl Session {
     /// Ends a drag: keeps it as one step of undo, or restores the state before it. If there are
     /// hard constraints, it also begins a run that meets them again, in the same step of undo.
     pub fn end_drag(&mut self, keep: bool) {
-        let Some(transaction) = self.transaction.take_if(|t| t.is_drag()) else { return };
-        if keep {
-            if let Some(name) = transaction.name_of_drag(self.scene.handles()) {
-                self.history.push(name, transaction.into_back());
-                if self.has_hard_rows() {
-                    self.begin_run();
-                    self.join_last();
-                    self.search = Search::Off;
-                }
-            }
-        } else {
-            let back = self.exchange(&mut transaction.into_back());
-            back.expect("the state was solvable before");
+        if self.record_drag(keep) && self.has_hard_rows() {
+            self.begin_run();
+            self.join_last();
+            self.search = Search::Off;
         }
+    }
+
+    /// Ends a drag, and returns whether it became a step of undo. One that moved no handle leaves
+    /// nothing: what the solver did meanwhile could not be undone.
+    fn record_drag(&mut self, keep: bool) -> bool {
+        let Some(transaction) = self.transaction.take_if(|t| t.is_drag()) else { return false };
+        let name = transaction.name_of_drag(self.scene.handles()).filter(|_| keep);
+        let mut back = transaction.into_back();
+        if let Some(name) = name {
+            self.history.push(name, back);
+            return true;
+        }
+        self.exchange(&mut back).expect("the state was solvable before");
+        false
     }
 
     /// Begins a run: all iterations up to [`Session::end_run`] are one step of undo.
@@ -224,7 +229,7 @@ impl Session {
     /// Ends the drag, run or variation under way; a drag or run becomes a step of undo.
     pub(super) fn end_transaction(&mut self) {
         self.end_run();
-        self.end_drag(true);
+        self.record_drag(true);
         self.leave_variation();
     }
 

@@ -9,6 +9,7 @@ use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
 use shape_up::scene::BuildSettings;
 use shape_up::scene::{Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
 use shape_up::session::{Edit, SETTINGS, Session};
+use shape_up::solve::Require;
 
 const SIDE: u32 = 4;
 const VERTICES: u32 = (SIDE + 1) * (SIDE + 1);
@@ -25,8 +26,24 @@ fn site() -> Mesh {
 #[derive(Clone, Debug)]
 enum Deed {
     Edit(Box<Edit>),
-    Drag { vertex: u32, by: [f64; 3], steps: usize, keep: bool },
-    DragNew { vertex: u32, by: [f64; 3], steps: usize, keep: bool },
+    Drag {
+        vertex: u32,
+        by: [f64; 3],
+        steps: usize,
+        keep: bool,
+    },
+    DragNew {
+        vertex: u32,
+        by: [f64; 3],
+        steps: usize,
+        keep: bool,
+    },
+    /// A drag that an edit ends.
+    CutDrag {
+        vertex: u32,
+        by: [f64; 3],
+        edit: Box<Edit>,
+    },
     Run(usize),
     Undo,
     Redo,
@@ -51,9 +68,9 @@ fn setting() -> impl Strategy<Value = Edit> {
     })
 }
 
-fn deed() -> impl Strategy<Value = Deed> {
+fn an_edit() -> impl Strategy<Value = Edit> {
     let vertices = || proptest::collection::vec(0..VERTICES, 1..4);
-    let edit = prop_oneof![
+    prop_oneof![
         prop_oneof![
             Just(new("plane", "\"faces\"")),
             Just(new("circle", "\"faces\"")),
@@ -75,6 +92,17 @@ fn deed() -> impl Strategy<Value = Deed> {
             enabled: Some(on),
             params: Map::new(),
         }),
+        (
+            0..3usize,
+            prop::sample::select(vec![Require::Soft, Require::Exact, Require::Within(0.1)])
+        )
+            .prop_map(|(index, require)| Edit::SetConstraint {
+                index,
+                weight: None,
+                require: Some(require),
+                enabled: None,
+                params: Map::new(),
+            }),
         (0..3usize, 0.2..2.0).prop_map(|(index, length)| {
             let params = json!({ "length": length }).as_object().cloned();
             let params = params.expect("it is an object");
@@ -107,13 +135,20 @@ fn deed() -> impl Strategy<Value = Deed> {
             build: Box::new(BuildSettings { scale: scale.round(), ..BuildSettings::default() }),
         }),
         Just(Edit::Reset),
-    ];
+    ]
+}
+
+fn deed() -> impl Strategy<Value = Deed> {
+    // A handle may be taken and released where it is.
+    let by = || prop_oneof![5 => prop::array::uniform3(-1.0..1.0), 1 => Just([0.0; 3])];
     prop_oneof![
-        6 => edit.prop_map(|edit| Deed::Edit(Box::new(edit))),
-        2 => (0..VERTICES, prop::array::uniform3(-1.0..1.0), 0..4usize, any::<bool>())
+        6 => an_edit().prop_map(|edit| Deed::Edit(Box::new(edit))),
+        2 => (0..VERTICES, by(), 0..4usize, any::<bool>())
             .prop_map(|(vertex, by, steps, keep)| Deed::Drag { vertex, by, steps, keep }),
-        1 => (0..VERTICES, prop::array::uniform3(-1.0..1.0), 0..4usize, any::<bool>())
+        1 => (0..VERTICES, by(), 0..4usize, any::<bool>())
             .prop_map(|(vertex, by, steps, keep)| Deed::DragNew { vertex, by, steps, keep }),
+        1 => (0..VERTICES, by(), an_edit())
+            .prop_map(|(vertex, by, edit)| Deed::CutDrag { vertex, by, edit: Box::new(edit) }),
         2 => (1..6usize).prop_map(Deed::Run),
         1 => Just(Deed::Undo),
         1 => Just(Deed::Redo),
@@ -139,6 +174,15 @@ fn act(session: &mut Session, deed: Deed) {
             session.step().expect("positions stay finite");
         }
     };
+    let moved = |at: [f64; 3], by: [f64; 3]| std::array::from_fn(|axis| at[axis] + by[axis]);
+    // With hard constraints a run follows, which meets them again.
+    let end = |session: &mut Session, keep| {
+        session.end_drag(keep);
+        if session.is_running() {
+            steps(session, 4);
+            session.end_run();
+        }
+    };
     match deed {
         Deed::Edit(edit) => drop(session.edit(*edit)),
         Deed::Drag { vertex, by, steps: count, keep } => {
@@ -146,20 +190,23 @@ fn act(session: &mut Session, deed: Deed) {
             let Some(handle) = handles.get(vertex as usize % handles.len().max(1)) else { return };
             let (vertex, at) = (handle.vertex, handle.target);
             session.begin_drag();
-            session
-                .drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))])
-                .expect("the targets are near");
+            session.drag([(vertex, moved(at, by))]).expect("the targets are near");
             steps(session, count);
-            session.end_drag(keep);
+            end(session, keep);
         }
         Deed::DragNew { vertex, by, steps: count, keep } => {
             let at = session.positions()[vertex as usize];
             session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
-            session
-                .drag([(vertex, std::array::from_fn(|axis| at[axis] + by[axis]))])
-                .expect("the targets are near");
+            session.drag([(vertex, moved(at, by))]).expect("the targets are near");
             steps(session, count);
-            session.end_drag(keep);
+            end(session, keep);
+        }
+        Deed::CutDrag { vertex, by, edit } => {
+            let at = session.positions()[vertex as usize];
+            session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
+            session.drag([(vertex, moved(at, by))]).expect("the targets are near");
+            steps(session, 2);
+            drop(session.edit(*edit));
         }
         Deed::Run(count) => {
             session.begin_run();
@@ -241,6 +288,7 @@ proptest! {
         let start = everything(&session);
         for deed in deeds {
             act(&mut session, deed);
+            prop_assert!(!session.is_running() && !session.is_dragging());
         }
         // Steps that were undone on the way are not part of the final state.
         while session.redo().expect("the state was solvable").is_some() {}
@@ -397,6 +445,57 @@ fn of_a_long_history_of_a_large_mesh_the_newest_steps_are_saved() {
         act(&mut session, Deed::Undo);
     }
     assert_eq!(everything(&again), everything(&session));
+}
+
+/// A session whose panels are exactly flat, with a handle at vertex 6.
+fn met() -> Session {
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
+    let exact = r#"{ "setConstraint": { "index": 0, "require": "exact" } }"#;
+    session.edit(Edit::from_json(exact).expect("it is an edit")).expect("it can be required");
+    session.solve(false).expect("it can be solved");
+    session
+}
+
+#[test]
+fn an_edit_that_ends_a_drag_is_a_step_after_it_and_leaves_no_run() {
+    // The run that was to meet the constraints again stayed open: the next one joined the edit, and
+    // what was saved led back to another shape.
+    let mut session = met();
+    let target = [482_114.0, -65_220.0, 433.0];
+    session.begin_drag();
+    session.drag([(6, target)]).expect("it is near");
+    session.step().expect("positions stay finite");
+    let dragged = session.positions();
+    session.edit(Edit::Reset).expect("nothing is locked");
+    assert!(!session.is_running());
+    let (text, history) = (written(&session), session.saved_history());
+    let mut again = reopened(&text, session.iteration(), &history, &[]);
+    for session in [&mut session, &mut again] {
+        assert_eq!(session.undo_and_redo()[0], Some("Reset"));
+        act(session, Deed::Undo);
+        assert_eq!(session.positions(), dragged);
+        assert_eq!(session.undo_and_redo()[0], Some("Move handle"));
+    }
+}
+
+#[test]
+fn a_handle_that_is_taken_and_released_where_it_is_changes_nothing() {
+    // The soft iterations in between left the exact shape, without a step of undo.
+    let mut session = met();
+    let (before, report) = (everything(&session), session.exact());
+    assert!(report.as_ref().is_some_and(|report| report.met), "{report:?}");
+    let at = session.solver().handles()[0].target;
+    session.begin_drag();
+    session.drag([(6, at)]).expect("it is near");
+    for _ in 0..3 {
+        session.step().expect("positions stay finite");
+    }
+    session.end_drag(true);
+    assert!(!session.is_running());
+    assert_eq!(everything(&session), before);
+    assert_eq!(session.exact(), report);
 }
 
 #[test]

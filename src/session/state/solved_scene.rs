@@ -150,9 +150,10 @@ impl SolvedScene {
 
     /// See [`Solver::move_handles`].
     pub(crate) fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
-        self.solver.move_handles(targets);
-        self.handles.take();
-        self.forget_positions();
+        if self.solver.move_handles(targets) {
+            self.handles.take();
+            self.forget_positions();
+        }
     }
 
     /// Returns a change that restores the current state.

@@ -98,7 +98,7 @@ impl Transaction {
 
     /// Returns the name of the step of a run that ends at `iteration`; none without iterations.
     pub(crate) fn name_of_run(&self, iteration: u32) -> Option<String> {
-        let iterations = iteration - self.back.iteration;
+        let iterations = iteration.saturating_sub(self.back.iteration);
         let words = words::count(iterations as usize, "iteration", "iterations");
         (iterations > 0).then(|| format!("Run, {words}"))
     }

@@ -128,14 +128,20 @@ impl Solver {
         added.iter().map(update).collect()
     }
 
-    /// Moves the targets of handles. Needs no factorisation: only the gradient changes.
-    pub fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) {
+    /// Moves the targets of handles, and returns whether one was elsewhere. Needs no factorisation:
+    /// only the gradient changes.
+    pub fn move_handles(&mut self, targets: impl IntoIterator<Item = (u32, Point)>) -> bool {
+        let mut moved = false;
         for (vertex, target) in targets {
             if let Some(place) = self.handle_index.get(vertex) {
+                moved |= self.handles[place].target != target;
                 self.handles[place].target = target;
             }
         }
-        self.retarget();
+        if moved {
+            self.retarget();
+        }
+        moved
     }
 
     /// Evaluates after handles were `added`. If their targets are the current positions, the
