@@ -13,7 +13,7 @@ import {
   take,
   type Taken,
 } from '../documents/autosave.ts';
-import { recentDocuments, type Work } from '../documents/recent-documents.ts';
+import { recentDocuments, removals, type Work } from '../documents/recent-documents.ts';
 import { readLink } from '../documents/share-link.ts';
 import { messageOf } from '../solver/errors.ts';
 import { byId, element } from '../ui/dom.ts';
@@ -46,6 +46,10 @@ export class Startup {
     this.#solver = solver;
     this.#files = files;
     this.#alerts = alerts;
+    removals.on('removed', (titles) => {
+      const all = titles.map((title) => `“${title}”`).join(', ');
+      alerts.notice(`There was no room left in this browser: removed from Open recent ${all}.`);
+    });
   }
 
   /** Opens the first document, unless the user opens another one meanwhile. */

@@ -4,6 +4,7 @@
  */
 
 import { createStore, promisifyRequest } from 'idb-keyval';
+import { Emitter } from '../solver/emitter.ts';
 import { getItem, keysOf, removeItem, setItem } from '../ui/safe-storage.ts';
 import type { SavedView } from '../viewport/saved-view.ts';
 
@@ -47,6 +48,11 @@ const MOST = 8;
 export const LOCK_PREFIX = 'shape-up.work.';
 const database = createStore('shape-up', 'works');
 
+/** Tells which works, by their titles, have made room for another one. */
+export const removals = new Emitter<{ removed: string[] }>();
+/** Works that do not fit, even without all others. */
+const tooLarge: Set<string> = new Set();
+
 /** Returns the id of a work that begins now. */
 export const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 
@@ -79,21 +85,49 @@ export async function contentsOf(id: string): Promise<{ [part in keyof Contents]
 }
 
 /**
- * Stores a work and the given parts of its contents in one transaction. If there is no room, all
- * works that no tab has open are deleted first.
+ * Stores a work and the given parts of its contents in one transaction. If there is no room, works
+ * that no tab has open make room, the oldest first and no more of them than needed.
  */
 export async function keep(work: Work, contents: Partial<Contents>) {
   try {
     await write(work, contents);
   } catch (error) {
-    if (!(error instanceof DOMException && error.name === 'QuotaExceededError')) throw error;
-    await deleteExcept(({ id }) => id === work.id);
-    await write(work, contents);
+    if (!isFull(error) || tooLarge.has(work.id)) throw error;
+    await keepInPlaceOfOthers(work, contents);
   }
 }
 
+/** Puts the others back, and rejects, if all of them together leave too little room. */
+async function keepInPlaceOfOthers(work: Work, contents: Partial<Contents>) {
+  let failure: unknown = new DOMException('There is no room.', 'QuotaExceededError');
+  const removed: [Work, Partial<Contents>][] = [];
+  const others = (await closedWorks()).filter(({ id }) => id !== work.id);
+  for (const other of others.toReversed()) {
+    removed.push([other, (await contentsOf(other.id)) as Contents]);
+    await remove([other]);
+    try {
+      await write(work, contents);
+      const titles = removed.map(([{ title }]) => title);
+      return removals.emit('removed', titles);
+    } catch (error) {
+      failure = error;
+      if (!isFull(error)) break;
+    }
+  }
+  // Nor is it tried with every later save.
+  tooLarge.add(work.id);
+  for (const [other, all] of removed) await write(other, all);
+  throw failure;
+}
+
+const isFull = (error: unknown) =>
+  error instanceof DOMException && error.name === 'QuotaExceededError';
+
 /** Deletes the oldest works beyond the limit, except those that are open. */
-export const pruneOldest = () => deleteExcept((_, rank) => rank < MOST);
+export async function pruneOldest() {
+  const newest = (await recentDocuments()).slice(0, MOST).map(({ id }) => id);
+  await remove((await closedWorks()).filter(({ id }) => !newest.includes(id)));
+}
 
 /** Returns the ids of the works that are open in this tab or another one. */
 export async function openWorks() {
@@ -101,17 +135,16 @@ export async function openWorks() {
   return held.flatMap(({ name }) => name?.split(LOCK_PREFIX)[1] ?? []);
 }
 
-/**
- * Also spares the works that are open.
- * @param stays gets the works in order, the newest first
- */
-async function deleteExcept(stays: (work: Work, rank: number) => boolean) {
+/** Returns the works that no tab has open, newest first. */
+async function closedWorks() {
   const open = await openWorks();
-  const all = await recentDocuments();
-  const gone = all.filter((work, rank) => !open.includes(work.id) && !stays(work, rank));
-  if (gone.length === 0) return;
+  return (await recentDocuments()).filter(({ id }) => !open.includes(id));
+}
+
+async function remove(works: Work[]) {
+  if (works.length === 0) return;
   await database('readwrite', (store) => {
-    for (const { id } of gone) for (const part of PARTS) store.delete(part + id);
+    for (const { id } of works) for (const part of PARTS) store.delete(part + id);
     return promisifyRequest(store.transaction);
   });
 }
@@ -122,7 +155,7 @@ function write(work: Work, contents: Partial<Contents>) {
     for (const [part, value] of Object.entries(contents)) {
       const key = `${part} ${work.id}`;
       if (value === null) store.delete(key);
-      else store.put(value, key);
+      else if (value !== undefined) store.put(value, key);
     }
     // Commit now: the page may be closed before the transaction would commit by itself.
     store.transaction.commit?.();
@@ -175,17 +208,37 @@ export function forgetUnsaved(id: string) {
   removeItem(LAST_MOMENT + id);
 }
 
-/** Moves the fallback copies into the database, unless its record is newer. */
+/**
+ * Moves the fallback copies into the database, unless its record is newer. One for which there is no
+ * room yet, or a damaged one, holds up no other.
+ */
 export async function recoverUnsaved() {
   for (const key of keysOf(LAST_MOMENT)) {
-    const { work, contents } = JSON.parse(getItem(key) ?? '{}');
-    if (!work) continue;
+    try {
+      const copy = fallbackCopy(getItem(key) ?? '');
+      if (copy) await keepIfNewer(copy.work, copy.contents);
+      removeItem(key);
+    } catch {
+      // It is tried again on the next visit.
+    }
+  }
+}
+
+/** Reads a fallback copy; null if it is damaged. */
+function fallbackCopy(text: string): { work: Work; contents: Partial<Contents> } | null {
+  try {
+    const { work, contents } = JSON.parse(text);
     for (const part of ['history', 'progress'])
       if (contents[part]) contents[part] = bytesOf(contents[part]);
-    const known = (await recentDocuments()).find(({ id }) => id === work.id);
-    if (!known || known.savedAt < work.savedAt) await keep(work, contents);
-    removeItem(key);
+    return isWork(work) ? { work, contents } : null;
+  } catch {
+    return null;
   }
+}
+
+async function keepIfNewer(work: Work, contents: Partial<Contents>) {
+  const known = (await recentDocuments()).find(({ id }) => id === work.id);
+  if (!known || known.savedAt < work.savedAt) await keep(work, contents);
 }
 
 function lettersOf(bytes: Uint8Array) {

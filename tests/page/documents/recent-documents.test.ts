@@ -1,7 +1,7 @@
 // Which saved works stay in the database, and what the fallback copy of a closed page changes.
 
 import assert from 'node:assert/strict';
-import { beforeEach, test } from 'node:test';
+import { beforeEach, test, type TestContext } from 'node:test';
 import { locks, records } from './storage.ts';
 import { recoverUnsaved, storeUnsaved } from '../../../www/documents/recent-documents.ts';
 import {
@@ -10,6 +10,7 @@ import {
   keep,
   pruneOldest,
   recentDocuments,
+  removals,
   type Contents,
 } from '../../../www/documents/recent-documents.ts';
 
@@ -40,15 +41,60 @@ test('eight models opened in one tab leave the work that is open in another tab'
   assert.equal((await contentsOf('other-tab')).text, 'hours of work');
 });
 
-test('a full database loses only works that no tab has open', async (context) => {
-  locks.add(`${LOCK_PREFIX}other-tab`);
-  for (const id of ['other-tab', 'closed']) await keep(work(id), contents('a model'));
-  const put = context.mock.method(records, 'set', function () {
-    put.mock.restore();
-    throw new DOMException('There is no room.', 'QuotaExceededError');
+/** Limits the database to so many characters of scenes. */
+function limit(context: TestContext, room: number) {
+  const set = Map.prototype.set.bind(records);
+  context.mock.method(records, 'set', (key: string, value: unknown) => {
+    const others = [...records].filter(([other]) => other !== key);
+    const texts = [...others, [key, value]].map(([, one]) => (typeof one === 'string' ? one : ''));
+    if (texts.join('').length > room) throw new DOMException('Full.', 'QuotaExceededError');
+    return set(key, value);
   });
-  await keep(work('new'), contents('a model'));
-  assert.deepEqual(await ids(), ['new', 'other-tab']);
+}
+
+test('a full database loses the oldest works that no tab has open, and says which', async (context) => {
+  // It used to lose all of them, and nothing was said.
+  const removed: string[] = [];
+  context.after(removals.on('removed', (titles) => removed.push(...titles)));
+  locks.add(`${LOCK_PREFIX}other-tab`);
+  for (const id of ['other-tab', 'oldest', 'older', 'newer'])
+    await keep(work(id), contents('1234'));
+  limit(context, 17);
+  await keep(work('new'), contents('567890'));
+  assert.deepEqual(await ids(), ['new', 'newer', 'other-tab']);
+  assert.deepEqual(removed, ['oldest', 'older']);
+});
+
+test('a work that does not fit even without the others leaves them', async (context) => {
+  const removed: string[] = [];
+  context.after(removals.on('removed', (titles) => removed.push(...titles)));
+  const history = Uint8Array.of(7);
+  for (const id of ['older', 'newer']) await keep(work(id), { ...contents('1234'), history });
+  limit(context, 10);
+  const large = { ...work('large'), savedAt: 0 };
+  const put = () => keep(large, contents('12345678901'));
+  await assert.rejects(put, { name: 'QuotaExceededError' });
+  assert.deepEqual(await ids(), ['newer', 'older']);
+  assert.deepEqual(await contentsOf('older'), {
+    ...contents('1234'),
+    history,
+    progress: undefined,
+  });
+  assert.deepEqual(removed, []);
+  // The next save of it does not try again.
+  const gone = context.mock.method(records, 'delete');
+  await assert.rejects(put);
+  assert.equal(gone.mock.callCount(), 0);
+});
+
+test('a damaged fallback copy holds up no other', async () => {
+  storeUnsaved(work('first'), contents('a model'));
+  const [key] = Object.keys(window.localStorage);
+  window.localStorage.setItem(`${key} damaged`, '{"work":');
+  storeUnsaved(work('second'), contents('a model'));
+  await recoverUnsaved();
+  assert.deepEqual((await ids()).sort(), ['first', 'second']);
+  assert.deepEqual(Object.keys(window.localStorage), []);
 });
 
 test('the fallback copy leaves saved progress that is too long for it', async () => {
