@@ -93,7 +93,7 @@ export class Autosave {
   }
 
   /** Starts or resumes a work after a model has been opened. */
-  async #begin() {
+  async #begin(): Promise<void> {
     const { work, saved, text = null, trial } = this.#files.origin;
     if (trial) return;
     const id = work ?? newId();
@@ -102,14 +102,22 @@ export class Autosave {
     // The user may already have edited the model since it was opened.
     this.#kept = work && !saved?.progress ? { ...NOTHING, text } : NOTHING;
     this.#confirmed = this.#kept;
-    this.#id = this.#lastId = id;
+    this.#lastId = id;
+    // A resumed work was claimed before it was opened. One that is opened again after this tab has let
+    // it go may be that of another tab by now: nothing is saved to it before it is claimed.
+    this.#id = !work || claims.has(id) ? id : '';
     this.#actions.describeFile({ saved: '' });
     setItem(OWN_KEY, id, 'sessionStorage');
     if (claims.get(id) !== this.#release) this.#release();
-    // A resumed work was claimed before it was opened.
-    const release = claims.get(id) ?? (await claim(id)) ?? (() => {});
+    const release = claims.get(id) ?? (await claim(id));
     // Another model has been opened meanwhile: nobody else would let this one go.
-    if (this.#lastId !== id) return release();
+    if (this.#lastId !== id) return release?.();
+    if (!release) {
+      // Both tabs go on, each with a work of its own.
+      this.#files.origin = { ...this.#files.origin, work: undefined };
+      return this.#begin();
+    }
+    this.#id = id;
     this.#release = release;
     await this.save();
     await pruneOldest().catch(() => {});

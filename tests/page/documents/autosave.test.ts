@@ -2,12 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { test, type TestContext } from 'node:test';
-import './storage.ts';
+import { locks } from './storage.ts';
 import { Autosave } from '../../../www/documents/autosave.ts';
-import { contentsOf } from '../../../www/documents/recent-documents.ts';
+import { LOCK_PREFIX, contentsOf } from '../../../www/documents/recent-documents.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore } from '../../../www/store/state.ts';
-import type { Files } from '../../../www/documents/files.ts';
+import type { Files, Origin } from '../../../www/documents/files.ts';
 import type { Loaded } from '../../../www/solver/types.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Actions } from '../../../www/store/actions.ts';
@@ -37,7 +37,7 @@ function started(context: TestContext) {
   globalThis.location = { hash: '' } as Location;
   const solver = new Solver();
   const files = Object.assign(new Emitter<{ opened: void }>(), {
-    ...{ origin: {}, original: null, name: 'roof' },
+    ...{ origin: {} as Origin, original: null, name: 'roof' },
   });
   const store = createStore();
   store.set({ model: { title: '', name: 'roof.obj' } as Loaded });
@@ -84,4 +84,30 @@ test('what is changed just before another file is opened is saved', async (conte
   assert.notEqual(autosave.id, id);
   assert.equal((await contentsOf(id)).text, 'the roof with a window');
   assert.equal((await contentsOf(autosave.id)).text, 'another mesh');
+});
+
+test('a work that is opened again while another tab has it becomes another work', async (context) => {
+  // As by Undo of a new mesh. Both tabs used to save to the same work.
+  const { solver, files, autosave } = started(context);
+  const { id } = autosave;
+  await autosave.save();
+  solver.model(false);
+  files.origin = {};
+  files.emit('opened', undefined);
+  await autosave.save();
+  const lock = LOCK_PREFIX + id;
+  assert.equal(locks.has(lock), false);
+
+  locks.add(lock);
+  solver.model(false);
+  solver.scene('the roof with a door');
+  files.origin = { work: id };
+  files.emit('opened', undefined);
+  solver.scene('the roof with a window');
+  await new Promise((done) => setTimeout(done));
+  await autosave.save();
+  assert.notEqual(autosave.id, id);
+  assert.equal(files.origin.work, autosave.id);
+  assert.equal((await contentsOf(id)).text, 'the roof');
+  assert.equal((await contentsOf(autosave.id)).text, 'the roof with a window');
 });

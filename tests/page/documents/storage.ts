@@ -57,7 +57,8 @@ define('window', {
 define('navigator', {
   locks: {
     query: async () => ({ held: Array.from(locks, (name) => ({ name })) }),
-    async request(name: string, _: LockOptions, hold: (lock: { name: string }) => unknown) {
+    async request(name: string, how: LockOptions, hold: (lock: object | null) => unknown) {
+      if (how.ifAvailable && locks.has(name)) return hold(null);
       locks.add(name);
       await hold({ name });
       locks.delete(name);
