@@ -17,6 +17,7 @@ import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
+import { STARTS_LATER } from '../store/press.ts';
 import type { Store } from '../store/state.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 export type { Example } from '../solver/examples.ts';
@@ -95,6 +96,13 @@ export class Files extends Emitter<{ opened: void }> {
     const { hash, pathname, search } = location;
     const { link = '' } = this.origin;
     if (hash !== link) history.replaceState(null, '', pathname + search + link);
+  }
+
+  /** Waits for what is being opened, and says so. */
+  async untilOpen() {
+    const { coming } = this.openings;
+    if (coming) this.#actions.setStatus(STARTS_LATER);
+    await coming;
   }
 
   /** The digest of the main one of the files opened last. */

@@ -3,6 +3,9 @@
 import type { AppContext, Command } from '../app/context.ts';
 import type { State, Store } from './state.ts';
 
+/** Status while something waits for a model. */
+export const STARTS_LATER = 'Starts when the model is loaded';
+
 /** Commands given before there was a model. */
 const waiting: Set<Command> = new Set();
 
@@ -16,7 +19,7 @@ export const isEnabled: (command: Command, state: State) => boolean = ({ enabled
 export function press(command: Command, store: Store, settled?: () => Promise<void>) {
   const state = store.get();
   if (command.needsModel && !state.document) {
-    if (waiting.size === 0) store.set({ status: 'Starts when the model is loaded' });
+    if (waiting.size === 0) store.set({ status: STARTS_LATER });
     waiting.add(command);
   } else if (isEnabled(command, state)) {
     command.action();

@@ -53,6 +53,7 @@ define('IDBKeyRange', { bound: (low: string, high: string) => [low, high] });
 define('window', {
   ...{ localStorage: new Storage(), sessionStorage: new Storage() },
   addEventListener() {},
+  setTimeout,
 });
 define('navigator', {
   locks: {

@@ -2,7 +2,7 @@
 // it.
 
 import type { Page } from '@playwright/test';
-import { openText, tool } from '../actions.ts';
+import { openText, showStep, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import {
   boxOf,
@@ -183,5 +183,33 @@ test.describe('at an address without encryption', () => {
     await openPage(page);
     await expect(await openNewMesh(page)).toBeVisible();
     await expect(page.getByRole('alert')).toBeEmpty();
+  });
+});
+
+test.describe('on a slow network', () => {
+  test.use({ fresh: true });
+
+  test('a new mesh that is begun before the first model has come gives way to it', async ({
+    page,
+  }) => {
+    // The dialog closed when that came, and a mesh stayed that was never saved.
+    let release = () => {};
+    const held = new Promise<void>((done) => (release = done));
+    await page.route('**/examples/index.json', async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.goto('./');
+    await page.waitForFunction(() => Boolean(window.shapeUp));
+    await showStep(page, 'Open');
+    await page.getByRole('button', { name: 'Draw one' }).click();
+    await expect(page.getByRole('status')).toHaveText('Starts when the model is loaded');
+    release();
+    const dialog = page.getByRole('dialog', { name: 'New mesh' });
+    await expect(dialog).toBeVisible();
+    const { vertices } = await state(page);
+    await waitForState(page, (now, before) => now.vertices !== before, vertices);
+    await dialog.getByRole('button', { name: 'Cancel' }).click();
+    await waitForState(page, (now, before) => now.vertices === before, vertices);
   });
 });

@@ -51,10 +51,9 @@ export async function makePanels(
 }
 
 /** Waits for the next model. Returns whether its panels can be this kind. */
-async function nextTakes({ store, actions, files }: AppContext, id: string) {
+async function nextTakes({ store, files }: AppContext, id: string) {
   const { model: before } = store.get();
-  actions.setStatus('Starts when the model is loaded');
-  await files.openings.coming;
+  await files.untilOpen();
   const { model } = store.get();
   const offered = model?.panels.find(({ kind }) => kind === id);
   return model !== before && offered !== undefined && !offered.reason;

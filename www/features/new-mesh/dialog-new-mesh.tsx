@@ -23,9 +23,12 @@ const SPAN = { id: 'span', label: 'Between curves' };
 
 /** @param first what is chosen at first; by default the first kind */
 export async function newMesh(app: AppContext, first?: { id: string }) {
-  await init({ module_or_path: app.solver.module });
+  const { files, solver } = app;
+  // What is being opened is what comes back after the trials.
+  await files.untilOpen();
+  await init({ module_or_path: solver.module });
   const kinds = newKinds();
-  const trial = new Trial(app, await app.files.asItIs());
+  const trial = new Trial(app, await files.asItIs());
   const open = openMesh(app);
   showDialog(app, { id: 'new-mesh', title: 'New mesh', lasts: true }, ({ close }) => (
     <NewMesh {...{ close, kinds, trial, open }} first={(first ?? kinds[0]).id} />

@@ -1,6 +1,6 @@
 /**
  * The trials of a new mesh: each is opened in place of the one before. Unless the last one is kept,
- * the model that was open before comes back.
+ * the model that was open before comes back, if there was one.
  */
 
 import { signal } from '@preact/signals';
@@ -127,7 +127,9 @@ export class Trial {
     const { files, alerts } = this.#app;
     await this.#making;
     const before = this.#before;
-    if (this.#isKept || !before || this.#isOther()) return;
+    if (this.#isKept || this.#isOther()) return;
+    // The last trial stays as the only model, and is saved as such.
+    if (!before) return files.origin.trial ? files.keepTrial() : undefined;
     await files.open(before.given, before.origin).catch((error) => alerts.error(messageOf(error)));
   }
 
