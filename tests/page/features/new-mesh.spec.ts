@@ -206,10 +206,10 @@ test.describe('on a slow network', () => {
     await expect(page.getByRole('status')).toHaveText('Starts when the model is loaded');
     release();
     const dialog = page.getByRole('dialog', { name: 'New mesh' });
-    await expect(dialog).toBeVisible();
+    await expect(dialog.getByText(/faces, .* vertices\./)).toBeVisible();
     const { vertices } = await state(page);
-    await waitForState(page, (now, before) => now.vertices !== before, vertices);
     await dialog.getByRole('button', { name: 'Cancel' }).click();
-    await waitForState(page, (now, before) => now.vertices === before, vertices);
+    await waitForState(page, (now, tried) => now.vertices !== tried, vertices);
+    await expect(page.getByRole('status')).toContainText('Opened');
   });
 });
