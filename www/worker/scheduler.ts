@@ -168,10 +168,10 @@ export class Scheduler {
     return result;
   }
 
-  /** Requests something of the panels, and runs. */
+  /** Requests something, and runs. What is refused leaves a run as it was. */
   runFor(ask: () => void) {
     this.#endDrag();
-    ask();
+    this.#duringRun(ask);
     this.#isRunning = true;
     this.#isSettled = false;
     // At once: a short run ends before its first frame, and nobody would know of it.
@@ -230,13 +230,22 @@ export class Scheduler {
   /** Returns whether a drag may begin. A refused one is reported, and leaves a run as it was. */
   #beginDrag({ vertices, targets, phase }: Drag) {
     try {
-      this.#solver.drag(vertices, targets, phase);
+      this.#duringRun(() => this.#solver.drag(vertices, targets, phase));
       return true;
     } catch (thrown) {
       if (isTrap(thrown)) throw thrown;
-      if (this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
       this.#post({ type: 'trouble', message: messageOf(thrown) });
       return false;
+    }
+  }
+
+  /** Performs what ends the run in the solver, also if it is then refused: the run goes on then. */
+  #duringRun(action: () => void) {
+    try {
+      action();
+    } catch (thrown) {
+      if (!isTrap(thrown) && this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
+      throw thrown;
     }
   }
 

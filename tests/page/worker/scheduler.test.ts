@@ -187,6 +187,37 @@ test('a refused drag leaves the run and the document as they were', (context) =>
   assert.equal(scheduler.isIterating, true);
 });
 
+test('a refused edit that was to run leaves a run under way', (context) => {
+  // The solver had ended it, and the page showed a run that was none.
+  closeChannel(context);
+  const sent: { type: string; running?: boolean }[] = [];
+  let runs = 0;
+  let isRunning = false;
+  const solver = solverWith({
+    beginRun() {
+      runs += 1;
+      isRunning = true;
+    },
+    isRunning: () => isRunning,
+    editAndRun() {
+      isRunning = false;
+      throw new Error('no length');
+    },
+  });
+  const scheduler = new Scheduler(solver, (message) => sent.push(message), died);
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  const refused = () => scheduler.runFor(() => solver.editAndRun('reset'));
+  // Without a run there is none to go on with.
+  assert.throws(refused, /no length/);
+  assert.deepEqual([runs, scheduler.isIterating], [0, false]);
+  scheduler.run();
+  sent.length = 0;
+  assert.throws(refused, /no length/);
+  assert.deepEqual([runs, isRunning, scheduler.isIterating], [2, true, true]);
+  assert.deepEqual(sent, []);
+});
+
 test('an edit during a drag acts on its latest move, and ends it', (context) => {
   // A target that was typed is a short drag: Undo at once undid the step before it, and the move came
   // to nothing.
