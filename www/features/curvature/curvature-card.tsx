@@ -71,7 +71,8 @@ function Card() {
             unit={document?.units}
             value={distance}
             placeholder={answer ? number(answer.distance) : ''}
-            onAmount={(value) => setDistance(value || null)}
+            isPositive
+            onAmount={setDistance}
             onEmpty={() => setDistance(null)}
           />
           <span class="unit">{document?.units ?? ''}</span>

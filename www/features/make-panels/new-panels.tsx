@@ -112,6 +112,7 @@ type Of = { layouts: Layouts };
 function Sizes({ layouts }: Of) {
   const units = useApp().store.state.document?.units ?? '';
   const { count, size } = layouts.fields.value;
+  const suitable = () => layouts.wish({ count: null, size: null });
   return (
     <div class="sizes">
       <label>
@@ -119,9 +120,11 @@ function Sizes({ layouts }: Of) {
         <AmountField
           name="Panels"
           isWhole
+          isPositive
           isReplaced
           value={count ?? null}
-          onAmount={(to) => layouts.wish({ count: to || null, size: null })}
+          onAmount={(to) => layouts.wish({ count: to, size: null })}
+          onEmpty={suitable}
         />
       </label>
       <label>
@@ -129,9 +132,11 @@ function Sizes({ layouts }: Of) {
         <AmountField
           name="Side"
           unit={units}
+          isPositive
           isReplaced
           value={size ?? null}
-          onAmount={(to) => layouts.wish({ size: to || null, count: null })}
+          onAmount={(to) => layouts.wish({ size: to, count: null })}
+          onEmpty={suitable}
         />
         <span class="unit">{units}</span>
       </label>

@@ -122,6 +122,7 @@ function Requirement({ row: { index, require }, name }: Of) {
           <AmountField
             name={`${name}: within`}
             unit={symbol}
+            isPositive
             value={rounded(length * factor, 6)}
             onAmount={(value) => ask({ within: value / factor })}
           />

@@ -202,9 +202,10 @@ function Hold({ chosen }: { chosen: Handle[] }) {
             name="Weight of the handle"
             value={weight}
             placeholder={weight === null ? MIXED : ''}
+            isPositive
             onAmount={(value) => {
               const vertices = soft.map(({ vertex }) => vertex);
-              if (value > 0) void actions.edit({ weighHandles: { vertices, weight: value } });
+              void actions.edit({ weighHandles: { vertices, weight: value } });
             }}
           />
         </label>
