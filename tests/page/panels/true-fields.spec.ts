@@ -65,6 +65,27 @@ test('Within takes the tolerance as it is, not as it was when the row was opened
     .toEqual({ within: 0.05 });
 });
 
+test('0 is refused with the reason where numbers are above it', async ({ page }) => {
+  await openGrid(page, 4);
+  await addConstraint(page, 'Plane', 'each face');
+  const refuses = async (name: RegExp | string) => {
+    const field = page.getByRole('spinbutton', { name });
+    await field.fill('0');
+    await field.press('Enter');
+    const why = await field.evaluate((one: HTMLInputElement) => one.validationMessage);
+    expect(why).toBe('Expected a number above 0.');
+    await field.press('Escape');
+  };
+  await refuses('Tolerance');
+  await page.getByRole('button', { name: /^Plane.*: parameters/ }).click();
+  await page.getByRole('combobox', { name: /: required/ }).selectOption('within');
+  await refuses(/: within$/);
+  const [x, y] = await page.evaluate(() => window.shapeUp.screen(12) ?? [0, 0]);
+  await page.mouse.dblclick(x, y);
+  await expect(page.getByRole('status')).toHaveText('1 handle added');
+  await refuses('Weight of the handle');
+});
+
 test('what is no decimal number is no tolerance', async ({ page }) => {
   await openGrid(page, 4);
   await addConstraint(page, 'Plane', 'each face');
@@ -75,10 +96,6 @@ test('what is no decimal number is no tolerance', async ({ page }) => {
     const why = await tolerance.evaluate((field: HTMLInputElement) => field.validationMessage);
     expect(why).toBe(`“${typed}” is not a length. Expected 1.5, 1/3 or +0.5.`);
   }
-  await tolerance.fill('0');
-  await tolerance.press('Enter');
-  const why = await tolerance.evaluate((field: HTMLInputElement) => field.validationMessage);
-  expect(why).toBe('Expected a number above 0.');
 });
 
 test('numbers are read as people type them, and the arrow keys change them', async ({ page }) => {
@@ -98,12 +115,12 @@ test('numbers are read as people type them, and the arrow keys change them', asy
     await expect.poll(inScene).toBe(value);
   }
   await weight.press('ArrowUp');
-  await expect.poll(inScene).toBe(1.001);
+  await expect.poll(inScene).toBe(0.0011);
   for (const refused of ['-1', 'much', '2 cm', '']) {
     await weight.fill(refused);
     await weight.press('Enter');
     await weight.blur();
-    await expect(weight).toHaveValue('1.001');
+    await expect(weight).toHaveValue('0.0011');
   }
   // A unit is converted to that of the field.
   const tolerance = page.getByRole('spinbutton', { name: 'Tolerance' });

@@ -151,6 +151,7 @@ function Field({
             min={form.range[0]}
             max={form.range[1]}
             unit={{ '': '', mesh: unit, mm: 'mm', degrees: '' }[form.unit]}
+            step={form.unit === 'degrees' ? 1 : undefined}
             placeholder={absent && 'auto'}
             value={typeof value === 'number' ? value : null}
             onAmount={onValue}

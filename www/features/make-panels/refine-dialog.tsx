@@ -88,7 +88,13 @@ function RefineDialog({ close }: InDialog) {
       </label>
       <label>
         <span>Keep creases above, in degrees</span>
-        <AmountField max={180} value={keep} onAmount={setKeep} onEmpty={() => setKeep(KEEP)} />
+        <AmountField
+          max={180}
+          step={1}
+          value={keep}
+          onAmount={setKeep}
+          onEmpty={() => setKeep(KEEP)}
+        />
       </label>
       {hasRows && (
         <label>

@@ -20,6 +20,7 @@ export function AmountField({
   max,
   isWhole,
   isPositive,
+  step,
   ...rest
 }: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role' | 'min' | 'max' | 'step'> &
   Omit<Accepted, 'present'> & {
@@ -40,7 +41,7 @@ export function AmountField({
   const field = useRef<HTMLInputElement>(null);
   /** Whether Enter was pressed after the last input. */
   const isEntered = useRef(false);
-  const accepted = { unit, min, max, isWhole, isPositive, present: value };
+  const accepted = { unit, min, max, isWhole, isPositive, step, present: value };
   useLayoutEffect(() => {
     const { current } = field;
     if (isReplaced && typed === null && document.activeElement === current) current?.select();

@@ -4,18 +4,15 @@
  */
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
-import { brief, readLength, rounded } from '../words.ts';
+import { brief, readLength } from '../words.ts';
+import { nextNumber, type Steps } from './number-steps.ts';
 import type { ComponentProps, RefObject } from 'preact';
 
-/** Significant digits of decimals, which sums of them keep. */
-const DIGITS = 15;
 /** A range that begins here has all numbers above 0. */
 const ABOVE_ZERO = 2.2250738585072014e-308;
 
 /** What a field accepts. */
-export interface Accepted {
-  /** the symbol of its unit if that is one of length */
-  unit?: string;
+export interface Accepted extends Steps {
   min?: number;
   max?: number;
   /** whether only whole numbers are accepted */
@@ -90,7 +87,7 @@ export function NumberInput({
       }}
       onKeyDown={(event) => {
         onKeyDown?.(event);
-        const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+        const by = ({ ArrowUp: 1, ArrowDown: -1 } as const)[event.key];
         const isModified = event.shiftKey || event.altKey || event.ctrlKey || event.metaKey;
         if (!by || isModified || event.defaultPrevented) return;
         event.preventDefault();
@@ -101,12 +98,12 @@ export function NumberInput({
   );
 }
 
-/** Changes the number in a field by one, as if it had been typed and entered. */
-function step(field: HTMLInputElement, by: number, accepted: Accepted) {
+/** Changes the number in a field by a step, as if it had been typed and entered. */
+function step(field: HTMLInputElement, by: 1 | -1, accepted: Accepted) {
   const number = numberIn(field, accepted);
   if (!field.reportValidity()) return;
-  const { min = -Infinity, max = Infinity } = accepted;
-  const next = rounded((number ?? 0) + by, DIGITS);
+  const { min = -Infinity, max = Infinity, isWhole } = accepted;
+  const next = nextNumber(number ?? 0, by, isWhole ? { step: 1 } : accepted);
   field.value = String(Math.min(Math.max(next, min), max));
   field.dispatchEvent(new Event('input', { bubbles: true }));
   field.dispatchEvent(new Event('change', { bubbles: true }));

@@ -113,6 +113,7 @@ function Parameter({
   /** What a number may be; a null is an infinite limit. */
   const accepted = (at: number): Accepted => ({
     unit: param.unit === 'length' ? frame.units : '',
+    step: param.unit === 'degrees' ? 1 : undefined,
     min: min ?? -Infinity,
     max: max ?? Infinity,
     present: numbers[at],
