@@ -40,7 +40,8 @@ import type {
  *   idle: for autosave, to restore a worker that died, and for the second worker; `generation` is
  *   that of its problem and shape. `progress`: at intervals, the progress
  *   of a run or a drag since then.
- * - `frame`: a state of the iteration. `values` are those of `measure`, `#F`, and `greatest` is the
+ * - `frame`: a state of the iteration. `generation` is that of its problem and shape, as in `scene`,
+ *   before or after which it may come. `values` are those of `measure`, `#F`, and `greatest` is the
  *   largest absolute one; `corners`, for measures of vertices, those of the vertices, `#V`, whose
  *   maximum a face has; `shapes` the fitted shapes, eight numbers each; `projections` the projected
  *   points of the constraints; `answers` the time of the latest drag move that it shows, and the
@@ -70,6 +71,7 @@ export type FromWorker =
   | { type: 'progress'; bytes: Uint8Array; iteration: number }
   | {
       type: 'frame';
+      generation: number;
       numbers: Numbers;
       positions: Float64Array;
       measure: Measure | null;

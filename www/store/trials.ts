@@ -28,23 +28,21 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
   let [turn, changes] = [0, 0];
   /** Settled when the last trial has ended. */
   let last: Promise<unknown> = Promise.resolve();
-  /** Generations of the problem and of the shape as last known. */
-  let [problem, shape]: (number | undefined)[] = [];
+  /** Generation of problem and shape as last known. */
+  let known: number | undefined;
 
   const end = () => {
     turn += 1;
     changes += 1;
   };
   solver.on('model', end);
-  solver.on('scene', ({ generation }) => {
-    if (generation !== problem) end();
-    problem = generation;
-  });
-  // A run or a drag moves it.
-  solver.on('frame', () => {
-    if (solver.geometry?.generation !== shape) end();
-    shape = solver.geometry?.generation;
-  });
+  const follow = ({ generation }: { generation: number }) => {
+    if (generation !== known) end();
+    known = generation;
+  };
+  // An edit changes the problem; a run or a drag moves the shape.
+  solver.on('scene', follow);
+  solver.on('frame', follow);
 
   /**
    * Tries until all is done.

@@ -72,6 +72,7 @@ export class Frames {
     this.#post(
       {
         ...{ type: 'frame', numbers: solver.frame(iterating), positions, measure },
+        generation: solver.generation(),
         greatest: found?.greatest ?? 0,
         ...{ ...parts, projections: projected, answers: answers() },
       },

@@ -7,17 +7,19 @@ import { Emitter } from '../../../www/solver/emitter.ts';
 import type { JobsClient } from '../../../www/solver/jobs-client.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 
-type Heard = { frame: object; scene: { generation: number } };
-type Fake = Emitter<Heard> & { geometry: { generation: number } };
+type Heard = { frame: { generation: number }; scene: { generation: number } };
+type Fake = Emitter<Heard>;
 
 /** What each trial finds. */
 const FOUND = { offer: 'the cost', shape: 'the shape', positions: [] };
 
-/** Trials of many steps; `during` is called after the first. */
-function trials(during: (solver: Fake) => void) {
+/**
+ * Trials of many steps; `during` is called after the first.
+ * @param scene the generation of the scene, if its frame is still to come
+ */
+function trials(during: (solver: Fake) => void, scene = 5) {
   const solver = Object.assign(new Emitter<Heard>(), {
     copy: () => ({ text: 'the scene', generation: 5 }),
-    geometry: { generation: 1 },
   });
   let steps = 0;
   const begun: unknown[] = [];
@@ -50,19 +52,25 @@ function trials(during: (solver: Fake) => void) {
     solver as unknown as SolverClient,
     { ask, copy } as unknown as JobsClient,
   );
-  solver.emit('scene', { generation: 5 });
-  solver.emit('frame', {});
+  solver.emit('frame', { generation: 5 });
+  solver.emit('scene', { generation: scene });
   return { made, begun, steps: () => steps };
 }
 
 test('a trial runs to its end on a copy of the model', async () => {
   const { made, begun, steps } = trials((solver) => {
     solver.emit('scene', { generation: 5 });
-    solver.emit('frame', {});
+    solver.emit('frame', { generation: 5 });
   });
   assert.deepEqual(await made.exactOffer(() => true), FOUND);
   assert.deepEqual(begun, [{ text: 'the scene', generation: 5 }]);
   assert.equal(steps(), 9, 'a setting of the build changes neither problem nor shape');
+});
+
+test('a trial that begins with a scene goes on when the frame of that comes', async () => {
+  const { made, steps } = trials((solver) => solver.emit('frame', { generation: 6 }), 6);
+  assert.deepEqual(await made.exactOffer(() => true), FOUND);
+  assert.equal(steps(), 9);
 });
 
 test('a trial that waits does not replace what the one before has found until it is read', async () => {
@@ -73,13 +81,7 @@ test('a trial that waits does not replace what the one before has found until it
 });
 
 for (const [what, during] of [
-  [
-    'a run or a drag',
-    (solver: Fake) => {
-      solver.geometry.generation += 1;
-      solver.emit('frame', {});
-    },
-  ],
+  ['a run or a drag', (solver: Fake) => solver.emit('frame', { generation: 6 })],
   ['an edit', (solver: Fake) => solver.emit('scene', { generation: 6 })],
 ] as const)
   test(`${what} ends a trial, and what was found is dropped`, async () => {

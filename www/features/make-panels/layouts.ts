@@ -31,12 +31,11 @@ const AT_FIRST: Wishes = {
   even: 0.25,
 };
 
-/** Panels with what they were asked for, and the generations of the model and of the shape. */
+/** Panels with what they were asked for, and the generation of the model. */
 interface LaidOutFor {
   panels: LaidOut;
   asked: Wishes;
   generation: number;
-  shape: number | undefined;
 }
 
 /** Time without another wish after which both choices at the boundary are forecast. */
@@ -64,6 +63,8 @@ export class Layouts {
   /** The number of layouts that were begun. */
   #turn = 0;
   #isForecasting = false;
+  /** Whether panels were removed, and none are laid out in their place yet. */
+  #isWithdrawn = false;
   #isOpen = false;
 
   /** @param close leaves the layouts: another model was opened, or the first one was cancelled */
@@ -86,13 +87,15 @@ export class Layouts {
       store.subscribe(['model'], ({ model }) => {
         if (model !== about) this.#close();
       }),
-      solver.on('frame', () => {
+      solver.on('frame', ({ generation }) => {
         const laidOut = this.laidOut.value;
-        if (laidOut && laidOut.shape !== solver.geometry?.generation) this.#withdraw();
+        if (laidOut && laidOut.generation !== generation) this.#withdraw();
+        // The shape is back, as after a variation that was only shown.
+        else if (this.#isWithdrawn && generation === solver.copy()?.generation) this.#update();
       }),
       // The solver is idle again, after a change.
-      solver.on('scene', () => {
-        if (this.laidOut.value?.generation !== solver.copy()?.generation) this.#update();
+      solver.on('scene', ({ generation }) => {
+        if (this.laidOut.value?.generation !== generation) this.#update();
       }),
       viewport.on('ready', () => this.#draw()),
     ];
@@ -140,6 +143,7 @@ export class Layouts {
   }
 
   #update() {
+    this.#isWithdrawn = false;
     this.forecast.value = null;
     this.#ask();
   }
@@ -154,7 +158,6 @@ export class Layouts {
     const model = solver.copy();
     if (!this.#isOpen || !model) return;
     this.#turn += 1;
-    const shape = solver.geometry?.generation;
     this.doing.value = 'Laying out panels …';
     const asked = this.wishes.value;
     const { keeps, ...settings } = asked;
@@ -164,7 +167,7 @@ export class Layouts {
       // Another wish, or another shape, has come meanwhile.
       if (!this.#isOpen || this.#layouts.hasNext()) return;
       this.#refused.value = null;
-      this.#show({ panels, asked, generation: model.generation, shape });
+      this.#show({ panels, asked, generation: model.generation });
       if (panels.boundary)
         void this.#foretell(() => jobs.copy(model).panelsAtBoundaries(settings, kept));
     } catch (error) {
@@ -213,6 +216,7 @@ export class Layouts {
 
   /** Removes panels that are for another shape. */
   #withdraw() {
+    this.#isWithdrawn = true;
     this.laidOut.value = null;
     this.said.value = { words: 'The shape has changed …', notes: [] };
   }

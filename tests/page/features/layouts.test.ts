@@ -1,0 +1,80 @@
+// To which shape the layouts of new panels belong.
+
+import assert from 'node:assert/strict';
+import { test, type TestContext } from 'node:test';
+import { Layouts } from '../../../www/features/make-panels/layouts.ts';
+import { Emitter } from '../../../www/solver/emitter.ts';
+import { createStore } from '../../../www/store/state.ts';
+import type { AppContext } from '../../../www/app/context.ts';
+
+/** The parts of the solver that layouts follow. */
+class Solver extends Emitter<{ scene: object; frame: object }> {
+  generation = 1;
+
+  copy() {
+    return { text: '', generation: this.generation };
+  }
+  scene(generation: number) {
+    this.generation = generation;
+    this.emit('scene', { generation });
+  }
+  frame(generation: number) {
+    this.emit('frame', { generation });
+  }
+}
+
+/** Layouts of panels that know for which generation they were laid out. */
+async function begun(context: TestContext) {
+  const solver = new Solver();
+  const jobs = Object.assign(new Emitter<object>(), {
+    cancel() {},
+    copy: ({ generation }: { generation: number }) => ({
+      layOutPanels: async () => ({ words: `for ${generation}`, notes: [], count: 1, size: 1 }),
+    }),
+  });
+  const viewport = Object.assign(new Emitter<object>(), { unmeasured() {} });
+  const actions = { display() {} };
+  const app = { store: createStore(), solver, jobs, viewport, actions };
+  const layouts = new Layouts(app as unknown as AppContext, () => {});
+  context.after(layouts.begin());
+  await answered();
+  return { solver, said: () => layouts.said.value.words };
+}
+
+const answered = () => new Promise((done) => setTimeout(done));
+
+test('panels for a changed shape stay when the frame with it comes after them', async (context) => {
+  // They were for the shape before that frame: the next one removed them, and none came again.
+  const { solver, said } = await begun(context);
+  assert.equal(said(), 'for 1');
+  solver.scene(2);
+  await answered();
+  assert.equal(said(), 'for 2');
+  solver.frame(2);
+  // Another measure has a frame, too.
+  solver.frame(2);
+  await answered();
+  assert.equal(said(), 'for 2');
+});
+
+test('a shape that moves removes the panels, and at rest it has some again', async (context) => {
+  const { solver, said } = await begun(context);
+  for (const generation of [2, 3]) {
+    solver.frame(generation);
+    await answered();
+    assert.equal(said(), 'The shape has changed …');
+  }
+  solver.scene(4);
+  solver.frame(4);
+  await answered();
+  assert.equal(said(), 'for 4');
+});
+
+test('after a shape that was only shown there are panels again', async (context) => {
+  const { solver, said } = await begun(context);
+  solver.frame(2);
+  assert.equal(said(), 'The shape has changed …');
+  solver.frame(1);
+  await answered();
+  assert.equal(said(), 'for 1');
+});
