@@ -226,7 +226,9 @@ impl Parts {
         }
         // On a boundary that stays exactly on its curves, corners ignore soft handles.
         if self.gliding.is_some() {
-            corners.for_each(|corner| fixed[corner] = true);
+            for corner in corners {
+                (fixed[corner], held[corner]) = (true, true);
+            }
             hold_both_sides(system, &mut held);
         }
         let pinned = pins(node_of, system.components(), &held);

@@ -167,6 +167,32 @@ fn a_soft_handle_pulls_along_the_curve_and_a_fixed_one_takes_its_vertex_off() {
 }
 
 #[test]
+fn corners_hold_a_mesh_whatever_the_order_of_its_vertices() {
+    // The apex of a tent was pinned if it came first in the file, and stayed up.
+    let [apex, corners] = [[0.0, 0.0, 1.0], [-1.0, 1.0, 0.0]];
+    let around =
+        |low: f64, high: f64| [[low, low, 0.0], [high, low, 0.0], [high; 3], [low, high, 0.0]];
+    for first in [true, false] {
+        let mut positions = around(corners[0], corners[1]).map(|[x, y, _]| [x, y, 0.0]).to_vec();
+        positions.insert(if first { 0 } else { 4 }, apex);
+        let mut mesh = Mesh { positions, ..Mesh::default() };
+        let place = |corner: u32| corner + u32::from(first);
+        for k in 0..4 {
+            mesh.faces.push(&[place(k), place((k + 1) % 4), if first { 0 } else { 4 }]);
+        }
+        let mut session = opened(
+            &mesh,
+            r#""constraints": [{ "kind": "plane", "on": { "vertices": "0-4" } }],
+               "weights": { "shape": 1, "close": 0 },
+               "closeness": { "boundary": { "require": "exact", "corners": 45 } }"#,
+        );
+        session.solve(false).expect("positions stay finite");
+        let height = session.positions()[if first { 0 } else { 4 }][2];
+        assert!(height.abs() < 1e-6, "{first}: {height}");
+    }
+}
+
+#[test]
 fn a_mesh_that_is_all_boundary_stays_on_it() {
     let strip = grid(6, 1, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * i)]);
     for close in [0, 1] {
