@@ -67,10 +67,10 @@ impl BlockMatrix {
     }
 
     /// Approximate size in bytes of such a matrix with its factor, if the scalar factor has
-    /// `nonzeros`.
-    pub(crate) fn bytes(nonzeros: usize) -> usize {
+    /// `nonzeros`. A real number: in a browser a `usize` has 32 bits.
+    pub(crate) fn bytes(nonzeros: f64) -> f64 {
         // 5/3 for the factor, the waiting fronts and the matrix.
-        nonzeros * (BLOCK * BLOCK) as usize * size_of::<f64>() * 5 / 3
+        nonzeros * (BLOCK * BLOCK) as f64 * size_of::<f64>() as f64 * 5.0 / 3.0
     }
 
     /// Sets this to the scalar matrix `entries`, in the pattern of the analysis, for each of x, y

@@ -65,7 +65,7 @@ const GAINED: f64 = 0.8;
 const NEARLY_MET: f64 = 100.0;
 
 /// Greatest size of the factor of the polish in bytes; larger problems end with the approach.
-const MOST_BYTES: usize = 400_000_000;
+const MOST_BYTES: f64 = 400e6;
 
 /// With smoothness, the block factor of the polish has at most this fraction of the nonzeros of the
 /// scalar factor, for each entry of a block: it couples only neighbours, see [`springs`]. On meshes
@@ -74,7 +74,7 @@ const COUPLED: f64 = 0.6;
 
 /// Greatest number of pairs of points that constraints couple: each constraint couples all its
 /// points in the system of the polish.
-const MOST_COUPLED: usize = 20_000_000;
+const MOST_COUPLED: f64 = 20e6;
 
 /// Greatest sum of the cubes of the numbers of coordinates of the constraints: what their normal
 /// spaces cost. One constraint on 500 points takes a second natively, and a few in a browser.
@@ -411,7 +411,7 @@ impl Exact {
     /// are those of the factor with all rows soft; `is_smooth` is whether smoothness has a weight.
     pub fn is_too_large(nonzeros: usize, is_smooth: bool) -> bool {
         let coupled = if is_smooth { COUPLED } else { 1.0 };
-        BlockMatrix::bytes((coupled * nonzeros as f64) as usize) > MOST_BYTES
+        BlockMatrix::bytes(coupled * nonzeros as f64) > MOST_BYTES
     }
 
     /// Returns the distance to which exact constraints are met if the polish would not fit in
@@ -441,10 +441,11 @@ pub(super) fn polish_fits(
     nonzeros: usize,
 ) -> bool {
     let hard = problem.constraints.iter().zip(requirements.rows).filter(|(_, it)| it.is_hard());
-    let (mut coupled, mut cubes) = (0, 0.0);
+    let (mut coupled, mut cubes) = (0.0, 0.0);
     for members in hard.flat_map(|(row, _)| row.members.iter()) {
-        coupled += members.len() * members.len();
-        cubes += (3.0 * members.len() as f64).powi(3);
+        let size = members.len() as f64;
+        coupled += size * size;
+        cubes += (3.0 * size).powi(3);
     }
     coupled <= MOST_COUPLED
         && cubes <= MOST_CUBES
