@@ -2,12 +2,10 @@
 
 use super::Session;
 use crate::math::twice_vector_area;
-use crate::mesh::Point;
 use crate::scene::{Variant, Variants};
 use crate::session::Error;
 use crate::solve::Moved;
 use serde::Serialize;
-use std::rc::Rc;
 
 /// The numbers of a variant.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -37,42 +35,32 @@ impl Session {
     ///
     /// # Errors
     /// Never in practice: positions alone do not make the system singular.
-    pub fn variant_table(&mut self, tolerance: f64) -> Result<Vec<VariantRow>, Error> {
-        let here = Rc::clone(self.scene.positions());
+    pub fn variant_table(&self, tolerance: f64) -> Result<Vec<VariantRow>, Error> {
         let Variants { kept, design } = self.document().variants.clone();
+        if kept.is_empty() {
+            return Ok(Vec::new());
+        }
+        // This session may be running, and what was measured of its shape stays.
+        let mut copy = Session::open(self.scene(), self.mesh().clone())?;
         let rows = kept.into_iter().enumerate().map(|(index, Variant { name, positions })| {
-            let is_current = *positions == *here;
-            self.at(positions, |session| {
-                let verdict = session.verdict(tolerance);
-                let (panels, within) = verdict.map_or((0, 0), |it| (it.of, it.within));
-                VariantRow {
-                    name,
-                    is_design: design == Some(index),
-                    is_current,
-                    distance: session.hard_distance().map(|(most, _, _)| most),
-                    moved: session.moved(),
-                    area: session.area(),
-                    panels,
-                    beyond: panels - within,
-                }
+            let is_current = *positions == **self.scene.positions();
+            let mut change = copy.scene.snapshot();
+            change.positions = positions;
+            copy.scene.exchange(&copy.rest, &mut change)?;
+            let verdict = copy.verdict(tolerance);
+            let (panels, within) = verdict.map_or((0, 0), |it| (it.of, it.within));
+            Ok(VariantRow {
+                name,
+                is_design: design == Some(index),
+                is_current,
+                distance: copy.hard_distance().map(|(most, _, _)| most),
+                moved: copy.moved(),
+                area: copy.area(),
+                panels,
+                beyond: panels - within,
             })
         });
         rows.collect()
-    }
-
-    /// Evaluates `ask` at other positions, `#V by 3`, and restores the current ones.
-    fn at<T>(
-        &mut self,
-        positions: Rc<[Point]>,
-        ask: impl FnOnce(&mut Session) -> T,
-    ) -> Result<T, Error> {
-        let (mut change, generation) = (self.scene.snapshot(), self.generation());
-        change.positions = positions;
-        self.scene.exchange(&self.rest, &mut change)?;
-        let answer = ask(self);
-        self.scene.exchange(&self.rest, &mut change)?;
-        self.scene.restored(generation);
-        Ok(answer)
     }
 
     fn area(&self) -> f64 {

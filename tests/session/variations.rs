@@ -204,6 +204,12 @@ fn variants_are_saved_gone_to_compared_and_taken_away() {
         assert!(row.area > 20.0 && row.moved.max > 0.0);
         assert_eq!((row.panels, row.beyond), (25, 0));
     }
+    // Nor does it disturb what is known of the shape.
+    opened.solve(false).expect("solvable");
+    opened.set_build_numbers(vec![("sheets".to_owned(), 3.0)]);
+    let before = (opened.converged(), opened.iteration(), opened.goals(), opened.exact());
+    opened.variant_table(1e-6).expect("solvable");
+    assert_eq!((opened.converged(), opened.iteration(), opened.goals(), opened.exact()), before);
     let refused = opened.edit(Edit::RemoveVariant { index: 1 });
     assert!(refused.is_err_and(|error| error.to_string().contains("this shape is open")));
     opened.edit(Edit::RemoveVariant { index: 0 }).expect("it is not the design");

@@ -101,8 +101,8 @@ impl Solver {
 
     /// Returns the numbers of the variants that were kept.
     #[wasm_bindgen(js_name = variantTable)]
-    pub fn variant_table(&mut self) -> Result<Vec<Js<VariantRow>>, JsValue> {
-        let session = self.open_mut()?;
+    pub fn variant_table(&self) -> Result<Vec<Js<VariantRow>>, JsValue> {
+        let session = self.open()?;
         plains(&session.variant_table(session.tolerance()).map_err(thrown)?)
     }
 
