@@ -9,7 +9,7 @@ use super::state::{Part, RowValues, Settings};
 use crate::math::Vec3;
 use crate::mesh::Point;
 use crate::scene::{
-    AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, Lock, SmoothnessOf, all_faces,
+    AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, Lock, Pose, SmoothnessOf, all_faces,
 };
 use crate::session::Error;
 use crate::solve::{Exact, ExactAnswer, Require, Solver, farthest};
@@ -55,9 +55,10 @@ impl Session {
     /// beside it. Constraints on all faces are panels, which are where the original is.
     fn is_asked_elsewhere(&self) -> bool {
         let (rest, rows) = (&self.rest, &self.document().constraints);
+        let pose = self.document().pose.as_ref().and_then(Pose::positions);
         let is_far = |row: &ConstraintSpec, constraints| {
             row.on != all_faces()
-                && farthest(rest.mesh(), rest.positions(), constraints) > rest.mean_edge()
+                && farthest(rest.mesh(), pose, rest.positions(), constraints) > rest.mean_edge()
         };
         self.scene.enabled_rows().any(|row| is_far(&rows[row], &self.rows()[row].constraints))
     }

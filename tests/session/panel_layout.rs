@@ -2,6 +2,7 @@
 //! undo, and refusals.
 
 use crate::session::refine::{everything, open};
+use serde_json::json;
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Surface};
 use shape_up::quads::{Boundary, RemeshStage};
@@ -107,6 +108,16 @@ fn circular_panels_after_them_stay_near_the_surface_before_them() {
     };
     let farthest = session.positions().iter().map(far).fold(0.0, f64::max);
     assert!(farthest > 0.0 && verdict.surface.max >= farthest, "{farthest} {verdict:?}");
+    // Against another original it is measured anew, though nothing moves.
+    let there = session.face_values("surface").expect("it is a measure");
+    session
+        .edit(Edit::Set { id: "closeness".to_owned(), value: json!("rest") })
+        .expect("a setting");
+    assert!(!session.verdict(1e-3).expect("panels").is_on_other);
+    assert_ne!(session.face_values("surface").expect("it is a measure"), there);
+    session.undo().expect("it can be solved");
+    assert!(session.verdict(1e-3).expect("panels").is_on_other);
+    assert_eq!(session.face_values("surface").expect("it is a measure"), there);
     assert!(verdict.surface.max < 0.1 * layout.size, "{verdict:?}");
     let words = session.verdict_words(&verdict).full();
     assert!(words.contains("of the surface that they were laid out on"), "{words}");

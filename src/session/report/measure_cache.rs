@@ -2,7 +2,7 @@
 //! them.
 
 use crate::math::Vec3;
-use crate::mesh::{Measures, Point, Surface};
+use crate::mesh::{Measures, Mesh, Point, Surface};
 use crate::session::run::ShapeMeasure;
 use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::clock;
@@ -17,6 +17,8 @@ pub(crate) struct MeasureCache(RefCell<Measured>);
 struct Measured {
     /// The shape, `#V by 3`.
     positions: Option<Rc<[Point]>>,
+    /// The other surface that it was measured against, if it is close to one.
+    target: Option<Rc<Mesh>>,
     measures: Option<Rc<Measures>>,
     /// The last measures, of this or an earlier shape, and their time in seconds.
     recent: Option<(Rc<Measures>, f64)>,
@@ -34,7 +36,7 @@ impl MeasureCache {
     /// Returns planarity and circularity of the faces of the current shape.
     pub(crate) fn measures(&self, scene: &SolvedScene, rest: &RestMesh) -> Rc<Measures> {
         let mut measured = self.0.borrow_mut();
-        measured.begin(scene.positions());
+        measured.begin(scene);
         let Measured { measures, recent, .. } = &mut *measured;
         let measure = || {
             let new = Measures::new(scene.positions(), &rest.mesh().faces, rest.diameter());
@@ -61,7 +63,7 @@ impl MeasureCache {
     /// Returns the measure of the current shape against the original.
     pub(crate) fn shape_measure(&self, scene: &SolvedScene, rest: &RestMesh) -> Rc<ShapeMeasure> {
         let mut measured = self.0.borrow_mut();
-        measured.begin(scene.positions());
+        measured.begin(scene);
         let target = scene.document().closeness.target_mesh();
         let measure = || Rc::new(ShapeMeasure::of(scene.positions(), rest, target));
         Rc::clone(measured.shape.get_or_insert_with(measure))
@@ -70,7 +72,7 @@ impl MeasureCache {
     /// Returns the distance of each vertex to the surface of the opened model, `#V`, in its unit.
     pub(crate) fn surface_distances(&self, scene: &SolvedScene, rest: &RestMesh) -> Rc<[f64]> {
         let mut measured = self.0.borrow_mut();
-        measured.begin(scene.positions());
+        measured.begin(scene);
         let Measured { surface_distances, closest, .. } = &mut *measured;
         let search = || {
             let (surface, centre) = original(scene, rest);
@@ -82,27 +84,34 @@ impl MeasureCache {
     /// Stores numbers of the current shape that were computed elsewhere, by name.
     pub(crate) fn set_external_numbers(&self, scene: &SolvedScene, values: Vec<(String, f64)>) {
         let mut measured = self.0.borrow_mut();
-        measured.begin(scene.positions());
+        measured.begin(scene);
         measured.external_numbers = values;
     }
 
     /// Returns a number of the current shape that was computed elsewhere; none if it was not.
     pub(crate) fn external_number(&self, scene: &SolvedScene, name: &str) -> Option<f64> {
         let mut measured = self.0.borrow_mut();
-        measured.begin(scene.positions());
+        measured.begin(scene);
         measured.external_numbers.iter().find(|(own, _)| own == name).map(|(_, value)| *value)
     }
 }
 
 impl Measured {
-    /// Removes the measures of another shape, but keeps the closest triangles as initial guesses.
-    fn begin(&mut self, positions: &Rc<[Point]>) {
+    /// Removes the measures of another shape, or against another original, but of the same original
+    /// keeps the closest triangles as initial guesses.
+    fn begin(&mut self, scene: &SolvedScene) {
+        let (positions, target) = (scene.positions(), scene.document().closeness.target_mesh());
         let is_same = |known: &Rc<[Point]>| Rc::ptr_eq(known, positions) || known == positions;
         if !self.positions.as_ref().is_some_and(is_same) {
             (self.measures, self.shape, self.surface_distances) = (None, None, None);
             self.external_numbers.clear();
         }
         self.positions = Some(Rc::clone(positions));
+        if self.target.as_ref().map(Rc::as_ptr) != target.map(Rc::as_ptr) {
+            (self.shape, self.surface_distances) = (None, None);
+            self.closest.clear();
+        }
+        self.target = target.map(Rc::clone);
     }
 }
 

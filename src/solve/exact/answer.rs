@@ -3,7 +3,7 @@
 
 use super::hard_rows::{HardBatch, HardRows};
 use super::model::Model;
-use super::requirement::{LONGER, Require};
+use super::requirement::{GUARD_MARGIN, Require};
 use crate::constraint::{Reference, Row};
 use crate::math::{Lane, key_of_number, sort_by_number};
 use crate::mesh::{Mesh, Point};
@@ -96,7 +96,7 @@ pub struct ExactAnswer {
 
 /// A guarded edge counts as on the guard up to this fraction above its bound: the guard aims a
 /// little higher if a tolerance is enough.
-const ON_GUARD: f64 = 2.0 * LONGER;
+const ON_GUARD: f64 = 2.0 * GUARD_MARGIN;
 
 impl Model {
     /// Returns the output positions, `#V by 3`.
@@ -209,14 +209,21 @@ fn distance(a: Row, b: Row) -> f64 {
 }
 
 /// Returns the greatest distance of a vertex at `positions` (`#V by 3`) to the shape of one of the
-/// `constraints`, with `mesh` as the rest shape, in the unit of `mesh`.
-pub fn farthest(mesh: &Mesh, positions: &[Point], constraints: &Constraints) -> f64 {
+/// `constraints`, in the unit of `mesh`. The rest shape is `mesh`, or the `pose` (`#V by 3`) for the
+/// kinds that take theirs from one.
+pub fn farthest(
+    mesh: &Mesh,
+    pose: Option<&[Point]>,
+    positions: &[Point],
+    constraints: &Constraints,
+) -> f64 {
     let (centre, _) = centre_and_extent(mesh);
     let rows = |points: &[Point]| -> Vec<Row> {
         points.iter().map(|&point| relative(point, centre)).collect()
     };
     let surface = || Rc::new(rest_surface(mesh, centre));
-    let reference = Reference { surface: &surface, pose: None };
+    let pose = pose.map(rows);
+    let reference = Reference { surface: &surface, pose: pose.as_deref() };
     let own_nodes: Vec<u32> = (0..positions.len() as u32).collect();
     let hard = [(constraints, None, Require::Exact)];
     HardRows::new(&hard, &own_nodes, &rows(&mesh.positions), &reference)

@@ -58,7 +58,7 @@ impl Requirements<'_> {
 
 /// If a tolerance is enough for all other constraints, the guard aims at edges longer by this
 /// fraction, so that the approach can end without meeting it exactly.
-pub(super) const LONGER: f64 = 0.01;
+pub(super) const GUARD_MARGIN: f64 = 0.01;
 
 /// The guarded edges.
 pub(super) struct Guard {
@@ -93,7 +93,7 @@ impl Guard {
             !faces.is_empty() && is_asked && !ends.iter().all(|v| fixed.contains(v))
         });
         let members: Ragged = guarded.map(|(ends, _)| ends).collect();
-        let aim = if all_within { Lane::min((1.0 + LONGER) * ratio, 1.0) } else { ratio };
+        let aim = if all_within { Lane::min((1.0 + GUARD_MARGIN) * ratio, 1.0) } else { ratio };
         let lengths = members.iter().map(|ends| length(mesh, ends)).filter(|length| *length > 0.0);
         let shortest = lengths.fold(f64::INFINITY, Lane::min);
         // Each end may be this far from positions at which the edge is long enough.
