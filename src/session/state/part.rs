@@ -2,6 +2,7 @@
 //! inverse: an edit and its undo move one part, and copy nothing else of the scene.
 
 use crate::constraint::{Kind, Selector, Set};
+use crate::mesh::Mesh;
 use crate::scene::{
     BoundaryCloseness, BoundaryRequire, BuildSettings, ChosenAttempt, ClosenessTo, ClosenessWeight,
     ConstraintSpec, EasedFaces, Goal, Lesson, Pose, Scene, Slide, Smoothness, SolverSettings,
@@ -9,6 +10,7 @@ use crate::scene::{
 };
 use crate::solve::{Problem, Require};
 use std::mem::{size_of_val, swap};
+use std::rc::Rc;
 
 /// One part of a scene, with another value than in the scene.
 #[derive(Clone)]
@@ -135,7 +137,8 @@ impl Settings {
     /// Returns the settings with the vertices of the boundary exactly on it.
     pub(crate) fn on_boundary(mut self) -> Settings {
         self.attempt.holds_boundary |= self.boundary.is_none();
-        let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..Default::default() };
+        let boundary = self.boundary.unwrap_or_default();
+        let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..boundary };
         Settings { boundary: Some(exact), ..self }
     }
 
@@ -144,6 +147,22 @@ impl Settings {
         problem.weights = self.weights;
         problem.closeness_to = self.to;
         problem.boundary_closeness = self.boundary;
+    }
+
+    /// Memory in bytes of the target and the pose, without those that `other` settings share.
+    pub(crate) fn bytes_beside(&self, other: Option<&Settings>) -> usize {
+        let target = |it: &Settings| it.target.as_ref().and_then(Target::mesh).cloned();
+        let pose = |it: &Settings| match &it.pose {
+            Some(Pose::Positions(pose)) => Some(Rc::clone(pose)),
+            _ => None,
+        };
+        let (target_there, pose_there) = (other.and_then(target), other.and_then(pose));
+        let own_target =
+            target(self).filter(|own| !target_there.is_some_and(|it| Rc::ptr_eq(&it, own)));
+        let own_pose = pose(self).filter(|own| !pose_there.is_some_and(|it| Rc::ptr_eq(&it, own)));
+        let of_mesh =
+            |mesh: Rc<Mesh>| size_of_val(&*mesh.positions) + size_of_val(mesh.faces.indices());
+        own_target.map_or(0, of_mesh) + own_pose.map_or(0, |pose| size_of_val(&*pose))
     }
 
     pub(crate) fn with_weights(self, weights: Weights) -> Settings {
@@ -291,6 +310,7 @@ impl Part {
     pub(crate) fn bytes(&self) -> usize {
         let held = match self {
             Part::Units(text) | Part::RowName(_, text) => text.len(),
+            // See [`Settings::bytes_beside`].
             Part::Up(_) | Part::Tolerance(_) | Part::Settings(_) => 0,
             Part::RowValues(_, values) => bytes_of_eased(values.eased.as_ref()),
             Part::Lesson(lesson) => lesson.as_ref().map_or(0, bytes_of_lesson),
@@ -358,4 +378,35 @@ fn bytes_of_step(step: &Slide) -> usize {
 
 fn bytes_of_lesson(lesson: &Lesson) -> usize {
     lesson.text.len() + lesson.goals.len() * size_of::<Goal>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::MeshSource;
+
+    #[test]
+    fn a_boundary_that_the_user_has_set_keeps_its_corners_and_weight() {
+        // An attempt replaced them by the defaults, for good.
+        let mut settings = Settings::of(&Scene::new(MeshSource::Inline(Box::default())));
+        let own = BoundaryCloseness { weight: 5.0, corners: 30.0, ..BoundaryCloseness::default() };
+        settings.boundary = Some(own);
+        let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..own };
+        assert_eq!(settings.on_boundary().boundary, Some(exact));
+    }
+
+    #[test]
+    fn surfaces_that_were_tried_count_towards_the_limit_of_undo_once() {
+        // The meshes of all of them stayed in memory.
+        let mesh = || Mesh { positions: vec![[0.0; 3]; 1000], ..Mesh::default() };
+        let mut settings = Settings::of(&Scene::new(MeshSource::Inline(Box::default())));
+        assert_eq!(settings.bytes_beside(None), 0);
+        settings.target = Some(Target::Mesh(Rc::new(mesh())));
+        let same = settings.clone();
+        settings.pose = Some(Pose::Positions(mesh().positions.into()));
+        assert_eq!(settings.bytes_beside(None), 48_000);
+        assert_eq!(settings.bytes_beside(Some(&same)), 24_000);
+        settings.target = Some(Target::Mesh(Rc::new(mesh())));
+        assert_eq!(settings.bytes_beside(Some(&same)), 48_000);
+    }
 }

@@ -1,6 +1,6 @@
 //! The rest mesh: as opened, or derived from the opened one.
 
-use crate::math::{Vec3, key_of_pair, sort_by_number};
+use crate::math::{Vec3, key_of_pair, marked, sort_by_number};
 use crate::mesh::{
     BoundaryCurve, BoundaryCurves, BoundingSphere, Group, Mesh, Point, Surface, Topology,
     folded_faces, mean_dihedral_angle, seams, smoothed_area,
@@ -214,7 +214,8 @@ impl RestMesh {
     /// Returns the names of the groups that contain one of `faces`, in the order of the file.
     pub(crate) fn groups_of(&self, faces: &[u32]) -> Vec<String> {
         let groups = self.mesh.groups.iter();
-        let has_one = |group: &&Group| group.faces.iter().any(|face| faces.contains(face));
+        let is_asked = marked(self.mesh.faces.len(), faces);
+        let has_one = |group: &&Group| group.faces.iter().any(|&face| is_asked[face as usize]);
         groups.filter(has_one).map(|group| group.name.clone()).collect()
     }
 

@@ -39,7 +39,15 @@ impl SceneChange {
             other.is_some_and(|other| Rc::ptr_eq(&other.positions, &self.positions));
         let handles = if has_handles { 0 } else { size_of_val(&*self.handles) };
         let positions = if has_positions { 0 } else { size_of_val(&*self.positions) };
-        let parts: usize = self.parts.iter().map(Part::bytes).sum();
+        let settings = |change: &SceneChange| {
+            change.parts.iter().find_map(|part| match part {
+                Part::Settings(settings) => Some(settings.clone()),
+                _ => None,
+            })
+        };
+        let known = other.and_then(settings);
+        let held = settings(self).map_or(0, |settings| settings.bytes_beside(known.as_ref()));
+        let parts = self.parts.iter().map(Part::bytes).sum::<usize>() + held;
         size_of::<SceneChange>() + parts + handles + positions
     }
 }
