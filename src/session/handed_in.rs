@@ -5,7 +5,7 @@ use super::edit::{is_of_solver, settings_of};
 use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres};
 use crate::mesh::{Mesh, Point};
 use crate::scene::{
-    ClosenessTo, ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
+    ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
 };
 use crate::session::Error;
 use serde_json::Value;
@@ -91,7 +91,9 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     let numbers = if is_built { numbers(&results.positions, &scene, &mesh) } else { Vec::new() };
     // Nothing may move a vertex: neither handles nor a fixed boundary.
     let mut still = Scene::new(MeshSource::Inline(Box::default()));
-    still.closeness.to = ClosenessTo::None;
+    still.closeness.to = scene.closeness.to;
+    // What the distance to the original is measured to.
+    still.closeness.target = scene.closeness.target;
     still.lesson = scene.lesson;
     still.sets = scene.sets;
     still.constraints = scene.constraints;
@@ -148,12 +150,17 @@ fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
             found.push((Lock::Weights, format!("setting {id}")));
         }
     }
-    if results.constraints != given.constraints {
+    // Which panels have a relaxed tolerance is found by the search, and not set by anybody.
+    let own = |specs: &[ConstraintSpec]| -> Vec<ConstraintSpec> {
+        specs.iter().map(|spec| ConstraintSpec { eased: None, ..spec.clone() }).collect()
+    };
+    let (now, before) = (own(&results.constraints), own(&given.constraints));
+    if now != before {
         // The weight of an added row does not count as a changed weight.
         let unweighed = |specs: &[ConstraintSpec]| -> Vec<ConstraintSpec> {
             specs.iter().map(|spec| ConstraintSpec { weight: 1.0, ..spec.clone() }).collect()
         };
-        if unweighed(&results.constraints) == unweighed(&given.constraints) {
+        if unweighed(&now) == unweighed(&before) {
             found.push((Lock::Weights, "weights of constraints".to_owned()));
         }
         found.push((Lock::Constraints, "constraints".to_owned()));

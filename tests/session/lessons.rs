@@ -5,7 +5,7 @@ use serde_json::json;
 use shape_up::constraint::Kind;
 use shape_up::fabricate::BUILD_NUMBERS;
 use shape_up::mesh::Mesh;
-use shape_up::scene::{Lesson, Pose, Results, Scene};
+use shape_up::scene::{EasedFaces, Lesson, Lock, Pose, Results, Scene};
 use shape_up::session::{Edit, Session, check_results, goals_in_words};
 use shape_up::solve::Require;
 use shape_up::words;
@@ -218,6 +218,19 @@ fn results_on_the_pose_of_a_scene_are_measured_against_that_pose() {
     assert!(results.passed);
     let checked = check_results(&results, own, bumpy(5)).expect("they are of this scene");
     assert!(checked.goals[0].met, "{checked:?}");
+}
+
+#[test]
+fn which_panels_the_search_relaxed_is_no_change_by_the_student() {
+    let mut own = scene();
+    own.lesson.as_mut().expect("it has one").lock = vec![Lock::Constraints];
+    own.constraints[0].require = Require::Within(0.1);
+    own.constraints[0].eased = Some(EasedFaces { within: 0.2, faces: vec![3] });
+    let results = Session::open(own.clone(), bumpy(5)).expect("it fits").results("Ada", "");
+    let mut results = results.expect("it is a lesson");
+    results.constraints[0].eased = Some(EasedFaces { within: 0.1, faces: vec![3, 4] });
+    let checked = check_results(&results, own, bumpy(5)).expect("they are of this scene");
+    assert_eq!((checked.altered, checked.changed), (Vec::new(), Vec::<String>::new()));
 }
 
 #[test]
