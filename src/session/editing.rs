@@ -36,7 +36,10 @@ impl Session {
     /// system singular. Nothing has changed then.
     pub fn edit(&mut self, edit: Edit) -> Result<bool, Error> {
         if let Edit::SetTolerance { .. } = edit {
-            self.make(edit)?;
+            // Iterations go on as if nothing had happened.
+            check_locks(&edit, self.document())?;
+            let mut unused = IterationState { iteration: self.iteration(), start: None };
+            self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut unused))?;
             return Ok(false);
         }
         self.end_transaction();

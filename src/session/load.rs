@@ -33,8 +33,8 @@ impl Session {
     }
 
     /// Opens a scene, as [`Session::open`], in place of `open`, whose generations it goes on with.
-    /// If it is refused, the previous scene stays; only the step history of its solver is lost, as
-    /// after a pause.
+    /// If it is refused, the previous scene stays, with its steps of undo; what can be computed again
+    /// is lost: the step history of its solver, and how its hard constraints were met.
     ///
     /// # Errors
     /// As [`Session::open`].

@@ -362,7 +362,8 @@ impl Session {
         report::errors_csv(&mut self.measuring())
     }
 
-    /// One line per recorded iteration since the scene was opened: the weighted energies.
+    /// One line per recorded iteration since the scene was opened: the energies, of which the total has
+    /// the weights.
     pub fn convergence_csv(&self) -> String {
         report::convergence_csv(self.trace(), &self.document().units)
     }

@@ -77,8 +77,12 @@ impl Gliding {
 
     /// Moves each vertex to the closest point on its curve, except those with a fixed handle.
     pub(super) fn place(&mut self, x: &mut [Row], handles: &[Handle]) {
-        let fixed = |v: u32| handles.iter().any(|it| it.vertex == v && it.hold == Hold::Fixed);
-        self.vertices.iter_mut().for_each(|glider| glider.taken = fixed(glider.vertex));
+        let fixed = handles.iter().filter(|it| it.hold == Hold::Fixed);
+        let mut fixed: Vec<u32> = fixed.map(|it| it.vertex).collect();
+        fixed.sort_unstable();
+        for glider in &mut self.vertices {
+            glider.taken = fixed.binary_search(&glider.vertex).is_ok();
+        }
         self.follow(x);
     }
 

@@ -6,7 +6,7 @@ use crate::support::long_or;
 use serde_json::{Value, json};
 use shape_up::generate::{Plan, PlanLayout, PlanPoint, Support};
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
-use shape_up::scene::Scene;
+use shape_up::scene::{Lesson, Lock, Scene};
 use shape_up::session::{Edit, PanelStart, Session, Verdict};
 use shape_up::solve::Require;
 
@@ -298,6 +298,12 @@ fn exact_panels_are_those_near_the_shape_where_others_crumple() {
     let offer = trial.offer(&session).expect("nothing has changed");
     assert!(offer.met && offer.folded == 0 && offer.moved.max < 1.0, "{offer:?}");
     assert!(offer.after.energy < 4.0 * offer.before.energy, "{offer:?}");
+    let lesson = |lock| Lesson { text: "Round.".to_owned(), goals: Vec::new(), lock };
+    let locked = Some(lesson(vec![Lock::Constraints]));
+    session.edit(Edit::SetLesson { lesson: locked, unsolved: false }).expect("it may be a lesson");
+    let refused = session.make_exact(trial.shape(), &trial.positions(), false);
+    assert!(refused.is_err_and(|error| error.to_string().contains("locked by the lesson")));
+    session.undo().expect("regular");
     assert!(session.make_exact(trial.shape(), &trial.positions(), false).expect("regular"));
     assert!(session.exact().is_some_and(|exact| exact.met && exact.max_distance < 1e-9));
 }

@@ -72,6 +72,22 @@ fn an_offer_says_what_adding_makes() {
 }
 
 #[test]
+fn constraints_of_several_sizes_are_not_said_to_have_one() {
+    // Of a triangle and a pentagon it said "2 constraints of 4 vertices."
+    let outlines = [vec![[0, 0], [2, 0], [1, 1]], vec![[4, 0], [6, 0], [7, 1], [5, 2], [3, 1]]];
+    let mut mesh = Mesh::default();
+    for outline in outlines {
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend(outline.iter().map(|[x, y]| [f64::from(*x), f64::from(*y), 0.0]));
+        mesh.faces.push(&(first..mesh.positions.len() as u32).collect::<Vec<u32>>());
+    }
+    let found = offers(&session(mesh), &[]);
+    let of_plane = found.kinds.iter().find(|one| one.kind == "plane").expect("faces can be planes");
+    let offer = of_plane.offers.iter().find(|offer| offer.place == "each-face").expect("each face");
+    assert_eq!(offer.words, "2 constraints of 4.0 vertices on average.");
+}
+
+#[test]
 fn a_kind_that_can_be_added_to_every_element_of_a_type_is_offered_there() {
     let mut session = session(bumpy(3));
     let found = offers(&session, &[]);

@@ -54,8 +54,9 @@ fn what_is_left_goes_along_and_what_is_gone_is_said() {
     assert!(scene.closeness.weights.is_empty());
     let lost = session.lost();
     assert_eq!(said.lost, lost);
-    assert!(lost.len() == 2 && lost.iter().all(|s| s.starts_with("Left out: ")), "{lost:?}");
+    assert!(lost.len() == 3 && lost.iter().all(|s| s.starts_with("Left out: ")), "{lost:?}");
     assert!(lost.iter().any(|sentence| sentence.contains("1 handle")), "{lost:?}");
+    assert!(lost.iter().any(|sentence| sentence.contains("closeness of 1 vertex:")), "{lost:?}");
     session.undo().expect("it was solvable");
     assert_eq!(everything(&session), before);
     session.redo().expect("it was solvable");

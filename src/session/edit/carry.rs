@@ -13,6 +13,7 @@ use crate::session::state::{RestMesh, Settings, resolve_row};
 use crate::solve::Handle;
 use crate::words;
 use serde_json::Value;
+use std::collections::BTreeSet;
 
 /// A scene carried over to another mesh.
 pub(crate) struct Carried {
@@ -44,6 +45,13 @@ pub(crate) fn carry(
         let handles = words::count(gone, "handle", "handles");
         lost.push(format!("Left out: {handles} on vertices that no longer exist."));
     }
+    let joined = joined(handles, origins);
+    if joined > 0 {
+        let handles = words::count(joined, "handle", "handles");
+        lost.push(format!(
+            "Left out: {handles} on vertices that were joined to one with a handle."
+        ));
+    }
     let mut document = document.clone();
     // No file contains this mesh.
     document.mesh = MeshSource::Inline(Box::default());
@@ -65,14 +73,13 @@ pub(crate) fn carry(
         is_left
     });
     document.closeness.weights.retain_mut(|entry| {
+        let on = describe(&entry.on);
         if let Selector::Vertices(vertices) = &mut entry.on {
             *vertices = carry_vertices(vertices, before.topology(), origins);
-            return !vertices.is_empty();
         }
         let found = resolve(&entry.on, after.mesh(), after.topology(), &document.sets);
         let is_left = found.is_ok_and(|found| !found.indices().is_empty());
         if !is_left {
-            let on = describe(&entry.on);
             lost.push(format!("Left out: the closeness of {on}: none are left."));
         }
         is_left
@@ -178,6 +185,12 @@ fn carry_faces(faces: &[u32], origins: &Origins) -> Vec<u32> {
         }
     }
     made.concat()
+}
+
+/// Number of handles on vertices that are now one with that of an earlier handle.
+fn joined(handles: &[Handle], origins: &Origins) -> usize {
+    let there = || handles.iter().filter_map(|it| origins.vertices[it.vertex as usize]);
+    there().count() - there().collect::<BTreeSet<u32>>().len()
 }
 
 fn carry_handles(

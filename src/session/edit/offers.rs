@@ -171,8 +171,8 @@ fn places(vertices: Vec<u32>, faces: Vec<u32>) -> Vec<OfferedPlace> {
 }
 
 fn in_words(preview: Preview) -> String {
-    let Preview { constraints, skipped, vertices, .. } = preview;
-    let size = if vertices.is_multiple_of(constraints) {
+    let Preview { constraints, skipped, vertices, is_even, .. } = preview;
+    let size = if is_even {
         count(vertices / constraints, "vertex", "vertices")
     } else {
         format!("{} vertices on average", decimal(vertices as f64 / constraints as f64, 1))

@@ -20,6 +20,9 @@ pub struct Preview {
     pub skipped: usize,
     /// Total number of vertices of all constraints; a shared vertex counts once per constraint.
     pub vertices: usize,
+    /// Whether all constraints have the same number of vertices.
+    #[serde(skip)]
+    pub is_even: bool,
     /// Whether the kind is the usual choice for the target.
     pub usual: bool,
 }
@@ -112,6 +115,7 @@ impl<'a> Sizes<'a> {
         let mut preview = Preview { usual, ..Preview::default() };
         for (&size, &count) in sizes {
             if info.arity.fits(size) {
+                preview.is_even = preview.constraints == 0;
                 preview.constraints += count;
                 preview.vertices += count * size;
             } else {

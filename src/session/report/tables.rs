@@ -51,7 +51,8 @@ pub(crate) fn errors_csv(model: &mut Measuring<'_>) -> String {
     text
 }
 
-/// One line per recorded iteration: the weighted energies, in the squared unit `units`.
+/// One line per recorded iteration: the energies, of which the
+/// total has the weights, in the squared unit `units`.
 pub(crate) fn convergence_csv(trace: &[TraceEntry], units: &str) -> String {
     let square = if units.is_empty() { String::new() } else { format!("{units}²") };
     let unit = bracketed(&square);

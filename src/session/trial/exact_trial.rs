@@ -2,9 +2,10 @@
 //! changing it.
 
 use crate::mesh::Point;
-use crate::scene::ConstraintSpec;
+use crate::scene::{ConstraintSpec, Lock};
 use crate::session::Error;
 use crate::session::Session;
+use crate::session::edit::check_lock;
 use crate::session::report::{Exactness, TrialNumbers, TrialWords};
 use crate::session::requirements::Required;
 use crate::session::run::{ExactReport, Met};
@@ -134,7 +135,8 @@ impl Session {
     /// or during a drag.
     ///
     /// # Errors
-    /// If the system would be singular; nothing has changed then.
+    /// If the lesson locks the constraints and some become exact, or the system would be singular;
+    /// nothing has changed then.
     pub fn make_exact(
         &mut self,
         shape: ExactShape,
@@ -143,6 +145,9 @@ impl Session {
     ) -> Result<bool, Error> {
         if self.is_dragging() || shape.generation != self.generation() {
             return Ok(false);
+        }
+        if !shape.rows.is_empty() {
+            check_lock(Lock::Constraints, self.document())?;
         }
         self.end_transaction();
         let values = |&row: &usize| {

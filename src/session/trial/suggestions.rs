@@ -88,8 +88,9 @@ impl Suggestions {
     fn begin_next(&mut self) -> Result<bool, Error> {
         let Some((label, edit)) = self.untried.pop() else { return Ok(false) };
         let read = Edit::from_json(&edit.to_string())?;
-        // An edit that is refused, for example because nothing would hold the mesh, does not help.
-        if self.session.edit(read).is_ok() {
+        // Nor does an edit help that is refused, for example because nothing would hold the mesh, or
+        // that changes nothing.
+        if self.session.edit(read).is_ok_and(|is_step| is_step) {
             self.current = Some(Trial { label, edit, iterations: 0 });
         }
         Ok(true)

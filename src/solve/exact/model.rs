@@ -8,7 +8,7 @@ use crate::constraint::{Centring, Reference, Row};
 use crate::mesh::{Laplacian, Point};
 use crate::solve::assemble::Terms;
 use crate::solve::energy::{
-    BIG, Constraints, Handle, Hold, PositionalConstraints, extra_unknowns, shape_terms,
+    BIG, Constraints, Handle, HandleIndex, Hold, PositionalConstraints, extra_unknowns, shape_terms,
 };
 use crate::solve::gliding::Gliding;
 use crate::solve::local_frame::{relative, rest_surface};
@@ -106,8 +106,8 @@ impl Model {
             gliding.vertices().for_each(|(_, node)| holding.fixed[node as usize] = true);
         }
         let mut put = start.to_vec();
-        let is_handle = |v: u32| handles.iter().any(|handle| handle.vertex == v);
-        let corners = parts.corners.iter().copied().filter(|&(v, _)| !is_handle(v));
+        let index = HandleIndex::new(n_vertices, handles);
+        let corners = parts.corners.iter().copied().filter(|&(v, _)| index.get(v).is_none());
         for (vertex, target) in corners.chain(fixed.map(|handle| (handle.vertex, handle.target))) {
             x[parts.system.node_of()[vertex as usize] as usize] = relative(target, centre);
             put[vertex as usize] = target;

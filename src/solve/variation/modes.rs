@@ -27,7 +27,7 @@ pub struct Variation {
     /// The stiffness of the shape against it, for comparison with other modes.
     pub stiffness: f64,
     /// The least and the greatest coefficient for which the constraints can be met, from minus
-    /// [`SLIDE`] to [`SLIDE`]; `None` until it is known.
+    /// [`SLIDE`] to [`SLIDE`]; `None` until one is known, and NaN for the other until that is.
     pub range: Option<[f64; 2]>,
 }
 
