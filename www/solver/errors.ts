@@ -19,10 +19,24 @@ const isNotFetched = (thrown: unknown, message: string) =>
 
 /** Error of what the user has cancelled: there is nothing to report. */
 export class Cancelled extends Error {
-  constructor() {
+  isMeant;
+
+  /** @param isMeant false for what ended only because its worker had to end for something else */
+  constructor(isMeant: boolean = true) {
     super('Cancelled.');
+    this.isMeant = isMeant;
   }
 }
+
+/** Whether something was cancelled that nobody meant: it can be asked for again. */
+export const isUnmeant = (thrown: unknown) => thrown instanceof Cancelled && !thrown.isMeant;
+
+/** Asks once more if the first answer was cancelled and nobody meant it. */
+export const again = <Answer>(ask: () => Promise<Answer>): Promise<Answer> =>
+  ask().catch((thrown: unknown) => {
+    if (isUnmeant(thrown)) return ask();
+    throw thrown;
+  });
 
 /** Returns a one-line message for any thrown value. */
 export function messageOf(thrown: unknown): string {

@@ -4,10 +4,12 @@
  */
 
 import { Emitter } from './emitter.ts';
-import { Cancelled } from './errors.ts';
+import { Cancelled, again } from './errors.ts';
 import { calling, Waiting, type Answer, type Remote } from './remote.ts';
 import type { JobCall, Jobs, OnCopy } from '../worker/jobs-worker.ts';
 import type { Snapshot } from './types.ts';
+
+type ErrorOf = Parameters<Waiting['fail']>[0];
 
 /** Time after which the user may want to cancel a job, in milliseconds. */
 const LONG_MS = 1500;
@@ -23,6 +25,8 @@ export class JobsClient extends Emitter<{
   /** Timer of the current call, until it is long. */
   #timer: ReturnType<typeof setTimeout> | undefined;
   #isBusy = false;
+  /** Returns the error of a call that the last end of the worker has ended. */
+  #ended: ErrorOf = () => new Cancelled();
 
   /** Raised when the worker ends: what it had made is lost. */
   generation = 0;
@@ -36,19 +40,29 @@ export class JobsClient extends Emitter<{
     this.#module = module;
   }
 
-  /** The methods of a copy of a model, which is made first unless the worker has it. */
+  /**
+   * The methods of a copy of a model, which is made first unless the worker has it. What waited when
+   * another job was cancelled is asked for again, since it needs nothing that the worker had.
+   */
   copy = (model: Snapshot): Remote<OnCopy> =>
-    calling((name, given) => this.#call(name, given, model));
+    calling((name, given) => again(() => this.#call(name, given, model)));
 
-  /** Ends the current job and those that wait. */
-  cancel() {
-    this.#end(new Cancelled());
+  /**
+   * Cancels the current job, or those with these names. What waits for the worker ends with it, but is
+   * told that it was not meant.
+   */
+  cancel(...names: (keyof Remote<Jobs>)[]) {
+    const meant: string[] = names;
+    this.#end(
+      (name, place) => new Cancelled(names.length > 0 ? meant.includes(name) : place === 0),
+    );
   }
 
   async #call(name: string, given: unknown[], model?: Snapshot) {
+    const place = this.#worker ? 1 : 0;
     const started = (this.#worker ??= this.#start());
     const worker = await started;
-    if (this.#worker !== started) throw new Cancelled();
+    if (this.#worker !== started) throw this.#ended(name, place);
     const answer = this.#waiting.call(name, given, (call) =>
       worker.postMessage({ ...call, model } satisfies JobCall),
     );
@@ -68,7 +82,7 @@ export class JobsClient extends Emitter<{
     };
     worker.onerror = (event) => {
       event.preventDefault();
-      this.#end(new Error('A part of the page could not be fetched. Check the network.'));
+      this.#end(() => new Error('A part of the page could not be fetched. Check the network.'));
     };
     worker.postMessage(module);
     return worker;
@@ -77,16 +91,17 @@ export class JobsClient extends Emitter<{
   #receive(answer: Answer) {
     this.#waiting.receive(answer);
     // What the engine had is lost; the next call starts another worker.
-    if ('refused' in answer && answer.isDead) this.#end(new Error(answer.refused));
+    if ('refused' in answer && answer.isDead) this.#end(() => new Error(answer.refused));
     else this.#follow();
   }
 
-  /** Ends the worker; its calls fail with the error. */
-  #end(error: Error) {
+  /** Ends the worker; its calls fail. */
+  #end(errorOf: ErrorOf) {
     void this.#worker?.then((worker) => worker.terminate());
     this.#worker = null;
     this.generation += 1;
-    this.#waiting.fail(error);
+    this.#ended = errorOf;
+    this.#waiting.fail(errorOf);
     this.#follow();
   }
 

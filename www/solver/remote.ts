@@ -109,8 +109,13 @@ export class Waiting {
     else this.settle(answer.id, answer.value, null);
   }
 
-  /** Settles all calls with an error. */
-  fail(error: Error) {
-    for (const id of [...this.#calls.keys()]) this.settle(id, null, error);
+  /**
+   * Settles all calls with errors.
+   * @param errorOf gets the name of each, and its place in their order
+   */
+  fail(errorOf: (name: string, place: number) => Error) {
+    [...this.#calls].forEach(([id, { name }], place) => {
+      this.settle(id, null, errorOf(name, place));
+    });
   }
 }

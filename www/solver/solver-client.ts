@@ -314,7 +314,7 @@ export class SolverClient extends Emitter<SolverEvents> {
     this.#setBusy(0);
     this.#held = [];
     this.#replaced = null;
-    this.#waiting.fail(new Error(`the solver stopped (${reason})`));
+    this.#waiting.fail(() => new Error(`the solver stopped (${reason})`));
     this.emit('activity', { type: 'activity', running: false, converged: false });
 
     if (atStart && !lastScene && !wanted) {

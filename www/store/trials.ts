@@ -4,7 +4,7 @@
  * solver refuses it for another one.
  */
 
-import { Cancelled } from '../solver/errors.ts';
+import { again } from '../solver/errors.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Remote } from '../solver/remote.ts';
@@ -62,7 +62,7 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
     if (!model) return null;
     turn += 1;
     const mine = turn;
-    const trial = (async () => {
+    const trial = again(async () => {
       await begin(copy(model));
       let more = true;
       while (more && mine === turn && goesOn()) {
@@ -70,7 +70,7 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
         if (mine === turn) await after();
       }
       return read(mine === turn);
-    })();
+    });
     last = trial.catch(() => null);
     return trial;
   }
@@ -90,13 +90,7 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
       if (!solver.copy()) await new Promise((come) => solver.once('scene', come));
       const model = solver.copy();
       if (!model) return null;
-      const forecast = async () => (await copy(model).forecast()) ?? null;
-      // It may be cancelled with another job.
-      const again = (error: unknown) => {
-        if (error instanceof Cancelled) return forecast();
-        throw error;
-      };
-      return forecast().catch(again);
+      return (await copy(model).forecast()) ?? null;
     },
 
     /**

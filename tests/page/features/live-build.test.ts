@@ -187,6 +187,25 @@ test('what is saved while its build is cancelled is not saved', async () => {
   assert.deepEqual(asked, ['buildOffers']);
 });
 
+test('a build that ends with the worker of another job is begun again', async () => {
+  // “Cancelled.” was shown in place of the parts.
+  const asked: string[] = [];
+  const jobs = {
+    generation: 0,
+    ask: calling((name) => {
+      asked.push(name);
+      if (name === 'buildOffers') return Promise.resolve({ presets: [], defaults: {} });
+      if (jobs.generation > 0) return Promise.resolve({});
+      jobs.generation += 1;
+      return Promise.reject(new Cancelled(false));
+    }),
+  };
+  const { live } = withTriangle({ jobs });
+  await live.offers();
+  await live.update();
+  assert.deepEqual(asked, ['buildOffers', 'build', 'build']);
+});
+
 test('a build is told of guessed positions, of faces left as they are, and of the unit', async () => {
   const built: Shape[] = [];
   const jobs = jobsThat((_, shape) => {

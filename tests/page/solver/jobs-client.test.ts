@@ -92,6 +92,36 @@ test('a long job can be cancelled with those that wait, and the next has another
   mock.timers.reset();
 });
 
+test('what waits while another job is cancelled is told that, and what is of a copy is asked again', async () => {
+  // The current job was asked again as well, and those that waited failed.
+  const { jobs } = client();
+  const model = { text: 'the scene', generation: 5 };
+  const current = jobs.copy(model).forecast();
+  const [waiting, ofCopy] = [jobs.ask.buildOffers(), jobs.copy(model).tryExact()];
+  await tick();
+  jobs.cancel();
+  await assert.rejects(current, { isMeant: true });
+  await assert.rejects(waiting, { isMeant: false });
+  await tick();
+  const [, worker] = FakeWorker.all;
+  assert.deepEqual(
+    worker.posted.slice(1).map((call) => (call as Call).name),
+    ['tryExact'],
+  );
+  worker.answer(1, { value: true });
+  assert.equal(await ofCopy, true);
+});
+
+test('a job can be cancelled by its name, whichever is the current one', async () => {
+  const { jobs } = client();
+  const current = jobs.ask.buildOffers();
+  const named = jobs.ask.variation(3);
+  await tick();
+  jobs.cancel('variation');
+  await assert.rejects(current, { isMeant: false });
+  await assert.rejects(named, { isMeant: true });
+});
+
 test('a call during the start of a worker that is cancelled is cancelled too', async () => {
   const { jobs } = client();
   const call = jobs.ask.buildOffers();

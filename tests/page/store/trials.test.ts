@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createTrials } from '../../../www/store/trials.ts';
+import { Cancelled } from '../../../www/solver/errors.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import type { JobsClient } from '../../../www/solver/jobs-client.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
@@ -93,6 +94,23 @@ for (const [what, during] of [
     const helping = trials(during);
     assert.deepEqual(await helping.made.suggestions(), ['smooth less'], 'those found before it');
   });
+
+test('a trial that ends with the worker of another job begins again, and one that is cancelled does not', async () => {
+  for (const [isMeant, begins] of [
+    [false, 2],
+    [true, 1],
+  ] as const) {
+    let isFirst = true;
+    const { made, begun } = trials(() => {
+      if (!isFirst) return;
+      isFirst = false;
+      throw new Cancelled(isMeant);
+    });
+    const found = made.exactOffer(() => true);
+    await (isMeant ? assert.rejects(found, Cancelled) : assert.doesNotReject(found));
+    assert.equal(begun.length, begins);
+  }
+});
 
 test('another trial ends the one before', async () => {
   const { made } = trials(() => {});

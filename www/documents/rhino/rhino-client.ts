@@ -20,9 +20,9 @@ export async function askRhino<Answer>(
   worker.onmessage = ({ data }) => waiting.receive(data);
   worker.onerror = (event) => {
     event.preventDefault();
-    waiting.fail(new Error('The .3dm converter could not be loaded. Check the network.'));
+    waiting.fail(() => new Error('The .3dm converter could not be loaded. Check the network.'));
   };
-  cancelled?.addEventListener('abort', () => waiting.fail(new Cancelled()));
+  cancelled?.addEventListener('abort', () => waiting.fail(() => new Cancelled()));
   try {
     return await ask(
       calling((name, given) => waiting.call(name, given, (call) => worker.postMessage(call))),

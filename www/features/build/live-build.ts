@@ -1,6 +1,6 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
-import { messageOf } from '../../solver/errors.ts';
+import { again, isUnmeant, messageOf } from '../../solver/errors.ts';
 import type { Asker, BuildSettings, Built, Reshaped, SceneDocument } from '../../solver/types.ts';
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { metresOf } from '../../ui/words.ts';
@@ -52,7 +52,7 @@ export class LiveBuild {
 
   /** Returns the presets, the declared settings and their defaults. */
   async offers() {
-    const offers = await this.#app.jobs.ask.buildOffers();
+    const offers = await again(() => this.#app.jobs.ask.buildOffers());
     this.#defaults = offers.defaults;
     return offers;
   }
@@ -81,7 +81,7 @@ export class LiveBuild {
   }
 
   /** @param isSaved whether the parts are built of the shape as it is, however long it takes */
-  async #once(isSaved: boolean = false) {
+  async #once(isSaved: boolean = false): Promise<void> {
     const { store, solver, jobs } = this.#app;
     const { model, document, running, dragged } = store.get();
     const { geometry } = solver;
@@ -116,6 +116,8 @@ export class LiveBuild {
       this.#show(built);
     } catch (error) {
       this.#agreed = '';
+      // It was in the way of another job, which was cancelled.
+      if (isUnmeant(error)) return await this.#once(isSaved);
       // A build that was cancelled, or has ended its worker, is not begun again by itself.
       this.#key = keyNow();
       this.#refuse(messageOf(error));
@@ -136,16 +138,18 @@ export class LiveBuild {
     return this.#app.jobs.ask.offsetChoices(this.#asker);
   }
 
-  /** Builds what the user sees and has begun to change, to save it. */
-  async #whole() {
-    await this.#app.actions.settled();
-    await this.#once(true);
+  /** Builds what the user sees and has begun to change, and asks for what is saved of it. */
+  #whole<Answer>(ask: () => Promise<Answer>) {
+    return again(async () => {
+      await this.#app.actions.settled();
+      await this.#once(true);
+      return ask();
+    });
   }
 
   /** All files as a ZIP archive. */
-  async zip() {
-    await this.#whole();
-    return this.#app.jobs.ask.zipParts(this.#asker, this.#isZUp());
+  zip() {
+    return this.#whole(() => this.#app.jobs.ask.zipParts(this.#asker, this.#isZUp()));
   }
 
   /** Whether the last build is of the shape as it is now. */
@@ -159,13 +163,12 @@ export class LiveBuild {
   }
 
   /** The parts in space and the sheets, for CAD programs. */
-  async spatialParts() {
-    await this.#whole();
-    return this.#app.jobs.ask.spatialParts(this.#asker, this.#isZUp());
+  spatialParts() {
+    return this.#whole(() => this.#app.jobs.ask.spatialParts(this.#asker, this.#isZUp()));
   }
 
   /** The report. */
-  async reportPage({
+  reportPage({
     title,
     camera,
     link,
@@ -174,8 +177,9 @@ export class LiveBuild {
     camera: Float64Array | null;
     link: string;
   }) {
-    await this.#whole();
-    return this.#app.jobs.ask.reportPage(this.#asker, title, this.#isZUp(), camera, link);
+    return this.#whole(() =>
+      this.#app.jobs.ask.reportPage(this.#asker, title, this.#isZUp(), camera, link),
+    );
   }
 
   #isZUp() {

@@ -1,7 +1,7 @@
 /** Draws lines on the current shape: one request at a time, always for the latest state. */
 
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
-import { messageOf } from '../../solver/errors.ts';
+import { again, messageOf } from '../../solver/errors.ts';
 import type { Lines, LinesQuestion } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -47,9 +47,9 @@ export function surfaceLines(
     let found: Lines | null = null;
     let refused = '';
     try {
-      found = generation === known ? await ask(how) : null;
+      found = generation === known ? await again(() => ask(how)) : null;
       // The worker lacks the shape, or what it had was lost.
-      found ??= await ask({ ...how, shape });
+      found ??= await again(() => ask({ ...how, shape }));
     } catch (error) {
       refused = messageOf(error);
     }

@@ -104,7 +104,7 @@ export class Layouts {
       this.#isOpen = false;
       stops.forEach((stop) => stop());
       // The second worker is free for the next question.
-      if (this.#layouts.isBusy() || this.#isForecasting) jobs.cancel();
+      if (this.#layouts.isBusy() || this.#isForecasting) this.cancel();
     };
   }
 
@@ -118,7 +118,7 @@ export class Layouts {
   }
 
   cancel() {
-    this.#app.jobs.cancel();
+    this.#app.jobs.cancel('layOutPanels', 'panelsAtBoundaries');
   }
 
   /**

@@ -4,7 +4,7 @@
  */
 
 import { signal } from '@preact/signals';
-import { messageOf } from '../../solver/errors.ts';
+import { again, messageOf } from '../../solver/errors.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import type { Connectivity } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -140,7 +140,7 @@ export class Variations {
   async #find() {
     const mine = ++this.#search;
     try {
-      await this.#findIn(mine);
+      await again(() => this.#findIn(mine));
     } catch (error) {
       if (mine === this.#search) this.words.value = messageOf(error);
     }
