@@ -60,6 +60,8 @@ fn lengths_are_read_as_people_type_them() {
     assert_eq!(read("+ 3mm", "mm"), Ok((true, 3.0)));
     assert_eq!(read("−2e-3", ""), Ok((false, -0.002)));
     assert_eq!(read("1E−2m", "cm"), Ok((false, 1.0)));
+    assert_eq!(read(&words::group_digits(1_234_567), ""), Ok((false, 1_234_567.0)));
+    assert_eq!(read("12 500.5 mm", "m"), Ok((false, 12.5005)));
     for text in [
         "",
         "far",
@@ -68,6 +70,7 @@ fn lengths_are_read_as_people_type_them() {
         "e5",
         "1e999",
         "1.2.3",
+        "1 20",
         ".",
         "2 m2",
         "--1",

@@ -68,12 +68,23 @@ fn unsigned_length(text: &str, units: &str) -> Option<f64> {
 /// The signs of negative numbers: as typed, and as the page writes it.
 const MINUS: [char; 2] = ['-', '−'];
 
-/// Reads the number at the start of a text, with a point or a comma, and returns what follows.
+/// Reads the number at the start of a text, with a point or a comma, and spaces before three digits
+/// as [`group_digits`](super::group_digits) writes them, and returns what follows.
 fn number(text: &str) -> Option<(f64, &str)> {
     let is_of_number = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
-    let digits = text.find(|c| !is_of_number(c)).unwrap_or(text.len());
-    let (number, rest) = text.split_at(digits + exponent_length(&text[digits..]));
-    Some((number.replace(',', ".").replace(MINUS, "-").parse().ok()?, rest))
+    let mut end = 0;
+    for (at, c) in text.char_indices() {
+        let after = &text[at + c.len_utf8()..];
+        let digits = after.find(|c: char| !c.is_ascii_digit()).unwrap_or(after.len());
+        let is_group = c.is_whitespace() && at > 0 && digits == 3;
+        if !is_of_number(c) && !is_group {
+            break;
+        }
+        end = at + c.len_utf8();
+    }
+    let (number, rest) = text.split_at(end + exponent_length(&text[end..]));
+    let plain: String = number.chars().filter(|c| !c.is_whitespace()).collect();
+    Some((plain.replace(',', ".").replace(MINUS, "-").parse().ok()?, rest))
 }
 
 /// The length of the exponent at the start of a text; zero without one.

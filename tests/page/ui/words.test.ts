@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import cases from '../../data/words.json' with { type: 'json' };
+import { readNumber } from '../../../www/ui/components/number-input.tsx';
 import * as words from '../../../www/ui/words.ts';
 
 test('words are those of Rust, whose test reads the same cases', () => {
@@ -17,6 +18,16 @@ test('a typed length is read, or refused in words', () => {
   assert.deepEqual([by, length], [true, -0.2]);
   assert.throws(() => words.readLength('far', 'm'), /“far” is not a length/);
   assert.throws(() => words.measured(1, 'furlongs', 'm'), /"furlongs" is no unit of a measure/);
+});
+
+test('a whole number with a comma or a point is refused: to some it is a thousand', () => {
+  for (const text of ['1,000', '1.000', '2,5'])
+    assert.deepEqual(readNumber(text, { isWhole: true }), [
+      null,
+      'Expected a whole number, such as 1000.',
+    ]);
+  assert.deepEqual(readNumber('1 000', { isWhole: true }), [1000, '']);
+  assert.deepEqual(readNumber('1,000', { unit: 'm' }), [1, '']);
 });
 
 test('what is compared, and units, cross as they are in Rust', () => {

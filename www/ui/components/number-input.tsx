@@ -27,6 +27,8 @@ export interface Accepted extends Steps {
 export function readNumber(text: string, accepted: Accepted): [number | null, string] {
   const { unit = '', min = -Infinity, max = Infinity, isWhole, isPositive, present } = accepted;
   if (text.trim() === '') return [null, ''];
+  // To some readers 1,000 is a thousand, to others one.
+  if (isWhole && /[.,]/.test(text)) return [null, 'Expected a whole number, such as 1000.'];
   try {
     const { by, length } = readLength(text, unit);
     if (by && typeof present !== 'number') return [null, 'There is no number to add to.'];
