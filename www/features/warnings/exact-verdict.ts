@@ -3,7 +3,7 @@
  * was required, and the constraints that cannot be satisfied together.
  */
 
-import { isHard } from '../../store/state.ts';
+import { isHard, type Tint } from '../../store/state.ts';
 import { showElements } from '../../viewport/camera.ts';
 import type { AppContext as App } from '../../app/context.ts';
 import type { ExactReport, ExactWords } from '../../solver/types.ts';
@@ -19,12 +19,16 @@ export class ExactVerdict {
   #app;
   #messages;
   #hasHint;
+  /** The colours of constraints that cannot be met. */
+  #tint: Tint | null = null;
 
   /** @param hasHint whether a hint is shown, so that good news can wait */
   constructor(app: App, messages: RunMessages, hasHint: () => boolean) {
     this.#app = app;
     this.#messages = messages;
     this.#hasHint = hasHint;
+    // Also what was shown on request, after which nothing is said.
+    messages.on('left', () => this.#untint());
   }
 
   async show() {
@@ -132,7 +136,8 @@ export class ExactVerdict {
     );
     const show = () => {
       showElements(this.#app, elements);
-      actions.tint({ ...elements, colour: UNMET });
+      this.#tint = { ...elements, colour: UNMET };
+      actions.tint(this.#tint);
     };
     const suggestions = words.suggestions.map(({ label, index, within }) => ({
       label,
@@ -144,6 +149,13 @@ export class ExactVerdict {
       offers: [{ label: 'Show them', act: show }, ...suggestions],
     });
     show();
+  }
+
+  /** Removes the colours, unless others have taken their place. */
+  #untint() {
+    const { store, actions } = this.#app;
+    if (this.#tint && store.get().tint === this.#tint) actions.tint(null);
+    this.#tint = null;
   }
 }
 

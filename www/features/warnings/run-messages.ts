@@ -1,6 +1,7 @@
 /** The message on the last run: one at a time, which another one replaces. */
 
 import { signal } from '@preact/signals';
+import { Emitter } from '../../solver/emitter.ts';
 import { panelsCard } from '../../store/panels-card.ts';
 import type { Store } from '../../store/state.ts';
 
@@ -25,11 +26,13 @@ export interface Message extends Said {
   isOnCard: boolean;
 }
 
-export class RunMessages {
+/** Emits `left` when what was said last is said no longer, or its cause is gone. */
+export class RunMessages extends Emitter<{ left: void }> {
   readonly now = signal<Message | null>(null);
   #store;
 
   constructor(store: Store) {
+    super();
     this.#store = store;
   }
 
@@ -40,6 +43,7 @@ export class RunMessages {
 
   /** Shows a message in place of the current one. */
   say(said: Said): Message {
+    this.withdraw();
     const message = { ...said, isOnCard: this.hasCard() };
     this.now.value = message;
     return message;
@@ -56,6 +60,8 @@ export class RunMessages {
 
   /** @param message if it is still shown; any, without it */
   withdraw(message?: Message) {
-    if (!message || this.now.value === message) this.now.value = null;
+    if (message && this.now.value !== message) return;
+    this.now.value = null;
+    this.emit('left', undefined);
   }
 }
