@@ -21,6 +21,8 @@ export function restoreView(view: SavedView, store: Store, actions: Actions) {
   const known = Object.fromEntries(
     PARTS.filter((part) => part in view).map((part) => [part, view[part]]),
   );
-  const hasMeasure = measures.some(({ id }) => id === view.measure);
+  // The user may have chosen none.
+  const isNone = view.measure === null && view.measureChosen;
+  const hasMeasure = isNone || measures.some(({ id }) => id === view.measure);
   actions.look(hasMeasure ? known : { ...known, measure });
 }
