@@ -78,7 +78,10 @@ export class HoldOriginal {
     button.addEventListener('pointerleave', () => this.end());
     // A long touch would open the browser's context menu.
     button.addEventListener('contextmenu', (event) => event.preventDefault());
-    button.addEventListener('click', (event) => isLong && event.stopImmediatePropagation(), true);
+    // The click of a long press is none; that of a key has no pointer, and a detail of 0.
+    const swallow = (event: MouseEvent) =>
+      isLong && event.detail > 0 && event.stopImmediatePropagation();
+    button.addEventListener('click', swallow, true);
     if (clicks) return;
     button.addEventListener('keydown', ({ key }) => {
       if (key === ' ' || key === 'Enter') void this.begin();
