@@ -3,7 +3,15 @@
 import { effect } from '@preact/signals';
 import { isEnabled, press } from '../store/press.ts';
 import { setText } from '../ui/dom.ts';
-import { chordOf, digitOf, isSwitchedOff, isTypedInto, isTyping, keyInTitle } from '../ui/keys.ts';
+import {
+  chordOf,
+  digitOf,
+  isSwitchedOff,
+  isTypedInto,
+  isTyping,
+  keyInTitle,
+  ofText,
+} from '../ui/keys.ts';
 import type { Command } from './context.ts';
 import type { State, Store } from '../store/state.ts';
 
@@ -49,14 +57,19 @@ export function bindKeys(commands: Command[], store: Store, settled: () => Promi
     const [command] = names.flatMap((name) => commands.filter(({ keys }) => keys.includes(name)));
     if (!command || isSwitchedOff(chord)) return;
     // Modal dialogs and open popovers handle their own keys, and Escape closes them.
-    if (document.querySelector('dialog:modal, :popover-open')) return;
+    const isOver = document.querySelector('dialog:modal, :popover-open') !== null;
+    const isOfText = ofText(chord) && isTypedInto(document.activeElement);
     // The browser's own shortcut (open, save, print) never applies, even if the command is
     // disabled.
-    if (chord !== 'Escape') event.preventDefault();
+    if (isOver ? isShortcut(chord) && !isOfText : chord !== 'Escape') event.preventDefault();
+    if (isOver || (event.repeat && !command.repeats)) return;
     if (chord.startsWith('Ctrl+')) commitTyping();
     press(command, store, settled);
   });
 }
+
+/** Whether a browser may have a shortcut of its own for a chord. */
+const isShortcut = (chord: string) => /^(Ctrl\+|F\d)/.test(chord);
 
 /** Binds the label and icon of the button that is both Run and Pause. */
 export function bindRunButton(button: HTMLButtonElement, store: Store) {

@@ -24,6 +24,8 @@ export interface Command {
   /** such as "Ctrl+Shift+Z"; letters are the characters printed on the keys */
   keys: string[];
   action: () => unknown;
+  /** whether it is done again and again while its key is held: a step, not a switch */
+  repeats?: boolean;
   /** whether a press waits until the first model is loaded */
   needsModel?: boolean;
   /** whether the palette leaves it out: what a key is held for, and the palette itself */

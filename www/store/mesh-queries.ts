@@ -126,6 +126,8 @@ export class Selecting {
           group: 'Select',
           label: `Selection: ${label.toLowerCase()}`,
           keys,
+          // Such as a ring more of faces.
+          repeats: operation.needsSelection,
           action: () => this.applyOrReport(operation),
           needsModel: true,
           enabled: () => this.canApply(operation),

@@ -41,6 +41,9 @@ export function isTyping({ target, key }: KeyboardEvent) {
 export const isTypedInto = (target: Element | null) =>
   target?.matches(`textarea, input:not(${NOT_TYPED_INTO})`) ?? false;
 
+/** Whether a chord of the table of commands also changes the text of a field. */
+export const ofText = (chord: string) => ['Ctrl+Z', 'Ctrl+Shift+Z', 'Ctrl+Y'].includes(chord);
+
 /** The direction of each arrow key on the screen, in which y points down. */
 export const ARROWS: Record<string, [number, number]> = {
   ArrowLeft: [-1, 0],

@@ -94,7 +94,8 @@ function Presentation({ notes }: { notes: Window | null }) {
     if (!what) return;
     event.preventDefault();
     event.stopPropagation();
-    void done[what]();
+    const isHeld = event.repeat && (what === 'dark' || what === 'run');
+    if (!isHeld) void done[what]();
   }
 
   useLayoutEffect(() => {

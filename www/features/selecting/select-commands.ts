@@ -20,6 +20,7 @@ export function selectCommands({ store, actions }: AppContext): Command[] {
     group: 'Select',
     label,
     keys: [key],
+    repeats: true,
     action: () => {
       const radius = Math.round(store.get().brush * factor);
       actions.useTool({ brush: Math.min(Math.max(radius, BRUSH[0]), BRUSH[1]) });

@@ -49,13 +49,16 @@ export function bindHandleKeys(
   }
 
   /** Handles a key; returns whether it applied to a handle. */
-  function press({ key, shiftKey }: KeyboardEvent) {
+  function press({ key, shiftKey, repeat }: KeyboardEvent) {
     if (drag?.isOver) drag = null;
-    if (!drag) return key === 'Enter' && grab();
-    if (key === 'Enter' || key === 'Escape') return release(key === 'Enter');
+    if (!drag) return key === 'Enter' && !repeat && grab();
     const axis = AXES.indexOf(key.toLowerCase());
-    if (axis >= 0) drag.toggleAxis(axis);
     const arrow = ARROWS[key];
+    const ends = key === 'Enter' || key === 'Escape';
+    // A key that is held moves on, and switches nothing to and fro.
+    if (repeat && !arrow) return ends || axis >= 0;
+    if (ends) return release(key === 'Enter');
+    if (axis >= 0) drag.toggleAxis(axis);
     if (arrow) {
       at = [at[0] + STEP * arrow[0], at[1] + STEP * arrow[1]];
       drag.setPlane(shiftKey ? 'horizontal' : 'screen');

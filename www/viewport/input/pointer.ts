@@ -236,8 +236,9 @@ export class PointerInput {
   #keyWhileDown(event: KeyboardEvent) {
     const isChord = event.ctrlKey || event.metaKey;
     const axis = isChord ? -1 : ['x', 'y', 'z'].indexOf(event.key.toLowerCase());
-    if (axis >= 0 && this.#gesture?.kind === 'handle') this.#gesture.drag.toggleAxis(axis);
-    else if (event.key !== 'Escape' || !this.cancel()) return;
+    if (axis >= 0 && this.#gesture?.kind === 'handle') {
+      if (!event.repeat) this.#gesture.drag.toggleAxis(axis);
+    } else if (event.key !== 'Escape' || !this.cancel()) return;
     event.preventDefault();
     event.stopPropagation();
   }
