@@ -1,6 +1,6 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
-import { toggleAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
+import { openAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
 import { showExport } from '../features/export/dialog-export.tsx';
 import { flatMaps } from '../features/flat-map/flat-maps.ts';
 import { showHelp } from '../features/help/help.tsx';
@@ -279,7 +279,7 @@ export function commandTable(
       group: 'Edit',
       label: 'Add constraint',
       keys: [],
-      action: () => toggleAddConstraint(app),
+      action: () => openAddConstraint(app),
       needsModel: true,
       enabled: ({ document }) => !document?.lesson?.lock.includes('constraints'),
     },

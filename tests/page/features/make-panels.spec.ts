@@ -198,6 +198,13 @@ test('Something else opens the constraint dialog, and the offer disappears once 
   await openText(page, 'grid.obj', wavyGrid(N), VERTICES);
   await offer(page).getByRole('button', { name: 'Something else' }).click();
   const dialog = page.getByRole('dialog', { name: 'New constraint' });
+  // The menu of the view used to close it: what is chosen there stays.
+  const chosen = dialog.getByRole('radio', { name: 'Line segment', exact: true });
+  await chosen.check();
+  await page.getByRole('application', { name: '3D view' }).click({ button: 'right' });
+  await page.getByRole('menuitem', { name: 'Add constraint' }).click();
+  await expect(chosen).toBeChecked();
+  await expect(chosen).toBeFocused();
   await dialog.getByRole('button', { name: /^Add/ }).first().click();
   await waitForState(page, (now) => Object.keys(now.constraints).length === 1);
   await expect(offer(page)).toBeHidden();

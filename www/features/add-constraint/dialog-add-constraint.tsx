@@ -41,10 +41,11 @@ const theDialog = once(() => {
   return dialog;
 });
 
-/** Opens the dialog, or closes it when it is open. */
-export function toggleAddConstraint(app: AppContext) {
+/** Opens the dialog. If it is open, it gets the focus and keeps what was chosen. */
+export function openAddConstraint(app: AppContext) {
   const dialog = theDialog();
-  if (dialog.open) return dialog.close();
+  if (dialog.open)
+    return dialog.querySelector<HTMLElement>('form input:checked, form button')?.focus();
   // What was chosen the last time is not meant now.
   render(null, dialog);
   render(
