@@ -1,6 +1,6 @@
 // Two quick presses on a control open one dialog, although some are prepared first.
 
-import { openText } from '../actions.ts';
+import { openText, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { drawn, expect, openPage, test } from '../support.ts';
 
@@ -36,5 +36,24 @@ test('two quick presses open one dialog, and a press after it opens it again', a
       await open.getByRole('button', { name: 'Close' }).click();
       await expect(open).toHaveCount(0);
     }
+  }
+});
+
+test('two quick presses on a format make one file', async ({ page }) => {
+  // Each made one; of a film, both turned the same view.
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(N), (N + 1) ** 2);
+  const files: string[] = [];
+  page.on('download', (download) => files.push(download.suggestedFilename()));
+  const dialog = page.getByRole('dialog', { name: 'More formats' });
+  for (const count of [1, 2]) {
+    await tool(page, 'More formats');
+    const format = dialog.getByRole('button', { name: /^Scene/ });
+    await format.evaluate((element: HTMLElement) => {
+      for (let time = 0; time < 2; time++) element.click();
+    });
+    await expect(dialog).toBeHidden();
+    await drawn(page);
+    expect(files).toHaveLength(count);
   }
 });

@@ -14,8 +14,22 @@ import { Settings } from './settings.tsx';
 import { Sheets } from './sheets.tsx';
 import { Thickness } from './thickness.tsx';
 import { TypesCurve } from './types-curve.tsx';
+import type { AppContext } from '../../app/context.ts';
+import type { LiveBuild } from './live-build.ts';
 
 const openReport = oneAtATime(showReport);
+
+const save = oneAtATime(async ({ actions, files }: AppContext, live: LiveBuild) => {
+  const bytes = await actions.reportErrors(live.zip());
+  if (bytes) files.save('-parts.zip', bytes, 'application/zip');
+});
+
+/** Saves a 3DM file, loading its large writer. */
+const saveForRhino = oneAtATime(async ({ files }: AppContext, live: LiveBuild) => {
+  const [made, { symbol }] = [await live.spatialParts(), live.unit()];
+  const bytes = await askRhino((rhino) => rhino.writeParts(made, symbol));
+  files.save('-parts.3dm', bytes, 'model/vnd.3dm');
+});
 
 /** The panel, while it is docked. */
 export function BuildPanel() {
@@ -24,7 +38,7 @@ export function BuildPanel() {
 
 function Panel() {
   const app = useApp();
-  const { store, actions, files } = app;
+  const { store, actions } = app;
   const parts = theParts(app);
   const { live } = parts;
   useEffect(() => parts.begin(), [parts]);
@@ -36,18 +50,6 @@ function Panel() {
   hadDocument.current ||= store.state.document !== null;
   const isDisabled = !offers || refused !== '';
 
-  async function save() {
-    const bytes = await actions.reportErrors(live.zip());
-    if (bytes) files.save('-parts.zip', bytes, 'application/zip');
-  }
-
-  /** Saves a 3DM file, loading its large writer. */
-  async function saveForRhino() {
-    const [made, { symbol }] = [await live.spatialParts(), live.unit()];
-    const bytes = await askRhino((rhino) => rhino.writeParts(made, symbol));
-    files.save('-parts.3dm', bytes, 'model/vnd.3dm');
-  }
-
   const head = (
     <>
       <p aria-live="polite">{built?.words.sheets}</p>
@@ -57,11 +59,11 @@ function Panel() {
       <Button
         title="Panels, beams, nodes and sheets as layers of a .3dm file"
         disabled={isDisabled}
-        onClick={() => actions.reportErrors(saveForRhino())}
+        onClick={() => actions.reportErrors(saveForRhino(app, live))}
       >
         Rhino
       </Button>
-      <Button class="primary" disabled={isDisabled} onClick={save}>
+      <Button class="primary" disabled={isDisabled} onClick={() => save(app, live)}>
         Save drawings and tables
       </Button>
     </>

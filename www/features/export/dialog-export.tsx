@@ -9,6 +9,7 @@ import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { isDrawn } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { oneAtATime } from '../../ui/once.ts';
 import { pictureOf, pictureSize, type Ground } from './picture.ts';
 import { convergenceSvg } from './plot-svg.ts';
 import { canRecord, turntableVideo } from './turntable-video.ts';
@@ -35,6 +36,20 @@ const picture = signal<{ scale: number; legend: boolean; ground: Ground }>({
   ground: 'view',
 });
 
+/** Whether a file is being made, perhaps of a dialog that was closed meanwhile. */
+const isMaking = signal(false);
+
+/** Makes a file. A second one meanwhile would be the same, or a second film of the same view. */
+const makeOne = oneAtATime(async ({ actions }: AppContext, file: () => Promise<unknown>) => {
+  isMaking.value = true;
+  try {
+    await actions.settled();
+    await file();
+  } finally {
+    isMaking.value = false;
+  }
+});
+
 export function showExport(app: AppContext) {
   showDialog(app, { id: 'export', title: 'More formats', light: true }, ExportDialog);
 }
@@ -43,19 +58,20 @@ function ExportDialog({ close }: InDialog) {
   const app = useApp();
   const { store, files, viewport, actions } = app;
   const { model, document: scene, flatMap } = store.state;
-  const [working, setWorking] = useState('');
+  const [problem, setProblem] = useState('');
   const canDraw = isDrawn(store.state);
   const curvesOnly = (model?.faces ?? 0) === 0;
 
   /** Makes a file, after which the dialog is closed. */
   const make = (file: () => Promise<unknown>) => async () => {
-    setWorking('Working …');
+    const made = makeOne(app, file);
+    if (!made) return;
+    setProblem('');
     try {
-      await actions.settled();
-      await file();
+      await made;
       close();
     } catch (error) {
-      setWorking(messageOf(error));
+      setProblem(messageOf(error));
     }
   };
   const makeTable = (name: 'errors' | 'convergence' | 'angles') =>
@@ -180,7 +196,7 @@ function ExportDialog({ close }: InDialog) {
         />
       </section>
       <p class="working quiet" aria-live="polite">
-        {working}
+        {isMaking.value ? 'Working …' : problem}
       </p>
     </div>
   );
@@ -190,9 +206,17 @@ function ExportDialog({ close }: InDialog) {
 const Format = ({
   name,
   words,
+  onClick,
   ...rest
 }: Omit<ComponentProps<'button'>, 'role'> & { name: string; words: string }) => (
-  <button type="button" class="format" {...rest}>
+  // It keeps the focus, unlike one that is disabled.
+  <button
+    type="button"
+    class="format"
+    aria-disabled={isMaking.value}
+    onClick={isMaking.value ? undefined : onClick}
+    {...rest}
+  >
     <strong>{name}</strong>
     <span>{words}</span>
   </button>
