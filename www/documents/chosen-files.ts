@@ -45,17 +45,13 @@ export async function openChosen(
 }
 
 /** Reads the files and opens them together. */
-async function read(
-  { actions, solver, files, alerts }: AppContext,
-  opening: Opening,
-  chosen: File[],
-) {
+async function read({ actions, files, alerts }: AppContext, opening: Opening, chosen: File[]) {
   const open: (given: NamedBytes[], cancelled?: AbortSignal) => Promise<Loaded | null> = (
     given,
     cancelled,
   ) => files.open(given, {}, { opening, cancelled }).catch(() => null);
   if (chosen.some(({ size }) => size > LARGE)) {
-    return openLarge(chosen, { actions, solver, alerts, open });
+    return openLarge(chosen, { actions, alerts, open });
   }
   try {
     return await open(await Promise.all(chosen.map((file) => namedBytes(file))));

@@ -145,6 +145,8 @@ export class Files extends Emitter<{ opened: void }> {
       // Nothing is waited for between this and the opening: a later one could come first.
       if (!(await opening.isWanted())) return null;
       cancelled?.throwIfAborted();
+      // Until now the solver has gone on with the open model.
+      cancelled?.addEventListener('abort', () => this.#solver.abandon());
       // The first view shows the fitted shapes.
       if (origin.first) this.#actions.display({ shapes: true });
       // Keep the status of a button press that waits for the first model.

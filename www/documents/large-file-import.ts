@@ -8,12 +8,10 @@ import { button } from '../ui/controls/fields.ts';
 import { byId, element, removeKeepingFocus, setText } from '../ui/dom.ts';
 import { groupDigits, megabytes } from '../ui/words.ts';
 import { messageOf } from '../solver/errors.ts';
+import { faceCountOf } from './face-count.ts';
 import type { NamedBytes, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
-import type { SolverClient } from '../solver/solver-client.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
-
-const [LF, CR, SPACE, TAB, F] = [10, 13, 32, 9, 102];
 
 /** Thrown when the user cancels the import. */
 class Cancelled extends Error {}
@@ -26,12 +24,10 @@ export async function openLarge(
   chosen: File[],
   {
     actions,
-    solver,
     alerts,
     open,
   }: {
     actions: Actions;
-    solver: SolverClient;
     alerts: Alerts;
     open: (files: NamedBytes[], cancelled: AbortSignal) => Promise<Loaded | null>;
   },
@@ -39,7 +35,8 @@ export async function openLarge(
   const names = chosen.map(({ name }) => name).join(' and ');
   const all = chosen.reduce((sum, { size }) => sum + size, 0);
   const card = new Card(names);
-  const count = new FaceCount();
+  /** Faces of the files that have been read so far. */
+  let faces = 0;
   // The solver measures the limit, unless known already, while the file is read.
   const limit = actions.ask.mostFaces();
   limit.catch(() => {});
@@ -48,22 +45,24 @@ export async function openLarge(
     const files: NamedBytes[] = [];
     let read = 0;
     for (const file of chosen) {
+      const count = faceCountOf(file);
+      const withThis = () => faces + (count?.faces ?? 0);
       const bytes = await bytesOf(file, card.cancelled, (chunk) => {
         read += chunk.length;
-        if (/\.obj$/i.test(file.name)) count.take(chunk);
-        card.show(`Reading ${names} · ${progress(read, all)}${facesIn(count)}`, read / all);
+        count?.take(chunk);
+        card.show(`Reading ${names} · ${progress(read, all)}${facesIn(withThis())}`, read / all);
       });
       files.push({ name: file.name, bytes });
+      faces = withThis();
     }
     const most = await card.unlessCancelled(limit);
-    if (count.faces > most) {
-      const size = groupDigits(count.faces);
+    if (faces > most) {
+      const size = groupDigits(faces);
       const question = `${names} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(most)} on this computer.`;
       actions.setStatus(`${names}: ${size} faces`);
       await card.ask(question, 'Load anyway');
     }
-    card.show(`Opening ${names}${facesIn(count)}`, null);
-    card.cancelled.addEventListener('abort', () => solver.abandon());
+    card.show(`Opening ${names}${facesIn(faces)}`, null);
     const loaded = await open(files, card.cancelled);
     if (card.cancelled.aborted) throw new Cancelled();
     return loaded;
@@ -91,25 +90,7 @@ async function bytesOf(file: File, cancelled: AbortSignal, onChunk: (chunk: Uint
   }
 }
 
-/** Counts the faces of an OBJ file while it is read: the lines that begin with "f ". */
-class FaceCount {
-  faces = 0;
-  /** The last two bytes before the chunk. */
-  #before = [LF, LF];
-
-  take(chunk: Uint8Array) {
-    let [last, previous] = this.#before;
-    for (const byte of chunk) {
-      const isGap = byte === SPACE || byte === TAB;
-      if (isGap && previous === F && (last === LF || last === CR)) this.faces += 1;
-      last = previous;
-      previous = byte;
-    }
-    this.#before = [last, previous];
-  }
-}
-
-const facesIn = ({ faces }: FaceCount) => (faces > 0 ? ` · ${groupDigits(faces)} faces` : '');
+const facesIn = (faces: number) => (faces > 0 ? ` · ${groupDigits(faces)} faces` : '');
 
 const progress = (read: number, all: number) => `${megabytes(read)} of ${megabytes(all)} MB`;
 
