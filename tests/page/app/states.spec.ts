@@ -155,6 +155,24 @@ test('a large file shows its progress, and reading can be cancelled', async ({ p
   await expect(status(page)).toHaveText(/^Opened wide\.obj/);
 });
 
+test('Cancel while a Rhino file is converted leaves the solver at its work', async ({ page }) => {
+  // It was ended, and with it the run of the open model.
+  await page.route('**/assets/rhino-worker-*.js', () => {});
+  await openPage(page);
+  const solver = () => page.workers().filter((worker) => worker.url().includes('solver-worker'));
+  const [before] = solver();
+  expect(before).toBeDefined();
+  const rhino = file('roof.3dm', ' '.repeat(2_100_000));
+  await page.getByLabel('Open file').setInputFiles(rhino);
+  await expect(card(page)).toContainText('Opening roof.3dm');
+  await card(page).getByRole('button', { name: 'Cancel' }).click();
+  await expect(card(page)).toBeHidden();
+  await expect(status(page)).toHaveText('Cancelled');
+  await page.evaluate(() => window.shapeUp.settled());
+  expect(solver()).toHaveLength(1);
+  expect(solver()[0]).toBe(before);
+});
+
 /** Replaces the interactive limit that the solver reports, which differs between machines. */
 const interactiveUpTo = (page: Page, most: number) =>
   page.addInitScript((value) => {
