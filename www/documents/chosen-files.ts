@@ -144,12 +144,10 @@ export async function offersToChoose(
   const missing = await actions.ask.missingFiles(given).catch(() => []);
   if (missing.length === 0) return [];
   const action = async () => {
-    const chosen = await choose(missing.length > 1);
-    // A single chosen file is taken for the missing one, whatever its name.
-    const name = missing.length === 1 ? missing[0].split('/').pop() : undefined;
+    const chosen = await choose(missing);
     if (chosen.length === 0) return;
     const opened = files.openings.begin(async (opening) => {
-      const read = Promise.all(chosen.map((file) => namedBytes(file, name)));
+      const read = readFor(missing, chosen);
       const found = await actions.reportErrors(read);
       if (found) await files.open([...given, ...found], origin, { opening });
     });
@@ -159,10 +157,26 @@ export async function offersToChoose(
   return [{ label: `Choose ${missing.join(' and ')} …`, action }];
 }
 
+/**
+ * Reads the files that were chosen for missing ones. A single one is taken for the missing one, whatever
+ * its name, but not its ending, by which it is read.
+ */
+async function readFor([first, ...others]: string[], chosen: File[]) {
+  const name = others.length === 0 ? first.split('/').pop() : undefined;
+  const ending = endingOf(first);
+  const other = chosen.find((file) => name && endingOf(file.name) !== ending);
+  if (other)
+    throw new Error(`${other.name} is of another format: the scene needs a ${ending} file.`);
+  return Promise.all(chosen.map((file) => namedBytes(file, name)));
+}
+
+const endingOf = (name: string) => /\.[^./]*$/.exec(name)?.[0].toLowerCase() ?? '';
+
 /** @returns empty if cancelled */
-const choose = (multiple: boolean): Promise<File[]> =>
+const choose = (missing: string[]): Promise<File[]> =>
   new Promise((done) => {
-    const input = element('input', { type: 'file', accept: '.obj,.off,.mesh,.ply,.stl', multiple });
+    const accept = [...new Set(missing.map(endingOf))].join();
+    const input = element('input', { type: 'file', accept, multiple: missing.length > 1 });
     input.onchange = () => done([...(input.files ?? [])]);
     input.oncancel = () => done([]);
     input.click();

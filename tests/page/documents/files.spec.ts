@@ -278,10 +278,23 @@ test('the page asks for a file that a scene needs, and takes a pose from another
     ]);
   const alert = page.getByRole('alert');
   await expect(alert).toContainText('needs the mesh file ground.obj');
-  const asked = page.waitForEvent('filechooser');
-  await alert.getByRole('button', { name: 'Choose ground.obj' }).click();
+  const choose = async (name: string, text: string) => {
+    const asked = page.waitForEvent('filechooser');
+    await alert.getByRole('button', { name: 'Choose ground.obj' }).click();
+    await (await asked).setFiles(file(name, text));
+  };
+  // It was read as the missing one's format, whatever it is.
+  await choose('plan.off', 'OFF 0 0 0');
+  await expect(alert).toContainText('plan.off is of another format: the scene needs a .obj file.');
+  await page
+    .getByLabel('Open file')
+    .setInputFiles([
+      file('roof.shapeup.json', JSON.stringify(scene)),
+      file('grid.obj', wavyGrid(4)),
+    ]);
+  await expect(alert).toContainText('needs the mesh file ground.obj');
   // A file of any name is accepted.
-  await (await asked).setFiles(file('plan.obj', raised));
+  await choose('plan.obj', raised);
   await waitForState(page, (now) => now.vertices === 25);
   expect((await page.evaluate(() => window.shapeUp.scene())).closeness.to.mesh.faces).toHaveLength(
     16,
