@@ -105,6 +105,20 @@ test('Gauss and mean curvature are coloured around zero, with units in metres', 
   await expect(legend).toContainText('Planarity');
 });
 
+test('another measure than a curvature is the one before', async ({ page }) => {
+  // The faces lost their colours.
+  await openPage(page);
+  await openText(page, 'hypar.obj', hypar(12), 169);
+  await showStep(page, 'Check');
+  await page.getByLabel('Colour by').selectOption('planarity');
+  const legend = page.locator('#legend');
+  await expect(legend).toContainText('Planarity');
+  const card = await openCurvature(page);
+  await expect(legend).toContainText('Off the lines of curvature');
+  await card.getByLabel('Coloured by').selectOption({ label: 'Another measure' });
+  await expect(legend).toContainText('Planarity');
+});
+
 test('a tube has lines around and along it', async ({ page }) => {
   await openPage(page);
   await openText(page, 'tube.obj', tube(), 60);

@@ -36,7 +36,7 @@ function Card() {
   const [distance, setDistance] = useState<number | null>(null);
   useEffect(() => setDistance(null), [model]);
   const { answer, refused } = useLines(draw, distance);
-  useCurvatureColours();
+  const other = useCurvatureColours();
   const place = useRef<HTMLElement>(null);
   useEffect(() => place.current?.querySelector('select')?.focus(), []);
   const close = () => actions.leaveCorner('curvature');
@@ -81,7 +81,7 @@ function Card() {
       <div class="key">{draw && <Keys />}</div>
       <label class="by">
         <span>Colours</span>
-        <Colours />
+        <Colours other={other} />
       </label>
       <p class="quiet" aria-live="polite">
         {refused || wordsOf(draw, answer)}
@@ -120,8 +120,11 @@ function Keys() {
   );
 }
 
-/** The measures of curvature, which can colour the faces. */
-function Colours() {
+/**
+ * The measures of curvature, which can colour the faces.
+ * @param props.other gives them the colours of another measure
+ */
+function Colours({ other }: { other: () => void }) {
   const { store, actions } = useApp();
   const { measures, measure, document } = store.state;
   const own = measures.filter(({ curvature }) => curvature);
@@ -134,7 +137,7 @@ function Colours() {
       aria-label="Coloured by"
       value={own.some(({ id }) => id === measure) ? (measure ?? '') : ''}
       options={[...options, ['', 'Another measure']]}
-      onChoose={(id) => actions.colourBy(id || null)}
+      onChoose={(id) => (id ? actions.colourBy(id) : other())}
     />
   );
 }
@@ -167,16 +170,23 @@ function useLines(draw: Drawn, distance: number | null) {
   return lines.told.value;
 }
 
-/** Colours the faces by a curvature, and by what they had before when the card is closed. */
+/**
+ * Colours the faces by a curvature, and by what they had before when the card is closed.
+ * @returns gives them what they had before; what the scene suggests if that is a curvature
+ */
 function useCurvatureColours() {
   const { store, actions } = useApp();
+  const [{ measure, measureChosen }] = useState(() => store.get());
+  const isCurvature = (id: string | null) => declared(store.get(), id)?.curvature ?? false;
   useEffect(() => {
-    const { measure, measureChosen, measures } = store.get();
-    const own = measures.filter(({ curvature }) => curvature);
-    if (!own.some(({ id }) => id === measure)) actions.look({ measure: own[0]?.id ?? null });
+    const first = store.get().measures.find(({ curvature }) => curvature);
+    if (!isCurvature(measure)) actions.look({ measure: first?.id ?? null });
     return () => {
-      const now = store.get();
-      if (declared(now, now.measure)?.curvature) actions.look({ measure, measureChosen });
+      if (isCurvature(store.get().measure)) actions.look({ measure, measureChosen });
     };
   }, []);
+  return () => {
+    const suggested = { measure: store.get().document?.measure ?? null, measureChosen: false };
+    actions.look(isCurvature(measure) ? suggested : { measure, measureChosen });
+  };
 }
