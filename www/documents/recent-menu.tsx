@@ -7,13 +7,17 @@ import type { Work } from './recent-documents.ts';
 
 /** The popover that the menu is in. */
 const popover = () => byId('recent');
+const isOpen = () => popover().matches(':popover-open');
 
 export function RecentMenu() {
   const app = useApp();
   /** As they were when the menu was opened last. */
   const [list, setList] = useState<Work[] | null>(null);
   useLayoutEffect(() => {
-    const open = async () => {
+    // The button closes the open menu by itself.
+    const open = async (event: Event) => {
+      if (isOpen()) return;
+      event.preventDefault();
       await app.works.saveNow().catch(() => {});
       setList(await app.works.recent().catch(() => []));
     };
@@ -22,7 +26,7 @@ export function RecentMenu() {
     return () => button.removeEventListener('click', open);
   }, []);
   useLayoutEffect(() => {
-    if (list) popover().showPopover();
+    if (list && !isOpen()) popover().showPopover();
   }, [list]);
   // A menu needs an entry for screen readers to announce its text.
   if (list?.length === 0) {

@@ -379,7 +379,14 @@ test('an unedited example is not saved', async ({ page }) => {
   await visit(page);
   await expect(back(page)).toBeHidden();
   await tool(page, 'Open recent');
-  await expect(page.getByRole('menu', { name: 'Open recent' })).toContainText('Nothing else yet');
+  const menu = page.getByRole('menu', { name: 'Open recent' });
+  await expect(menu).toContainText('Nothing else yet');
+  // Its button closes it: it used to open it again.
+  const button = page.getByRole('button', { name: 'Open recent', exact: true });
+  await button.click();
+  await expect(menu).toBeHidden();
+  await button.click();
+  await expect(menu).toBeVisible();
 });
 
 for (const [what, block] of [
