@@ -1,5 +1,7 @@
 /** What a graphics interface of the browser draws with: a graphics card, or software in its place. */
 
+import type { State } from '../store/state.ts';
+
 export interface GraphicsCard {
   /** as the browser calls it; empty if it does not say */
   name: string;
@@ -53,3 +55,18 @@ export function webgl2Card(): GraphicsCard | null {
   gl.getExtension('WEBGL_lose_context')?.loseContext();
   return { name, isSoftware: SOFTWARE.test(name) };
 }
+
+/** The interfaces of the browser that can draw: their names, and what each draws with. */
+export const INTERFACES: {
+  [name in State['renderer']]?: {
+    label: string;
+    cardOf: () => GraphicsCard | null | Promise<GraphicsCard | null>;
+  };
+} = {
+  webgpu: { label: 'WebGPU', cardOf: webgpuCard },
+  webgl2: { label: 'WebGL2', cardOf: webgl2Card },
+};
+
+/** Whether the view is drawn without a graphics card. */
+export const drawsInSoftware = async (renderer: State['renderer']) =>
+  (await INTERFACES[renderer]?.cardOf())?.isSoftware ?? false;

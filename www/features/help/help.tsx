@@ -9,7 +9,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { CTRL, keyName, singleKeys } from '../../ui/keys.ts';
 import { copyText } from '../../ui/output.ts';
-import { webgl2Card, webgpuCard, type GraphicsCard } from '../../viewport/graphics-card.ts';
+import { INTERFACES } from '../../viewport/graphics-card.ts';
 import { MOUSE_WORDS } from '../../viewport/input/mouse.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
@@ -179,15 +179,8 @@ function FileFormats() {
   );
 }
 
-type Renderer = State['renderer'];
-type Card = GraphicsCard | null;
-const INTERFACES: { [name in Renderer]?: { label: string; cardOf: () => Card | Promise<Card> } } = {
-  webgpu: { label: 'WebGPU', cardOf: webgpuCard },
-  webgl2: { label: 'WebGL2', cardOf: webgl2Card },
-};
-
 /** Says which interface of the browser draws, and with which graphics card. */
-function DrawnBy({ renderer }: { renderer: Renderer }) {
+function DrawnBy({ renderer }: Pick<State, 'renderer'>) {
   const [words, setWords] = useState('');
   useEffect(() => {
     const { label, cardOf } = INTERFACES[renderer] ?? {};

@@ -2,10 +2,11 @@
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { colouring, movedInWords, toleranceOf, worstOf } from '../../store/colours/measures.ts';
-import { isDrawn } from '../../store/state.ts';
+import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { duration, energyOrZero, groupDigits, measured, number } from '../../ui/words.ts';
+import { drawsInSoftware } from '../../viewport/graphics-card.ts';
 import { hintOf } from './hint.ts';
 import type { ComponentChildren } from 'preact';
 
@@ -135,13 +136,17 @@ function DragTime() {
   );
 }
 
-/** Names of software renderers. */
-const SOFTWARE = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 const SLOW = 'Software rendering is slow. Turn on graphics acceleration in the browser settings.';
 
 function SoftwareRendering() {
   const { renderer } = useApp().store.state;
-  const isSlow = useMemo(() => isDrawn({ renderer }) && drawsInSoftware(), [renderer]);
+  const newest = useMemo(() => newestOnly(), []);
+  const [isSlow, setSlow] = useState(false);
+  useEffect(() => {
+    void newest(drawsInSoftware(renderer)).then((found) => {
+      if (found !== undefined) setSlow(found);
+    });
+  }, [renderer]);
   return (
     <Cell look={WIDE} title={SLOW}>
       {isSlow && 'Software rendering'}
@@ -175,13 +180,4 @@ function Offline() {
       {isOffline && 'Offline'}
     </Cell>
   );
-}
-
-/** Whether WebGL is rendered in software. */
-function drawsInSoftware() {
-  const context = document.createElement('canvas').getContext('webgl2');
-  const names = context?.getExtension('WEBGL_debug_renderer_info');
-  const name = names && context?.getParameter(names.UNMASKED_RENDERER_WEBGL);
-  context?.getExtension('WEBGL_lose_context')?.loseContext();
-  return SOFTWARE.test(String(name));
 }
