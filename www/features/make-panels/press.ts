@@ -43,7 +43,8 @@ export async function makePanels(
     return show(display.shapes);
   }
   await arrived;
-  if (store.get().model !== model) return;
+  // Another model is shown as before.
+  if (store.get().model !== model) return show(display.shapes);
   show(true);
   if (!display.shapes) hideWithNextModel(app);
   await ended;
