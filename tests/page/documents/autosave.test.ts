@@ -36,8 +36,9 @@ function started(context: TestContext) {
   globalThis.document = { addEventListener() {} } as unknown as Document;
   globalThis.location = { hash: '' } as Location;
   const solver = new Solver();
+  const origin: Origin = {};
   const files = Object.assign(new Emitter<{ opened: void }>(), {
-    ...{ origin: {} as Origin, original: null, name: 'roof' },
+    ...{ origin, original: null, name: 'roof' },
   });
   const store = createStore();
   store.set({ model: { title: '', name: 'roof.obj' } as Loaded });
