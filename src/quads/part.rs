@@ -27,6 +27,8 @@ pub(super) struct Part {
     /// Where the surface turns by more than a right angle from one panel to the next, other than at a
     /// crease that they follow.
     pub(super) folds: Vec<Vec3<f64>>,
+    /// The middles of crease edges that are not followed, being nearer to each other than a panel.
+    pub(super) abandoned: Vec<Vec3<f64>>,
 }
 
 /// Maps with flipped triangles are tried up to this level if one gives a surface like the input:
@@ -242,6 +244,7 @@ fn finish(
         level: notes.level,
         lost,
         folds,
+        abandoned: prepared.notes.abandoned.clone(),
     };
     (part, used.iter().map(|&node| nodes[node].boundary).collect())
 }

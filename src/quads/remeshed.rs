@@ -61,6 +61,7 @@ pub(super) fn together(
     let distances = Distances::between(&mesh, input, surface);
     let mut notes = Vec::new();
     notes.extend(not_followed(&parts, input, &distances, units));
+    notes.extend(abandoned(&parts));
     let measures = tally.measures(
         distances.largest(),
         parts.iter().map(|part| part.shape.loops).sum(),
@@ -152,6 +153,22 @@ fn not_followed(
     let follows = words::rough_length(follows, units);
     let words =
         format!("{count} smaller than a panel: to follow {them}, set Side to {follows} or less");
+    Some(RemeshNote { words, places })
+}
+
+/// Names the places with creases that are not followed.
+fn abandoned(parts: &[Part]) -> Option<RemeshNote> {
+    let size = parts.first()?.size;
+    let edges: Vec<Vec3<f64>> = parts.iter().flat_map(|part| part.abandoned.clone()).collect();
+    let places = places(&edges, NEAR * size);
+    let words = match places.len() {
+        0 => return None,
+        1 => "Creases that are nearer to each other than a panel are not followed".to_owned(),
+        count => format!(
+            "In {} places, creases that are nearer to each other than a panel are not followed",
+            words::group_digits(count)
+        ),
+    };
     Some(RemeshNote { words, places })
 }
 

@@ -2,10 +2,11 @@
 
 use super::surfaces::{parametric, torus, tube, vault};
 use super::{check, panels, with};
-use shape_up::math::{cosine, sine};
-use shape_up::mesh::{Mesh, Point, Topology};
+use crate::support::shared;
+use shape_up::math::{Vec3, cosine, sine};
+use shape_up::mesh::{Mesh, Point, Surface, Topology};
 use shape_up::quads::{
-    InputSurface, MapOptions, PanelSize, RemeshError, RemeshStage, Remesher, remesh,
+    InputSurface, MapOptions, PanelSize, RemeshError, RemeshNote, RemeshStage, Remesher, remesh,
 };
 
 /// Both meshes in one.
@@ -197,7 +198,7 @@ fn a_part_that_cannot_be_covered_stays_as_it_is_and_is_named() {
     assert!(words.contains(&"2 small parts stay as they are"), "{words:?}");
     let large = words.iter().find(|words| words.starts_with("1 part stays as it is: "));
     assert!(large.is_some_and(|words| words.contains("too large")), "{words:?}");
-    let far = |point: &shape_up::math::Vec3<f64>| point.x > 30.0;
+    let far = |point: &Vec3<f64>| point.x > 30.0;
     assert!(found.notes.iter().all(|note| note.places.iter().all(far)));
 
     // What would leave most of it is refused.
@@ -236,5 +237,20 @@ fn an_observer_sees_all_stages_in_order_and_can_stop_at_each() {
     for stop in stages {
         let stopped = remesh(&vault(), &options, "m", &mut |stage, _| stage != stop);
         assert_eq!(stopped.map(|_| ()).unwrap_err(), RemeshError::Cancelled, "{stop:?}");
+    }
+}
+
+#[test]
+fn creases_that_are_given_up_are_named() {
+    // Edges of a solid that are shorter than its panels: they were given up silently.
+    let Some(mesh) = shared::mesh("rhombitruncated_cubeoctahedron.off") else { return };
+    let found = panels(&mesh, 400).unwrap();
+    let given_up =
+        |note: &&RemeshNote| note.words.contains("creases that are nearer to each other");
+    let note = found.notes.iter().find(given_up).expect("some are");
+    let surface = Surface::new(&mesh.positions, &mesh);
+    for &place in &note.places {
+        let foot = surface.closest(place.into(), &mut Surface::NO_HINT.clone());
+        assert!((place - Vec3::from(foot)).length() < found.measures.edge.mean, "{place:?}");
     }
 }

@@ -184,12 +184,15 @@ fn has_line(along: GridPoint, axis: usize) -> bool {
 /// and its share of the side.
 fn on_side(a: GridPoint, along: GridPoint, axis: usize, value: i64) -> (GridPoint, f64) {
     let other = 1 - axis;
-    let product = i128::from(value - a[axis]) * i128::from(along[other]);
-    let quotient = product.div_euclid(i128::from(along[axis]));
+    // Euclidean division rounds down by a positive divisor only.
+    let sign = i128::from(along[axis].signum());
+    let product = sign * i128::from(value - a[axis]) * i128::from(along[other]);
+    let divisor = sign * i128::from(along[axis]);
+    let quotient = product.div_euclid(divisor);
     let mut point = [value; 2];
     point[other] = a[other] + i64::try_from(quotient).expect("it lies between the ends");
     // A rounded coordinate must not look integral.
-    if product % i128::from(along[axis]) != 0 && is_integral(point[other]) {
+    if product % divisor != 0 && is_integral(point[other]) {
         point[other] += 1;
     }
     (point, (value - a[axis]) as f64 / along[axis] as f64)
@@ -238,4 +241,24 @@ fn inside_triangle(surface: &Triangulation, map: &GridMap, triangle: usize, node
 /// The vector from `b` to `a`.
 pub(super) fn minus(a: GridPoint, b: GridPoint) -> GridPoint {
     [a[0] - b[0], a[1] - b[1]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_crossing_is_the_same_point_from_both_ends_of_its_side() {
+        // Where a side ran backwards it was rounded up.
+        let (a, b) = ([3, -5], [7 * UNIT + 1, 3 * UNIT + 2]);
+        let along = |from: GridPoint, to: GridPoint| [to[0] - from[0], to[1] - from[1]];
+        for axis in [0, 1] {
+            for value in multiples_between(a[axis], b[axis]) {
+                let (forth, share) = on_side(a, along(a, b), axis, value);
+                let (back, rest) = on_side(b, along(b, a), axis, value);
+                assert_eq!(forth, back);
+                assert!((share + rest - 1.0).abs() < 1e-12);
+            }
+        }
+    }
 }

@@ -32,18 +32,12 @@ pub struct MapNotes {
     pub singularities: Vec<(usize, i32)>,
     /// Number of quads by the area of the map.
     pub quads: f64,
-    /// Factor of the scale that was chosen.
-    pub scale: f64,
     /// Number of integer unknowns that were rounded.
     pub integers: usize,
     /// Number of pairs of points and lines that rounding would have put together.
     pub separations: usize,
     /// Crease edges given up because they are nearer to each other than a panel.
     pub abandoned_creases: usize,
-    /// Number of cut edges.
-    pub cut: usize,
-    /// Flipped triangles of the map without integers, by rounds of stiffening.
-    pub seamless_flips: Vec<usize>,
 }
 
 /// Maps of one prepared surface. Fields and seamless maps are kept, so that another number of quads
@@ -230,12 +224,9 @@ impl Stage {
                 level: level as u32,
                 singularities: field.combed.singularities(),
                 quads: best.quads,
-                scale: best.factor,
                 integers: relaxed.integers.count(),
                 separations: best.separations,
-                abandoned_creases: prepared.notes.abandoned,
-                cut: field.seams.cut.len(),
-                seamless_flips: relaxed.seamless.flips.clone(),
+                abandoned_creases: prepared.notes.abandoned.len(),
             };
             if !visit(prepared, map, notes, observer)? {
                 return Ok(Rounds::Enough);

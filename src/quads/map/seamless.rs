@@ -16,8 +16,6 @@ pub(crate) struct Seamless {
     pub values: Vec<f64>,
     /// Weights of the triangles, with which the energy is assembled and factored.
     pub weights: Vec<f64>,
-    /// Number of flipped triangles, round by round.
-    pub flips: Vec<usize>,
 }
 
 /// The map of least energy; the energy is left assembled and factored for its weights.
@@ -33,7 +31,6 @@ pub(crate) fn seamless_map(
 ) -> Result<Seamless, RemeshError> {
     let mut weights = vec![1.0; areas.len()];
     let mut best: Option<(usize, Vec<f64>, Vec<f64>)> = None;
-    let mut flips = Vec::new();
     let none = vec![false; energy.unknowns.len() - seams.pinned.len()];
     let mut last_best = false;
     for round in 0..ROUNDS {
@@ -43,7 +40,6 @@ pub(crate) fn seamless_map(
         let values = solve(seams, energy, &weights, &none)?;
         let doubled = doubled_areas(seams, &values);
         let flipped = doubled.iter().filter(|&&area| area <= 0.0).count();
-        flips.push(flipped);
         last_best = best.as_ref().is_none_or(|best| flipped < best.0);
         if last_best {
             best = Some((flipped, weights.clone(), values));
@@ -58,7 +54,7 @@ pub(crate) fn seamless_map(
         energy.assemble(&weights);
         energy.system.factor(&none)?;
     }
-    Ok(Seamless { values, weights, flips })
+    Ok(Seamless { values, weights })
 }
 
 fn solve(

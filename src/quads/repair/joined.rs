@@ -8,11 +8,13 @@ use std::collections::{BTreeMap, VecDeque};
 const FARTHEST: usize = 24;
 
 /// Joins each odd face with the nearest one and the faces between them. One that is left over gets a
-/// new node on the nearest boundary edge, to which it is joined likewise.
+/// new node on the nearest boundary edge, to which it is joined likewise. What is a quad then is
+/// `replaced`; the others are still to be.
 pub(super) fn join_odd(
     panels: &mut Panels,
     nodes: &mut Vec<Node>,
     is_trimmed: &impl Fn(&[usize]) -> bool,
+    replaced: &mut Vec<Vec<usize>>,
 ) {
     let is_odd = |panels: &Panels, index: usize| {
         panels.face(index).is_some_and(|face| face.len() % 2 == 1 && !is_trimmed(face))
@@ -41,6 +43,9 @@ pub(super) fn join_odd(
             path.iter().for_each(|&index| {
                 panels.take(index);
             });
+            if polygon.len() == 4 {
+                replaced.push(polygon.clone());
+            }
             panels.add(polygon);
         }
     }

@@ -47,7 +47,7 @@ pub(super) fn repair(
         }
     };
     divide(&mut panels, nodes, &mut replaced);
-    join_odd(&mut panels, nodes, &is_trimmed);
+    join_odd(&mut panels, nodes, &is_trimmed, &mut replaced);
     divide(&mut panels, nodes, &mut replaced);
     Repaired { faces: panels.into_faces(), replaced }
 }
@@ -115,6 +115,12 @@ mod tests {
         nodes[8].position = Vec3::new(3.5, 1.5, 0.0);
         let (nodes, repaired) = check(nodes, &faces);
         assert_eq!((nodes.len(), repaired.faces.len()), (12, 3));
+    }
+
+    #[test]
+    fn two_triangles_that_become_a_quad_are_a_place_that_was_repaired() {
+        let (_, repaired) = check(grid(3, 2), &[&[0, 1, 4, 3], &[1, 2, 5], &[1, 5, 4]]);
+        assert_eq!((repaired.faces.len(), repaired.replaced.len()), (2, 1));
     }
 
     #[test]

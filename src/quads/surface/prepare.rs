@@ -39,7 +39,6 @@ impl Prepared {
     /// beside other features.
     fn with_features(mut surface: Triangulation, tensors: Vec<Tensor>, size: f64) -> Prepared {
         let edges = Edges::new(&surface.triangles);
-        let (cones, wedges) = cones(&surface, size);
         let mut is_feature: Vec<bool> =
             edges.sides.iter().map(|sides| surface.is_feature(sides[0])).collect();
         let is_crease = |e: usize| edges.sides[e].len() == 2;
@@ -52,6 +51,8 @@ impl Prepared {
             is_feature[e] = false;
             edges.sides[e].iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
         }
+        // Beside a crease that is released there is no wedge.
+        let (cones, wedges) = cones(&surface, size);
         let creases = (0..is_feature.len()).filter(|&e| is_feature[e] && is_crease(e)).count();
         let released = released.len();
         let notes = PrepareNotes { corners, creases, released, wedges, ..PrepareNotes::default() };
@@ -79,19 +80,20 @@ impl Prepared {
         let mut surface = self.surface.clone();
         let mut queue: Vec<usize> =
             sides.iter().map(|side| edges.of_side[side.triangle][side.side]).collect();
-        let mut abandoned = 0;
+        let mut abandoned = self.notes.abandoned.clone();
         while let Some(e) = queue.pop() {
             let own = &edges.sides[e];
             if !is_crease(e) || !surface.is_feature(own[0]) {
                 continue;
             }
-            abandoned += 1;
+            let [a, b] = edges.ends[e].map(|v| self.surface.positions[v]);
+            abandoned.push((a + b) * 0.5);
             own.iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
             queue.extend(edges.ends[e].iter().flat_map(|&v| &at_vertex[v]));
         }
         let mut prepared = Prepared::with_features(surface, self.tensors.clone(), self.size);
         prepared.notes.dropped_creases = self.notes.dropped_creases;
-        prepared.notes.abandoned = self.notes.abandoned + abandoned;
+        prepared.notes.abandoned = abandoned;
         prepared
     }
 }
@@ -107,8 +109,9 @@ pub struct PrepareNotes {
     pub creases: usize,
     /// Edges of creases released beside another chain.
     pub released: usize,
-    /// Crease edges of the surface given up because they are nearer to each other than a panel.
-    pub abandoned: usize,
+    /// The middles of crease edges of the surface that are given up, because they are nearer to each
+    /// other than a panel.
+    pub abandoned: Vec<Vec3<f64>>,
     /// Sharp wedges.
     pub wedges: usize,
 }
