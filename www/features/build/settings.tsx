@@ -1,7 +1,8 @@
 /** The form of the declared settings, in their groups, and the presets of material, machine and sheet. */
 
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { TextField } from '../../ui/components/text-field.tsx';
 import type { BuildPreset, BuildSetting, BuildSettings } from '../../solver/types.ts';
 import type { Parts } from './parts.ts';
 
@@ -163,33 +164,5 @@ function Field({
         </>
       )}
     </div>
-  );
-}
-
-/** A field for a text, reported on change. */
-function TextField({
-  id,
-  value,
-  onText,
-}: {
-  id: string;
-  value: string;
-  onText: (text: string) => unknown;
-}) {
-  /** Input that is not reported yet. */
-  const [typed, setTyped] = useState<string | null>(null);
-  return (
-    <input
-      type="text"
-      id={id}
-      value={typed ?? value}
-      onInput={({ currentTarget }) => setTyped(currentTarget.value)}
-      onChange={({ currentTarget }) => {
-        onText(currentTarget.value);
-        setTyped(null);
-      }}
-      // There is no change if the same text is typed again.
-      onBlur={() => setTyped(null)}
-    />
   );
 }

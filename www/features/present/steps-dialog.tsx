@@ -2,12 +2,13 @@
 
 import './present.css';
 import { useSignal } from '@preact/signals';
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { presentActions } from '../../store/present-actions.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { TextField } from '../../ui/components/text-field.tsx';
 import { count } from '../../ui/words.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
 import { present } from './stage.tsx';
@@ -70,29 +71,29 @@ function StepsDialog({ close }: InDialog) {
           <li key={i}>
             <Picture label={`Picture of step ${i + 1}`} step={step} shape={shapeOf(step)} />
             <div>
-              <Words
-                label={`Title of step ${i + 1}`}
+              <TextField
+                aria-label={`Title of step ${i + 1}`}
                 value={step.title}
-                onWords={(title) => changeStep(i, { title })}
+                onText={(title) => changeStep(i, { title })}
               />
               <CloseButton
                 label={`Remove step ${i + 1}`}
                 onClick={() => change((all) => all.toSpliced(i, 1))}
               />
             </div>
-            <Words
-              label={`Text of step ${i + 1}`}
+            <TextField
+              aria-label={`Text of step ${i + 1}`}
               rows={2}
               placeholder="Text shown beside the model"
               value={step.text ?? ''}
-              onWords={(text) => changeStep(i, { text })}
+              onText={(text) => changeStep(i, { text })}
             />
-            <Words
-              label={`Notes of step ${i + 1}`}
+            <TextField
+              aria-label={`Notes of step ${i + 1}`}
               rows={1}
               placeholder="Notes that only you see"
               value={step.notes ?? ''}
-              onWords={(notes) => changeStep(i, { notes })}
+              onText={(notes) => changeStep(i, { notes })}
             />
             <div>
               <Choice
@@ -165,39 +166,6 @@ function StepsDialog({ close }: InDialog) {
       </div>
     </div>
   );
-}
-
-/** A field for words, which are reported on change. */
-function Words({
-  label,
-  value,
-  onWords,
-  rows,
-  placeholder,
-}: {
-  label: string;
-  value: string;
-  onWords: (words: string) => void;
-  /** one line, if absent */
-  rows?: number;
-  placeholder?: string;
-}) {
-  /** Words that are not reported yet: the solver's answer to others does not replace them. */
-  const [typed, setTyped] = useState<string | null>(null);
-  const field = {
-    'aria-label': label,
-    placeholder,
-    value: typed ?? value,
-    onInput: ({ currentTarget }: { currentTarget: { value: string } }) =>
-      setTyped(currentTarget.value),
-    onChange: ({ currentTarget }: { currentTarget: { value: string } }) => {
-      setTyped(null);
-      onWords(currentTarget.value);
-    },
-    // There is no change if the same words are typed again.
-    onBlur: () => setTyped(null),
-  };
-  return rows ? <textarea rows={rows} {...field} /> : <input type="text" {...field} />;
 }
 
 /** Indices of turn and tilt in the array of a camera. */
