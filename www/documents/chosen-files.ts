@@ -6,6 +6,7 @@
 import { messageOf } from '../solver/errors.ts';
 import { isReadable, worthReading } from '../solver/opened-files.ts';
 import { element } from '../ui/dom.ts';
+import { FIT, readSecondFile } from '../store/second-files.ts';
 import { openLarge } from './large-file-import.ts';
 import type { AppContext } from '../app/context.ts';
 import type { NamedBytes, Loaded } from '../solver/types.ts';
@@ -111,7 +112,7 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     // A folder looks like an unreadable file.
     const [file] = files;
     if (store.get().document && event.clientY > FIT_FROM * window.innerHeight && file) {
-      void actions.reportErrors(fitTo(file, actions));
+      void actions.reportErrors(readSecondFile(FIT, file, actions));
       return;
     }
     const folders = [...items]
@@ -121,15 +122,6 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     const opened = app.files.openings.begin((opening) => openChosen(app, opening, chosen, folders));
     void actions.reportErrors(opened);
   });
-}
-
-/**
- * Sets the reference surface, as one step of undo. An alert explains why a file is refused.
- * @param file OBJ, OFF or Medit
- */
-async function fitTo(file: File, actions: Actions) {
-  const text = await file.text();
-  await actions.edit({ fitTo: { name: file.name, text } });
 }
 
 /**

@@ -3,13 +3,14 @@
 import './settings.css';
 import { Fragment, type ComponentChildren } from 'preact';
 import { frameOf } from '../../store/frame.ts';
+import { FIT, POSE, readSecondFile } from '../../store/second-files.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { count } from '../../ui/words.ts';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
-import type { Edit, SettingInfo } from '../../solver/types.ts';
+import type { SettingInfo } from '../../solver/types.ts';
 
 export function Settings() {
   const { settings } = useApp().store.state;
@@ -26,7 +27,11 @@ export function Settings() {
             ))}
           {i === 0 && (
             <>
-              <FromFile of={FIT} />
+              <FromFile
+                of={FIT}
+                label="Fit to another surface"
+                words="A second file in the same coordinates: the vertices are pulled onto its surface."
+              />
               <Pose />
               <OwnCloseness />
             </>
@@ -59,36 +64,20 @@ function Setting({ setting }: { setting: SettingInfo }) {
   );
 }
 
-/** Fitting to another surface. */
-const FIT = {
-  label: 'Fit to another surface',
-  edit: (name: string, text: string): Edit => ({ fitTo: { name, text } }),
-  words: 'A second file in the same coordinates: the vertices are pulled onto its surface.',
-  done: (name: string) => `Vertices stay near ${name}`,
-};
-/** Rest shapes from another pose. */
-const POSE = {
-  label: 'Take the pose of another file',
-  edit: (name: string, text: string): Edit => ({ takePose: { name, text } }),
-  words:
-    'A second file with the same faces: rigid and similar constraints keep the shapes in that file.',
-  done: (name: string) => `Shapes are taken from ${name}`,
-};
-
 /** An edit that reads a second file. */
 function FromFile({
-  of: { label, edit, words, done },
+  of,
+  label,
+  words,
   children,
 }: {
   of: typeof FIT;
+  label: string;
+  words: string;
   /** beside the button */
   children?: ComponentChildren;
 }) {
   const { actions } = useApp();
-  const read = async (file: File) => {
-    const edited = await actions.edit(edit(file.name, await file.text()));
-    if (edited !== undefined) actions.setStatus(done(file.name));
-  };
   return (
     <div class="setting">
       <label class="button">
@@ -99,7 +88,7 @@ function FromFile({
           aria-label={label}
           onChange={({ currentTarget }) => {
             const [file] = currentTarget.files ?? [];
-            if (file) void actions.reportErrors(read(file));
+            if (file) void actions.reportErrors(readSecondFile(of, file, actions));
             // Allows the same file to be read again after it changed on disk.
             currentTarget.value = '';
           }}
@@ -115,7 +104,11 @@ function FromFile({
 function Pose() {
   const { store, actions } = useApp();
   return (
-    <FromFile of={POSE}>
+    <FromFile
+      of={POSE}
+      label="Take the pose of another file"
+      words="A second file with the same faces: rigid and similar constraints keep the shapes in that file."
+    >
       {store.state.document?.pose && (
         <Button onClick={() => actions.edit('leavePose')}>Leave the other pose</Button>
       )}

@@ -1,0 +1,30 @@
+/** Edits that read a second file, chosen or dropped. */
+
+import type { Edit } from '../solver/types.ts';
+import type { Actions } from './actions.ts';
+
+interface SecondFile {
+  edit: (name: string, text: string) => Edit;
+  /** what is said when it is done */
+  done: (name: string) => string;
+}
+
+/** Fitting to another surface. */
+export const FIT: SecondFile = {
+  edit: (name, text) => ({ fitTo: { name, text } }),
+  done: (name) => `Vertices stay near ${name}`,
+};
+/** Rest shapes from another pose. */
+export const POSE: SecondFile = {
+  edit: (name, text) => ({ takePose: { name, text } }),
+  done: (name) => `Shapes are taken from ${name}`,
+};
+
+/**
+ * Reads the file, as one step of undo. An alert says why it is refused.
+ * @returns rejects if it cannot be read from the disk
+ */
+export async function readSecondFile({ edit, done }: SecondFile, file: File, actions: Actions) {
+  const edited = await actions.edit(edit(file.name, await file.text()));
+  if (edited !== undefined) actions.setStatus(done(file.name));
+}
