@@ -1,7 +1,6 @@
 /** What the view knows about its colours. */
 
-import { useSignal } from '@preact/signals';
-import { useEffect } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import type { State } from '../../store/state.ts';
 
@@ -17,13 +16,7 @@ const KEYS: (keyof State)[] = [
  */
 export function useTold<Value>(read: (state: Readonly<State>) => Value): Value {
   const { store } = useApp();
-  const value = useSignal(read(store.get()));
-  useEffect(
-    () =>
-      store.subscribe(KEYS, (state) => {
-        value.value = read(state);
-      }),
-    [],
-  );
-  return value.value;
+  const [value, setValue] = useState(() => read(store.get()));
+  useEffect(() => store.subscribe(KEYS, (state) => setValue(() => read(state))), []);
+  return value;
 }

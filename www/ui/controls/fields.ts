@@ -12,16 +12,6 @@ export const button = (label: string, onclick: () => unknown, attributes: Attrib
 export const closeButton = (label: string, onclick: () => unknown, attributes: Attributes = {}) =>
   element('button.tiny', { 'aria-label': label, onclick, ...attributes }, icon('close'));
 
-/** @param attributes of the label */
-export function checkbox(
-  label: string,
-  onchange: (checked: boolean) => unknown,
-  attributes: Attributes = {},
-) {
-  const box = element('input', { type: 'checkbox', onchange: () => onchange(box.checked) });
-  return { box, label: element('label', attributes, box, label) };
-}
-
 /** Makes a list box for one choice. */
 export function choice(
   attributes: Attributes,
