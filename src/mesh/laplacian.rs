@@ -67,7 +67,7 @@ impl Laplacian {
     /// Returns the weights of Alexa and Wardetzky 2011 on the rest mesh, whose faces may have any
     /// number of corners and need not be planar. The neighbours of a vertex are the corners of its
     /// faces. On triangles these are the cotangent weights; on planar faces the Laplacian of linear
-    /// functions is zero at interior vertices. See `polygon_weights.rs`.
+    /// functions is zero at interior vertices.
     pub fn polygon(mesh: &Mesh) -> Laplacian {
         let (mut pairs, mut of_pair) = (Vec::new(), Vec::new());
         let mut weights = PolygonWeights::default();

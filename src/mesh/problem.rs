@@ -98,7 +98,7 @@ impl ProblemKind {
                  shown, solved nor built"
             }
             UnknownStatement => "ignored",
-            CutOff => "cut off by the end of the file: more may be missing",
+            CutOff => "perhaps cut off by the end of the file: more may be missing",
             TooManyNames => "with too many names, of which the first are kept",
             UnusedVertex => "",
             UnjoinedVertex => "that lies on another without being joined to it: the seam can open",

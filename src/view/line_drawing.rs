@@ -3,10 +3,8 @@
 //! Visibility is sampled along each line against a depth buffer whose pixels are about a tenth of a
 //! millimetre on paper. The sides of the frontmost face at a sample count as visible whatever their
 //! depth, so that lines on slanted surfaces stay whole.
-//!
-//! The fitted circles of a line drawing.
 
-use super::model::sides_by_edge;
+use super::model::{ViewError, sides_by_edge};
 use crate::view::camera::{Eye, Section};
 use crate::view::picking::DepthMap;
 use crate::view::state::{SHAPE_NUMBERS, ViewState};
@@ -33,9 +31,15 @@ const EDGE: u32 = 18;
 const CIRCLE: u32 = 13;
 
 /// Draws the visible lines as SVG in millimetres, with groups for circles, edges and outlines.
-pub fn line_drawing(state: &ViewState) -> String {
+///
+/// # Errors
+/// If nothing of the model is in the picture.
+pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
     let camera = state.camera();
     let [low, high] = frame(state);
+    if high.cmplt(low).any() {
+        return Err(ViewError::Outside);
+    }
     let scale = (SHEET / (high - low).max(Vec2::ONE)).min_element();
     let size = ((high - low) * scale).round();
     let sight = Sight {
@@ -113,7 +117,7 @@ pub fn line_drawing(state: &ViewState) -> String {
             );
         }
     }
-    svg + "</g></svg>\n"
+    Ok(svg + "</g></svg>\n")
 }
 
 /// Returns two corners of the part of the canvas that shows the model, with a margin.
@@ -272,7 +276,20 @@ mod tests {
         state.resize(Vec2::new(800.0, 600.0));
         state.set_parallel(true);
         state.move_camera(|camera| camera.look_from(from)).unwrap();
-        line_drawing(&state)
+        line_drawing(&state).unwrap()
+    }
+
+    #[test]
+    fn a_model_beside_the_picture_is_no_drawing_of_negative_size() {
+        let mut state = ViewState::default();
+        let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        let faces = (vec![0, 4], vec![0, 1, 2, 3]);
+        state.set_mesh(faces, (vec![0], vec![]), square.as_flattened()).unwrap();
+        state.resize(Vec2::new(800.0, 600.0));
+        state.move_camera(|camera| camera.look_from("top")).unwrap();
+        assert!(line_drawing(&state).is_ok());
+        state.move_camera(|camera| Ok::<(), ViewError>(camera.pan(4000.0, 0.0))).unwrap();
+        assert_eq!(line_drawing(&state), Err(ViewError::Outside));
     }
 
     /// Returns the lengths of the lines of a pen, in hundredths of a millimetre.

@@ -208,6 +208,25 @@ fn a_tube_has_closed_edge_lines_that_repeat_their_first_vertex() {
 }
 
 #[test]
+fn edge_lines_of_doubled_faces_end() {
+    // The equators of an octahedron, each twice: a line went on for ever beside its first edge.
+    let equators = [[0, 2, 1, 3], [2, 4, 3, 5], [4, 0, 5, 1]];
+    let mut mesh = Mesh::default();
+    for axis in 0..3 {
+        for end in [1.0, -1.0] {
+            let mut point = [0.0; 3];
+            point[axis] = end;
+            mesh.positions.push(point);
+        }
+    }
+    equators.iter().for_each(|equator| [0, 1].iter().for_each(|_| mesh.faces.push(equator)));
+    let topology = Topology::new(&mesh);
+    assert_eq!(topology.edges().len(), 12);
+    let sides: usize = edge_lines(&topology).iter().map(|line| line.len() - 1).sum();
+    assert_eq!(sides, 12);
+}
+
+#[test]
 fn edge_lines_end_at_irregular_vertices() {
     // A cube: every vertex has three edges, so every edge is a separate line.
     let cube = with_faces(

@@ -267,7 +267,7 @@ fn a_section_lets_one_see_and_take_what_was_behind() {
 fn a_line_drawing_ends_at_the_section() {
     let mut state = parallel();
     state.preset("top").unwrap();
-    let drawn = |state: &ViewState| shape_up::view::line_drawing::line_drawing(state);
+    let drawn = |state: &ViewState| shape_up::view::line_drawing::line_drawing(state).unwrap();
     let whole = drawn(&state);
     // Only the left half remains, so the drawing is narrower.
     state.set_section(Some((0, 0.5, false))).unwrap();

@@ -4,8 +4,6 @@
 //! touch has four or more, and a vertex where edges with three or more faces end can have an odd
 //! number. Walks through the graph are cut wherever they meet themselves, which always gives simple
 //! loops.
-//!
-//! Connected components.
 
 use crate::math::polygon_sides;
 use crate::mesh::{Mesh, Ragged};

@@ -37,7 +37,7 @@ pub fn edge_lines(topology: &Topology) -> Ragged {
 
 /// Returns the vertices of the line along edge `first` from its end `v` on, and whether the line
 /// returns to `first`. Since continuation is symmetric, it then returns at the other end, which is
-/// the last of the vertices.
+/// the last of the vertices, and meets no other edge twice.
 fn follow(topology: &Topology, first: u32, v: u32, walked: &mut [bool]) -> (Vec<u32>, bool) {
     let mut vertices = vec![v];
     let (mut edge, mut at) = (first, v);
@@ -65,14 +65,16 @@ fn straight_on(topology: &Topology, edge: u32, v: u32) -> Option<u32> {
         return None;
     }
     let on_boundary = faces(edge).len() == 1;
-    around().find(|&e| {
+    let mut opposite = around().filter(|&e| {
         e != edge
             && if boundary == 0 {
                 !faces(e).iter().any(|face| faces(edge).contains(face))
             } else {
                 on_boundary && faces(e).len() == 1
             }
-    })
+    });
+    // Four faces that are two closed fans, as of doubled faces, have two such edges.
+    opposite.next().filter(|_| opposite.next().is_none())
 }
 
 /// The curves contained in another curve, which are therefore redundant.

@@ -126,8 +126,7 @@ impl Renderer {
         {
             pass.set_bind_group(0, self.map_store.group(), &[]);
             self.faces.draw(&mut pass);
-            self.lines.draw(&mut pass, state.display().edges);
-            self.lines.draw_flipped(&mut pass);
+            self.lines.draw_map(&mut pass, state.display().edges);
         }
         // On WebGL2 only the pixels inside the last scissor rectangle reach the canvas.
         let (width, height) = picture.canvas;

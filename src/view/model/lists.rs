@@ -12,6 +12,8 @@ pub struct Lists {
 /// Why arrays from outside cannot be shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ViewError {
+    /// Nothing of the model is in the picture.
+    Outside,
     /// The length of an array does not match the others.
     Length {
         /// Which array.
@@ -56,6 +58,7 @@ pub enum ViewError {
 impl fmt::Display for ViewError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            ViewError::Outside => write!(f, "Nothing of the model is in the picture."),
             ViewError::Length { what, got, expected } => {
                 write!(f, "{what}: {got} entries, expected {expected}")
             }

@@ -94,6 +94,11 @@ impl RenderMesh {
         self.used.iter().map(|&v| self.positions[v as usize])
     }
 
+    /// Returns those of `points` (#V by 3, or none) that are of used vertices.
+    pub fn used_of<'a>(&'a self, points: &'a [DVec3]) -> impl Iterator<Item = DVec3> + Clone + 'a {
+        self.used.iter().filter_map(|&v| points.get(v as usize).copied())
+    }
+
     /// Returns whether the mesh has only vertices, neither faces nor curves.
     pub fn is_only_points(&self) -> bool {
         self.faces.is_empty() && self.curves.is_empty()

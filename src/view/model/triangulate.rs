@@ -1,10 +1,7 @@
-//! Triangulation of polygons for drawing and picking, by ear clipping in the polygon's mean plane
-//! (Meisters 1975). Convex polygons, that is nearly all panels, become fans directly.
-//!
-//! The triangles keep the orientation of the polygon. Self-intersecting polygons and polygons
-//! without area still give `n - 2` triangles, so that they do not disappear.
+//! Polygons as triangles, for drawing and picking.
 
-use glam::{Vec2, Vec3};
+use crate::math;
+use glam::Vec3;
 
 /// Returns Newell's normal of a polygon: its length is twice the area, possibly zero.
 pub fn newell_normal(positions: &[Vec3], polygon: &[u32]) -> Vec3 {
@@ -21,81 +18,21 @@ pub fn newell_normal(positions: &[Vec3], polygon: &[u32]) -> Vec3 {
     sum
 }
 
-/// Appends the triangles of `polygon` (vertex indices into `positions`) to `triangles`.
+/// Appends the triangles of `polygon` (vertex indices into `positions`) to `triangles`: `n - 2` with
+/// the orientation of the polygon. Those of a polygon that crosses itself, or has no area, may
+/// overlap; it does not disappear.
 pub fn triangulate(positions: &[Vec3], polygon: &[u32], triangles: &mut Vec<[u32; 3]>) {
-    if polygon.len() < 3 {
+    // Nearly all panels are such a fan, which needs no copy.
+    let fan = || (2..polygon.len()).map(|k| [polygon[0], polygon[k - 1], polygon[k]]);
+    let outside = newell_normal(positions, polygon);
+    if fan().all(|own| newell_normal(positions, &own).dot(outside) >= 0.0) {
+        triangles.extend(fan());
         return;
     }
-    if polygon.len() == 3 {
-        triangles.push([polygon[0], polygon[1], polygon[2]]);
-        return;
-    }
-    let flat = flatten(positions, polygon);
-    let mut left: Vec<usize> = (0..polygon.len()).collect();
-    if (0..flat.len()).all(|i| turn(&flat, &left, i) >= 0.0) {
-        triangles.extend(polygon[1..].windows(2).map(|w| [polygon[0], w[0], w[1]]));
-        return;
-    }
-    while left.len() > 3 {
-        let ear = best_ear(&flat, &left);
-        let (before, after) = neighbours(left.len(), ear);
-        triangles.push([left[before], left[ear], left[after]].map(|i| polygon[i]));
-        left.remove(ear);
-    }
-    triangles.push([left[0], left[1], left[2]].map(|i| polygon[i]));
-}
-
-/// Projects the corners to the plane of the polygon's normal, counter-clockwise.
-fn flatten(positions: &[Vec3], polygon: &[u32]) -> Vec<Vec2> {
-    let normal = newell_normal(positions, polygon).try_normalize().unwrap_or(Vec3::Z);
-    let (u, v) = normal.any_orthonormal_pair();
-    let origin = positions[polygon[0] as usize];
-    polygon
-        .iter()
-        .map(|&corner| {
-            let at = positions[corner as usize] - origin;
-            Vec2::new(at.dot(u), at.dot(v))
-        })
-        .collect()
-}
-
-fn neighbours(count: usize, i: usize) -> (usize, usize) {
-    ((i + count - 1) % count, (i + 1) % count)
-}
-
-/// Returns twice the signed area of the triangle at remaining corner `i`; negative if reflex.
-fn turn(flat: &[Vec2], left: &[usize], i: usize) -> f32 {
-    let (before, after) = neighbours(left.len(), i);
-    let at = flat[left[i]];
-    (at - flat[left[before]]).perp_dot(flat[left[after]] - at)
-}
-
-/// Returns the ear with the shortest new side, or the least reflex corner if there is no ear.
-fn best_ear(flat: &[Vec2], left: &[usize]) -> usize {
-    let new_side = |i: usize| {
-        let (before, after) = neighbours(left.len(), i);
-        flat[left[before]].distance_squared(flat[left[after]])
-    };
-    let ears = (0..left.len()).filter(|&i| is_ear(flat, left, i));
-    ears.min_by(|&i, &j| new_side(i).total_cmp(&new_side(j))).unwrap_or_else(|| {
-        (0..left.len())
-            .max_by(|&i, &j| turn(flat, left, i).total_cmp(&turn(flat, left, j)))
-            .unwrap_or(0)
-    })
-}
-
-/// Returns whether the triangle at corner `i` is convex and contains no other corner.
-fn is_ear(flat: &[Vec2], left: &[usize], i: usize) -> bool {
-    if turn(flat, left, i) <= 0.0 {
-        return false;
-    }
-    let (before, after) = neighbours(left.len(), i);
-    let (a, b, c) = (flat[left[before]], flat[left[i]], flat[left[after]]);
-    (0..left.len()).filter(|&j| j != before && j != i && j != after).all(|j| {
-        let p = flat[left[j]];
-        let outside = |from: Vec2, to: Vec2| (to - from).perp_dot(p - from) < 0.0;
-        outside(a, b) || outside(b, c) || outside(c, a)
-    })
+    let corner = |&v: &u32| math::Vec3::from(positions[v as usize].to_array().map(f64::from));
+    let corners: Vec<math::Vec3<f64>> = polygon.iter().map(corner).collect();
+    let own = math::triangles_in_space(&corners).into_iter();
+    triangles.extend(own.map(|triangle| triangle.map(|k| polygon[k])));
 }
 
 #[cfg(test)]
@@ -173,6 +110,27 @@ mod tests {
         for t in cut(&ell) {
             assert!(newell_normal(&ell, &t).dot(normal) > 0.0);
         }
+    }
+
+    #[test]
+    fn a_hole_that_a_slit_joins_to_the_outline_stays_open() {
+        // Its ends are corners at one point; the triangles went across the hole.
+        let outline = [
+            [0.0, 0.0],
+            [4.0, 0.0],
+            [4.0, 4.0],
+            [0.0, 4.0],
+            [0.0, 0.0],
+            [1.0, 1.0],
+            [1.0, 3.0],
+            [3.0, 3.0],
+            [3.0, 1.0],
+            [1.0, 1.0],
+        ];
+        let positions = outline.map(|[x, y]| Vec3::new(x, y, 0.5));
+        let triangles = cut(&positions);
+        assert_eq!(triangles.len(), 8);
+        assert!((area(&positions, &triangles) - 12.0).abs() < 1e-5);
     }
 
     #[test]

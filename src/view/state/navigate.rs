@@ -195,13 +195,15 @@ impl ViewState {
         else {
             return;
         };
-        if !numbers.iter().all(|number| number.is_finite()) || distance <= 0.0 {
+        let is_distance = (distance as f32).is_normal() && distance > 0.0;
+        if !numbers.iter().all(|number| number.is_finite()) || !is_distance {
             return;
         }
         self.viewpoint.camera.pivot = self.content.mesh.relative(DVec3::new(x, y, z));
         self.viewpoint.camera.distance = distance as f32;
-        self.viewpoint.camera.turn = turn as f32;
-        self.viewpoint.camera.tilt = tilt as f32;
+        self.viewpoint.camera.turn = (turn % std::f64::consts::TAU) as f32;
+        let quarter = std::f64::consts::FRAC_PI_2;
+        self.viewpoint.camera.tilt = tilt.clamp(-quarter, quarter) as f32;
         self.set_framed(framed != 0.0);
     }
 }

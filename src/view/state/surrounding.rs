@@ -37,8 +37,8 @@ impl ViewState {
     /// Recomputes the grid, and extends the depth range to include it.
     pub(crate) fn surround(&mut self) {
         let around = &mut self.around;
-        let low = around.rest.iter().copied().reduce(DVec3::min);
-        let high = around.rest.iter().copied().reduce(DVec3::max);
+        let rest = self.content.mesh.used_of(&around.rest);
+        let (low, high) = (rest.clone().reduce(DVec3::min), rest.reduce(DVec3::max));
         around.grid = match (around.ground, low, high) {
             (true, Some(low), Some(high)) => {
                 Ground::new(low, high, self.viewpoint.camera.up, self.content.mesh.centre)
@@ -55,6 +55,21 @@ impl ViewState {
         let ghost = if self.around.ghost { &self.around.rest[..] } else { &[] };
         let grid = self.around.grid.lines.iter().flatten().copied();
         ghost.iter().map(|&point| self.content.mesh.relative(point)).chain(grid)
+    }
+
+    /// Returns those of [`ViewState::surrounding_points`] that are drawn: not those of stray vertices.
+    fn drawn_around(&self) -> impl Iterator<Item = Vec3> + '_ {
+        let ghost = if self.around.ghost { &self.around.rest[..] } else { &[] };
+        let grid = self.around.grid.lines.iter().flatten().copied();
+        let mesh = &self.content.mesh;
+        mesh.used_of(ghost).map(|point| mesh.relative(point)).chain(grid)
+    }
+
+    /// Returns the points beside the mesh that are drawn: targets, ghost, grid and layer.
+    fn drawn_beside(&self) -> impl Iterator<Item = Vec3> + '_ {
+        let mesh = &self.content.mesh;
+        let layer = mesh.used_of(&self.layer.points).map(|point| mesh.relative(point));
+        self.targets().chain(self.drawn_around()).chain(layer)
     }
 
     /// Returns the lines of ghost and grid: their ends among [`ViewState::surrounding_points`], and
@@ -128,15 +143,12 @@ impl ViewState {
             let pick = |axis: usize| if i >> axis & 1 == 0 { low[axis] } else { high[axis] };
             Vec3::new(pick(0), pick(1), pick(2))
         });
-        let others = self.targets().chain(self.surrounding_points()).chain(self.layer_points());
-        depth_range(&self.viewpoint.camera, corners.chain(others))
+        depth_range(&self.viewpoint.camera, corners.chain(self.drawn_beside()))
     }
 
     /// Returns a radius around the view's centre that contains everything drawn, with a margin.
     fn reach(&self) -> f32 {
-        let points = self.content.mesh.positions.iter().copied();
-        let others = self.targets().chain(self.surrounding_points()).chain(self.layer_points());
-        let all = points.chain(others);
+        let all = self.content.mesh.used_positions().chain(self.drawn_beside());
         let farthest = all.map(Vec3::length_squared).fold(0.0, f32::max).sqrt();
         farthest + 0.1 * self.size()
     }

@@ -19,9 +19,12 @@ impl View {
     }
 
     /// Returns the visible lines of the model as an SVG file for print.
+    ///
+    /// # Errors
+    /// If nothing of the model is in the picture.
     #[wasm_bindgen(js_name = lineDrawing)]
-    pub fn line_drawing(&mut self) -> String {
-        line_drawing(self.model())
+    pub fn line_drawing(&mut self) -> Result<String, JsValue> {
+        line_drawing(self.model()).map_err(thrown)
     }
 
     /// Sets the strength of the ambient occlusion, from 0 (none) to 1.

@@ -116,8 +116,12 @@ impl Lines {
         self.curves.draw_each(pass, &self.in_front, 6);
     }
 
-    /// Draws the outlines of the faces that the flat map flips.
-    pub fn draw_flipped(&self, pass: &mut wgpu::RenderPass<'_>) {
+    /// Draws the flat map: the edges, if requested, and the outlines of the faces that it flips. It has
+    /// no place for curves beside the surface.
+    pub fn draw_map(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
+        if edges {
+            self.edges.draw_each(pass, &self.in_front, 6);
+        }
         self.flipped.draw_each(pass, &self.in_front, 6);
     }
 
