@@ -88,13 +88,14 @@ impl Build {
         };
         // A corner that coincides with the next one is dropped.
         let n = outline.len();
+        let has_first_side = outline[0] != outline[1 % n];
         let (outline, beside) = (0..n)
             .filter(|&k| outline[k] != outline[(k + 1) % n])
             .map(|k| (outline[k], across(self.surface.sides.row(f)[k])))
             .unzip();
         let cut = CutPanel { whole, turn, size, part: self.parts.len() };
         let (name, panels) = (self.names[f].clone(), vec![f as u32]);
-        self.parts.push(CutPart { name, panels, outline, ..CutPart::default() });
+        self.parts.push(CutPart { name, panels, outline, has_first_side, ..CutPart::default() });
         Ok((cut, beside))
     }
 
@@ -124,7 +125,14 @@ impl Build {
                 Ok((fin, outline)) => {
                     let [one, other] = fin.ends.map(|v| Some(node_name(v)));
                     let panels = edge.panels.into_iter().flatten().collect();
-                    self.parts.push(CutPart { name, panels, outline, ..CutPart::default() });
+                    let has_first_side = true;
+                    self.parts.push(CutPart {
+                        name,
+                        panels,
+                        outline,
+                        has_first_side,
+                        ..CutPart::default()
+                    });
                     all.push(vec![None, one, None, other]);
                 }
                 Err(why) => self.not_cut.push(NotCut { part: name, why }),
@@ -163,7 +171,7 @@ impl Build {
                 }
                 None => {
                     let (outline, name) = (&part.outline[..], &*part.name);
-                    let (neighbours, with_arrow) = (&beside[k][..], true);
+                    let (neighbours, with_arrow) = (&beside[k][..], part.has_first_side);
                     let holes = &part.holes[..];
                     let free_sides = self.settings.product == Product::Panels;
                     let own = Inscription {

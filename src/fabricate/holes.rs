@@ -59,7 +59,9 @@ impl Build {
                 };
                 let both = at(one, share).zip(at(other, 1.0 - share));
                 let Some(both) = both.map(|(a, b)| [a, b]) else { continue };
-                let has_room = |&(part, centre): &_| has_room(&self.parts[part], centre, diameter);
+                let outside = 0.5 * self.settings.kerf;
+                let has_room =
+                    |&(part, centre): &_| has_room(&self.parts[part], centre, (diameter, outside));
                 match radius > 0.0 && both.iter().all(has_room) {
                     true => both.iter().for_each(|&(part, centre)| {
                         self.parts[part].holes.push(Hole { centre, radius });
@@ -71,13 +73,15 @@ impl Build {
     }
 
     fn drill_fins(&mut self, diameter: f64, radius: f64) {
+        // The outline that is cut is outside the fin.
+        let outside = 0.5 * self.settings.kerf;
         for part in &mut self.parts {
             // The sides at its nodes.
             for side in [1, 3] {
                 let n = part.outline.len();
                 let ends = [part.outline[side % n], part.outline[(side + 1) % n]];
-                let centre = beside(ends, 0.5, FROM_EDGE * diameter);
-                match radius > 0.0 && has_room(part, centre, diameter) {
+                let centre = beside(ends, 0.5, FROM_EDGE * diameter + outside);
+                match radius > 0.0 && has_room(part, centre, (diameter, outside)) {
                     true => part.holes.push(Hole { centre, radius }),
                     false => self.dropped_holes += 1,
                 }
@@ -93,12 +97,13 @@ fn beside([p, q]: [Point2; 2], share: f64, away: f64) -> Point2 {
     [at(0) - away * s, at(1) + away * c]
 }
 
-fn has_room(part: &CutPart, centre: Point2, diameter: f64) -> bool {
+/// Whether a hole leaves enough of a part, which is smaller than what is cut by `outside` on each side.
+fn has_room(part: &CutPart, centre: Point2, (diameter, outside): (f64, f64)) -> bool {
     let apart = |hole: &Hole| {
         let [x, y] = [hole.centre[0] - centre[0], hole.centre[1] - centre[1]];
         (x * x + y * y).sqrt() >= 2.0 * LEAST * diameter
     };
     is_inside(&part.outline, centre)
-        && distance_to_outline(&part.outline, centre) >= LEAST * diameter
+        && distance_to_outline(&part.outline, centre) >= LEAST * diameter + outside
         && part.holes.iter().all(apart)
 }

@@ -139,6 +139,10 @@ impl Scene {
                 if mesh.faces.is_empty() && mesh.curves.is_empty() {
                     return at_mesh("it has neither faces nor curves to be close to".to_owned());
                 }
+                if let Some(vertex) = first_out_of_range(&mesh.positions) {
+                    let path = format!("closeness.to.mesh.positions[{vertex}]");
+                    return error(&path, out_of_range("the position"));
+                }
                 Ok(())
             }
             _ => Ok(()),

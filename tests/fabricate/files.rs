@@ -169,8 +169,15 @@ fn tables_have_a_row_for_each_and_areas_that_add_up() {
     let panels = rows("panels.csv");
     assert_eq!(panels.len(), 1 + made.names.len());
     assert!(panels.iter().all(|row| row.len() == panels[0].len()));
-    let column = panels[0].iter().position(|name| name == "area_mm2").unwrap();
+    let column = panels[0].iter().position(|name| name == "area_sheet_mm2").unwrap();
     assert_areas(panels[1..].iter().map(|row| row[column].parse::<f64>().unwrap()).sum(), &made);
+    // Checks are of the building, as in the summary, whatever the scale.
+    let column = panels[0].iter().position(|name| name == "flatness_mm").unwrap();
+    let flatness = panels[1..].iter().map(|row| row[column].parse::<f64>().unwrap());
+    let summary = rows("summary.csv");
+    let worst = summary.iter().find(|row| row[0] == "Panel flatness").unwrap();
+    assert_ne!(made.settings.scale, 1.0);
+    assert!((flatness.fold(0.0, f64::max) - worst[1].parse::<f64>().unwrap()).abs() < 1e-5);
     assert_eq!(rows("edges.csv").len(), 1 + made.surface.edges.len());
     assert_eq!(rows("nodes.csv").len(), 1 + made.surface.positions.len());
 }

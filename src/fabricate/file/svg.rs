@@ -56,7 +56,8 @@ fn path(points: &[Point2], height: f64) -> String {
     points.collect::<String>() + end
 }
 
-/// Escapes text for XML.
+/// Escapes text for XML, without control characters, which it must not have.
 pub(crate) fn escaped(text: &str) -> String {
+    let text: String = text.chars().filter(|c| !c.is_control() || c.is_whitespace()).collect();
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -49,6 +49,9 @@ pub(super) struct View<'a> {
     pub(super) size: [f64; 2],
     /// The panels over each cell of a grid, row by row.
     cells: Vec<Vec<u32>>,
+    /// The lowest and the highest corner of each panel in the picture, `#F`. Where all panels are in a
+    /// few cells, beside a part far away, most are passed over by them.
+    boxes: Vec<[Point2; 2]>,
     /// The number of columns and rows.
     counts: [usize; 2],
 }
@@ -74,6 +77,7 @@ impl View<'_> {
             low,
             size,
             cells: vec![Vec::new(); count * count],
+            boxes: Vec::with_capacity(surface.faces.len()),
             counts: [count; 2],
         };
         for face in 0..surface.faces.len() as u32 {
@@ -81,8 +85,9 @@ impl View<'_> {
             let bound = |pick: fn(f64, f64) -> f64| {
                 corners.iter().copied().reduce(|a, b| [pick(a[0], b[0]), pick(a[1], b[1])])
             };
-            let [from, to] =
-                [bound(f64::min), bound(f64::max)].map(|at| view.cell(at.unwrap_or_default()));
+            let box_of = [bound(f64::min), bound(f64::max)].map(Option::unwrap_or_default);
+            view.boxes.push(box_of);
+            let [from, to] = box_of.map(|at| view.cell(at));
             for row in from[1]..=to[1] {
                 for column in from[0]..=to[0] {
                     view.cells[row * count + column].push(face);
@@ -122,7 +127,9 @@ impl View<'_> {
         let least = depth - NEARER * self.size[0].max(self.size[1]);
         let [column, row] = self.cell(point);
         self.cells[row * self.counts[0] + column].iter().any(|&face| {
+            let [low, high] = self.boxes[face as usize];
             !own.contains(&face)
+                && (0..2).all(|k| low[k] <= point[k] && point[k] <= high[k])
                 && is_inside(&self.corners(face), point)
                 && self.depth(face, point).is_some_and(|depth| depth < least)
         })

@@ -11,8 +11,9 @@ use crate::math::plane::{Point2, distance, rotated};
 
 /// Largest height of neighbours' names, in mm.
 const TALLEST: f64 = 8.0;
-/// Smallest height of names, in mm.
+/// Smallest height of names, in mm, and that of a part's own name if there is no room for more.
 const LEAST: f64 = 2.0;
+const LEAST_OWN: f64 = 1.0;
 /// Height of neighbours' names relative to the radius of the largest circle in the outline.
 const OF_RADIUS: f64 = 0.25;
 /// Height of the own name relative to neighbours' names; smaller if that leaves room for more.
@@ -110,7 +111,7 @@ fn label_of_height(
     // Try the roomiest point (it may be beside a hole at one end of a slender part) and the middle;
     // along the sheet and along the longest edge; with decreasing height until the name is inside.
     let middle = middle(outline);
-    while own.is_none() && height > 0.02 * beside {
+    while own.is_none() && height >= LEAST_OWN {
         own = [centre, middle]
             .into_iter()
             .flat_map(|centre| [[turn[0], -turn[1]], upright(across, turn)].map(|to| (centre, to)))
@@ -170,6 +171,9 @@ fn beside_edge(
     turn: Point2,
     (taken, holes): (&[Box2], &[Hole]),
 ) -> Option<(f64, Box2)> {
+    if tallest < LEAST {
+        return None;
+    }
     let length = distance(p, q);
     let along = direction_of(p, q);
     let inwards = [-along[1], along[0]];

@@ -119,6 +119,8 @@ pub struct CutPart {
     pub panels: Vec<u32>,
     /// The closed outline that is cut, counterclockwise; the first corner is not repeated.
     pub outline: Vec<Point2>,
+    /// Whether its first side is the first one in the model, and not eaten by the joint.
+    pub has_first_side: bool,
     /// Holes in it.
     pub holes: Vec<Hole>,
     /// Engraved polylines.

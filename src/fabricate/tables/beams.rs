@@ -20,15 +20,15 @@ fn fins(build: &Build, frame: &Frame) -> String {
         "name",
         "node_a",
         "node_b",
-        "cut_back_a_mm",
-        "cut_back_b_mm",
+        "cut_back_a_sheet_mm",
+        "cut_back_b_sheet_mm",
         "end_a_deg",
         "end_b_deg",
-        "area_mm2",
+        "area_sheet_mm2",
         "flattening_error_mm",
         "sheet",
-        "x_mm",
-        "y_mm",
+        "x_sheet_mm",
+        "y_sheet_mm",
         "turn_deg",
         "name_written",
     ]);
@@ -52,7 +52,7 @@ fn fins(build: &Build, frame: &Frame) -> String {
             Cell::from(fin.end_deg[0]),
             Cell::from(fin.end_deg[1]),
             Cell::from(area(&build.parts[part].outline)),
-            Cell::from(fin.flattening_error * model),
+            Cell::from(fin.flattening_error * build.mm_of_building()),
             place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
             Cell::from(place.map(|(_, place)| place.offset[0])),
             Cell::from(place.map(|(_, place)| place.offset[1])),
@@ -119,7 +119,7 @@ fn around_nodes(build: &Build, frame: &Frame) -> String {
         "beam",
         "azimuth_deg",
         "elevation_deg",
-        "cut_back_mm",
+        "cut_back_sheet_mm",
     ]);
     for node in frame.nodes.iter().flatten() {
         let v = node.vertex;

@@ -1,5 +1,5 @@
-//! Lists of the parts, and a summary. Lengths of parts are at the scale of the model; lengths of
-//! edges, nodes and prisms are of the building. Every column name includes its unit.
+//! Lists of the parts, and a summary. Every column name includes its unit: `_sheet_mm` of the parts, at
+//! the scale of the model, and `_mm` of the building.
 
 mod beams;
 mod panels;
@@ -57,10 +57,10 @@ fn summary(build: &Build) -> String {
     row("parts on sheets", Cell::from(report.placed), "");
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");
-    row("area of parts", Cell::from(report.cut_area_mm2), "mm2");
-    row("length of cuts", Cell::from(report.cut_length_mm), "mm");
+    row("area of parts", Cell::from(report.cut_area_mm2), "sheet mm2");
+    row("length of cuts", Cell::from(report.cut_length_mm), "sheet mm");
     if report.product == Product::Panels {
-        row("joint on the sheet", Cell::from(report.joint_mm), "mm");
+        row("joint on the sheet", Cell::from(report.joint_mm), "sheet mm");
     }
     row("types of panels", Cell::from(report.types), "");
     for check in &report.check {

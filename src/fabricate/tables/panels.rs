@@ -15,20 +15,20 @@ pub(super) fn panels(build: &Build) -> String {
         "name",
         "type",
         "corners",
-        "area_mm2",
-        "perimeter_mm",
-        "width_mm",
-        "height_mm",
+        "area_sheet_mm2",
+        "perimeter_sheet_mm",
+        "width_sheet_mm",
+        "height_sheet_mm",
         "flatness_mm",
         "flattening_error_mm",
         "sheet",
-        "x_mm",
-        "y_mm",
+        "x_sheet_mm",
+        "y_sheet_mm",
         "turn_deg",
         "name_written",
     ]);
     let places = build.layout.places(build.parts.len());
-    let model = build.mm_of_sheet();
+    let building = build.mm_of_building();
     for (f, name) in build.names.iter().enumerate() {
         let kind = build.types.of[f].map(type_name).unwrap_or_default();
         let corners = build.surface.faces.row(f).len();
@@ -49,8 +49,8 @@ pub(super) fn panels(build: &Build) -> String {
             Cell::from(outline.map(perimeter)),
             Cell::from(cut.map(|cut| cut.size[0])),
             Cell::from(cut.map(|cut| cut.size[1])),
-            Cell::from(flat.map(|flat| flat.flatness * model)),
-            Cell::from(flat.map(|flat| flat.flattening_error * model)),
+            Cell::from(flat.map(|flat| flat.flatness * building)),
+            Cell::from(flat.map(|flat| flat.flattening_error * building)),
             place.map_or(Cell::None, |(_, (sheet, _))| Cell::from(sheet)),
             Cell::from(place.map(|(_, (_, place))| place.offset[0])),
             Cell::from(place.map(|(_, (_, place))| place.offset[1])),

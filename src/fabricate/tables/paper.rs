@@ -16,10 +16,10 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
         "name",
         "panels",
         "tabs",
-        "area_mm2",
+        "area_sheet_mm2",
         "sheet",
-        "x_mm",
-        "y_mm",
+        "x_sheet_mm",
+        "y_sheet_mm",
         "turn_deg",
         "names",
         "name_written",
@@ -58,9 +58,9 @@ fn joins(build: &Build, model: &PaperModel) -> String {
         "fold",
         "fold_deg",
         "tab_on",
-        "tab_mm",
-        "length_a_mm",
-        "length_b_mm",
+        "tab_sheet_mm",
+        "length_a_sheet_mm",
+        "length_b_sheet_mm",
     ];
     let mut table = Table::new(&columns);
     let net = &model.net;
