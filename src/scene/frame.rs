@@ -1,7 +1,7 @@
 //! Unit and up axis of a mesh file. The formats define neither: they are read from comments, or
 //! else guessed from the shape (the axis in `up_guess`). Coordinates are never changed.
 
-use super::{NamedEnum, Up};
+use super::{NamedEnum, Scene, Up};
 use crate::mesh::{Mesh, Point, decode, diagonal, lines};
 
 /// Least diagonal of the bounding box of a mesh taken as a building in metres.
@@ -50,6 +50,13 @@ impl UnitsAndUp {
     /// Fills in unknown values from `other`.
     pub fn or(self, other: UnitsAndUp) -> UnitsAndUp {
         UnitsAndUp { units: self.units.or(other.units), up: self.up.or(other.up) }
+    }
+
+    /// Gives a scene that names no unit that of its mesh file, which these are stated in.
+    pub fn complete(self, scene: &mut Scene) {
+        if scene.units.is_empty() {
+            scene.units = self.units.unwrap_or_default();
+        }
     }
 
     /// Returns the comments that state unit and up axis, a line each. An empty unit gives no line,

@@ -139,22 +139,23 @@ fn scene_with_files(
         let (_, bytes) = beside.iter().find(|(other, _)| other == path).ok_or_else(|| {
             fault(format!("it needs the mesh file {path}: open both files together"))
         })?;
-        read(path, bytes)
+        Ok::<_, ReadError>((read(path, bytes)?, UnitsAndUp::stated(bytes)))
     };
     let mut scene = OpenedFile::scene_in(bytes).map_err(|error| fault(error.to_string()))?;
     let source = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
         MeshSource::Inline(mesh) => Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() },
         MeshSource::File(path) => {
-            let source = named(&path)?;
+            let (source, stated) = named(&path)?;
             scene.mesh = MeshSource::File(path);
+            stated.complete(&mut scene);
             source
         }
     };
     if let Some(Target::File(path)) = &scene.closeness.target {
-        scene.closeness.target = Some(Target::Mesh(named(path)?.mesh.into()));
+        scene.closeness.target = Some(Target::Mesh(named(path)?.0.mesh.into()));
     }
     if let Some(Pose::File(path)) = &scene.pose {
-        let pose = Pose::of(path, named(path)?, &source.mesh);
+        let pose = Pose::of(path, named(path)?.0, &source.mesh);
         scene.pose = Some(pose.map_err(|error| fault(error.to_string()))?);
     }
     Ok((scene, source))
@@ -180,6 +181,19 @@ mod tests {
         let vertices =
             [0, 1].map(|_| read_mesh(&mut reader)).map(|opened| opened.mesh.positions.len());
         assert_eq!(vertices, [8, 6]);
+    }
+
+    #[test]
+    fn a_scene_without_a_unit_has_that_which_its_mesh_file_states() {
+        // Built as metres, its parts were three times too large.
+        let read = |units: &str| {
+            let mut reader = FileReader::default();
+            reader.add_file("two.obj", format!("# units: ft\n{APART}").into_bytes());
+            let head = r#""format": "shape-up-scene", "version": 1, "mesh": { "file": "two.obj" }"#;
+            let text = format!("{{ {head} {units} }}");
+            reader.read("a.json", text.as_bytes()).expect("it is a scene").scene.units
+        };
+        assert_eq!((&*read(""), &*read(r#", "units": "cm""#)), ("ft", "cm"));
     }
 
     #[test]

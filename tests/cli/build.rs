@@ -154,6 +154,12 @@ fn a_mesh_without_a_unit_has_the_one_of_its_size_or_of_the_command_line() {
     let (words, unit) = built(&[]);
     assert_eq!(unit, "mm");
     assert!(words.contains("note: the file has no unit: taken as mm by its size"), "{words}");
+    assert!(!words.contains("up axis"), "{words}");
+    let standing = "v 0 0 0\nv 2000 0 0\nv 2000 0 1000\nv 0 0 1000\nv 0 90 0\nf 4 3 2 1\nf 5 2 1\n";
+    folder.write("standing.obj", standing);
+    let words = folder.run(&["solve", "standing.obj", "--out", "b.obj"]).done();
+    assert!(words.contains("note: the file has no up axis: taken as y by its shape"), "{words}");
+    assert!(folder.read("b.obj").contains("# up: y"));
     assert_eq!(built(&["--units", "cm"]).1, "cm");
     folder.run(&["build", "large.obj", "--units", "yd"]).misused("m or cm or mm or ft or in");
 }

@@ -2,7 +2,7 @@
 
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
-use shape_up::scene::{MeshSource, Pose, Scene, Target, UnitsAndUp};
+use shape_up::scene::{MeshSource, Pose, Scene, Target, UnitsAndUp, Up};
 use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::Path;
@@ -41,7 +41,10 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
             remarks.push(format!("the file has no unit: taken as {guessed} by its size"));
         }
         scene.units = frame.units.unwrap_or_else(|| guessed.to_owned());
-        scene.up = frame.up.unwrap_or(scene.up);
+        scene.up = frame.up.unwrap_or_else(|| UnitsAndUp::guess_up(&read.mesh));
+        if frame.up.is_none() && scene.up != Up::default() {
+            remarks.push("the file has no up axis: taken as y by its shape".to_owned());
+        }
         return Ok(Input { remarks, scene, mesh: read.mesh, weld });
     }
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
@@ -49,27 +52,28 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
         .map_err(|_| at("the file is not UTF-8 text, expected a scene in JSON".to_owned()))?;
     let mut scene = Scene::from_json(&text).map_err(|error| at(error.to_string()))?;
     if let Some(Target::File(file)) = &scene.closeness.target {
-        let read = named_mesh(path, "closeness.to.mesh.file", file)?;
+        let (read, _) = named_mesh(path, "closeness.to.mesh.file", file)?;
         scene.closeness.target = Some(Target::Mesh(read.mesh.into()));
     }
-    let (mesh, remarks) = match &scene.mesh {
-        MeshSource::Inline(mesh) => ((**mesh).clone(), Vec::new()),
+    let (mesh, remarks, stated) = match &scene.mesh {
+        MeshSource::Inline(mesh) => ((**mesh).clone(), Vec::new(), UnitsAndUp::default()),
         MeshSource::File(file) => {
-            let read = named_mesh(path, "mesh.file", file)?;
+            let (read, stated) = named_mesh(path, "mesh.file", file)?;
             let remarks = remarks(&read);
-            (read.mesh, remarks)
+            (read.mesh, remarks, stated)
         }
     };
+    stated.complete(&mut scene);
     if let Some(Pose::File(file)) = &scene.pose {
-        let posed = named_mesh(path, "pose.file", file)?;
+        let (posed, _) = named_mesh(path, "pose.file", file)?;
         let pose = Pose::of(file, posed, &mesh).map_err(|error| at(error.to_string()))?;
         scene.pose = Some(pose);
     }
     Ok(Input { scene, mesh, weld: None, remarks })
 }
 
-/// Reads the mesh file named in a scene at the JSON path `place`.
-fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
+/// Reads the mesh file named in a scene at the JSON path `place`, and what it states.
+fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<(Read, UnitsAndUp), Failure> {
     let beside = scene.parent().unwrap_or(Path::new("")).join(file);
     let unread = |why: String| {
         Failure::Input(format!(
@@ -84,7 +88,9 @@ fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<Read, Failure> {
         return Err(unread("it is not a regular file".to_owned()));
     }
     let bytes = read_whole(&beside).map_err(|error| unread(error.to_string()))?;
-    mesh::read(&beside.to_string_lossy(), &bytes).map_err(|error| Failure::Input(error.to_string()))
+    let read = mesh::read(&beside.to_string_lossy(), &bytes)
+        .map_err(|error| Failure::Input(error.to_string()))?;
+    Ok((read, UnitsAndUp::stated(&bytes)))
 }
 
 /// Reads a mesh file for measurement, welded as [`read`] welds it.
