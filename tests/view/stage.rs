@@ -196,6 +196,40 @@ fn through_takes_what_the_surface_hides() {
 }
 
 #[test]
+fn an_edge_is_picked_where_it_is_visible_though_its_middle_is_hidden() {
+    // A roof over the middle of a floor and of its edge 0-1.
+    let floor = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 10.0, 0.0], [0.0, 10.0, 0.0]];
+    let roof = [[3.0, -2.0, 1.0], [7.0, -2.0, 1.0], [7.0, 12.0, 1.0], [3.0, 12.0, 1.0]];
+    let positions = [floor, roof].concat();
+    for is_parallel in [false, true] {
+        let mut state = ViewState::default();
+        state.resize(CANVAS);
+        let faces = (vec![0, 4, 8], (0..8).collect());
+        state.set_mesh(faces, (vec![], vec![]), positions.as_flattened()).unwrap();
+        state.set_parallel(is_parallel);
+        state.preset("top").unwrap();
+        state.set_edges(&[0, 1]).unwrap();
+        let [from, to] = [0, 1].map(|vertex| state.screen(vertex).unwrap());
+        assert_eq!(state.pick_edge(from.lerp(to, 0.1), 8.0), Some(0));
+        assert_eq!(state.pick_edge(from.lerp(to, 0.5), 8.0), None);
+    }
+}
+
+#[test]
+fn what_one_looks_at_from_nearby_is_not_cut_off() {
+    let mut state = state(4, |_, _| 0.0);
+    state.preset("front").unwrap();
+    state.move_camera(|camera| camera.tilt = 0.4);
+    let middle = CANVAS * 0.5;
+    for _ in 0..200 {
+        state.zoom(1.1, middle);
+    }
+    let (near, _) = state.depth_range();
+    let distance = state.camera().distance;
+    assert!(near < 0.5 * distance, "{near} {distance}");
+}
+
+#[test]
 fn an_edge_is_picked_where_it_is_seen_and_marked_by_its_number() {
     let mut state = state(4, |_, _| 0.0);
     state.preset("top").unwrap();

@@ -12,6 +12,8 @@ const MARGIN: f32 = 0.045;
 const MOST_COVERED: f32 = 0.95;
 /// Minimum ratio of the near depth to the far depth, for the precision of the depth buffer.
 const NEAREST: f32 = 1e-3;
+/// Maximum ratio of the near depth to the distance of what is looked at.
+const NEAREST_SEEN: f32 = 0.3;
 
 /// Moves `camera` along and across its direction of view until balls of `radius` around all
 /// `points` are inside the uncovered part of the canvas, with a small margin. The radius should be
@@ -88,7 +90,9 @@ pub fn depth_range(camera: &Camera, points: impl Iterator<Item = Vec3>) -> (f32,
         (front, back) = (camera.distance, camera.distance);
     }
     let far = back * 1.02;
-    ((front * 0.98).clamp(far * NEAREST, far * 0.96), far)
+    // What one looks at from nearby is not cut off, although less far things fight for the same depth.
+    let nearest = (far * NEAREST).min(camera.distance * NEAREST_SEEN);
+    ((front * 0.98).clamp(nearest, far * 0.96), far)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::ViewState;
 use crate::math::polygon_sides;
-use crate::view::camera::{Camera, Eye};
+use crate::view::camera::{Camera, CameraProjection, Eye};
 use crate::view::model::{RenderMesh, ViewError, check_indices, check_length};
 use crate::view::picking::DepthMap;
 use glam::{Vec2, Vec3};
@@ -100,18 +100,27 @@ impl ViewState {
     /// Returns the visible edge nearest to a screen position, within a radius.
     pub fn pick_edge(&mut self, at: Vec2, radius: f32) -> Option<u32> {
         let seen = Seen::new(self, false);
-        let mut near: Vec<(f32, f32, u32)> = Vec::new();
+        let is_parallel = seen.camera.projection != CameraProjection::Perspective;
+        let mut near: Vec<(f32, f32, u32, f32)> = Vec::new();
         for (&ends, edge) in seen.edges.iter().zip(0..) {
             let Some([a, b]) = seen.on_screen(ends) else { continue };
             let along = (b.0 - a.0).length_squared();
             let part = if along > 0.0 { (at - a.0).dot(b.0 - a.0) / along } else { 0.0 };
-            let distance = a.0.lerp(b.0, part.clamp(0.0, 1.0)).distance(at);
+            let part = part.clamp(0.0, 1.0);
+            let distance = a.0.lerp(b.0, part).distance(at);
             if distance <= radius {
-                near.push((distance, a.1.min(b.1), edge));
+                // The same point in space: in perspective the nearer part of the edge is longer.
+                let behind = if is_parallel { 1.0 } else { b.1 / a.1 };
+                let share = part / (part + (1.0 - part) * behind);
+                near.push((distance, a.1.min(b.1), edge, share));
             }
         }
         near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        near.into_iter().map(|(_, _, edge)| edge).find(|&edge| seen.shows_edge(edge))
+        let is_seen = |&(_, _, edge, share): &(f32, f32, u32, f32)| {
+            let [a, b] = seen.edges[edge as usize].map(|v| seen.mesh.positions[v as usize]);
+            seen.shows(a.lerp(b, share))
+        };
+        near.into_iter().find(is_seen).map(|(_, _, edge, _)| edge)
     }
 
     /// Returns the vertices inside, in ascending order.
