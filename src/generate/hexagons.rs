@@ -3,6 +3,7 @@
 
 use crate::math::polygon_corners;
 use crate::mesh::{Mesh, Point, Ragged};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The dual of rows of triangles over the square from -1 to 1 in `u` and `v`, mapped by `point`.
@@ -93,16 +94,13 @@ fn dual(mesh: &Mesh, is_corner: impl Fn(u32) -> bool) -> Mesh {
             wedges[here as usize].push(Wedge { face, next, before });
         }
     }
-    let mut middles: Vec<([u32; 2], u32)> = Vec::new();
+    let mut middles: BTreeMap<[u32; 2], u32> = BTreeMap::new();
     let mut middle = |a: u32, b: u32, positions: &mut Vec<Point>| {
         let ends = [a.min(b), a.max(b)];
-        if let Some(&(_, vertex)) = middles.iter().find(|(known, _)| *known == ends) {
-            return vertex;
-        }
-        let vertex = positions.len() as u32;
-        positions.push(mean(&ends));
-        middles.push((ends, vertex));
-        vertex
+        *middles.entry(ends).or_insert_with(|| {
+            positions.push(mean(&ends));
+            positions.len() as u32 - 1
+        })
     };
     let mut faces = Ragged::new();
     for (v, around) in (0..).zip(&wedges) {

@@ -288,6 +288,15 @@ fn a_face_that_visits_a_vertex_twice_is_left_as_it_is_and_its_vertices_are_used(
         "1 face with the same vertex at two corners, as around a hole: exported as it came, but \
          neither shown, solved nor built, at line 20: `f 1 2 3 4 1 5 6 7 5`"
     );
+    // It was missing from PLY and STL.
+    let ply = read("full.ply", &write_ply(&mesh, &mesh.positions, &[])).unwrap().mesh;
+    assert_eq!(ply.untouched, mesh.untouched);
+    let triangles = |mesh: &Mesh| {
+        let stl = read("full.stl", &write_stl(mesh, &mesh.positions)).unwrap().mesh;
+        stl.faces.len() + stl.untouched.len()
+    };
+    let without = Mesh { untouched: Ragged::new(), ..mesh.clone() };
+    assert_eq!(triangles(&mesh), triangles(&without) + 7);
 }
 
 #[test]

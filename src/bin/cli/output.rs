@@ -194,8 +194,8 @@ pub(super) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
     let untouched = (mesh.untouched.len(), "face with a hole", "faces with holes");
     let (format, parts) = match ending(path).as_str() {
         "mesh" => ("Medit", vec![faces, curves, groups, untouched]),
-        "ply" => ("PLY", vec![groups, tets, untouched]),
-        "stl" => ("STL", vec![curves, groups, tets, untouched]),
+        "ply" => ("PLY", vec![groups, tets]),
+        "stl" => ("STL", vec![curves, groups, tets]),
         _ => ("OBJ", vec![tets]),
     };
     let parts = parts.into_iter().filter(|(count, ..)| *count > 0);

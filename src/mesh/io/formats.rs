@@ -49,7 +49,7 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "Medit",
         reads: "vertices, triangles, quads, tetrahedra, edges",
         writes: "vertices, triangles, quads, tetrahedra (command line)",
-        leaves_out: "binary files; larger polygons and groups when written",
+        leaves_out: "binary files; larger polygons, curves and groups when written",
         ..NONE
     },
     FileFormat {
@@ -57,7 +57,7 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "PLY",
         reads: "vertices, polygons, edges; text and binary",
         writes: "vertices, polygons, edges of curves; binary, in double precision",
-        leaves_out: "colours, normals, triangle strips; groups when written",
+        leaves_out: "colours, normals, triangle strips; groups and tetrahedra when written",
         ..NONE
     },
     FileFormat {

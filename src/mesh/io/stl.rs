@@ -179,7 +179,8 @@ const LOST: f64 = 1e-3;
 /// triangles. It is binary, or text if single precision is too little. STL has neither curves, groups
 /// nor units.
 pub fn write_stl(mesh: &Mesh, positions: &[Point]) -> Vec<u8> {
-    let triangles = mesh.faces.iter().flat_map(|face| {
+    let faces = mesh.faces.iter().chain(mesh.untouched.iter());
+    let triangles = faces.flat_map(|face| {
         let corners: Vec<Vec3<f64>> = face.iter().map(|&v| positions[v as usize].into()).collect();
         triangles_in_space(&corners).into_iter().map(move |own| own.map(|k| corners[k]))
     });

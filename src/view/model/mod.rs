@@ -31,6 +31,9 @@ pub struct RenderMesh {
     pub exact: Vec<DVec3>,
     /// #V, relative to the centre.
     pub positions: Vec<Vec3>,
+    /// The lowest and the highest corner of the bounding box of the used vertices, relative to the
+    /// centre: asked for several times in every picture.
+    pub bounds: [Vec3; 2],
     /// Corners of each face.
     pub faces: Lists,
     /// Vertices of each polyline.
@@ -79,6 +82,8 @@ impl RenderMesh {
         self.positions.clear();
         self.positions.extend(exact.iter().map(|&p| (p - self.centre).as_vec3()));
         self.exact = exact;
+        let used = || self.used.iter().map(|&v| self.positions[v as usize]);
+        self.bounds = [Vec3::min, Vec3::max].map(|end| used().reduce(end).unwrap_or_default());
         self.normals.update(&self.positions, &self.faces);
     }
 

@@ -265,9 +265,7 @@ impl ViewState {
     }
 
     pub(crate) fn bounds(&self) -> [Vec3; 2] {
-        let points = self.content.mesh.used_positions();
-        let low = points.clone().reduce(Vec3::min).unwrap_or_default();
-        [low, points.reduce(Vec3::max).unwrap_or_default()]
+        self.content.mesh.bounds
     }
 
     /// Returns the target of each handle, relative to the view's centre.
