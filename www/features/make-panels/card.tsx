@@ -19,6 +19,7 @@ import { makePanels } from './press.ts';
 import { useForecast, type Forecast } from './use-forecast.ts';
 import { Verdicts } from './verdicts.ts';
 import type { BetterPress, PanelVerdict } from '../../solver/types.ts';
+import { unbroken } from '../../ui/unbroken.ts';
 
 /** @param children what is said below the verdict */
 export function PanelsCard({ children }: { children?: ComponentChildren }) {
@@ -60,7 +61,9 @@ function Offer({ forecast }: { forecast: Forecast }) {
         between={
           // It has its place at once: a card that grows moves the model, and what the user does with it.
           <p class="quiet forecast" hidden={found === null}>
-            {found === undefined ? 'Estimating how far the mesh will move …' : found?.words}
+            {found === undefined
+              ? 'Estimating how far the mesh will move …'
+              : unbroken(found?.words ?? '')}
           </p>
         }
         before={<NewPanelsButton hidden={!forecast.newPanelsHelp} />}
@@ -94,7 +97,7 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
   return (
     <Card class={isPoor ? 'card warning' : 'card'} data-shows="verdict" data-level={level}>
       <p aria-live={verdict ? 'polite' : 'off'}>
-        <span>{words}</span> <span class="numbers">{numbers}</span>
+        <span>{unbroken(words)}</span> <span class="numbers">{unbroken(numbers)}</span>
       </p>
       <button ref={hold} type="button" class="bordered">
         Hold to see the original
@@ -153,7 +156,7 @@ function Changes({
               class={k === 0 ? 'bordered recommended' : 'bordered'}
               onClick={() => choose(press)}
             >
-              {press.label}: {press.words}
+              {press.label}: {unbroken(press.words)}
             </Button>
           ))}
           {better.isLooking && <p class="quiet">Looking for suggestions …</p>}

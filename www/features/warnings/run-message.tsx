@@ -7,6 +7,7 @@ import { useCover, useNarrow } from '../../viewport/use-cover.ts';
 import { panelsCard } from '../../store/panels-card.ts';
 import { conditions } from './conditions.ts';
 import type { Message } from './run-messages.ts';
+import { unbroken } from '../../ui/unbroken.ts';
 
 /** Among the messages. */
 export function RunMessage() {
@@ -47,8 +48,8 @@ function Content({ message: { words, numbers, offers = [], waits } }: { message:
   return (
     <>
       <p>
-        {words}
-        {numbers && <span class={numbers.elsewhere}> {numbers.words}</span>}
+        {unbroken(words)}
+        {numbers && <span class={numbers.elsewhere}> {unbroken(numbers.words)}</span>}
       </p>
       {offers.map(({ label, title, act }) => (
         <Button
