@@ -19,7 +19,7 @@ import { makePanels } from './press.ts';
 import { useForecast, type Forecast } from './use-forecast.ts';
 import { Verdicts } from './verdicts.ts';
 import type { BetterPress, PanelVerdict } from '../../solver/types.ts';
-import { unbroken } from '../../ui/unbroken.ts';
+import { Sentence } from '../../ui/components/sentence.tsx';
 
 /** @param children what is said below the verdict */
 export function PanelsCard({ children }: { children?: ComponentChildren }) {
@@ -61,9 +61,11 @@ function Offer({ forecast }: { forecast: Forecast }) {
         between={
           // It has its place at once: a card that grows moves the model, and what the user does with it.
           <p class="quiet forecast" hidden={found === null}>
-            {found === undefined
-              ? 'Estimating how far the mesh will move …'
-              : unbroken(found?.words ?? '')}
+            {found === undefined ? (
+              'Estimating how far the mesh will move …'
+            ) : (
+              <Sentence words={found?.words ?? ''} />
+            )}
           </p>
         }
         before={<NewPanelsButton hidden={!forecast.newPanelsHelp} />}
@@ -97,7 +99,12 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
   return (
     <Card class={isPoor ? 'card warning' : 'card'} data-shows="verdict" data-level={level}>
       <p aria-live={verdict ? 'polite' : 'off'}>
-        <span>{unbroken(words)}</span> <span class="numbers">{unbroken(numbers)}</span>
+        <span>
+          <Sentence words={words} />
+        </span>{' '}
+        <span class="numbers">
+          <Sentence words={numbers} />
+        </span>
       </p>
       <button ref={hold} type="button" class="bordered">
         Hold to see the original
@@ -156,7 +163,7 @@ function Changes({
               class={k === 0 ? 'bordered recommended' : 'bordered'}
               onClick={() => choose(press)}
             >
-              {press.label}: {unbroken(press.words)}
+              {press.label}: <Sentence words={press.words} />
             </Button>
           ))}
           {better.isLooking && <p class="quiet">Looking for suggestions …</p>}

@@ -7,7 +7,7 @@ import { useCover, useNarrow } from '../../viewport/use-cover.ts';
 import { panelsCard } from '../../store/panels-card.ts';
 import { conditions } from './conditions.ts';
 import type { Message } from './run-messages.ts';
-import { unbroken } from '../../ui/unbroken.ts';
+import { Sentence } from '../../ui/components/sentence.tsx';
 
 /** Among the messages. */
 export function RunMessage() {
@@ -48,8 +48,13 @@ function Content({ message: { words, numbers, offers = [], waits } }: { message:
   return (
     <>
       <p>
-        {unbroken(words)}
-        {numbers && <span class={numbers.elsewhere}> {unbroken(numbers.words)}</span>}
+        <Sentence words={words} />
+        {numbers && (
+          <span class={numbers.elsewhere}>
+            {' '}
+            <Sentence words={numbers.words} />
+          </span>
+        )}
       </p>
       {offers.map(({ label, title, act }) => (
         <Button
