@@ -50,8 +50,8 @@ const database = createStore('shape-up', 'works');
 
 /** Tells which works, by their titles, have made room for another one. */
 export const removals = new Emitter<{ removed: string[] }>();
-/** Works that do not fit, even without all others. */
-const tooLarge: Set<string> = new Set();
+/** By the ids of works that do not fit: the ids of those that were not enough to make room. */
+const notEnough: Map<string, string> = new Map();
 
 /** Returns the id of a work that begins now. */
 export const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
@@ -92,32 +92,32 @@ export async function keep(work: Work, contents: Partial<Contents>) {
   try {
     await write(work, contents);
   } catch (error) {
-    if (!isFull(error) || tooLarge.has(work.id)) throw error;
-    await keepInPlaceOfOthers(work, contents);
+    if (!isFull(error)) throw error;
+    await keepInPlaceOfOthers(work, contents, error);
   }
 }
 
-/** Puts the others back, and rejects, if all of them together leave too little room. */
-async function keepInPlaceOfOthers(work: Work, contents: Partial<Contents>) {
-  let failure: unknown = new DOMException('There is no room.', 'QuotaExceededError');
-  const removed: [Work, Partial<Contents>][] = [];
-  const others = (await closedWorks()).filter(({ id }) => id !== work.id);
-  for (const other of others.toReversed()) {
-    removed.push([other, (await contentsOf(other.id)) as Contents]);
-    await remove([other]);
+/**
+ * @param full the error of an attempt in which all others stayed; thrown if all of them together leave
+ *   too little room
+ */
+async function keepInPlaceOfOthers(work: Work, contents: Partial<Contents>, full: unknown) {
+  for (let count = 1; ; count++) {
+    // Another tab may have opened one meanwhile.
+    const others = (await closedWorks()).filter(({ id }) => id !== work.id).toReversed();
+    const ids = others.map(({ id }) => id).join();
+    // Nor is it tried with every later save.
+    if (count > others.length) notEnough.set(work.id, ids);
+    if (notEnough.get(work.id) === ids) throw full;
+    const removed = others.slice(0, count);
     try {
-      await write(work, contents);
-      const titles = removed.map(([{ title }]) => title);
+      await write(work, contents, removed);
+      const titles = removed.map(({ title }) => title);
       return removals.emit('removed', titles);
     } catch (error) {
-      failure = error;
-      if (!isFull(error)) break;
+      if (!isFull(error)) throw error;
     }
   }
-  // Nor is it tried with every later save.
-  tooLarge.add(work.id);
-  for (const [other, all] of removed) await write(other, all);
-  throw failure;
 }
 
 const isFull = (error: unknown) =>
@@ -144,13 +144,15 @@ async function closedWorks() {
 async function remove(works: Work[]) {
   if (works.length === 0) return;
   await database('readwrite', (store) => {
-    for (const { id } of works) for (const part of PARTS) store.delete(part + id);
-    return promisifyRequest(store.transaction);
+    erase(works, store);
+    return done(store.transaction);
   });
 }
 
-function write(work: Work, contents: Partial<Contents>) {
+/** @param replaced works that are removed, but not if the writing fails, or the page is closed before */
+function write(work: Work, contents: Partial<Contents>, replaced: Work[] = []) {
   return database('readwrite', (store) => {
+    erase(replaced, store);
     store.put(work, ABOUT + work.id);
     for (const [part, value] of Object.entries(contents)) {
       const key = `${part} ${work.id}`;
@@ -159,9 +161,20 @@ function write(work: Work, contents: Partial<Contents>) {
     }
     // Commit now: the page may be closed before the transaction would commit by itself.
     store.transaction.commit?.();
-    return promisifyRequest(store.transaction);
+    return done(store.transaction);
   });
 }
+
+function erase(works: Work[], store: IDBObjectStore) {
+  for (const { id } of works) for (const part of PARTS) store.delete(part + id);
+}
+
+/** Waits for the end of a transaction: it has no reason yet when the error of a request reaches it. */
+const done = (transaction: IDBTransaction) =>
+  new Promise<void>((resolve, reject) => {
+    transaction.oncomplete = () => resolve();
+    transaction.onabort = () => reject(transaction.error ?? new Error('Aborted.'));
+  });
 
 function isWork(value: unknown): value is Work {
   const work: Partial<Work> = value ?? {};

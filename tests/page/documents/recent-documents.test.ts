@@ -87,6 +87,65 @@ test('a work that does not fit even without the others leaves them', async (cont
   assert.equal(gone.mock.callCount(), 0);
 });
 
+test('a write that fails while room is made removes no work', async (context) => {
+  // Each removed work was written again, which failed too, or never came to it: the page was closed.
+  for (const id of ['older', 'newer']) await keep(work(id), contents('1234'));
+  const lost: string[] = [];
+  context.mock.method(records, 'set', () => {
+    throw new DOMException('Full.', 'QuotaExceededError');
+  });
+  const query = context.mock.method(navigator.locks, 'query', async () => {
+    if (records.size < 4) lost.push('while it is tried');
+    return { held: [] };
+  });
+  await assert.rejects(keep(work('new'), contents('1')), { name: 'QuotaExceededError' });
+  assert.deepEqual(await ids(), ['newer', 'older']);
+  assert.ok(query.mock.callCount() > 1);
+  assert.deepEqual(lost, []);
+});
+
+test('a work that another tab opens while room is made stays', async (context) => {
+  for (const id of ['older', 'newer']) await keep(work(id), contents('1234'));
+  limit(context, 8);
+  const { query } = navigator.locks;
+  let attempts = 0;
+  context.mock.method(navigator.locks, 'query', () => {
+    if (++attempts === 2) locks.add(`${LOCK_PREFIX}newer`);
+    return query();
+  });
+  await assert.rejects(keep(work('new'), contents('12345678')), { name: 'QuotaExceededError' });
+  assert.deepEqual(await ids(), ['newer', 'older']);
+});
+
+test('a work that did not fit is tried again once others can make room', async (context) => {
+  // It was not, even if there had been none to remove.
+  locks.add(`${LOCK_PREFIX}other-tab`);
+  await keep(work('other-tab'), contents('1234'));
+  limit(context, 4);
+  const put = () => keep({ ...work('again'), savedAt: 0 }, contents('12'));
+  await assert.rejects(put);
+  await assert.rejects(put);
+  locks.clear();
+  await put();
+  assert.deepEqual(await ids(), ['again']);
+});
+
+test('a work whose writing failed for another reason is tried again', async (context) => {
+  await keep(work('older'), contents('1234'));
+  const set = Map.prototype.set.bind(records);
+  let isBroken = true;
+  context.mock.method(records, 'set', (key: string, value: unknown) => {
+    if (records.has('text older')) throw new DOMException('Full.', 'QuotaExceededError');
+    if (isBroken) throw new DOMException('Broken.', 'UnknownError');
+    return set(key, value);
+  });
+  const put = () => keep(work('new'), contents('12'));
+  await assert.rejects(put, { name: 'UnknownError' });
+  isBroken = false;
+  await put();
+  assert.deepEqual(await ids(), ['new']);
+});
+
 test('a damaged fallback copy holds up no other', async () => {
   storeUnsaved(work('first'), contents('a model'));
   const [key] = Object.keys(window.localStorage);

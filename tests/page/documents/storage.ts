@@ -5,32 +5,60 @@ export const records: Map<string, unknown> = new Map();
 /** Names of the held locks, of this and other tabs. */
 export const locks: Set<string> = new Set();
 
-/** A request, or the transaction of a store, with the handlers that the page sets. */
+/** A request with the handler that the page sets. */
 interface Request {
   result: unknown;
   onsuccess?: () => void;
-  oncomplete?: () => void;
 }
 
 /** An event handler is set after the call returns. */
 function request(result: unknown) {
   const made: Request = { result };
-  setTimeout(() => {
-    made.onsuccess?.();
-    made.oncomplete?.();
-  });
+  setTimeout(() => made.onsuccess?.());
   return made;
 }
 
-const objectStore = () => ({
-  transaction: request(undefined),
-  getAllKeys: () => request([...records.keys()]),
-  getAll: ([low, high]: [string, string]) =>
-    request([...records].filter(([key]) => key >= low && key <= high).map(([, value]) => value)),
-  get: (key: string) => request(records.get(key)),
-  put: (value: unknown, key: string) => void records.set(key, value),
-  delete: (key: string) => void records.delete(key),
-});
+/** What is done in it is done as a whole or, where a request fails, not at all. */
+class Transaction {
+  error: unknown = null;
+  oncomplete?: () => void;
+  onerror?: () => void;
+  onabort?: () => void;
+  readonly changes: (() => void)[] = [];
+
+  constructor() {
+    setTimeout(() => this.#end());
+  }
+
+  #end() {
+    const before = [...records];
+    try {
+      for (const change of this.changes) change();
+      this.oncomplete?.();
+    } catch (error) {
+      records.clear();
+      for (const [key, value] of before) Map.prototype.set.call(records, key, value);
+      // The error of a request comes before the reason why the transaction is aborted.
+      this.onerror?.();
+      this.error = error;
+      this.onabort?.();
+    }
+  }
+}
+
+function objectStore() {
+  const transaction = new Transaction();
+  return {
+    transaction,
+    getAllKeys: () => request([...records.keys()]),
+    getAll: ([low, high]: [string, string]) =>
+      request([...records].filter(([key]) => key >= low && key <= high).map(([, value]) => value)),
+    get: (key: string) => request(records.get(key)),
+    put: (value: unknown, key: string) =>
+      void transaction.changes.push(() => void records.set(key, value)),
+    delete: (key: string) => void transaction.changes.push(() => void records.delete(key)),
+  };
+}
 
 /** Storage: its keys are its own properties. */
 class Storage {
