@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { nextNumber, type Steps } from '../../../www/ui/components/number-steps.ts';
+import { firstIn, nextNumber, type Steps } from '../../../www/ui/components/number-steps.ts';
 
 /** The numbers from one on, going so many steps up or down. */
 function steps(from: number, count: number, how: Steps = {}) {
@@ -31,7 +31,7 @@ test('a step up and a step down take each other back', () => {
 
 test('from 0, lengths begin with about a centimetre', () => {
   const first = (unit: string) => steps(0, 1, { unit })[0];
-  assert.deepEqual(['m', 'cm', 'mm', 'ft', ''].map(first), [0.01, 1, 10, 0.1, 0.1]);
+  assert.deepEqual(['m', 'cm', 'mm', 'ft'].map(first), [0.01, 1, 10, 0.1]);
   assert.deepEqual(steps(0, -1, { unit: 'cm' }), [-1]);
 });
 
@@ -39,4 +39,29 @@ test('whole numbers and degrees change by one', () => {
   assert.deepEqual(steps(144, 2, { step: 1 }), [145, 146]);
   assert.deepEqual(steps(0, -1, { step: 1 }), [-1]);
   assert.deepEqual(steps(22.5, 1, { step: 1 }), [23.5]);
+});
+
+test('a whole number without a unit stays whole, whether or not its field says so', () => {
+  // 5 steps became 5.1, which is refused.
+  assert.deepEqual(steps(5, 1), [6]);
+  assert.deepEqual(steps(250, -1), [249]);
+  assert.deepEqual(steps(1, -3), [0, -1, -2]);
+  assert.deepEqual(steps(2, -2, { isPositive: true }), [1, 0.99]);
+});
+
+test('steps down come to 0 and cross it, where it is accepted', () => {
+  // Each was a tenth of the one before, for ever.
+  assert.deepEqual(steps(0.0001, -3, { unit: 'm' }), [0.000099, 0, -0.01]);
+  assert.deepEqual(steps(-0.00005, 2, { unit: 'm' }), [0, 0.01]);
+  assert.deepEqual(steps(0.05, -1, { unit: 'mm', isPositive: true }), [0.049]);
+  assert.deepEqual(steps(0.2, -1, { unit: 'mm' }), [0.19]);
+});
+
+test('coordinates change alike, wherever they are', () => {
+  // At 250 m one press moved 10 m.
+  const coordinate = (from: number, unit: string, count: number) =>
+    steps(from, count, { unit, step: firstIn(unit) });
+  assert.deepEqual(coordinate(250, 'm', 1), [250.01]);
+  assert.deepEqual(coordinate(0.01, 'm', -2), [0, -0.01]);
+  assert.deepEqual(coordinate(15, 'mm', -2), [5, -5]);
 });

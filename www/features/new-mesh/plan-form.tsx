@@ -4,6 +4,7 @@ import './plan.css';
 import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { firstIn } from '../../ui/components/number-steps.ts';
 import { SizeField } from '../../ui/components/size-field.tsx';
 import { limit, rounded } from '../../ui/words.ts';
 import { bulgeOf } from '../../pkg/engine/shape_up.js';
@@ -107,27 +108,31 @@ function SelectedPoint({ drawn }: { drawn: DrawnPlan }) {
   const spot = drawn.selected.value;
   const { point, side } = drawn.now();
   const unit = drawn.unit.value;
-  const lengths: [string, number, (to: number) => void][] = [
-    ['x', point.at[0], (to) => drawn.step((_, __, { at }) => (at[0] = to))],
-    ['y', point.at[1], (to) => drawn.step((_, __, { at }) => (at[1] = to))],
+  // Those with a sign cross 0.
+  const step = firstIn(unit);
+  const lengths: [string, number, (to: number) => void, step?: number][] = [
+    ['x', point.at[0], (to) => drawn.step((_, __, { at }) => (at[0] = to)), step],
+    ['y', point.at[1], (to) => drawn.step((_, __, { at }) => (at[1] = to)), step],
     ['Side', side.chord, (to) => drawn.setLength(to)],
     [
       'Rise',
       side.rise,
       (to) => drawn.step((_, __, point) => (point.bulge = bulgeOf(to, side.chord))),
+      step,
     ],
   ];
   return (
     <section class="point">
       <h3>{nameOf(spot)}</h3>
       <div class="lengths">
-        {lengths.map(([name, value, change]) => (
+        {lengths.map(([name, value, change, step]) => (
           <label key={name}>
             <span>{name}</span>
             <AmountField
               name={name}
               min={-Infinity}
               unit={unit}
+              step={step}
               value={roundedPlace(value)}
               onAmount={change}
             />

@@ -17,15 +17,15 @@ export interface Accepted extends Steps {
   max?: number;
   /** whether only whole numbers are accepted */
   isWhole?: boolean;
-  /** whether only numbers above 0 are accepted */
-  isPositive?: boolean;
   /** what is added to; nothing is where it is absent */
   present?: number | null;
 }
 
+const isAboveZero = ({ isPositive = false, min }: Accepted) => isPositive || min === ABOVE_ZERO;
+
 /** Returns the number of a text, null if it is empty, and what is wrong with it. */
 export function readNumber(text: string, accepted: Accepted): [number | null, string] {
-  const { unit = '', min = -Infinity, max = Infinity, isWhole, isPositive, present } = accepted;
+  const { unit = '', min = -Infinity, max = Infinity, isWhole, present } = accepted;
   if (text.trim() === '') return [null, ''];
   // To some readers 1,000 is a thousand, to others one.
   if (isWhole && /[.,]/.test(text)) return [null, 'Expected a whole number, such as 1000.'];
@@ -33,8 +33,7 @@ export function readNumber(text: string, accepted: Accepted): [number | null, st
     const { by, length } = readLength(text, unit);
     if (by && typeof present !== 'number') return [null, 'There is no number to add to.'];
     const number = by ? (present ?? 0) + length : length;
-    if ((isPositive || min === ABOVE_ZERO) && !(number > 0))
-      return [null, 'Expected a number above 0.'];
+    if (isAboveZero(accepted) && !(number > 0)) return [null, 'Expected a number above 0.'];
     if (number < min) return [null, `Expected at least ${brief(min)}.`];
     if (number > max) return [null, `Expected at most ${brief(max)}.`];
     if (isWhole && !Number.isInteger(number)) return [null, 'Expected a whole number.'];
@@ -105,7 +104,8 @@ function step(field: HTMLInputElement, by: 1 | -1, accepted: Accepted) {
   const number = numberIn(field, accepted);
   if (!field.reportValidity()) return;
   const { min = -Infinity, max = Infinity, isWhole } = accepted;
-  const next = nextNumber(number ?? 0, by, isWhole ? { step: 1 } : accepted);
+  const how = { ...accepted, isPositive: isAboveZero(accepted) };
+  const next = nextNumber(number ?? 0, by, isWhole ? { step: 1 } : how);
   field.value = String(Math.min(Math.max(next, min), max));
   field.dispatchEvent(new Event('input', { bubbles: true }));
   field.dispatchEvent(new Event('change', { bubbles: true }));

@@ -4,6 +4,7 @@ import { Fragment } from 'preact';
 import { useLayoutEffect, useState } from 'preact/hooks';
 import { Choice } from '../components/fields.tsx';
 import { NumberInput, readNumber, type Accepted } from '../components/number-input.tsx';
+import { firstIn } from '../components/number-steps.ts';
 import {
   AXES,
   FIELD_NAMES,
@@ -113,7 +114,7 @@ function Parameter({
   /** What a number may be; a null is an infinite limit. */
   const accepted = (at: number): Accepted => ({
     unit: param.unit === 'length' ? frame.units : '',
-    step: param.unit === 'degrees' ? 1 : undefined,
+    step: param.unit === 'degrees' ? 1 : isVector ? firstIn('') : undefined,
     min: min ?? -Infinity,
     max: max ?? Infinity,
     present: numbers[at],
