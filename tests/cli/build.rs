@@ -54,6 +54,10 @@ fn presets_set_what_belongs_together() {
     ] {
         assert!(summary.lines().any(|own| own == line), "{line}: {summary}");
     }
+    // What is asked for by itself holds, wherever the preset stands.
+    let asked = ["--kerf", "0.3", "--machine", "laser", "--out", "own"];
+    folder.run(&[&["build", "roof.obj"], &asked[..]].concat()).done();
+    assert!(folder.read("own/summary.csv").contains("Kerf (kerf),0.3,mm"));
     folder
         .run(&["build", "roof.obj", "--machine", "axe"])
         .misused("or laser or mill or mill-6, found `axe`");

@@ -147,3 +147,26 @@ fn a_scene_is_fitted_to_the_surface_of_a_file_beside_it() {
     std::fs::remove_file(folder.0.join("flat.obj")).unwrap();
     folder.run(&["solve", "scene.json"]).refused(&["closeness.to.mesh.file", "flat.obj"]);
 }
+
+#[test]
+fn no_file_that_is_read_is_replaced() {
+    // The mesh of a scene was replaced by the solved shape: every later run had another original.
+    let folder = Folder::new("written-read");
+    let roof = "v 0 0 0\nv 1 0 0.1\nv 1 1 0\nv 0 1 0.1\nf 1 2 3 4\n";
+    folder.write("roof.obj", roof);
+    let scene = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "roof.obj" },
+        "constraints": [{ "kind": "plane", "on": "faces" }] }"#;
+    folder.write("roof.shapeup.json", scene);
+    for asked in [
+        "solve roof.shapeup.json --out roof.obj",
+        "solve roof.shapeup.json --report roof.obj",
+        "refine roof.shapeup.json --out roof.obj",
+        "new fill roof.obj --out roof.obj",
+        "experiment roof.shapeup.json --iterations 2 --csv roof.shapeup.json",
+    ] {
+        let words: Vec<&str> = asked.split(' ').collect();
+        folder.run(&words).misused("would replace a file that is read, expected another file");
+        assert_eq!(folder.read("roof.obj"), roof, "{asked}");
+        assert_eq!(folder.read("roof.shapeup.json"), scene, "{asked}");
+    }
+}

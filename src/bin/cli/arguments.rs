@@ -270,7 +270,7 @@ fn solve(mut words: Words, command: &str) -> Result<Solve, String> {
 }
 
 fn build(mut words: Words) -> Result<Command, String> {
-    let (mut build, mut input) = (Build::default(), None);
+    let (mut build, mut input, mut single) = (Build::default(), None, Vec::new());
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
             "--units" => {
@@ -290,10 +290,12 @@ fn build(mut words: Words) -> Result<Command, String> {
                 let Some(setting) = BUILD_SETTINGS.iter().find(is_named) else {
                     return Err(unknown(&Word::Option(name), "build"));
                 };
-                build.settings.push((setting.id, words.setting(&name, setting)?));
+                single.push((setting.id, words.setting(&name, setting)?));
             }
         }
     }
+    // What is asked for by itself holds, wherever a preset stands that sets it too.
+    build.settings.extend(single);
     build.input = input.ok_or("build needs a scene or a mesh file")?;
     let Build { input, out, report, report_page, .. } = &build;
     apart(input, &[("--out", out), ("--report", report), ("--report-page", report_page)])?;

@@ -192,9 +192,9 @@ fn words_of(strips: &[StripReport]) -> Vec<String> {
             [widths.clone().fold(f64::INFINITY, f64::min), widths.fold(0.0, f64::max)];
         let longest = alike.iter().map(|strip| strip.length).fold(0.0, f64::max);
         format!(
-            "strips      {} of {} quads: laid flat {} to {} wide, up to {} long",
+            "strips      {} of {}: laid flat {} to {} wide, up to {} long",
             alike.len(),
-            alike[0].quads,
+            words::count(alike[0].quads, "quad", "quads"),
             words::number(least),
             words::number(most),
             words::number(longest)

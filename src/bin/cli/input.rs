@@ -3,9 +3,11 @@
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
 use shape_up::scene::{MeshSource, Pose, Scene, Target, UnitsAndUp, Up};
+use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, Read as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The largest size of an input file, in bytes; no larger mesh or scene can be solved.
 const MOST_BYTES: u64 = 1 << 30;
@@ -122,8 +124,21 @@ pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     })
 }
 
+thread_local! {
+    /// The files that were read, with links resolved: no output may replace them.
+    static READ: RefCell<BTreeSet<PathBuf>> = const { RefCell::new(BTreeSet::new()) };
+}
+
+/// Whether the file at this place, with links resolved, was read.
+pub(super) fn was_read(place: &Path) -> bool {
+    READ.with_borrow(|read| read.contains(place))
+}
+
 /// Returns the bytes of a file or pipe. Endless ones are an error.
 fn read_whole(path: &Path) -> io::Result<Vec<u8>> {
+    if let Ok(place) = path.canonicalize() {
+        READ.with_borrow_mut(|read| read.insert(place));
+    }
     let mut bytes = Vec::new();
     File::open(path)?.take(MOST_BYTES + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > MOST_BYTES {

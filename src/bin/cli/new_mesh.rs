@@ -127,7 +127,7 @@ fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String>
 pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     let (mesh, frame) = mesh(&command.from)?;
     let units = command.units.clone().or(frame.units).unwrap_or_default();
-    let comments = UnitsAndUp::comments(&units, frame.up.unwrap_or_default());
+    let comments = UnitsAndUp::comments(&units, frame.up, &mesh);
     let ending = command.out.as_deref().map(output::ending).unwrap_or_default();
     let file = write_with_ending(&ending, &mesh, &mesh.positions, &comments);
     let Some(path) = &command.out else {

@@ -14,7 +14,20 @@ use std::{fs, io};
 
 /// Writes all files, or none in part: each is written under a temporary name beside its
 /// destination, and all are renamed once all are complete.
+///
+/// # Errors
+/// If one would replace a file that was read, or cannot be written.
 pub(super) fn write(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> Result<(), Failure> {
+    for (path, _) in files {
+        if let Place::File { place, .. } = Place::of(path.as_ref())?
+            && input::was_read(&place)
+        {
+            let path = path.as_ref().display();
+            return Err(Failure::Usage(format!(
+                "{path} would replace a file that is read, expected another file"
+            )));
+        }
+    }
     let mut complete: Vec<Complete<'_>> = Vec::new();
     let result = files
         .iter()

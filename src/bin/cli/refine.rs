@@ -3,6 +3,7 @@
 use crate::cli::arguments::Refine;
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
+use shape_up::mesh::Topology;
 use shape_up::session::{Edit, Error, Report, Session, Verdict};
 use shape_up::solve::Require;
 use shape_up::words;
@@ -43,6 +44,10 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     }
     let solves = command.panels.is_some();
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
+    // Said before anything is solved.
+    subdivision
+        .counts(session.mesh(), &Topology::new(session.mesh()))
+        .map_err(|why| Failure::Input(format!("{}: {why}", command.input.display())))?;
     let (mut levels, mut lost) = (Vec::new(), Vec::new());
     let mut refine = |session: &mut Session, levels| {
         let (scheme, keep) = (subdivision.scheme, subdivision.keep);

@@ -130,8 +130,8 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
     remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
     let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(out) = &asked.out {
-        let comments = UnitsAndUp::comments(&scene.units, scene.up);
         let made = &found.mesh;
+        let comments = UnitsAndUp::comments(&scene.units, Some(scene.up), made);
         let file = write_with_ending(&output::ending(out), made, &made.positions, &comments);
         files.push((out, file));
     }

@@ -209,7 +209,8 @@ fn summary(input: &Path, report: &Report, told: &Told) -> String {
     line(format_args!("{}", output::planarity(&report.planarity, units, *tolerance)));
     line(format_args!("{}", output::circularity(&report.circularity, units, *tolerance)));
     if let Some(folded) = report.folded {
-        line(format_args!("folds       {folded} panels are folded or dented"));
+        let panels = words::count(folded.get(), "panel is", "panels are");
+        line(format_args!("folds       {panels} folded or dented"));
     }
     verdict.iter().for_each(|words| line(format_args!("{words}")));
     if let Some(exact) = &report.exact {

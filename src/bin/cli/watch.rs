@@ -30,8 +30,9 @@ pub(super) fn watch(command: &Solve) -> Result<(), Failure> {
     loop {
         thread::sleep(EVERY);
         let now = stamps(&command.input);
-        // A file that is still written changes from one look to the next.
-        if now == last && now != solved && now.iter().all(Option::is_some) {
+        // A file that is still written changes from one look to the next, and some programs remove it
+        // first. One that a scene names may be missing: then that is said.
+        if now == last && now != solved && now[0].is_some() {
             solved.clone_from(&now);
             match solve::solve(command) {
                 Ok(()) => {}
