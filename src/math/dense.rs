@@ -8,8 +8,12 @@ const ITERATIONS: usize = 1000;
 
 /// Returns the eigenvalues of the symmetric part of a matrix, the greatest first, and their unit
 /// eigenvectors, the columns of the second matrix.
+///
+/// # Panics
+/// If an entry is not finite: no tolerance would end the iteration.
 pub fn symmetric_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
     let symmetric = (matrix + matrix.transpose()) * 0.5;
+    assert!(symmetric.iter().all(|entry| entry.is_finite()), "the matrix of a subspace is finite");
     let mut tolerance = f64::EPSILON;
     // Rounding errors may prevent the iteration from ending at this tolerance (nalgebra, issue
     // 1025), but not at every looser one.

@@ -59,12 +59,14 @@ impl UnitsAndUp {
         }
     }
 
-    /// Returns the comments that state unit and up axis, a line each. An empty unit gives no line,
-    /// and neither does z.
-    pub fn comments(units: &str, up: Up) -> Vec<String> {
+    /// Returns the comments that state unit and up axis of a mesh, a line each. An empty unit gives no
+    /// line, and neither do an unknown axis, and z where it would be guessed.
+    pub fn comments(units: &str, up: Option<Up>, mesh: &Mesh) -> Vec<String> {
         let units: String = units.chars().filter(|c| !c.is_control()).collect();
         let units = (!units.is_empty()).then(|| format!("units: {units}"));
-        units.into_iter().chain((up == Up::Y).then(|| "up: y".to_owned())).collect()
+        let is_said = |up: &Up| *up == Up::Y || UnitsAndUp::guess_up(mesh) != *up;
+        let up = up.filter(is_said).map(|up| format!("up: {}", up.word()));
+        units.into_iter().chain(up).collect()
     }
 
     /// Guesses the unit of a mesh from its size; empty if it is not clear.
@@ -119,13 +121,17 @@ mod tests {
     #[test]
     fn what_is_written_is_read_back() {
         for (units, up) in [("m", Up::Y), ("", Up::Y), ("ft", Up::Z), ("", Up::Z)] {
-            let comments = UnitsAndUp::comments(units, up);
+            let comments = UnitsAndUp::comments(units, Some(up), &points(Vec::new()));
             let comments: String = comments.iter().map(|line| format!("# {line}\n")).collect();
             let text = comments + "v 0 0 0\n# units: km\n";
             let frame = UnitsAndUp::stated(text.as_bytes());
             assert_eq!(frame.units.unwrap_or_default(), units);
             assert_eq!(frame.up.unwrap_or(Up::Z), up);
         }
+        // A wall that would be taken as a roof on its back.
+        let wall = block([9.0, 0.3, 6.0]);
+        assert_eq!(UnitsAndUp::guess_up(&wall), Up::Y);
+        assert_eq!(UnitsAndUp::comments("", Some(Up::Z), &wall), ["up: z"]);
         let foreign = b"# Blender 4.2\r\n#\r\n# units: cm\r\n# a: b: c\r\nmtllib x.mtl\r\n";
         assert_eq!(UnitsAndUp::stated(foreign).units.as_deref(), Some("cm"));
         assert_eq!(UnitsAndUp::stated(b""), UnitsAndUp::default());

@@ -226,7 +226,8 @@ impl Session {
         self.scene.move_handles(vertices.iter().copied().zip(targets.iter().copied()));
     }
 
-    /// Ends the drag, run or variation under way; a drag or run becomes a step of undo.
+    /// Ends the drag, run or variation under way; a drag or run becomes a step of undo. After a drag
+    /// that something else ends, hard constraints are met again by the next run.
     pub(super) fn end_transaction(&mut self) {
         self.end_run();
         self.record_drag(true);

@@ -20,7 +20,7 @@ impl Session {
         let positions = weld.map_or_else(|| self.scene.positions().to_vec(), moved);
         let mesh = weld.map_or(self.mesh(), |weld| &weld.original);
         let document = self.document();
-        let comments = UnitsAndUp::comments(&document.units, document.up);
+        let comments = UnitsAndUp::comments(&document.units, Some(document.up), mesh);
         write_with_ending(ending, mesh, &positions, &comments)
     }
 

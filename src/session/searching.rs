@@ -6,6 +6,7 @@ use super::report::ConstraintCoverage;
 use super::requirements::Required;
 use super::run::{Attempt, Attempts, Eased, Meeting, Outcome, Search, ShapeMeasure, Tolerances};
 use super::state::{Part, RowValues, Settings};
+use crate::constraint::{Element, Selector};
 use crate::math::Vec3;
 use crate::mesh::Point;
 use crate::scene::{
@@ -51,13 +52,15 @@ impl Session {
         })
     }
 
-    /// Whether a constraint is to be far from the original: a sphere about all vertices, a surface
-    /// beside it. Constraints on all faces are panels, which are where the original is.
+    /// Whether a hard constraint is to be far from the original: a sphere about all vertices, a surface
+    /// beside it. Constraints on single faces are panels, which are where the original is.
     fn is_asked_elsewhere(&self) -> bool {
         let (rest, rows) = (&self.rest, &self.document().constraints);
         let pose = self.document().pose.as_ref().and_then(Pose::positions);
         let is_far = |row: &ConstraintSpec, constraints| {
-            row.on != all_faces()
+            let is_on_faces = matches!(row.on, Selector::Each { element: Element::Face, .. });
+            row.require.is_hard()
+                && !is_on_faces
                 && farthest(rest.mesh(), pose, rest.positions(), constraints) > rest.mean_edge()
         };
         self.scene.enabled_rows().any(|row| is_far(&rows[row], &self.rows()[row].constraints))

@@ -36,10 +36,7 @@ const CIRCLE: u32 = 13;
 /// If nothing of the model is in the picture.
 pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
     let camera = state.camera();
-    let [low, high] = frame(state);
-    if high.cmplt(low).any() {
-        return Err(ViewError::Outside);
-    }
+    let [low, high] = frame(state).ok_or(ViewError::Outside)?;
     let scale = (SHEET / (high - low).max(Vec2::ONE)).min_element();
     let size = ((high - low) * scale).round();
     let sight = Sight {
@@ -120,15 +117,18 @@ pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
     Ok(svg + "</g></svg>\n")
 }
 
-/// Returns two corners of the part of the canvas that shows the model, with a margin.
-fn frame(state: &ViewState) -> [Vec2; 2] {
+/// Returns two corners of the part of the canvas that shows the model, with a margin; none if nothing
+/// of it is there.
+fn frame(state: &ViewState) -> Option<[Vec2; 2]> {
     let (canvas, eye) = (state.camera().canvas, state.camera().eye());
     let places = state.mesh().used_positions().map(|point| eye.project(point));
     let seen = places.filter(|(_, depth)| *depth > 0.0).map(|(place, _)| place);
-    let low = seen.clone().reduce(Vec2::min).unwrap_or_default();
-    let high = seen.reduce(Vec2::max).unwrap_or(canvas);
+    let (low, high) = (seen.clone().reduce(Vec2::min)?, seen.reduce(Vec2::max)?);
+    if high.cmple(Vec2::ZERO).any() || low.cmpge(canvas).any() {
+        return None;
+    }
     let margin = Vec2::splat(MARGIN * (high - low).max_element());
-    [(low - margin).max(Vec2::ZERO), (high + margin).min(canvas)]
+    Some([(low - margin).max(Vec2::ZERO), (high + margin).min(canvas)])
 }
 
 /// Path data of outlines, where the surface ends as seen from the eye, and of other lines.

@@ -5,6 +5,7 @@ use super::values::{Js, plain, plains};
 use super::{log_panics, mesh_of, rows_of, thrown};
 use crate::generate::{CurveLabel, NEW_KINDS, NewKind, SpanCurve, SpanError, example, fill, loft};
 use crate::mesh::{Mesh, write_obj};
+use crate::scene::UnitsAndUp;
 use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
@@ -80,7 +81,8 @@ impl NewSpans {
 
 /// Returns the text of an OBJ file, with comments that state unit and up axis.
 pub(super) fn obj(mesh: &Mesh, units: &str, up: &str) -> String {
-    let units = if units.is_empty() { String::new() } else { format!("# units: {units}\n") };
+    let units: String =
+        UnitsAndUp::comments(units, None, mesh).iter().map(|line| format!("# {line}\n")).collect();
     format!("{units}# up: {up}\n{}", write_obj(mesh, &mesh.positions))
 }
 

@@ -46,6 +46,8 @@ pub fn part(share: f64) -> String {
 /// Formats a signed fraction in per cent: `+12.5 %`, `−3.0 %`, `0.0 %`.
 pub fn signed_part(share: f64) -> String {
     let size = decimal(100.0 * share.abs(), 1);
+    // What is written as zero has no sign.
+    let share = if size.bytes().all(|digit| b"0.".contains(&digit)) { 0.0 } else { share };
     let sign = if share > 0.0 { "+" } else { "" };
     format!("{sign}{} %", signed(share, &size))
 }

@@ -68,15 +68,18 @@ fn unsigned_length(text: &str, units: &str) -> Option<f64> {
 /// The signs of negative numbers: as typed, and as the page writes it.
 const MINUS: [char; 2] = ['-', '−'];
 
-/// Reads the number at the start of a text, with a point or a comma, and spaces before three digits
-/// as [`group_digits`](super::group_digits) writes them, and returns what follows.
+/// Reads the number at the start of a text, with a point or a comma, and spaces between groups of three
+/// digits as [`group_digits`](super::group_digits) writes them, and returns what follows.
 fn number(text: &str) -> Option<(f64, &str)> {
     let is_of_number = |c: char| c.is_ascii_digit() || c == '.' || c == ',';
     let mut end = 0;
     for (at, c) in text.char_indices() {
         let after = &text[at + c.len_utf8()..];
         let digits = after.find(|c: char| !c.is_ascii_digit()).unwrap_or(after.len());
-        let is_group = c.is_whitespace() && at > 0 && digits == 3;
+        // Only before the point, and after one to three digits.
+        let before = text[..at].rsplit(char::is_whitespace).next().unwrap_or_default();
+        let is_whole = !text[..at].contains(['.', ',']) && (1..=3).contains(&before.len());
+        let is_group = c.is_whitespace() && is_whole && digits == 3;
         if !is_of_number(c) && !is_group {
             break;
         }

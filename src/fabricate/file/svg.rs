@@ -58,6 +58,6 @@ fn path(points: &[Point2], height: f64) -> String {
 
 /// Escapes text for XML, without control characters, which it must not have.
 pub(crate) fn escaped(text: &str) -> String {
-    let text: String = text.chars().filter(|c| !c.is_control() || c.is_whitespace()).collect();
+    let text: String = text.chars().filter(|c| !c.is_control() || "\t\n\r".contains(*c)).collect();
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,5 +1,5 @@
 //! Lists of the parts, and a summary. Every column name includes its unit: `_sheet_mm` of the parts, at
-//! the scale of the model, and `_mm` of the building.
+//! the scale of the model, and `_mm` of the building. Settings in the summary are as they are set.
 
 mod beams;
 mod panels;
