@@ -15,7 +15,7 @@ import { isHard, type Store } from './state.ts';
 import { createViewActions } from './view-actions.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
+import type { Alerts, Offer } from '../ui/controls/alerts.ts';
 
 export function createActions(
   store: Store,
@@ -32,12 +32,18 @@ export function createActions(
   solver.on('frame', forget);
   solver.on('model', () => store.set({ verdict: null }));
 
-  /** Reports an error in an alert; the result is undefined then. */
-  async function reportErrors<T>(promise: Promise<T> | T): Promise<T | undefined> {
+  /**
+   * Reports an error in an alert; the result is undefined then.
+   * @param offers what can be done about it
+   */
+  async function reportErrors<T>(
+    promise: Promise<T> | T,
+    ...offers: Offer[]
+  ): Promise<T | undefined> {
     try {
       return await promise;
     } catch (error) {
-      if (!(error instanceof Cancelled)) alerts.error(withoutPath(error));
+      if (!(error instanceof Cancelled)) alerts.error(withoutPath(error), ...offers);
       return undefined;
     }
   }
