@@ -243,6 +243,18 @@ fn fins_have_a_hole_at_each_end_where_there_is_room() {
         // More than half a metre apart at 1:10, on the middle line of the fin.
         assert!(crate::fabricate::length([p[0] - q[0], p[1] - q[1]]) > 50.0, "{}", part.name);
     }
+    // One and a half diameters from the finished end, which is inside of what is cut.
+    for kerf in [0.0, 2.0] {
+        let made = build(&cube(), &BuildSettings { hole: 5.0, kerf, ..settings() });
+        let part = &made.parts[0];
+        for (hole, side) in part.holes.iter().zip([1, 3]) {
+            let [p, q] = [side, side + 1].map(|k| part.outline[k % 4]);
+            let along = [q[0] - p[0], q[1] - p[1]];
+            let to = [hole.centre[0] - p[0], hole.centre[1] - p[1]];
+            let away = (along[0] * to[1] - along[1] * to[0]) / crate::fabricate::length(along);
+            assert!((away - 7.5 - 0.5 * kerf).abs() < 1e-9, "{kerf}: {away}");
+        }
+    }
     let none = build(&cube(), &BuildSettings { hole: 15.0, ..settings() }).report();
     assert_eq!((none.holes, none.dropped_holes), (0, 24));
 }
@@ -256,6 +268,25 @@ fn the_nodes_of_a_fin_are_named_beyond_the_holes_at_its_ends() {
     assert!(drilled.parts.iter().all(|part| part.holes.len() == 2));
     assert_eq!((drilled.dropped_names, drilled.small_names), (0, 0));
     assert_eq!((plain.dropped_names, plain.small_names), (0, 0));
+}
+
+#[test]
+fn names_that_nobody_could_read_are_not_on_the_part() {
+    // Letters of a few tenths of a millimetre counted as written on it.
+    let narrow = |width: f64| {
+        label(Inscription {
+            outline: &[[0.0, 0.0], [width, 0.0], [width, 2.5], [0.0, 2.5]],
+            name: "B192-193",
+            neighbours: &[None, Some("N193".to_owned()), None, Some("N192".to_owned())],
+            free_sides: false,
+            with_arrow: false,
+            turn: [1.0, 0.0],
+            holes: &[],
+        })
+    };
+    let (short, long) = (narrow(4.0), narrow(40.0));
+    assert!(short.texts.is_empty(), "{:?}", short.texts);
+    assert_eq!((long.texts, long.small, long.dropped), (vec!["B192-193".to_owned()], true, 2));
 }
 
 #[test]

@@ -4,8 +4,10 @@ use crate::support::grid::bumpy;
 use serde_json::json;
 use shape_up::constraint::Kind;
 use shape_up::fabricate::BUILD_NUMBERS;
-use shape_up::mesh::Mesh;
-use shape_up::scene::{EasedFaces, Lesson, Lock, Pose, Results, Scene};
+use shape_up::mesh::{KEPT_TURN, Mesh, Scheme, Subdivision, Topology};
+use shape_up::scene::{
+    ClosenessTo, EasedFaces, Goal, GoalOf, Lesson, Lock, Pose, Results, Scene, Target,
+};
 use shape_up::session::{Edit, Session, check_results, goals_in_words};
 use shape_up::solve::Require;
 use shape_up::words;
@@ -218,6 +220,23 @@ fn results_on_the_pose_of_a_scene_are_measured_against_that_pose() {
     assert!(results.passed);
     let checked = check_results(&results, own, bumpy(5)).expect("they are of this scene");
     assert!(checked.goals[0].met, "{checked:?}");
+}
+
+#[test]
+fn the_distance_to_a_surface_is_checked_against_the_surface_that_the_student_saw() {
+    // It was measured against the mesh instead of the surface on which it was laid out.
+    let mut own = scene();
+    let fine = Subdivision { scheme: Scheme::Linear, levels: 1, keep: KEPT_TURN };
+    let fine = fine.apply(&bumpy(5), &Topology::new(&bumpy(5))).expect("it has faces").mesh;
+    own.closeness.to = ClosenessTo::Target;
+    own.closeness.target = Some(Target::Mesh(fine.into()));
+    let goal = Goal { of: GoalOf::Measure("surface".to_owned()), at_most: 0.1 };
+    own.lesson.as_mut().expect("it has one").goals = vec![goal];
+    own.current = Some(bumpy(5).positions.iter().map(|p| [p[0], p[1], p[2] + 0.03]).collect());
+    let results = Session::open(own.clone(), bumpy(5)).expect("it fits").results("Ada", "");
+    let results = results.expect("it is a lesson");
+    let checked = check_results(&results, own, bumpy(5)).expect("they are of this scene");
+    assert_eq!(checked.goals[0].value, results.goals[0].value);
 }
 
 #[test]
