@@ -10,24 +10,43 @@ import type { KindInfo } from '../../../www/solver/types.ts';
 globalThis.matchMedia = () => ({ matches: false }) as MediaQueryList;
 const { makePanels } = await import('../../../www/features/make-panels/press.ts');
 
-/** Whether fitted shapes are shown after a press, during whose transition another model comes. */
-async function shownAfter(before: boolean, another: boolean) {
+/** A page on which fitted shapes are shown or hidden. */
+function page(shown: boolean) {
   const store = createStore();
   const display = (change: object) => store.set({ display: { ...store.get().display, ...change } });
-  store.set({ model: {} as State['model'] });
-  display({ shapes: before });
+  const open = () => store.set({ model: {} as State['model'] });
+  open();
+  display({ shapes: shown });
   const solver = new Emitter<{ activity: { running: boolean; converged: boolean } }>();
   const actions = { display, pressed() {}, pressTurns() {}, makePanels: async () => null };
-  let arrive = () => {};
-  const arrived = new Promise<void>((done) => (arrive = done));
-  const viewport = { transition: () => arrived };
-  const app = { store, solver, actions, viewport, files: { openings: { coming: null } } };
-  void makePanels(app as unknown as AppContext, { id: 'circle' } as KindInfo);
-  assert.equal(store.get().display.shapes, false, 'those of the final shape are not known yet');
-  if (another) store.set({ model: {} as State['model'] });
-  arrive();
-  await new Promise((done) => setTimeout(done));
-  return store.get().display.shapes;
+  let end = () => {};
+  const transition = () => {
+    end();
+    return new Promise<void>((done) => (end = done));
+  };
+  const app = {
+    ...{ store, solver, actions, viewport: { transition } },
+    files: { openings: { coming: null } },
+  };
+  const isShown = () => store.get().display.shapes;
+  const press = () => {
+    void makePanels(app as unknown as AppContext, { id: 'circle' } as KindInfo);
+    assert.equal(isShown(), false, 'those of the final shape are not known yet');
+  };
+  const arrive = async () => {
+    end();
+    await new Promise((done) => setTimeout(done));
+  };
+  return { press, arrive, open, isShown };
+}
+
+/** Whether fitted shapes are shown after a press, during whose transition another model comes. */
+async function shownAfter(before: boolean, another: boolean) {
+  const { press, arrive, open, isShown } = page(before);
+  press();
+  if (another) open();
+  await arrive();
+  return isShown();
 }
 
 test('the fitted shapes are shown after the transition', async () => {
@@ -38,4 +57,24 @@ test('a model that is opened during the transition has the shapes shown or hidde
   // They stayed hidden.
   assert.equal(await shownAfter(true, true), true);
   assert.equal(await shownAfter(false, true), false);
+});
+
+test('a model that is opened during the transition of a second press is shown as before the first', async () => {
+  const late = page(false);
+  late.press();
+  await late.arrive();
+  assert.equal(late.isShown(), true);
+  late.press();
+  late.open();
+  await late.arrive();
+  // What the first press had shown was taken for what the user had.
+  assert.equal(late.isShown(), false);
+
+  const early = page(true);
+  early.press();
+  early.press();
+  early.open();
+  await early.arrive();
+  // And so was what it had hidden.
+  assert.equal(early.isShown(), true);
 });

@@ -9,6 +9,9 @@ import type { State } from '../../store/state.ts';
 const TRANSITION_MS = 800;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
+/** By model: whether the user has the fitted shapes shown, and whether a press shows them instead. */
+const fitted: WeakMap<object, { byUser: boolean; byPress: boolean }> = new WeakMap();
+
 interface How {
   /** the shape to start from */
   from?: PanelStart;
@@ -32,7 +35,13 @@ export async function makePanels(
   actions.pressed(press);
   const settle = () => actions.pressTurns(press, { isUnderWay: false });
   const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
-  const show = (shapes: boolean) => actions.display({ shapes });
+  const last = fitted.get(model);
+  // What an earlier press shows is not what the user had.
+  const byUser = last?.byPress === display.shapes ? last.byUser : display.shapes;
+  const show = (shapes: boolean) => {
+    fitted.set(model, { byUser, byPress: shapes });
+    actions.display({ shapes });
+  };
   // The fitted shapes are those of the final shape.
   if (arrived) show(false);
   const { ended, stop } = endOfRun(solver);
@@ -40,13 +49,13 @@ export async function makePanels(
     stop();
     settle();
     viewport.endTransition();
-    return show(display.shapes);
+    return show(byUser);
   }
   await arrived;
   // Another model is shown as before.
-  if (store.get().model !== model) return show(display.shapes);
+  if (store.get().model !== model) return show(byUser);
   show(true);
-  if (!display.shapes) hideWithNextModel(app);
+  if (!byUser) hideWithNextModel(app);
   await ended;
   settle();
 }
