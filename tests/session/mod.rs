@@ -2,6 +2,7 @@
 
 mod asked;
 mod collapse;
+mod dragging;
 mod edits;
 mod edits_json;
 mod fairness;

@@ -12,7 +12,7 @@ use shape_up::session::{Edit, SETTINGS, Session};
 use shape_up::solve::Require;
 
 const SIDE: u32 = 4;
-const VERTICES: u32 = (SIDE + 1) * (SIDE + 1);
+pub(crate) const VERTICES: u32 = (SIDE + 1) * (SIDE + 1);
 
 /// A bumpy grid with coordinates as far from the origin as those of a building site.
 fn site() -> Mesh {
@@ -24,7 +24,7 @@ fn site() -> Mesh {
 
 /// An action of a user, drawn by a strategy.
 #[derive(Clone, Debug)]
-enum Deed {
+pub(crate) enum Deed {
     Edit(Box<Edit>),
     Drag {
         vertex: u32,
@@ -168,7 +168,7 @@ fn deed_or_refine() -> impl Strategy<Value = Deed> {
 }
 
 /// Performs the action; an edit that makes no sense is refused and is not a step.
-fn act(session: &mut Session, deed: Deed) {
+pub(crate) fn act(session: &mut Session, deed: Deed) {
     let steps = |session: &mut Session, count| {
         for _ in 0..count {
             session.step().expect("positions stay finite");
@@ -219,13 +219,13 @@ fn act(session: &mut Session, deed: Deed) {
 }
 
 /// The whole state: document with handles, positions to the last bit, and iteration count.
-fn everything(session: &Session) -> (String, Vec<[u64; 3]>, u32) {
+pub(crate) fn everything(session: &Session) -> (String, Vec<[u64; 3]>, u32) {
     let scene = session.scene();
     let bits = session.positions().iter().map(|point| point.map(f64::to_bits)).collect();
     (scene.to_json(session.mesh()), bits, session.iteration())
 }
 
-fn open() -> Session {
+pub(crate) fn open() -> Session {
     let mut scene = Scene::new(MeshSource::File("site.obj".to_owned()));
     scene.weights = Weights { shape: 1.0, close: 0.1, smooth: 0.1 };
     let mut session = Session::open(scene, site()).expect("the scene is valid");
@@ -314,7 +314,7 @@ proptest! {
 }
 
 /// Opens a saved session again, as the page does after a reload.
-fn reopened(text: &str, iteration: u32, history: &[u8], progress: &[u8]) -> Session {
+pub(crate) fn reopened(text: &str, iteration: u32, history: &[u8], progress: &[u8]) -> Session {
     let scene = Scene::from_json(text).expect("what was written can be read");
     let mut session = Session::open(scene, site()).expect("it can be opened");
     session.restore_iteration(iteration);
@@ -322,7 +322,7 @@ fn reopened(text: &str, iteration: u32, history: &[u8], progress: &[u8]) -> Sess
     session
 }
 
-fn written(session: &Session) -> String {
+pub(crate) fn written(session: &Session) -> String {
     session.scene().to_json(session.mesh())
 }
 
@@ -445,86 +445,6 @@ fn of_a_long_history_of_a_large_mesh_the_newest_steps_are_saved() {
         act(&mut session, Deed::Undo);
     }
     assert_eq!(everything(&again), everything(&session));
-}
-
-/// A session whose panels are exactly flat, with a handle at vertex 6.
-fn met() -> Session {
-    let mut session = open();
-    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
-    session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
-    let exact = r#"{ "setConstraint": { "index": 0, "require": "exact" } }"#;
-    session.edit(Edit::from_json(exact).expect("it is an edit")).expect("it can be required");
-    session.solve(false).expect("it can be solved");
-    session
-}
-
-#[test]
-fn an_edit_that_ends_a_drag_is_a_step_after_it_and_leaves_no_run() {
-    // The run that was to meet the constraints again stayed open: the next one joined the edit, and
-    // what was saved led back to another shape.
-    let mut session = met();
-    let target = [482_114.0, -65_220.0, 433.0];
-    session.begin_drag();
-    session.drag([(6, target)]).expect("it is near");
-    session.step().expect("positions stay finite");
-    let dragged = session.positions();
-    session.edit(Edit::Reset).expect("nothing is locked");
-    assert!(!session.is_running());
-    let (text, history) = (written(&session), session.saved_history());
-    let mut again = reopened(&text, session.iteration(), &history, &[]);
-    for session in [&mut session, &mut again] {
-        assert_eq!(session.undo_and_redo()[0], Some("Reset"));
-        act(session, Deed::Undo);
-        assert_eq!(session.positions(), dragged);
-        assert_eq!(session.undo_and_redo()[0], Some("Move handle"));
-    }
-}
-
-#[test]
-fn a_handle_that_is_taken_and_released_where_it_is_changes_nothing() {
-    // The soft iterations in between left the exact shape, without a step of undo.
-    let mut session = met();
-    let (before, report) = (everything(&session), session.exact());
-    assert!(report.as_ref().is_some_and(|report| report.met), "{report:?}");
-    let at = session.solver().handles()[0].target;
-    session.begin_drag();
-    session.drag([(6, at)]).expect("it is near");
-    for _ in 0..3 {
-        session.step().expect("positions stay finite");
-    }
-    session.end_drag(true);
-    assert!(!session.is_running());
-    assert_eq!(everything(&session), before);
-    assert_eq!(session.exact(), report);
-}
-
-#[test]
-fn a_cancelled_drag_leaves_nothing_behind() {
-    let mut session = open();
-    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
-    session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
-    let before = everything(&session);
-    act(&mut session, Deed::Drag { vertex: 0, by: [0.1, 0.2, 0.5], steps: 3, keep: false });
-    assert_eq!(everything(&session), before);
-    assert_eq!(session.convergence_csv().lines().count(), 2, "the head and iteration 0");
-}
-
-#[test]
-fn a_handle_that_is_made_and_moved_at_once_is_one_step_or_none() {
-    let mut session = open();
-    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
-    let before = everything(&session);
-    let deed = |keep| Deed::DragNew { vertex: 7, by: [0.1, 0.2, 0.5], steps: 3, keep };
-    act(&mut session, deed(false));
-    assert_eq!(everything(&session), before);
-    assert_eq!(session.undo_and_redo(), [Some("Add plane"), None]);
-    act(&mut session, deed(true));
-    assert_eq!(session.undo_and_redo(), [Some("Make and move handle"), None]);
-    act(&mut session, Deed::Undo);
-    assert_eq!(everything(&session), before);
-    assert!(session.begin_drag_of_new(vec![VERTICES]).is_err());
-    session.end_drag(true);
-    assert_eq!(everything(&session), before);
 }
 
 #[test]
