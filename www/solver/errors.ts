@@ -31,11 +31,18 @@ export class Cancelled extends Error {
 /** Whether something was cancelled that nobody meant: it can be asked for again. */
 export const isUnmeant = (thrown: unknown) => thrown instanceof Cancelled && !thrown.isMeant;
 
-/** Asks once more if the first answer was cancelled and nobody meant it. */
-export const again = <Answer>(ask: () => Promise<Answer>): Promise<Answer> =>
-  ask().catch((thrown: unknown) => {
-    if (isUnmeant(thrown)) return ask();
-    throw thrown;
+/**
+ * Asks once more if the first answer was cancelled and nobody meant it.
+ * @param renew first makes again what the worker had
+ */
+export const again = <Answer>(
+  ask: () => Promise<Answer>,
+  renew: () => unknown = () => {},
+): Promise<Answer> =>
+  ask().catch(async (thrown: unknown) => {
+    if (!isUnmeant(thrown)) throw thrown;
+    await renew();
+    return ask();
   });
 
 /** Returns a one-line message for any thrown value. */

@@ -206,6 +206,35 @@ test('a build that ends with the worker of another job is begun again', async ()
   assert.deepEqual(asked, ['buildOffers', 'build', 'build']);
 });
 
+test('what is asked about a build that ended with the worker of another job is asked again', async () => {
+  // A lesson had no numbers of the parts, the offset did not follow its slider, and nothing was said.
+  const asked: string[] = [];
+  /** Whether another job is cancelled meanwhile. */
+  let isEnding = false;
+  const jobs = {
+    generation: 0,
+    ask: calling((name) => {
+      asked.push(name);
+      if (name === 'buildOffers') return Promise.resolve({ presets: [], defaults: {} });
+      if (!isEnding) return Promise.resolve({});
+      isEnding = false;
+      jobs.generation += 1;
+      return Promise.reject(new Cancelled(false));
+    }),
+  };
+  const { live } = withTriangle({ jobs });
+  await live.offers();
+  await live.update();
+  for (const ask of [() => live.numbers(), () => live.choices(), () => live.moveLayer(1)]) {
+    isEnding = true;
+    await ask();
+  }
+  assert.deepEqual(asked, [
+    ...['buildOffers', 'build'],
+    ...['buildNumbers', 'offsetChoices', 'moveLayer'].flatMap((name) => [name, 'build', name]),
+  ]);
+});
+
 test('a build is told of guessed positions, of faces left as they are, and of the unit', async () => {
   const built: Shape[] = [];
   const jobs = jobsThat((_, shape) => {

@@ -3,7 +3,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Variations } from '../../../www/features/variations/variations.ts';
-import { createStore } from '../../../www/store/state.ts';
+import { Cancelled } from '../../../www/solver/errors.ts';
+import { calling } from '../../../www/solver/remote.ts';
+import { createStore, type State } from '../../../www/store/state.ts';
 import type { AppContext } from '../../../www/app/context.ts';
 
 test('a panel that is closed while it is being opened leaves no subscription', async () => {
@@ -32,4 +34,41 @@ test('a panel that is closed while it is being opened leaves no subscription', a
   await Promise.resolve();
   assert.equal(isClosed, true);
   assert.equal(subscriptions, 0);
+});
+
+test('variations that ended with the worker of another job are searched again when a slider moves', async () => {
+  const store = createStore();
+  const asked: string[] = [];
+  const jobs = {
+    generation: 0,
+    ask: calling(async (name) => {
+      asked.push(name);
+      if (name === 'variation') return new Float32Array(9);
+      if (name === 'advanceVariations') return { found: 1, slide: 1, ranges: [null], more: false };
+      jobs.generation += 1;
+      throw new Cancelled(false);
+    }),
+    copy: () => ({ findVariations: async () => true }),
+  };
+  const actions = {
+    variations: { leave: async () => {} },
+    atRest: async () => ({ generation: 1 }),
+    reportErrors: (promise: Promise<unknown>) => promise.catch(() => undefined),
+  };
+  const solver = { geometry: { connectivity: {}, positions: new Float64Array(9) } };
+  const app = { store, jobs, actions, solver } as unknown as AppContext;
+  store.set({ model: { faces: 1 } as State['model'], document: {} as State['document'] });
+  const variations = new Variations(app);
+  const stop = variations.begin(assert.fail);
+  const settled = () => new Promise((done) => setTimeout(done, 100));
+  await settled();
+  for (const show of [() => variations.move(0, 50), () => variations.release()]) {
+    asked.length = 0;
+    show();
+    await settled();
+    // The sliders used to do nothing until the next move.
+    assert.deepEqual(asked.slice(1), ['advanceVariations', 'variation']);
+    assert.equal(variations.found.value.length, 1);
+  }
+  stop();
 });

@@ -130,12 +130,17 @@ export class LiveBuild {
    * @param distance in the unit of the mesh
    */
   moveLayer(distance: number) {
-    return this.#app.jobs.ask.moveLayer(this.#asker, distance);
+    return this.#ofLast(() => this.#app.jobs.ask.moveLayer(this.#asker, distance));
   }
 
   /** The error of each kind of offset. */
   choices() {
-    return this.#app.jobs.ask.offsetChoices(this.#asker);
+    return this.#ofLast(() => this.#app.jobs.ask.offsetChoices(this.#asker));
+  }
+
+  /** Asks about the last build, which is made again if its worker has ended for another job. */
+  #ofLast<Answer>(ask: () => Promise<Answer>) {
+    return again(ask, () => this.#once(true));
   }
 
   /** Builds what the user sees and has begun to change, and asks for what is saved of it. */
@@ -159,7 +164,7 @@ export class LiveBuild {
 
   /** The numbers that a lesson may bound. */
   numbers() {
-    return this.#app.jobs.ask.buildNumbers(this.#asker);
+    return this.#ofLast(() => this.#app.jobs.ask.buildNumbers(this.#asker));
   }
 
   /** The parts in space and the sheets, for CAD programs. */
