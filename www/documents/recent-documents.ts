@@ -98,6 +98,8 @@ export async function keep(work: Work, contents: Partial<Contents>) {
 }
 
 /**
+ * The others are removed in the transaction that writes: it fails as a whole, with nothing to restore.
+ * Chromium (156) counts what a transaction writes but not what it deletes: there all others stay.
  * @param full the error of an attempt in which all others stayed; thrown if all of them together leave
  *   too little room
  */
