@@ -202,6 +202,18 @@ export async function openPage(page: Page, query = '') {
   await meshIsThere(page);
 }
 
+/** Holds the answers of an address back; returns a function that lets them go. */
+export async function hold(page: Page, address: string) {
+  let release!: () => void;
+  const released = new Promise<void>((done) => (release = done));
+  await page.route(address, async (route) => {
+    const response = await route.fetch();
+    await released;
+    await route.fulfill({ response });
+  });
+  return release;
+}
+
 /** Waits until the built files are cached and the service worker serves them. */
 export async function keptOffline(page: Page) {
   await page.evaluate(() => navigator.serviceWorker.ready);

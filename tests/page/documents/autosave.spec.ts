@@ -6,6 +6,7 @@ import { quadScene, wavyGrid } from '../meshes.ts';
 import {
   boxOf,
   expect,
+  hold,
   known,
   positionOf,
   sceneOf,
@@ -91,17 +92,12 @@ test('two tabs do not overwrite each other', async ({ page, context }) => {
 test('autosave is on before the first example is there', async ({ page }) => {
   // It used to start after the first example: on a busy machine an edit followed quickly by a
   // reload was lost.
-  let goOn = () => {};
-  const held = new Promise<void>((done) => (goOn = done));
-  await page.route('**/examples/index.json', async (route) => {
-    await held;
-    await route.continue();
-  });
+  const release = await hold(page, '**/examples/index.json');
   await page.goto('./');
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await kept(page);
   const list = page.waitForResponse('**/examples/index.json');
-  goOn();
+  release();
   await list;
   expect((await state(page)).vertices).toBe(25);
 });

@@ -7,6 +7,7 @@ import { wavyGrid } from '../meshes.ts';
 import {
   boxOf,
   expect,
+  hold,
   openPage,
   sceneOf,
   screenOf,
@@ -193,12 +194,7 @@ test.describe('on a slow network', () => {
     page,
   }) => {
     // The dialog closed when that came, and a mesh stayed that was never saved.
-    let release = () => {};
-    const held = new Promise<void>((done) => (release = done));
-    await page.route('**/examples/index.json', async (route) => {
-      await held;
-      await route.continue();
-    });
+    const release = await hold(page, '**/examples/index.json');
     await page.goto('./');
     await page.waitForFunction(() => Boolean(window.shapeUp));
     await showStep(page, 'Open');

@@ -7,6 +7,7 @@ import { constraintCount, downloaded, openGrid, openText, showStep } from '../ac
 import { wavyGrid } from '../meshes.ts';
 import {
   expect,
+  hold,
   known,
   openPage,
   sceneOf,
@@ -234,12 +235,7 @@ test.describe('on a slow network', () => {
   test('the first example does not replace the file that was opened meanwhile', async ({
     page,
   }) => {
-    let release = () => {};
-    const held = new Promise<void>((done) => (release = done));
-    await page.route('**/examples/index.json', async (route) => {
-      await held;
-      await route.continue();
-    });
+    const release = await hold(page, '**/examples/index.json');
     await page.goto('./');
     await page.waitForFunction(() => Boolean(window.shapeUp));
     await openText(page, 'mine.obj', wavyGrid(N), SIDE ** 2);

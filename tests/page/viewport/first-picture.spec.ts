@@ -4,7 +4,7 @@ import type { Page } from '@playwright/test';
 import { hidePanels } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import { decodePng, type Picture } from '../picture.ts';
-import { coloursOfView, expect, looks, state, test, waitForState } from '../support.ts';
+import { coloursOfView, expect, hold, looks, state, test, waitForState } from '../support.ts';
 
 test.use({ fresh: true });
 
@@ -12,18 +12,6 @@ test.use({ fresh: true });
 test.use({ opened: false });
 
 const viewOf = (page: Page) => page.getByRole('application', { name: '3D view' });
-
-/** Holds requests back; returns a function that releases them. */
-async function hold(page: Page, address: string) {
-  let release!: () => void;
-  const released = new Promise<void>((done) => (release = done));
-  await page.route(address, async (route) => {
-    const response = await route.fetch();
-    await released;
-    await route.fulfill({ response });
-  });
-  return release;
-}
 
 // Requests may still be held back when a test ends.
 test.afterEach(({ page }) => page.unrouteAll({ behavior: 'ignoreErrors' }));
