@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::state::grouped;
-use crate::mesh::{Weld, write_obj_with_uv, write_with_ending};
+use crate::mesh::{Mesh, Weld, write_obj_with_uv, write_with_ending};
 use crate::scene::{MeshSource, Scene, UnitsAndUp};
 
 impl Session {
@@ -20,7 +20,9 @@ impl Session {
         let positions = weld.map_or_else(|| self.scene.positions().to_vec(), moved);
         let mesh = weld.map_or(self.mesh(), |weld| &weld.original);
         let document = self.document();
-        let comments = UnitsAndUp::comments(&document.units, Some(document.up), mesh);
+        // What will be guessed of the file is guessed of this shape.
+        let shape = Mesh { positions: positions.clone(), ..mesh.clone() };
+        let comments = UnitsAndUp::comments(&document.units, Some(document.up), &shape);
         write_with_ending(ending, mesh, &positions, &comments)
     }
 

@@ -86,7 +86,8 @@ export async function contentsOf(id: string): Promise<{ [part in keyof Contents]
 
 /**
  * Stores a work and the given parts of its contents in one transaction. If there is no room, works
- * that no tab has open make room, the oldest first and no more of them than needed.
+ * that no tab has open make room, the oldest first and no more of them than needed; in browsers that
+ * count what the same transaction deletes.
  */
 export async function keep(work: Work, contents: Partial<Contents>) {
   try {

@@ -49,7 +49,7 @@ export async function makePanels(
     stop();
     settle();
     viewport.endTransition();
-    return show(byUser);
+    return show(display.shapes);
   }
   await arrived;
   // Another model is shown as before.

@@ -112,8 +112,11 @@ export class Variations {
     const { actions, jobs } = this.#app;
     const { variations } = actions;
     if (this.#wanted === 'none') return variations.leave();
-    // The worker that had the variations was ended.
-    if (this.#varied.worker !== jobs.generation) return this.#find();
+    if (this.#varied.worker !== jobs.generation) {
+      // The worker that had the variations was ended. The search waits for updates, so not for it here.
+      void this.#find();
+      return null;
+    }
     if (this.#wanted === 'exact') return this.#project();
     const shape = await jobs.ask.towards(this.#coefficients());
     return variations.show(this.#varied.generation, shape, null);
