@@ -54,6 +54,14 @@ fn presets_set_what_belongs_together() {
     ] {
         assert!(summary.lines().any(|own| own == line), "{line}: {summary}");
     }
+    // A workshop that has only the tables sees that panels of this thickness would meet.
+    let value = |name: &str| -> f64 {
+        let line = summary.lines().find(|line| line.contains(name)).expect("it is a row");
+        line.rsplit(',').nth(1).and_then(|value| value.parse().ok()).expect("it is a number")
+    };
+    let [outside, inside] = ["outside", "inside"].map(|side| value(&format!("panels {side}\"")));
+    assert_eq!(value("joint on the sheet"), 0.0);
+    assert!(outside.max(inside) > 0.0, "{outside} {inside}");
     // What is asked for by itself holds, wherever the preset stands.
     let asked = ["--kerf", "0.3", "--machine", "laser", "--out", "own"];
     folder.run(&[&["build", "roof.obj"], &asked[..]].concat()).done();

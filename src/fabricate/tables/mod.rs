@@ -61,6 +61,11 @@ fn summary(build: &Build) -> String {
     row("length of cuts", Cell::from(report.cut_length_mm), "sheet mm");
     if report.product == Product::Panels {
         row("joint on the sheet", Cell::from(report.joint_mm), "sheet mm");
+        // A joint below it lets panels of this thickness meet.
+        for (side, least) in ["outside", "inside"].into_iter().zip(report.least_joint_mm) {
+            let known = report.no_least_joint.is_empty().then(|| least.unwrap_or(0.0));
+            row(&format!("least joint, panels {side}"), Cell::from(known), "sheet mm");
+        }
     }
     row("types of panels", Cell::from(report.types), "");
     for check in &report.check {
