@@ -2,4 +2,5 @@
 
 mod legible;
 mod seeing;
+mod selecting;
 mod stage;

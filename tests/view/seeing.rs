@@ -314,3 +314,23 @@ fn lines_over_the_surface_are_of_two_kinds_and_go_with_the_mesh() {
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &floors()[..9]).unwrap();
     assert_eq!(state.take_changed_surface_lines(), Some((vec![], vec![])));
 }
+
+#[test]
+fn a_stray_vertex_far_away_keeps_the_eye_and_the_depths_near() {
+    // In parallel projection the eye was as far away as that vertex, and lost all digits.
+    let at = DVec3::new(2_679_500.0, 1_247_250.0, 408.0);
+    let seen = |is_stray: bool| {
+        let places = floors();
+        let mut positions: Vec<f64> =
+            places.chunks(3).flat_map(|p| (DVec3::from_slice(p) + at).to_array()).collect();
+        positions.extend(if is_stray { [0.0; 3] } else { at.to_array() });
+        let mut state = ViewState::default();
+        state.resize(CANVAS);
+        state.set_mesh((vec![0, 4, 8], (0..8).collect()), (vec![], vec![]), &positions).unwrap();
+        state.set_rest(&positions).unwrap();
+        state.set_surroundings(true, true);
+        state.set_parallel(true);
+        (state.camera().projection, state.depth_range())
+    };
+    assert_eq!(seen(true), seen(false));
+}
