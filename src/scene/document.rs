@@ -131,6 +131,11 @@ impl Scene {
 }
 
 impl Scene {
+    /// The positions of the other pose, `#V by 3`, which rest shapes are taken from; none without one.
+    pub fn pose_positions(&self) -> Option<&[Point]> {
+        self.pose.as_ref().and_then(Pose::positions)
+    }
+
     /// Returns the positions that the scene starts at, `#V by 3`: the current ones, otherwise those
     /// of the design, which may be the rest shape `mesh`.
     pub fn start<'a>(&'a self, mesh: &'a Mesh) -> &'a [Point] {

@@ -1,7 +1,7 @@
 //! The problem of a scene, as passed to the solver.
 
 use super::closeness::Target;
-use super::document::{Pose, Scene};
+use super::document::Scene;
 use crate::mesh::{Mesh, Topology};
 use crate::solve::{Constraints, Problem};
 
@@ -19,7 +19,7 @@ impl Scene {
         Problem {
             mesh,
             design: self.variants.design_positions(),
-            pose: self.pose.as_ref().and_then(Pose::positions),
+            pose: self.pose_positions(),
             topology,
             constraints,
             weights: self.weights,

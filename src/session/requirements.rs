@@ -6,7 +6,7 @@ use super::report::ConstraintCoverage;
 use super::state::RestMesh;
 use crate::math::marked;
 use crate::mesh::{Point, Ragged};
-use crate::scene::{ConstraintSpec, EasedFaces, Pose};
+use crate::scene::{ConstraintSpec, EasedFaces};
 use crate::session::Error;
 use crate::solve::{
     Constraints, Exact, Handle, Problem, Require, Requirements, SetupCache, exact_tolerance,
@@ -110,7 +110,7 @@ impl Session {
         let has_eased = |place: usize| document.constraints[place].eased.is_some();
         if self.scene.enabled_rows().any(has_eased) {
             let rows = self.required_rows(&Required::of);
-            let pose = document.pose.as_ref().and_then(Pose::positions);
+            let pose = document.pose_positions();
             for (_, row, require) in rows.iter().filter(|(place, ..)| has_eased(*place)) {
                 let worst = farthest(self.mesh(), pose, self.scene.positions(), row);
                 distances.extend(allowed(*require).map(|it| (worst, it)));

@@ -10,7 +10,7 @@ use crate::constraint::{Element, Selector};
 use crate::math::Vec3;
 use crate::mesh::Point;
 use crate::scene::{
-    AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, Lock, Pose, SmoothnessOf, all_faces,
+    AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, Lock, SmoothnessOf, all_faces,
 };
 use crate::session::Error;
 use crate::solve::{Exact, ExactAnswer, Require, Solver, farthest};
@@ -56,7 +56,7 @@ impl Session {
     /// beside it. Constraints on single faces are panels, which are where the original is.
     fn is_asked_elsewhere(&self) -> bool {
         let (rest, rows) = (&self.rest, &self.document().constraints);
-        let pose = self.document().pose.as_ref().and_then(Pose::positions);
+        let pose = self.document().pose_positions();
         let is_far = |row: &ConstraintSpec, constraints| {
             let is_on_faces = matches!(row.on, Selector::Each { element: Element::Face, .. });
             row.require.is_hard()

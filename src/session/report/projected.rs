@@ -4,7 +4,6 @@
 use super::measuring::{Measuring, Shape};
 use crate::constraint::{Centring, Projected};
 use crate::mesh::Topology;
-use crate::scene::Pose;
 use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::{Constraints, rest_projections};
 
@@ -69,7 +68,7 @@ pub(super) fn residuals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
             let enabled = model.scene.rows().iter().filter(|row| row.enabled);
             let constraints: Vec<Constraints> =
                 enabled.map(|row| row.constraints.clone()).collect();
-            let pose = model.scene.document().pose.as_ref().and_then(Pose::positions);
+            let pose = model.scene.document().pose_positions();
             rest_projections(model.rest.mesh(), pose, &constraints, take);
         }
     }

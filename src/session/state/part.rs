@@ -151,18 +151,15 @@ impl Settings {
 
     /// Memory in bytes of the target and the pose, without those that `other` settings share.
     pub(crate) fn bytes_beside(&self, other: Option<&Settings>) -> usize {
-        let target = |it: &Settings| it.target.as_ref().and_then(Target::mesh).cloned();
+        let target = |it: &Settings| it.target.as_ref().and_then(Target::mesh).map(Rc::clone);
         let pose = |it: &Settings| match &it.pose {
             Some(Pose::Positions(pose)) => Some(Rc::clone(pose)),
             _ => None,
         };
-        let (target_there, pose_there) = (other.and_then(target), other.and_then(pose));
-        let own_target =
-            target(self).filter(|own| !target_there.is_some_and(|it| Rc::ptr_eq(&it, own)));
-        let own_pose = pose(self).filter(|own| !pose_there.is_some_and(|it| Rc::ptr_eq(&it, own)));
         let of_mesh =
-            |mesh: Rc<Mesh>| size_of_val(&*mesh.positions) + size_of_val(mesh.faces.indices());
-        own_target.map_or(0, of_mesh) + own_pose.map_or(0, |pose| size_of_val(&*pose))
+            |mesh: &Mesh| size_of_val(&*mesh.positions) + size_of_val(mesh.faces.indices());
+        own(target(self), other.and_then(target)).map_or(0, |mesh| of_mesh(&mesh))
+            + own(pose(self), other.and_then(pose)).map_or(0, |pose| size_of_val(&*pose))
     }
 
     pub(crate) fn with_weights(self, weights: Weights) -> Settings {
@@ -350,6 +347,11 @@ pub(crate) fn same_problem(a: &Scene, b: &Scene) -> bool {
 
 fn same_design(a: &Variants, b: &Variants) -> bool {
     a.design_positions() == b.design_positions()
+}
+
+/// What is here, unless it is what is there.
+fn own<T: ?Sized>(here: Option<Rc<T>>, there: Option<Rc<T>>) -> Option<Rc<T>> {
+    here.filter(|here| !there.is_some_and(|there| Rc::ptr_eq(here, &there)))
 }
 
 fn bytes_of_row(row: &ConstraintSpec) -> usize {

@@ -52,24 +52,25 @@ impl ViewState {
 
     /// Returns the points of the ghost, then those of the grid, relative to the view's centre.
     pub fn surrounding_points(&self) -> impl Iterator<Item = Vec3> + '_ {
-        let ghost = if self.around.ghost { &self.around.rest[..] } else { &[] };
-        let grid = self.around.grid.lines.iter().flatten().copied();
-        ghost.iter().map(|&point| self.content.mesh.relative(point)).chain(grid)
-    }
-
-    /// Returns those of [`ViewState::surrounding_points`] that are drawn: not those of stray vertices.
-    fn drawn_around(&self) -> impl Iterator<Item = Vec3> + '_ {
-        let ghost = if self.around.ghost { &self.around.rest[..] } else { &[] };
-        let grid = self.around.grid.lines.iter().flatten().copied();
         let mesh = &self.content.mesh;
-        mesh.used_of(ghost).map(|point| mesh.relative(point)).chain(grid)
+        self.ghost().iter().map(|&point| mesh.relative(point)).chain(self.grid())
     }
 
-    /// Returns the points beside the mesh that are drawn: targets, ghost, grid and layer.
+    /// Returns the rest positions, `#V by 3` in file coordinates, if the ghost is shown.
+    fn ghost(&self) -> &[DVec3] {
+        if self.around.ghost { &self.around.rest } else { &[] }
+    }
+
+    fn grid(&self) -> impl Iterator<Item = Vec3> + '_ {
+        self.around.grid.lines.iter().flatten().copied()
+    }
+
+    /// Returns the points beside the mesh that are drawn: targets, grid, and without those of stray
+    /// vertices ghost and layer.
     fn drawn_beside(&self) -> impl Iterator<Item = Vec3> + '_ {
         let mesh = &self.content.mesh;
-        let layer = mesh.used_of(&self.layer.points).map(|point| mesh.relative(point));
-        self.targets().chain(self.drawn_around()).chain(layer)
+        let points = mesh.used_of(self.ghost()).chain(mesh.used_of(&self.layer.points));
+        self.targets().chain(self.grid()).chain(points.map(|point| mesh.relative(point)))
     }
 
     /// Returns the lines of ghost and grid: their ends among [`ViewState::surrounding_points`], and
