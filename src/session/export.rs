@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::state::grouped;
-use crate::mesh::{Mesh, Weld, write_obj_with_uv, write_with_ending};
+use crate::mesh::{Mesh, Point, Weld, write_obj_with_uv, write_with_ending};
 use crate::scene::{MeshSource, Scene, UnitsAndUp};
 
 impl Session {
@@ -19,14 +19,19 @@ impl Session {
             |weld: &Weld| weld.original_positions(self.rest.positions(), self.scene.positions());
         let positions = weld.map_or_else(|| self.scene.positions().to_vec(), moved);
         let mesh = weld.map_or(self.mesh(), |weld| &weld.original);
-        let document = self.document();
-        // What will be guessed of the file is guessed of this shape.
-        let shape = Mesh { positions: positions.clone(), ..mesh.clone() };
-        let comments = UnitsAndUp::comments(&document.units, Some(document.up), &shape);
-        write_with_ending(ending, mesh, &positions, &comments)
+        write_with_ending(ending, mesh, &positions, &self.comments(mesh, &positions))
     }
 
-    /// The current shape as OBJ with the texture coordinates `uv` of each vertex, `#V by 2`.
+    /// The comments of a file with the mesh at other positions.
+    fn comments(&self, mesh: &Mesh, positions: &[Point]) -> Vec<String> {
+        let document = self.document();
+        // What will be guessed of the file is guessed of this shape.
+        let shape = Mesh { positions: positions.to_vec(), ..mesh.clone() };
+        UnitsAndUp::comments(&document.units, Some(document.up), &shape)
+    }
+
+    /// The current shape as OBJ with the texture coordinates `uv` of each vertex, `#V by 2`, and with
+    /// its unit and axis if known.
     ///
     /// # Errors
     /// If the number of coordinates differs from that of the vertices, in words.
@@ -36,7 +41,8 @@ impl Session {
             let found = 2 * uv.len();
             return Err(format!("{found} texture coordinates, expected {}", 2 * vertices));
         }
-        Ok(write_obj_with_uv(self.mesh(), self.scene.positions(), uv))
+        let (mesh, positions) = (self.mesh(), self.scene.positions());
+        Ok(write_obj_with_uv(mesh, positions, uv, &self.comments(mesh, positions)))
     }
 
     /// Returns the scene file with the mesh inline, as text.

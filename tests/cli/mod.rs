@@ -335,7 +335,7 @@ fn form_of(value: &Value) -> Value {
 #[test]
 fn a_mesh_is_flattened_with_its_texture_coordinates() {
     let folder = Folder::new("parametrize");
-    folder.write("roof.obj", ROOF);
+    folder.write("roof.obj", format!("# units: ft\n# up: y\n{ROOF}"));
     let out =
         folder.run(&["parametrize", "roof.obj", "--out", "uv.obj", "--report", "r.json"]).done();
     assert!(out.contains("quasi-conformal"), "{out}");
@@ -347,6 +347,7 @@ fn a_mesh_is_flattened_with_its_texture_coordinates() {
     assert_eq!(report["flipped"], 0);
     assert!(report["seconds"]["total"].as_f64().unwrap() > 0.0);
     let text = folder.read("uv.obj");
+    assert!(text.starts_with("# units: ft\n# up: y\nv "), "{text}");
     let mesh = shape_up::mesh::read("uv.obj", text.as_bytes()).unwrap().mesh;
     let count = |statement: &str| text.lines().filter(|line| line.starts_with(statement)).count();
     assert_eq!(count("vt "), mesh.positions.len());

@@ -89,7 +89,7 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
         let what = "check takes a mesh file, or results with --scene SCENE";
         return Err(Failure::Usage(format!("{what}, found `{}`", path.display())));
     }
-    let (read, _) = input::read_mesh(path)?;
+    let (read, ..) = input::read_mesh(path)?;
     let mesh = &read.mesh;
     let topology = Topology::new(mesh);
     let boundary_edges =

@@ -95,11 +95,12 @@ fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<(Read, UnitsAndUp
     Ok((read, UnitsAndUp::stated(&bytes)))
 }
 
-/// Reads a mesh file for measurement, welded as [`read`] welds it.
-pub(super) fn read_mesh(path: &Path) -> Result<(Read, Option<Weld>), Failure> {
-    let mut read = mesh_of(path, &bytes(path)?)?;
+/// Reads a mesh file for measurement, welded as [`read`] welds it, and what it states.
+pub(super) fn read_mesh(path: &Path) -> Result<(Read, Option<Weld>, UnitsAndUp), Failure> {
+    let bytes = bytes(path)?;
+    let mut read = mesh_of(path, &bytes)?;
     let weld = read.weld();
-    Ok((read, weld))
+    Ok((read, weld, UnitsAndUp::stated(&bytes)))
 }
 
 /// Reads a mesh from the bytes of its file, with numbers whose squares are finite.

@@ -4,7 +4,7 @@ use super::arguments::Parametrize;
 use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::mesh::{QuasiConformal, Topology, Weld, write_obj_with_uv};
-use shape_up::scene::NamedEnum;
+use shape_up::scene::{NamedEnum, UnitsAndUp};
 use shape_up::solve::{ConformalNorm, ConformalSeconds, FewerFlips, Parametrization, clock};
 use shape_up::words;
 use std::path::Path;
@@ -34,7 +34,7 @@ struct Seconds {
 pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
     let started = clock::now();
     let path = asked.mesh.display();
-    let (read, weld) = input::read_mesh(&asked.mesh)?;
+    let (read, weld, stated) = input::read_mesh(&asked.mesh)?;
     let mesh = &read.mesh;
     if mesh.faces.is_empty() {
         return Err(Failure::Input(format!("{path}: the mesh has no faces, expected a surface")));
@@ -60,14 +60,15 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
     };
     let mut files: Vec<(&Path, String)> = Vec::new();
     if let Some(out) = &asked.out {
-        let text = match &weld {
-            None => write_obj_with_uv(mesh, &mesh.positions, &map.uv),
+        let (original, uv) = match &weld {
+            None => (mesh, map.uv),
             Some(Weld { original, to, .. }) => {
-                let uv: Vec<_> = to.iter().map(|&vertex| map.uv[vertex as usize]).collect();
-                write_obj_with_uv(original, &original.positions, &uv)
+                (original, to.iter().map(|&vertex| map.uv[vertex as usize]).collect())
             }
         };
-        files.push((out, text));
+        let units = stated.units.unwrap_or_default();
+        let comments = UnitsAndUp::comments(&units, stated.up, original);
+        files.push((out, write_obj_with_uv(original, &original.positions, &uv, &comments)));
     }
     if let Some(to) = &asked.report {
         files.push((to, output::json(&report)));

@@ -70,10 +70,7 @@ pub fn write_with_ending(
         "ply" => write_ply(mesh, positions, comments),
         "stl" => write_stl(mesh, positions),
         "mesh" => write_medit(&Mesh { positions: positions.to_vec(), ..mesh.clone() }).into_bytes(),
-        _ => {
-            let comments: String = comments.iter().map(|line| format!("# {line}\n")).collect();
-            (comments + &write_obj(mesh, positions)).into_bytes()
-        }
+        _ => (obj::header(comments) + &write_obj(mesh, positions)).into_bytes(),
     }
 }
 

@@ -156,10 +156,21 @@ pub fn write_obj(mesh: &Mesh, positions: &[Point]) -> String {
     write(mesh, positions, &[])
 }
 
-/// As [`write_obj`], with a flat map `uv` (`#V by 2`) as texture coordinates, one `vt` per vertex.
-pub fn write_obj_with_uv(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
+/// As [`write_obj`], with a flat map `uv` (`#V by 2`) as texture coordinates, one `vt` per vertex,
+/// and with lines of comments first.
+pub fn write_obj_with_uv(
+    mesh: &Mesh,
+    positions: &[Point],
+    uv: &[[f64; 2]],
+    comments: &[String],
+) -> String {
     assert_eq!(uv.len(), positions.len(), "one place in the map for each vertex");
-    write(mesh, positions, uv)
+    header(comments) + &write(mesh, positions, uv)
+}
+
+/// Lines of comments.
+pub(super) fn header(comments: &[String]) -> String {
+    comments.iter().map(|line| format!("# {line}\n")).collect()
 }
 
 fn write(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
