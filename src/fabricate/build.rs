@@ -12,11 +12,14 @@ use super::surface::PanelSurface;
 use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
-use crate::scene::{BuildSettings, Names, OffsetKind, Product};
+use crate::scene::{BuildSettings, Names, OffsetKind, Page, Product};
 
 /// Numbers below this, in mm of the building or degrees, are rounding errors: a limit of 0 is met by
 /// them.
 const ROUNDING: f64 = 1e-6;
+
+/// Largest number of pages that sheets are tiled to.
+const MOST_PAGES: u64 = 5000;
 
 /// Whether a number is within its limit.
 pub(super) fn is_within(value: f64, limit: f64) -> bool {
@@ -148,7 +151,20 @@ impl Build {
             build.faults.push(Fault::no_rows());
         }
         build.cut();
+        if build.printed_page() != build.settings.page {
+            build.faults.push(Fault::too_many_pages(build.pages()));
+        }
         Ok(build)
+    }
+
+    /// The number of pages of all sheets, on pages of the size that was asked for.
+    fn pages(&self) -> u64 {
+        self.layout.sheets.len() as u64 * self.settings.page.count(self.settings.sheet)
+    }
+
+    /// The page size of the PDF: that which was asked for, unless nobody would glue so many pages.
+    pub(super) fn printed_page(&self) -> Page {
+        if self.pages() > MOST_PAGES { Page::Sheet } else { self.settings.page }
     }
 
     /// Millimetres of the building per unit of the mesh.

@@ -84,6 +84,13 @@ impl Fault {
         ))
     }
 
+    /// More pages than are written.
+    pub(super) fn too_many_pages(pages: u64) -> Fault {
+        Fault(format!(
+            "the sheets would be {pages} pages: in the PDF each sheet is one page of its own size instead"
+        ))
+    }
+
     /// There are no quads for strips to follow.
     pub(super) fn no_strips() -> Fault {
         Fault(

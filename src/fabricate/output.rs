@@ -47,7 +47,7 @@ impl Build {
             add(format!("{}.dxf", drawing.name), text);
         }
         if !drawings.is_empty() {
-            add("sheets.pdf".to_owned(), pdf(&drawings, self.settings.page.size()));
+            add("sheets.pdf".to_owned(), pdf(&drawings, self.printed_page().size()));
             let key = self.key(z_up).drawings;
             key.iter().for_each(|drawing| add(format!("{}.svg", drawing.name), svg(drawing)));
             add("key.pdf".to_owned(), pdf(&key, None));

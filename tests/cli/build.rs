@@ -150,8 +150,8 @@ fn a_piece_without_room_for_its_name_is_named_in_words_and_in_the_report() {
     folder.write("roof.obj", ROOF);
     let asked = ["build", "roof.obj", "--product=paper", "--scale=300", "--sheet=24x18"];
     let words = folder.run(&[&asked[..], &["--report", "r.json"]].concat()).done();
-    assert!(words.contains("2 pieces have no room for a name: S4, S5.\n"), "{words}");
-    assert_eq!(folder.json("r.json")["unnamed"], serde_json::json!(["S4", "S5"]));
+    assert!(words.contains("2 pieces have no room for a name: S1, S2.\n"), "{words}");
+    assert_eq!(folder.json("r.json")["unnamed"], serde_json::json!(["S1", "S2"]));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! PDF 1.5 at 1:1: a page per sheet in mm, a layer for each role that viewers can switch on and
+//! PDF 1.6 at 1:1: a page per sheet in mm, a layer for each role that viewers can switch on and
 //! off, a ruler of 100 mm, and a request to print without scaling.
 
 use super::drawing::{Drawing, DrawnLine};
@@ -7,8 +7,10 @@ use crate::fabricate::sheet::{FREE, OVERLAP, Role, Tile, strokes, text_width, ti
 use crate::math::plane::Point2;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 
-/// PDF points per mm.
+/// Points per mm: without a `UserUnit`, the unit of PDF.
 const POINTS: f64 = 72.0 / 25.4;
+/// Longest side of a page in units of its own (ISO 32000-1, annex C.2), which may be several points.
+const LONGEST: f64 = 14_400.0;
 /// How hard it is tried to compress, of 10.
 const EFFORT: u8 = 4;
 /// Height of text beside the ruler, in mm.
@@ -44,10 +46,12 @@ pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
             let (before, after) = around(drawing, &tile);
             objects.extend([stream(&before), stream(&after)]);
             let contents = references(&[objects.len() - 1, shared, objects.len()]);
-            let [width, height] = tile.page.map(|size| places(size * POINTS, 6));
+            let unit = user_unit(tile.page);
+            let [width, height] = tile.page.map(|size| places(size * POINTS / unit, 6));
+            let unit = if unit > 1.0 { format!("/UserUnit {unit} ") } else { String::new() };
             objects.push(
                 format!(
-                    "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {width} {height}] /Resources << /Properties << {properties} >> >> /Contents [{contents}] >>"
+                    "<< /Type /Page /Parent 2 0 R {unit}/MediaBox [0 0 {width} {height}] /Resources << /Properties << {properties} >> >> /Contents [{contents}] >>"
                 ),
             );
             kids.push(objects.len());
@@ -55,6 +59,11 @@ pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
     }
     objects[1] = format!("<< /Type /Pages /Kids [{}] /Count {} >>", references(&kids), kids.len());
     assembled(&objects)
+}
+
+/// Points per unit of a page of this size in mm.
+fn user_unit([width, height]: [f64; 2]) -> f64 {
+    (width.max(height) * POINTS / LONGEST).ceil().max(1.0)
 }
 
 /// The operators that draw some lines, layer by layer.
@@ -76,7 +85,7 @@ fn content(lines: &[DrawnLine]) -> String {
 /// The operators before and after the content of a sheet on one of its pages: unit, clipping
 /// rectangle, ruler, and cutting marks.
 fn around(drawing: &Drawing, tile: &Tile) -> (String, String) {
-    let scale = places(POINTS, 9);
+    let scale = places(POINTS / user_unit(tile.page), 9);
     let mut before = format!("{scale} 0 0 {scale} 0 0 cm\n{} w 1 J 1 j\n", places(drawing.pen, 3));
     let mut lines = ruler(tile.page);
     let mut after = String::new();
@@ -187,7 +196,7 @@ fn ascii85(bytes: &[u8]) -> String {
 /// The file, with the cross-reference table of the objects, which are numbered from one; the first
 /// is the catalogue.
 fn assembled(objects: &[String]) -> String {
-    let mut file = "%PDF-1.5\n".to_owned();
+    let mut file = "%PDF-1.6\n".to_owned();
     let mut starts = Vec::new();
     for (object, number) in objects.iter().zip(1..) {
         starts.push(file.len());

@@ -38,6 +38,14 @@ pub struct PaperSize {
     pub tab: f64,
 }
 
+impl PaperSize {
+    /// The height that is kept free around a piece while it grows: of tabs, unless they are so high
+    /// that they would leave little of the sheet.
+    fn reserved(self) -> f64 {
+        self.tab.min(0.1 * self.room[0].min(self.room[1]))
+    }
+}
+
 /// How a joint is made.
 #[derive(Clone, Copy, Debug)]
 pub enum JointKind {
@@ -128,12 +136,13 @@ fn unpaired(surface: &PanelSurface, facets: &[Facet]) -> BTreeMap<(u32, u32), Ve
 /// Folds all joints that are allowed and possible. Strips too long for the sheet are divided evenly
 /// if that makes no more pieces.
 fn folded(unfolded: &PaperNet, order: &Foldable, size: PaperSize) -> PaperNet {
-    let room = size.room.map(|side| side - 2.0 * size.tab);
+    let tab = size.reserved();
+    let room = size.room.map(|side| side - 2.0 * tab);
     let all = |cuts: &[bool]| {
         let mut net = unfolded.clone();
         for &joint in order.always.iter().chain(order.strips.iter().flatten()) {
             if !cuts[joint as usize] {
-                net.fold(joint, room, size.tab);
+                net.fold(joint, room, tab);
             }
         }
         net
@@ -156,7 +165,7 @@ fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind
     let outlines: Vec<_> =
         pieces.iter().map(|&piece| net.outline(piece).unwrap_or_default()).collect();
     let mut taken: Vec<Vec<Vec<Point2>>> = pieces.iter().map(|&piece| net.convex(piece)).collect();
-    // The corners of pieces that fit, but need not with tabs. Those of several facets always do.
+    // The corners of pieces that fit, but need not with tabs.
     let with_tabs = size.room.map(|side| side - 2.0 * size.tab);
     let tight = |&piece: &u32| {
         let corners = &net.hulls[piece as usize];

@@ -31,7 +31,9 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
         ("Parts on sheets", parts(report.placed, report.product)),
         ("Length of cuts", millimetres(report.cut_length_mm)),
     ];
-    let folds = || build.parts.iter().flat_map(|part| part.ridges.iter().chain(&part.valleys));
+    let placed = build.layout.sheets.iter().flat_map(|sheet| &sheet.places);
+    let placed = placed.map(|place| &build.parts[place.part]);
+    let folds = placed.flat_map(|part| part.ridges.iter().chain(&part.valleys));
     match report.product {
         Product::Panels => {
             let [outside, inside] = report.least_joint_mm.map(|mm| millimetres(mm.unwrap_or(0.0)));
@@ -52,7 +54,10 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
                 .map(|frame| ("Cut back at nodes by up to", millimetres(frame.cut_back_mm))),
         ),
         Product::Paper => {
-            lines.push(("Length of scores", millimetres(folds().map(|fold| long(fold)).sum())));
+            lines.push((
+                "Length of scores",
+                millimetres(folds.map(|fold| long(fold)).fold(0.0, |a, b| a + b)),
+            ));
             lines.extend(report.paper.as_ref().map(|paper| ("Tabs", paper.tabs.to_string())));
         }
     }

@@ -164,7 +164,7 @@ impl Page {
     pub const OVERLAP: f64 = 10.0;
 
     /// The least number of pages that a sheet is printed on.
-    pub(super) fn count(self, sheet: [f64; 2]) -> u64 {
+    pub(crate) fn count(self, sheet: [f64; 2]) -> u64 {
         let Some([short, long]) = self.size() else { return 1 };
         let both = [[short, long], [long, short]];
         let count = |page| page_counts(sheet, page).map(u64::from).iter().product();
