@@ -72,6 +72,17 @@ pub enum Selector {
     Vertices(Vec<u32>),
 }
 
+impl Selector {
+    /// The set or group that it names, if any.
+    pub fn named(&self) -> Option<&str> {
+        match self {
+            Selector::Each { within, .. } => within.as_deref(),
+            Selector::Set(name) => Some(name),
+            Selector::Vertices(_) => None,
+        }
+    }
+}
+
 impl Element {
     /// All elements, in the order in which hosts list them.
     pub const ALL: [Element; 13] = [

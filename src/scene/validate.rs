@@ -261,7 +261,11 @@ impl Scene {
         )
     }
 
-    fn check_sets(&self, mesh: &Mesh) -> Result<(), SceneError> {
+    /// Checks the indices of named sets.
+    ///
+    /// # Errors
+    /// As [`Scene::validate`].
+    pub(crate) fn check_sets(&self, mesh: &Mesh) -> Result<(), SceneError> {
         for (name, set) in &self.sets {
             let mut path = "sets".to_owned();
             push_key(&mut path, name);

@@ -13,7 +13,7 @@ use crate::mesh::{
     Edited, Mesh, MeshOperation, OperationError, Point, Scheme, SubdivideError, SubdividedCounts,
     Subdivision, Task,
 };
-use crate::scene::{Lock, Scene, SceneError};
+use crate::scene::{Scene, SceneError};
 use crate::session::Error;
 use crate::words;
 use std::rc::Rc;
@@ -178,8 +178,8 @@ impl Session {
     /// change.
     ///
     /// # Errors
-    /// If the mesh cannot be subdivided in this way, or the system would be singular; nothing has
-    /// changed then.
+    /// If the mesh cannot be subdivided in this way, something that the lesson locks would be left out,
+    /// or the system would be singular; nothing has changed then.
     fn refine(&mut self, how: &Subdivision, adopts: bool) -> Result<(String, Change), Error> {
         let shape = if adopts { self.scene.positions() } else { self.rest.positions() };
         let mesh = Mesh { positions: shape.to_vec(), ..self.mesh().clone() };
@@ -234,11 +234,6 @@ impl Session {
         let (rest, mut carried) =
             self.carried_to(edited, self.scene.positions(), self.rest.positions());
         amend(&mut carried.document);
-        // What a lesson locks may not be left out.
-        if !rest.lost().is_empty() {
-            check_lock(Lock::Handles, self.document())?;
-            check_lock(Lock::Constraints, self.document())?;
-        }
         self.go_to_mesh(rest, carried)
     }
 
@@ -289,9 +284,11 @@ impl Session {
     /// Replaces the mesh and the scene, and returns the inverse change.
     ///
     /// # Errors
-    /// If the document does not fit the mesh, or the system is singular; nothing has changed then.
+    /// If something that the lesson locks would be left out, the document does not fit the mesh, or the
+    /// system is singular; nothing has changed then.
     fn go_to_mesh(&mut self, rest: RestMesh, carried: Carried) -> Result<Change, Error> {
-        let Carried { document, handles, positions, .. } = carried;
+        let Carried { document, handles, positions, dropped, .. } = carried;
+        dropped.iter().try_for_each(|part| check_lock(*part, self.document()))?;
         let scene =
             SceneChange { parts: Vec::new(), handles: handles.into(), positions: positions.into() };
         let other = Some(Box::new((rest, document)));

@@ -2,12 +2,14 @@
 
 use super::Session;
 use super::edit::{is_of_solver, settings_of};
+use super::state::Settings;
 use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres};
-use crate::mesh::{Mesh, Point};
+use crate::mesh::Mesh;
 use crate::scene::{
-    ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
+    BuildSettings, ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
 };
 use crate::session::Error;
+use crate::solve::Require;
 use serde_json::Value;
 
 impl Session {
@@ -15,8 +17,9 @@ impl Session {
     pub fn results(&mut self, student: &str, time: &str) -> Option<Results> {
         self.document().lesson.as_ref()?;
         let goals = self.goals();
-        let settings = settings_of(self.document()).into_iter();
-        let Scene { title, constraints, handles, weights, .. } = self.scene();
+        let asked = before_attempt(self.scene());
+        let settings = settings_of(&asked).into_iter();
+        let Scene { title, constraints, handles, weights, .. } = asked;
         Some(Results {
             student: student.to_owned(),
             title,
@@ -35,6 +38,12 @@ impl Session {
             positions: self.positions(),
         })
     }
+}
+
+/// Returns the scene as it was asked for, before a search chose how to solve it.
+fn before_attempt(mut scene: Scene) -> Scene {
+    Settings::of(&scene).before_attempt().put_in(&mut scene);
+    scene
 }
 
 /// Returns the value as a file has it: whole numbers are written without a decimal point.
@@ -80,7 +89,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         return Err(at("scene", message).into());
     }
     // The scene as written if it is handed in unchanged.
-    let given = Session::open(scene.clone(), mesh.clone())?.scene();
+    let given = before_attempt(Session::open(scene.clone(), mesh.clone())?.scene());
     let different = differences(results, &given);
     let (altered, changed) =
         different.into_iter().partition::<Vec<_>, _>(|(part, _)| locks.contains(part));
@@ -88,7 +97,12 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     altered.dedup();
 
     let is_built = lesson.goals.iter().any(|goal| matches!(goal.of, GoalOf::Build(_)));
-    let numbers = if is_built { numbers(&results.positions, &scene, &mesh) } else { Vec::new() };
+    let named = lesson.goals.iter().filter_map(|goal| match &goal.of {
+        GoalOf::Constraint(name) => Some(name.clone()),
+        GoalOf::Measure(_) | GoalOf::Beyond { .. } | GoalOf::Build(_) => None,
+    });
+    let named: Vec<String> = named.collect();
+    let (units, build) = (scene.units.clone(), scene.build.as_deref().cloned().unwrap_or_default());
     // Nothing may move a vertex: neither handles nor a fixed boundary.
     let mut still = Scene::new(MeshSource::Inline(Box::default()));
     still.closeness.to = scene.closeness.to;
@@ -97,6 +111,14 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     still.lesson = scene.lesson;
     still.sets = scene.sets;
     still.constraints = scene.constraints;
+    // To switch a constraint on may be the task.
+    for name in named {
+        let mut own: Vec<_> =
+            still.constraints.iter_mut().filter(|row| row.label() == name).collect();
+        if own.iter().all(|row| !row.enabled) {
+            own.iter_mut().for_each(|row| row.enabled = true);
+        }
+    }
     still.pose = scene.pose;
     still.current = Some(results.positions.clone());
     // The positions are the shape of that scene.
@@ -107,7 +129,10 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         error => error,
     };
     let mut still = Session::open(still, mesh).map_err(of_results)?;
-    still.set_build_numbers(numbers);
+    if is_built {
+        let numbers = numbers(&still, &units, &build);
+        still.set_build_numbers(numbers);
+    }
     Ok(Checked {
         goals: still.goals(),
         moved: still.moved().max,
@@ -117,12 +142,11 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     })
 }
 
-/// The build numbers of a shape, `#V by 3`, with the scene's settings; empty if not buildable.
-fn numbers(positions: &[Point], scene: &Scene, mesh: &Mesh) -> Vec<(String, f64)> {
-    let Ok(unit) = LengthInMetres::of(&scene.units) else { return Vec::new() };
-    let mesh = Mesh { positions: positions.to_vec(), ..mesh.clone() };
-    let settings = scene.build.as_deref().cloned().unwrap_or_default();
-    let Ok(build) = Build::new(&mesh, &settings, unit) else { return Vec::new() };
+/// The build numbers of the current shape, in a unit and with settings; empty if not buildable.
+fn numbers(shape: &Session, units: &str, settings: &BuildSettings) -> Vec<(String, f64)> {
+    let Ok(unit) = LengthInMetres::of(units) else { return Vec::new() };
+    let mesh = Mesh { positions: shape.positions(), ..shape.mesh().clone() };
+    let Ok(build) = Build::new(&mesh, settings, unit) else { return Vec::new() };
     let known = BUILD_NUMBERS.iter().zip(build.numbers());
     known.filter_map(|(number, value)| Some((number.id.to_owned(), value?))).collect()
 }
@@ -150,11 +174,17 @@ fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
             found.push((Lock::Weights, format!("setting {id}")));
         }
     }
-    // Which panels have a relaxed tolerance is found by the search, and not set by anybody.
+    // Which panels have a relaxed tolerance is found by the search, and not set by anybody; and what is
+    // met within a distance becomes exact by itself where that costs nothing.
     let own = |specs: &[ConstraintSpec]| -> Vec<ConstraintSpec> {
         specs.iter().map(|spec| ConstraintSpec { eased: None, ..spec.clone() }).collect()
     };
-    let (now, before) = (own(&results.constraints), own(&given.constraints));
+    let (mut now, before) = (own(&results.constraints), own(&given.constraints));
+    for (now, before) in now.iter_mut().zip(&before) {
+        if now.require == Require::Exact && matches!(before.require, Require::Within(_)) {
+            now.require = before.require;
+        }
+    }
     if now != before {
         // The weight of an added row does not count as a changed weight.
         let unweighed = |specs: &[ConstraintSpec]| -> Vec<ConstraintSpec> {

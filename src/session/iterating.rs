@@ -127,7 +127,12 @@ impl Session {
             Some(kind) => self.make_panels(kind, tolerance, PanelStart::Now)?,
             None => self.begin_search(tolerance),
         }
-        while !self.step()?.ended {}
+        let (first, most) = (self.iteration(), self.document().solver.iterations);
+        // In the page a run without an end is ended by its button.
+        let is_long = |session: &Session| {
+            !session.has_hard_rows() && session.iteration().saturating_sub(first) >= most
+        };
+        while !self.step()?.ended && !is_long(self) {}
         self.end_run();
         Ok(())
     }

@@ -119,17 +119,19 @@ impl Session {
     }
 
     /// Returns the distance within which panels have their shape, in the unit of the mesh: that of
-    /// the scene, or else the one that the last constraint on panels requires, or else that of the
-    /// mesh.
+    /// the scene, or else the one that the constraint on panels requires, or else that of the mesh.
     pub fn tolerance(&self) -> f64 {
-        let document = self.document();
-        let rows = document.constraints.iter().rev();
-        let mut on_panels = rows.filter(|row| row.enabled && row.kind.info().panels.is_some());
-        let required = || match on_panels.next()?.require {
+        let required = || match self.panel_requirement()? {
             Require::Within(length) => Some(length),
             Require::Soft | Require::Exact => None,
         };
-        document.tolerance.or_else(required).unwrap_or_else(|| self.mesh_tolerance())
+        self.document().tolerance.or_else(required).unwrap_or_else(|| self.mesh_tolerance())
+    }
+
+    /// What the constraint on panels requires; none if no row constrains panels.
+    pub(super) fn panel_requirement(&self) -> Option<Require> {
+        let document = self.document();
+        report::panel_row(document).map(|row| document.constraints[row].require)
     }
 
     /// Returns a tolerance for distances on this mesh: about a thousandth of the mean edge, rounded
@@ -209,9 +211,9 @@ impl Session {
     }
 
     /// Stores numbers of the parts built from the current shape, by the ids of
-    /// [`crate::fabricate::BUILD_NUMBERS`], until the shape changes.
+    /// [`crate::fabricate::BUILD_NUMBERS`], until the shape, the settings of the build or the unit change.
     pub fn set_build_numbers(&mut self, numbers: Vec<(String, f64)>) {
-        self.measured.set_external_numbers(&self.scene, numbers);
+        self.measured.set_build_numbers(&self.scene, numbers);
     }
 
     /// Returns the value of each goal of the lesson on the current shape, in their order; empty

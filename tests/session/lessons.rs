@@ -6,7 +6,8 @@ use shape_up::constraint::Kind;
 use shape_up::fabricate::BUILD_NUMBERS;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme, Subdivision, Topology};
 use shape_up::scene::{
-    ClosenessTo, EasedFaces, Goal, GoalOf, Lesson, Lock, Pose, Results, Scene, Target,
+    BuildSettings, ChosenAttempt, ClosenessTo, EasedFaces, Goal, GoalOf, Lesson, Lock, Pose,
+    Results, Scene, Target,
 };
 use shape_up::session::{Edit, Session, check_results, goals_in_words};
 use shape_up::solve::Require;
@@ -253,6 +254,39 @@ fn which_panels_the_search_relaxed_is_no_change_by_the_student() {
 }
 
 #[test]
+fn what_a_search_chose_and_made_exact_is_no_change_by_the_student() {
+    let mut own = scene();
+    own.lesson.as_mut().expect("it has one").lock = vec![Lock::Weights];
+    own.constraints[0].require = Require::Within(0.01);
+    own.closeness.to = ClosenessTo::Rest;
+    let mut session = Session::open(own.clone(), bumpy(5)).expect("it fits");
+    let smoother = ChosenAttempt { smoother: 10.0, on_surface: true, ..ChosenAttempt::default() };
+    let mut chosen = session.scene();
+    (chosen.attempt, chosen.weights.smooth) = (smoother, 10.0 * chosen.weights.smooth);
+    chosen.closeness.to = ClosenessTo::Surface;
+    chosen.constraints[0].require = Require::Exact;
+    session = Session::open(chosen, bumpy(5)).expect("it fits");
+    let results = session.results("Ada", "").expect("it is a lesson");
+    let checked = check_results(&results, own, bumpy(5)).expect("they are of this scene");
+    assert_eq!((checked.altered, checked.changed), (Vec::new(), Vec::<String>::new()));
+}
+
+#[test]
+fn a_constraint_that_is_to_be_switched_on_is_measured_for_the_teacher_too() {
+    let mut own = scene();
+    own.constraints[0].enabled = false;
+    let mut session = Session::open(own.clone(), bumpy(5)).expect("it fits");
+    assert_eq!(session.goals()[2].value, None);
+    let on = r#"{ "setConstraint": { "index": 0, "enabled": true } }"#;
+    session.edit(Edit::from_json(on).expect("it is an edit")).expect("it may be switched on");
+    session.solve(false).expect("positions stay finite");
+    let results = session.results("Ada", "").expect("it is a lesson");
+    assert!(results.passed, "{:?}", results.goals);
+    let checked = check_results(&results, own, bumpy(5)).expect("they are of this scene");
+    assert!(checked.goals.iter().all(|goal| goal.met), "{checked:?}");
+}
+
+#[test]
 fn results_are_not_believed() {
     let mut session = session();
     let mut results = session.results("Mallory", "").expect("it is a lesson");
@@ -331,6 +365,21 @@ fn goals_on_what_is_built_are_told_and_measured_again_when_they_are_handed_in() 
     assert_eq!(checked.goals[1].value, Some(1.0));
     let flatness = checked.goals[0].value.expect("it is measured");
     assert!((flatness - session_flatness(&results)).abs() < 1e-9);
+
+    // One damaged file used to end the check of a whole class.
+    let mut cut = results.clone();
+    cut.positions.truncate(3);
+    assert!(check_results(&cut, scene_with(lesson), bumpy(5)).is_err());
+    // Numbers are of the settings that they were built with.
+    session.set_build_numbers(vec![("sheets".to_owned(), 1.0)]);
+    assert!(session.goals()[1].met);
+    let build = BuildSettings { scale: 1.0, ..BuildSettings::default() };
+    session.edit(Edit::SetBuild { build: Box::new(build) }).expect("it is valid");
+    assert_eq!(session.goals()[1].value, None);
+}
+
+fn scene_with(lesson: &str) -> Scene {
+    Scene { lesson: Some(Lesson::from_json(lesson).expect("it is a lesson")), ..scene() }
 }
 
 /// Largest distance of a panel to its plane, as the session measures it.

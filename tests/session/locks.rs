@@ -1,6 +1,7 @@
 //! Locks of a lesson refuse every edit of the locked part, and alterations in a file are detected.
 
-use crate::support::grid::bumpy;
+use crate::support::grid::{bumpy, grid};
+use shape_up::mesh::Mesh;
 use shape_up::scene::{Lock, NamedEnum, Results, Scene};
 use shape_up::session::Error;
 use shape_up::session::{DragPhase, Edit, PanelStart, Session, check_results};
@@ -121,6 +122,28 @@ fn a_lesson_that_is_saved_unsolved_starts_at_rest() {
     assert!(session.document().variants.kept.is_empty(), "a variant may be the solution");
     session.undo().expect("it can be undone");
     assert_eq!(session.scene(), solved);
+}
+
+#[test]
+fn neither_refining_nor_editing_the_mesh_leaves_out_what_is_locked() {
+    let mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
+    let mut triangles = Mesh { positions: mesh.positions.clone(), ..Mesh::default() };
+    for face in mesh.faces.iter() {
+        triangles.faces.push(&[face[0], face[1], face[2]]);
+        triangles.faces.push(&[face[0], face[2], face[3]]);
+    }
+    // Areas are of triangles, of which this refinement leaves none.
+    let text = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "t.obj" },
+        "constraints": [{ "kind": "area", "on": "faces" }], "closeness": { "to": "rest" },
+        "lesson": { "text": "Keep it.", "lock": ["constraints"],
+            "goals": [{ "measure": "displacement", "at_most": 1 }] } }"#;
+    let scene = Scene::from_json(text).expect("the scene is valid");
+    let mut session = Session::open(scene, triangles).expect("it fits");
+    let refine = r#"{ "refine": { "scheme": "catmull-clark", "levels": 1 } }"#;
+    let refine = Edit::from_json(refine).expect("it is an edit");
+    let before = session.scene();
+    assert!(refused(session.edit(refine)));
+    assert_eq!(session.scene(), before);
 }
 
 #[test]

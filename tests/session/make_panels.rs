@@ -5,9 +5,9 @@ use crate::support::grid::grid;
 use crate::support::long_or;
 use serde_json::{Value, json};
 use shape_up::generate::{Plan, PlanLayout, PlanPoint, Support};
-use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
+use shape_up::mesh::{BoundingSphere, Mesh, Point, folded_faces};
 use shape_up::scene::{Lesson, Lock, Scene};
-use shape_up::session::{Edit, PanelStart, Session, Verdict};
+use shape_up::session::{Edit, ExactShape, PanelStart, Session, Verdict};
 use shape_up::solve::Require;
 
 /// A session with the weights of an opened mesh.
@@ -350,4 +350,96 @@ fn a_tolerance_beyond_what_is_needed_is_used_to_stay_near_the_original() {
     assert_eq!(moved(0.2), 0.0);
     let [tight, loose] = [0.05, 0.12].map(moved);
     assert!(0.0 < loose && loose < 0.8 * tight, "{loose} {tight}");
+}
+
+/// The exact shape of what is within a tolerance, as the page tries it after a run.
+fn exact_trial(session: &mut Session) -> (ExactShape, Vec<Point>) {
+    let mut trial = session.exact_trial().expect("regular").expect("something is within");
+    while trial.step(session).expect("regular") {}
+    (trial.shape(), trial.positions())
+}
+
+#[test]
+fn what_panels_are_judged_by_stays_when_they_become_exact() {
+    // It was lost with the requirement, and the next press took another one.
+    let mut session = wave();
+    session.make_panels("plane", 0.3, PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    let (shape, positions) = exact_trial(&mut session);
+    assert!(session.make_exact(shape, &positions, true).expect("regular"));
+    assert_eq!(session.document().constraints[0].require, Require::Exact);
+    assert_eq!(session.tolerance(), 0.3);
+    session.make_panels("plane", 0.2, PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    assert_eq!(session.tolerance(), 0.2);
+    session.undo().expect("solvable");
+    session.undo().expect("solvable");
+    assert_eq!((session.document().tolerance, session.document().constraints.len()), (None, 0));
+}
+
+#[test]
+fn what_becomes_exact_is_a_part_of_the_step_that_led_to_the_shape_and_of_no_other() {
+    let mut session = wave();
+    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    let (shape, positions) = exact_trial(&mut session);
+    session.edit(Edit::SetUnits { units: "ft".to_owned() }).expect("any unit will do");
+    assert!(session.make_exact(shape.clone(), &positions, true).expect("regular"));
+    assert_eq!(session.undo_and_redo()[0], Some("Make exact"));
+    session.undo().expect("solvable");
+    session.undo().expect("solvable");
+    assert_eq!(session.document().constraints[0].require, Require::Within(1e-3));
+    // What was undone before can no longer be redone: it was done to another shape.
+    let (shape, positions) = exact_trial(&mut session);
+    assert!(session.make_exact(shape, &positions, true).expect("regular"));
+    assert_eq!(session.undo_and_redo(), [Some("Make panels flat"), None]);
+}
+
+#[test]
+fn panels_are_judged_by_their_own_constraint() {
+    let eave = r#", "constraints": [
+        { "kind": "plane", "on": "faces", "require": { "within": 0.001 } },
+        { "kind": "plane", "on": { "vertices": [0, 1, 2, 3, 4] }, "require": { "within": 0.5 } } ]"#;
+    let mesh = grid(4, 4, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
+    let mut session = session(mesh, eave);
+    assert_eq!((session.tolerance(), verdict(&mut session).required), (0.001, Some(0.001)));
+}
+
+#[test]
+fn a_plane_of_given_direction_is_judged_by_its_direction() {
+    // All faces are flat, but none is level.
+    let level = r#", "constraints": [
+        { "kind": "plane", "on": "faces", "normal": [0, 0, 1], "require": { "within": 0.01 } } ]"#;
+    let mesh = grid(4, 4, |i, j| [f64::from(i), f64::from(j), 0.5 * f64::from(i)]);
+    let mut session = session(mesh, level);
+    let verdict = verdict(&mut session);
+    assert_eq!((verdict.within, verdict.of), (0, 16));
+    assert!((verdict.worst - 0.25).abs() < 1e-9, "{verdict:?}");
+}
+
+#[test]
+fn a_set_that_is_saved_leaves_what_was_reached() {
+    let mut session = wave();
+    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    let before = (session.exact(), session.converged());
+    assert!(before.0.as_ref().is_some_and(|exact| exact.met));
+    let set = Edit::NameSet { name: "two".to_owned(), vertices: vec![1, 2], faces: Vec::new() };
+    session.edit(set).expect("it is valid");
+    assert_eq!((session.exact(), session.converged()), before);
+    let beyond =
+        Edit::NameSet { name: "three".to_owned(), vertices: vec![9999], faces: Vec::new() };
+    assert!(session.edit(beyond).is_err());
+}
+
+#[test]
+fn without_anything_to_meet_a_run_ends_after_its_iterations() {
+    let more = r#", "constraints": [{ "kind": "plane", "on": "faces", "enabled": false }]"#;
+    let mut session = session(bumps(), more);
+    session
+        .edit(Edit::from_json(r#"{ "set": { "id": "tolerance", "value": 0 } }"#).unwrap())
+        .unwrap();
+    let most = session.document().solver.iterations;
+    session.solve_as_pressed(None, 1e-3, false).expect("it stays finite");
+    assert!(session.iteration() <= most + 1);
 }

@@ -37,6 +37,20 @@ fn conventions_of_the_same_panel_differ_as_they_are_known_to() {
 }
 
 #[test]
+fn an_edge_without_length_at_rest_has_no_change_of_length() {
+    // It changed infinitely, and no goal on edges could be met.
+    let (mut mesh, now) = (grid(2, 1, |i, j| [f64::from(i), f64::from(j), 0.0]), 1.1);
+    mesh.positions[1] = mesh.positions[0];
+    let mut scene = Scene::new(MeshSource::File(String::new()));
+    scene.current = Some(mesh.positions.iter().map(|[x, y, z]| [now * x, now * y, *z]).collect());
+    let moved = scene.current.as_mut().expect("it was set");
+    moved[1] = [0.3, 0.0, 0.0];
+    let mut session = Session::open(scene, mesh).expect("it opens");
+    let values = session.face_values("edges").expect("there is one");
+    assert!(values.iter().all(|value| value.is_finite()), "{values:?}");
+}
+
+#[test]
 fn values_of_corners_are_what_their_faces_have_the_largest_of() {
     let mut session = lifted();
     for measure in FACE_MEASURES {

@@ -5,7 +5,7 @@ use crate::support::grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::constraint::Form;
-use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
+use shape_up::mesh::{KEPT_TURN, Mesh, Scheme, write_obj};
 use shape_up::scene::BuildSettings;
 use shape_up::scene::{Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
 use shape_up::session::{Edit, SETTINGS, Session};
@@ -448,6 +448,27 @@ fn of_a_long_history_of_a_large_mesh_the_newest_steps_are_saved() {
 }
 
 #[test]
+fn the_surface_that_panels_are_close_to_is_saved_once() {
+    // It was written for every step: ten edits after new panels on a scan were all that was kept.
+    let mut session = open();
+    let before = session.saved_history().len();
+    let target = grid(40, 40, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let text = write_obj(&target, &target.positions);
+    let fit = Edit::FitTo { name: "scan.obj".to_owned(), text: text.clone() };
+    session.edit(fit).expect("it has faces");
+    let begun = session.saved_history().len();
+    for scale in 1..20 {
+        let build = BuildSettings { scale: f64::from(scale), ..BuildSettings::default() };
+        session.edit(Edit::SetBuild { build: Box::new(build) }).expect("it is valid");
+    }
+    let after = session.saved_history().len();
+    assert!(begun > before && after < begun + text.len(), "{before} {begun} {after}");
+    let (scene, history) = (written(&session), session.saved_history());
+    let mut again = reopened(&scene, session.iteration(), &history, &[]);
+    assert_eq!(all_states(&mut again), all_states(&mut session));
+}
+
+#[test]
 fn saying_the_unit_and_the_axis_moves_nothing() {
     let mut session = open();
     act(&mut session, Deed::Run(2));
@@ -456,5 +477,8 @@ fn saying_the_unit_and_the_axis_moves_nothing() {
     session.edit(Edit::SetUp { up: Up::Y }).expect("any axis will do");
     assert_eq!(session.positions(), before);
     assert!(session.obj().starts_with("# units: ft\n# up: y\nv "));
+    let flat = vec![[0.0; 2]; session.mesh().positions.len()];
+    let mapped = session.obj_with_uv(&flat).expect("each vertex has a place");
+    assert!(mapped.starts_with("# units: ft\n# up: y\nv "));
     assert_eq!(session.undo_and_redo()[0], Some("Change up axis"));
 }

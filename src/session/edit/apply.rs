@@ -11,15 +11,22 @@ use super::shapes::{
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
-    ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, SceneError,
-    Target, Variants, check_tolerance,
+    ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, Scene,
+    SceneError, Target, Variants, check_tolerance,
 };
-use crate::session::report::{check_lesson, check_presentation};
+use crate::session::report::{check_lesson, check_presentation, panel_row};
 use crate::session::state::{Draft, Part, RowValues, Settings};
 use crate::solve::{Handle, HandleIndex, Require};
 use crate::words;
 use serde_json::{Map, Value};
 use std::rc::Rc;
+
+/// The tolerance of a scene whose panels are judged within `length`: none if the constraint on them
+/// has it.
+fn tolerance_beside(document: &Scene, length: f64) -> Option<f64> {
+    let row = panel_row(document).map(|row| document.constraints[row].require);
+    (row != Some(Require::Within(length))).then_some(length)
+}
 
 /// Applies an edit to a draft, and returns the name of the edit.
 ///
@@ -48,12 +55,11 @@ pub(crate) fn apply(
                 PanelStart::Now | PanelStart::Original => settings,
             }));
             let require = within.map_or(Require::Soft, Require::Within);
-            if within.is_some() {
-                // Now that of the constraint.
-                draft.put(Part::Tolerance(None));
-            }
             let info =
                 draft.set_rows(|document, mesh| document.request_panels(&kind, require, mesh))?;
+            if let Some(length) = within {
+                draft.put(Part::Tolerance(tolerance_beside(draft.document(), length)));
+            }
             format!("Make panels {}", info.panels.unwrap_or(info.id))
         }
         Edit::RemoveConstraint { index } => {
@@ -104,6 +110,7 @@ pub(crate) fn apply(
             }
             let words = format!("Save set {name}");
             draft.put(Part::Set(name, Some(set)));
+            draft.document().check_sets(draft.mesh())?;
             words
         }
         Edit::RemoveSet { name } => {

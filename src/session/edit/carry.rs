@@ -8,7 +8,7 @@
 use crate::constraint::{Element, Selector, describe, resolve};
 use crate::math::marked;
 use crate::mesh::{Edited, Origins, Point, Topology};
-use crate::scene::{ConstraintSpec, EasedFaces, Hold, MeshSource, Pose, Scene};
+use crate::scene::{ConstraintSpec, EasedFaces, Hold, Lock, MeshSource, Pose, Scene};
 use crate::session::state::{RestMesh, Settings, resolve_row};
 use crate::solve::Handle;
 use crate::words;
@@ -24,6 +24,8 @@ pub(crate) struct Carried {
     pub(crate) positions: Vec<Point>,
     /// A sentence for each thing that was not carried over, or whose meaning changed.
     pub(crate) lost: Vec<String>,
+    /// What a lesson may lock, of what was not carried over.
+    pub(crate) dropped: Vec<Lock>,
 }
 
 /// Carries a document with its handles and positions (`#V by 3`) from the mesh `before` to the mesh
@@ -37,13 +39,14 @@ pub(crate) fn carry(
 ) -> Carried {
     let origins = &edited.origins;
     let moved = |state: &[Point]| edited.in_other_state(from, state);
-    let mut lost = Vec::new();
+    let (mut lost, mut dropped) = (Vec::new(), Vec::new());
     let now = moved(positions);
     let carried = carry_handles(handles, (positions, &now), before.topology(), origins);
     let gone = handles.iter().filter(|handle| is_gone(handle.vertex, origins)).count();
     if gone > 0 {
         let handles = words::count(gone, "handle", "handles");
         lost.push(format!("Left out: {handles} on vertices that no longer exist."));
+        dropped.push(Lock::Handles);
     }
     let joined = joined(handles, origins);
     if joined > 0 {
@@ -51,6 +54,7 @@ pub(crate) fn carry(
         lost.push(format!(
             "Left out: {handles} on vertices that were joined to one with a handle."
         ));
+        dropped.push(Lock::Handles);
     }
     let mut document = document.clone();
     // No file contains this mesh.
@@ -69,6 +73,7 @@ pub(crate) fn carry(
         let is_left = !set.vertices.is_empty() || !set.faces.is_empty();
         if !is_left {
             lost.push(format!("Left out: the set {name}, which would be empty."));
+            dropped.push(Lock::Constraints);
         }
         is_left
     });
@@ -81,6 +86,7 @@ pub(crate) fn carry(
         let is_left = found.is_ok_and(|found| !found.indices().is_empty());
         if !is_left {
             lost.push(format!("Left out: the closeness of {on}: none are left."));
+            dropped.push(Lock::Weights);
         }
         is_left
     });
@@ -94,7 +100,10 @@ pub(crate) fn carry(
             resolved.map_err(|why| why.to_string())
         });
         match resolved {
-            Err(why) => lost.push(format!("Left out: {label}: {why}.")),
+            Err(why) => {
+                lost.push(format!("Left out: {label}: {why}."));
+                dropped.push(Lock::Constraints);
+            }
             Ok(_) => {
                 if has_other_sizes && has_sizes_of_elements(&row) {
                     lost.push(format!(
@@ -105,7 +114,7 @@ pub(crate) fn carry(
             }
         }
     }
-    Carried { document, handles: carried, positions: now, lost }
+    Carried { document, handles: carried, positions: now, lost, dropped }
 }
 
 /// Carries over the faces with an eased tolerance, if any are left.

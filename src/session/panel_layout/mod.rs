@@ -70,6 +70,10 @@ impl Session {
         }
         check_lock(Lock::Mesh, self.document())?;
         self.end_transaction();
+        // Once more: the panels may cover a variation, which is gone now.
+        if generation != self.generation() {
+            return Ok(false);
+        }
         let edited = Edited::covering(&self.current_mesh(), panels);
         let Mesh { positions, faces, .. } = self.mesh().clone();
         let original = Rc::new(Mesh { positions, faces, ..Mesh::default() });

@@ -126,11 +126,16 @@ impl ExactWords {
             words::group_digits(all),
             places.join(", ")
         );
-        let error = words::length_like(report.max_distance, units, report.tolerance);
+        // Those that are met may be farther off, within their own tolerances.
+        let farthest = |row: Option<usize>| {
+            let mut own = report.worst.iter().filter(|miss| row.is_none_or(|row| miss.row == row));
+            own.next().or(report.worst.last()).map_or(report.max_distance, |miss| miss.distance)
+        };
+        let error = words::length_like(farthest(None), units, report.tolerance);
         let numbers = format!("The largest error is {error}.");
-        let within = words::rounded(WIDER * report.max_distance, 2);
         let suggestions = rows().take(MOST_ROWS).flat_map(|(index, row)| {
             let label = row.label();
+            let within = words::rounded(WIDER * farthest(Some(index)), 2);
             [
                 WeakerRequirement { label: format!("Make {label} soft"), index, within: None },
                 WeakerRequirement {

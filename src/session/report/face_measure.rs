@@ -297,11 +297,13 @@ fn mean_length(corners: impl IntoIterator<Item = Vec3<f64>>) -> f64 {
 
 fn edge_changes(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     let (now, rest) = (model.positions(shape), model.rest.positions());
+    // A side without length at rest has no relative change.
     let change = |ends| {
         let before = length(rest, ends);
-        100.0 * ratio((length(&now, ends) - before).abs(), before)
+        (before > 0.0).then(|| 100.0 * (length(&now, ends) - before).abs() / before)
     };
-    let worst = |face: &[u32]| polygon_sides(face).map(change).fold(0.0, f64::max);
+    let worst =
+        |face: &[u32]| polygon_sides(face).filter_map(change).reduce(f64::max).unwrap_or(f64::NAN);
     model.faces().iter().map(worst).collect()
 }
 

@@ -22,9 +22,25 @@ pub(crate) fn row_measure(scene: &SolvedScene, mesh: &Mesh, index: usize) -> Opt
     let kind = &document.constraints.get(index)?.kind;
     let ResolvedRow { constraints, skipped, .. } = scene.rows().get(index)?;
     let is_on_all = *skipped == 0 && constraints.members.len() == mesh.faces.len();
-    // With parameters the shape is another one.
-    let usual = Kind::new(kind.info().id, serde_json::json!({}));
-    required_measure(document, index).filter(|_| is_on_all && usual.is_ok_and(|it| it == *kind))
+    required_measure(document, index).filter(|_| is_on_all && is_usual(kind))
+}
+
+/// Whether a kind has no parameters of its own: with them the shape is another one than that which
+/// its measure is about.
+pub(super) fn is_usual(kind: &Kind) -> bool {
+    Kind::new(kind.info().id, serde_json::json!({})).is_ok_and(|usual| usual == *kind)
+}
+
+/// Returns the index of the row that asks panels for a shape: the last enabled one on single faces
+/// whose kind has an adjective for them. None if no row does.
+pub(crate) fn panel_row(document: &Scene) -> Option<usize> {
+    let asks = |&index: &usize| {
+        let row = &document.constraints[index];
+        row.enabled
+            && row.kind.info().panels.is_some()
+            && required_measure(document, index).is_some()
+    };
+    (0..document.constraints.len()).rev().find(asks)
 }
 
 /// Returns the id of the measure that fits a scene: that of the first enabled row that has one, else
@@ -34,8 +50,9 @@ pub(crate) fn scene_measure(document: &Scene, mesh: &Mesh) -> Option<&'static st
         return None;
     }
     let rows = document.constraints.iter().enumerate();
-    let mut measured =
-        rows.filter(|(_, row)| row.enabled).filter_map(|(row, _)| required_measure(document, row));
+    let mut measured = rows
+        .filter(|(_, row)| row.enabled && is_usual(&row.kind))
+        .filter_map(|(row, _)| required_measure(document, row));
     Some(measured.next().unwrap_or("residual"))
 }
 

@@ -299,7 +299,7 @@ fn worst_of(model: &mut Measuring<'_>, of: &GoalOf) -> Option<f64> {
             let beyond = values.iter().filter(|value| *value > tolerance).count();
             has_one.then_some(beyond as f64)
         }
-        GoalOf::Build(id) => model.cache.external_number(model.scene, id),
+        GoalOf::Build(id) => model.cache.build_number(model.scene, id),
         GoalOf::Constraint(name) => {
             let specs = model.scene.document().constraints.iter();
             let enabled = specs.filter(|spec| spec.enabled);

@@ -3,6 +3,7 @@
 
 use crate::math::Vec3;
 use crate::mesh::{Measures, Mesh, Point, Surface};
+use crate::scene::{BuildSettings, Scene};
 use crate::session::run::ShapeMeasure;
 use crate::session::state::{RestMesh, SolvedScene};
 use crate::solve::clock;
@@ -26,10 +27,24 @@ struct Measured {
     shape: Option<Rc<ShapeMeasure>>,
     /// Distance of each vertex to the original surface, `#V`.
     surface_distances: Option<Rc<[f64]>>,
-    /// Numbers of this shape that were computed elsewhere, by name.
-    external_numbers: Vec<(String, f64)>,
+    /// Numbers of the build of this shape, which were computed elsewhere.
+    build: Option<BuildNumbers>,
     /// The original triangle last closest to each vertex, `#V`; empty before the first search.
     closest: Vec<u32>,
+}
+
+/// Numbers of a build, with what they depend on beside the shape.
+struct BuildNumbers {
+    settings: Option<Box<BuildSettings>>,
+    units: String,
+    /// By name.
+    values: Vec<(String, f64)>,
+}
+
+impl BuildNumbers {
+    fn is_of(&self, document: &Scene) -> bool {
+        self.settings == document.build && self.units == document.units
+    }
 }
 
 impl MeasureCache {
@@ -81,18 +96,22 @@ impl MeasureCache {
         Rc::clone(surface_distances.get_or_insert_with(search))
     }
 
-    /// Stores numbers of the current shape that were computed elsewhere, by name.
-    pub(crate) fn set_external_numbers(&self, scene: &SolvedScene, values: Vec<(String, f64)>) {
+    /// Stores numbers of the build of the current shape, by name.
+    pub(crate) fn set_build_numbers(&self, scene: &SolvedScene, values: Vec<(String, f64)>) {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene);
-        measured.external_numbers = values;
+        let Scene { build, units, .. } = scene.document();
+        let (settings, units) = (build.clone(), units.clone());
+        measured.build = Some(BuildNumbers { settings, units, values });
     }
 
-    /// Returns a number of the current shape that was computed elsewhere; none if it was not.
-    pub(crate) fn external_number(&self, scene: &SolvedScene, name: &str) -> Option<f64> {
+    /// Returns a number of the build of the current shape; none if it was not stored for this shape, and
+    /// for these settings.
+    pub(crate) fn build_number(&self, scene: &SolvedScene, name: &str) -> Option<f64> {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene);
-        measured.external_numbers.iter().find(|(own, _)| own == name).map(|(_, value)| *value)
+        let build = measured.build.as_ref().filter(|build| build.is_of(scene.document()))?;
+        build.values.iter().find(|(own, _)| own == name).map(|(_, value)| *value)
     }
 }
 
@@ -104,7 +123,7 @@ impl Measured {
         let is_same = |known: &Rc<[Point]>| Rc::ptr_eq(known, positions) || known == positions;
         if !self.positions.as_ref().is_some_and(is_same) {
             (self.measures, self.shape, self.surface_distances) = (None, None, None);
-            self.external_numbers.clear();
+            self.build = None;
         }
         self.positions = Some(Rc::clone(positions));
         if self.target.as_ref().map(Rc::as_ptr) != target.map(Rc::as_ptr) {

@@ -43,7 +43,9 @@ pub use exact_words::{ExactWords, TrialWords, WeakerRequirement};
 pub(crate) use exact_words::{Exactness, TrialNumbers};
 pub use face_measure::{FACE_MEASURES, FaceMeasure};
 pub(crate) use face_measure::{corner_values, face_values};
-pub(crate) use inspect::{free, members, reweighted_vertices, row_measure, scene_measure};
+pub(crate) use inspect::{
+    free, members, panel_row, reweighted_vertices, row_measure, scene_measure,
+};
 pub use lesson::{GoalProgress, GoalWords, LessonProgress, goals_in_words};
 pub(crate) use lesson::{check_lesson, check_presentation, goals, progress};
 pub(crate) use measure_cache::MeasureCache;

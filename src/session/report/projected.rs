@@ -1,6 +1,7 @@
 //! The projections of the constraints, for drawing: the projected points, and mesh edges between
 //! them.
 
+use super::constraint_map::ConstraintCoverage;
 use super::measuring::{Measuring, Shape};
 use crate::constraint::{Centring, Projected};
 use crate::mesh::Topology;
@@ -74,6 +75,27 @@ pub(super) fn residuals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     }
     let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));
     model.faces().iter().map(|face| worst(face).sqrt()).collect()
+}
+
+/// Returns the largest distance of a corner of each face to the shape that the enabled row `index`
+/// asks of it, `#F`, in the unit of the mesh; zero for faces on which it does not act.
+pub(super) fn row_distances(model: &mut Measuring<'_>, index: usize) -> Vec<f64> {
+    let enabled: Vec<usize> = model.scene.enabled_rows().collect();
+    let mut cover = ConstraintCoverage::new(model.rest.mesh(), model.rest.topology());
+    let mut distances = vec![0.0f64; model.rest.mesh().faces.len()];
+    model.scene.projected(|row, points| {
+        if enabled[row] != index {
+            return;
+        }
+        let corners: Vec<u32> = points.iter().map(|(vertex, _)| *vertex).collect();
+        let squares = points.iter().map(|(_, displacement)| displacement.length_squared());
+        let far = squares.fold(0.0, f64::max).sqrt();
+        for &face in cover.faces(&corners) {
+            let worst = &mut distances[face as usize];
+            *worst = worst.max(far);
+        }
+    });
+    distances
 }
 
 /// Finds the edges of the mesh among sets of vertices.

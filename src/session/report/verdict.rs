@@ -2,8 +2,9 @@
 //! and how far the vertices have moved for it.
 
 use super::face_measure::face_values;
-use super::inspect::{members, required_measure};
+use super::inspect::{is_usual, members, panel_row};
 use super::measuring::{Measuring, Shape};
+use super::projected::row_distances;
 use crate::constraint::Info;
 use crate::mesh::{BoundingSphere, Mesh, Topology};
 use crate::session::run::{Bend, Flaw, Level, Met, SurfaceDistance, Tried};
@@ -94,15 +95,17 @@ impl Panels {
     /// Returns those of the last enabled row on single faces; none if no row constrains panels.
     fn of(model: &mut Measuring<'_>) -> Option<Panels> {
         let document = model.scene.document();
-        let rows = document.constraints.iter().enumerate().rev();
-        let mut asking = rows.filter(|(_, row)| row.enabled);
-        let (row, kind, adjective) = asking.find_map(|(index, row)| {
-            let info = row.kind.info();
-            let adjective = info.panels.filter(|_| required_measure(document, index).is_some())?;
-            Some((index, info, adjective))
-        })?;
+        let row = panel_row(document)?;
+        let (kind, is_usual) = {
+            let kind = &document.constraints[row].kind;
+            (kind.info(), is_usual(kind))
+        };
+        let adjective = kind.panels?;
         let [faces, _] = members(model.scene.rows().get(row), model.rest);
-        let distances = face_values(model, kind.measure?, Shape::Now)?;
+        let distances = match is_usual {
+            true => face_values(model, kind.measure?, Shape::Now)?,
+            false => row_distances(model, row),
+        };
         (!faces.is_empty()).then_some(Panels { row, kind, adjective, faces, distances })
     }
 

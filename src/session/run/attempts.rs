@@ -237,9 +237,11 @@ impl Attempts {
         }
     }
 
-    /// Whether a shape is not much farther from the design than that of the first attempt.
+    /// Whether a shape is within the limits of a good one, or not much farther from the design than
+    /// that of the first attempt.
     fn is_near(&self, of: &Outcome, first: &Outcome) -> bool {
-        !first.met || of.measure.distance(self.edge) <= FAR * first.measure.distance(self.edge)
+        let far = f64::max(1.0, FAR * first.measure.distance(self.edge));
+        !first.met || of.measure.distance(self.edge) <= far
     }
 
     /// Whether the best shape can be built, and is near the design.
@@ -416,6 +418,15 @@ mod tests {
         let found = press(&[folded.clone(), away(1.0), folds(20), folds(20), folded.clone()]);
         assert!(found[1].0 && matches!(found[4], (false, Some(Attempt::Eased(_)))), "{found:?}");
         assert_eq!(press(&[folded, away(1.0), away(0.8)])[2], (true, REST));
+    }
+
+    #[test]
+    fn within_the_limits_of_a_good_shape_none_is_too_far_away() {
+        // The first hardly moves and folds a little: a good shape was then taken for another design,
+        // because it is many times as far from the original, and tolerances were eased.
+        let mut folded = away(1e-4);
+        folded.measure.folded = (0..20).collect();
+        assert_eq!(press(&[folded, away(0.1)]), [(true, SMOOTHER[0].clone()), (true, None)]);
     }
 
     #[test]

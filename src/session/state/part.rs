@@ -66,8 +66,6 @@ pub(crate) enum Effect {
     Nothing,
     /// Only the weights of Eq. 13.
     Weights,
-    /// Named sets; no effect if no row uses them.
-    Sets,
     /// The whole problem.
     Problem,
 }
@@ -269,7 +267,10 @@ impl Part {
                     Effect::Problem
                 }
             }
-            Part::Set(..) => Effect::Sets,
+            Part::Set(name, _) => match is_used(name, scene) {
+                true => Effect::Problem,
+                false => Effect::Nothing,
+            },
             Part::ClosenessWeights(_) | Part::RowValues(..) | Part::Row(..) | Part::Rows(_) => {
                 Effect::Problem
             }
@@ -341,8 +342,17 @@ pub(crate) fn same_problem(a: &Scene, b: &Scene) -> bool {
     Settings::of(a) == Settings::of(b)
         && a.closeness.weights == b.closeness.weights
         && same_design(&a.variants, &b.variants)
-        && a.sets == b.sets
         && equal_except_names(&a.constraints, &b.constraints)
+        && a.sets.keys().chain(b.sets.keys()).all(|name| {
+            a.sets.get(name) == b.sets.get(name) || !(is_used(name, a) || is_used(name, b))
+        })
+}
+
+/// Whether constraints or closeness weights of a scene are on the set of this name.
+fn is_used(name: &str, scene: &Scene) -> bool {
+    let rows = scene.constraints.iter().map(|row| &row.on);
+    let weights = scene.closeness.weights.iter().map(|entry| &entry.on);
+    rows.chain(weights).any(|on| on.named() == Some(name))
 }
 
 fn same_design(a: &Variants, b: &Variants) -> bool {

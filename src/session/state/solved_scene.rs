@@ -274,19 +274,9 @@ impl SolvedScene {
                     return Err(error.into());
                 }
             }
-            Effect::Weights | Effect::Sets | Effect::Problem => {
+            Effect::Weights | Effect::Problem => {
                 self.document.validate(rest.mesh())?;
                 let rows = resolve_rows(&self.document, rest.mesh(), rest.topology())?;
-                // A change of unused sets needs no new solver.
-                let unused = effect == Effect::Sets
-                    && rows == self.rows
-                    && self.document.closeness.weights.is_empty()
-                    && handles.is_none()
-                    && positions.is_none();
-                if unused {
-                    self.rows = rows;
-                    return Ok(());
-                }
                 let handles = handles.unwrap_or_else(|| self.solver.handles().to_vec());
                 let positions = positions.unwrap_or_else(|| self.positions());
                 let cache = self.solver.setup_cache();

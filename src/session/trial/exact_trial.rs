@@ -87,13 +87,14 @@ pub struct ExactShape {
 }
 
 impl Session {
-    /// Tries to meet exactly the constraints within a distance; none if there is no such row.
+    /// Tries to meet exactly the constraints within a distance; none if there is no such row, or the
+    /// lesson locks them.
     ///
     /// # Errors
     /// As [`Session::meeting`].
     pub fn exact_trial(&self) -> Result<Option<ExactTrial>, Error> {
         let rows: Vec<usize> = self.rows_within().collect();
-        if rows.is_empty() {
+        if rows.is_empty() || check_lock(Lock::Constraints, self.document()).is_err() {
             return Ok(None);
         }
         let exact = self.meeting_with(&exactly)?;
@@ -131,7 +132,7 @@ impl Session {
     }
 
     /// Accepts the shape of a trial, `#V by 3`, and its requirements, as a step of undo or as a part
-    /// of the last one. Returns false if the trial began at another shape or with another problem,
+    /// of the last one if that moved the shape. Returns false if the trial began at another shape or with another problem,
     /// or during a drag.
     ///
     /// # Errors
@@ -150,16 +151,29 @@ impl Session {
             check_lock(Lock::Constraints, self.document())?;
         }
         self.end_transaction();
+        // Once more: the trial may have begun at a variation, which is gone now.
+        if shape.generation != self.generation() {
+            return Ok(false);
+        }
         let values = |&row: &usize| {
             let now = RowValues::of(&self.document().constraints[row]);
             Part::RowValues(row, RowValues { require: Require::Exact, eased: None, ..now })
         };
+        // Renaming and the like may have come between.
+        let joins = joins_last && self.history.last_moved(self.scene.positions());
         let mut change = self.snapshot();
         change.scene.parts = shape.rows.iter().map(values).collect();
+        // What panels are judged by stays, though no constraint has it any more.
+        if let Some(Require::Within(length)) = self.panel_requirement()
+            && !shape.rows.is_empty()
+        {
+            let length = self.document().tolerance.unwrap_or(length);
+            change.scene.parts.push(Part::Tolerance(Some(length)));
+        }
         change.scene.positions = positions.into();
         self.exchange(&mut change)?;
         let name = if shape.rows.is_empty() { "Improve" } else { "Make exact" };
-        match joins_last {
+        match joins {
             true => self.history.join(change),
             false => self.history.push(name.to_owned(), change),
         }

@@ -1,5 +1,6 @@
 //! The steps of undo and redo, and the change that each of them is.
 
+use crate::mesh::Point;
 use crate::scene::Scene;
 use crate::session::run::Start;
 use crate::session::state::{RestMesh, SceneChange};
@@ -59,12 +60,21 @@ impl History {
         self.push_undo((name, back));
     }
 
-    /// Makes the changes after the last step a part of it; `back` leads to the end of that step.
+    /// Makes the changes after the last step a part of it; `back` leads to the end of that step. What was
+    /// undone can no longer be redone.
     pub(crate) fn join(&mut self, back: Change) {
+        self.redo.clear();
         // A step to another mesh already restores the whole document.
         if let Some((_, step)) = self.undo.last_mut().filter(|(_, step)| step.other.is_none()) {
             step.scene.parts.extend(back.scene.parts);
         }
+    }
+
+    /// Whether the last step led to the current positions from others.
+    pub(crate) fn last_moved(&self, now: &Rc<[Point]>) -> bool {
+        self.undo.last().is_some_and(|(_, step)| {
+            step.other.is_some() || !Rc::ptr_eq(&step.scene.positions, now)
+        })
     }
 
     /// Adds a step that was made or redone.

@@ -7,7 +7,7 @@
 
 use super::history::{Change, History, NamedStep};
 use crate::mesh::{Mesh, Point, first_out_of_range};
-use crate::scene::{MeshSource, Scene, SceneError, Variants};
+use crate::scene::{ClosenessTo, MeshSource, Scene, SceneError, Variants};
 use crate::session::Error;
 use crate::session::state::{
     Part, RestMesh, SceneChange, SolvedScene, flat, grouped, same_positions,
@@ -24,8 +24,12 @@ const LIMIT_STEPS: usize = 1000;
 /// First byte of each part of a state: as in the previous state, or written out.
 const SAME: u8 = 0;
 const OTHER: u8 = 1;
-/// First byte of a document that is written out, but with the variants of the previous state.
+/// Bits of the first byte of a document that is written out, but with large parts of the previous
+/// state: variants, the target of closeness, the pose.
 const SAME_VARIANTS: u8 = 2;
+const SAME_TARGET: u8 = 4;
+const SAME_POSE: u8 = 8;
+const KNOWN: u8 = SAME_VARIANTS | SAME_TARGET | SAME_POSE;
 
 /// A state of a session.
 #[derive(Clone)]
@@ -210,16 +214,29 @@ fn write(out: &mut Vec<u8>, state: &SavedState, near: Option<&SavedState>, mesh:
     if near.is_some_and(|n| n.document == state.document && n.handles == state.handles) {
         out.push(SAME);
     } else {
-        let variants = &state.document.variants;
-        let known = near.is_some_and(|n| n.document.variants == *variants);
-        out.push(if known { SAME_VARIANTS } else { OTHER });
-        let variants = if known { Variants::default() } else { variants.clone() };
-        let scene = Scene {
-            variants,
+        let mut scene = Scene {
             mesh: MeshSource::File("mesh".to_owned()),
             handles: grouped(&state.handles),
             ..state.document.clone()
         };
+        let mut known = 0;
+        if let Some(SavedState { document: near, .. }) = near {
+            if scene.variants == near.variants {
+                scene.variants = Variants::default();
+                known |= SAME_VARIANTS;
+            }
+            let own = &mut scene.closeness;
+            let there = &near.closeness;
+            if own.target.is_some() && (own.to, &own.target) == (there.to, &there.target) {
+                (own.to, own.target) = (ClosenessTo::None, None);
+                known |= SAME_TARGET;
+            }
+            if scene.pose.is_some() && scene.pose == near.pose {
+                scene.pose = None;
+                known |= SAME_POSE;
+            }
+        }
+        out.push(if known == 0 { OTHER } else { known });
         write_bytes(out, scene.to_json(mesh).as_bytes());
     }
     if near.is_some_and(|near| same_positions(&near.positions, &state.positions)) {
@@ -241,10 +258,19 @@ fn read(
     let iteration = bytes.count()?;
     let (document, handles) = match (bytes.byte()?, near) {
         (SAME, Some(near)) => (near.document.clone(), Rc::clone(&near.handles)),
-        (written @ (OTHER | SAME_VARIANTS), _) => {
+        (known, _) if known == OTHER || (near.is_some() && known & !KNOWN == 0) => {
             let mut document = Scene::from_json(bytes.text()?)?;
-            if let Some(near) = near.filter(|_| written == SAME_VARIANTS) {
-                document.variants = near.document.variants.clone();
+            if let Some(SavedState { document: near, .. }) = near {
+                if known & SAME_VARIANTS != 0 {
+                    document.variants = near.variants.clone();
+                }
+                if known & SAME_TARGET != 0 {
+                    document.closeness.to = near.closeness.to;
+                    document.closeness.target.clone_from(&near.closeness.target);
+                }
+                if known & SAME_POSE != 0 {
+                    document.pose.clone_from(&near.pose);
+                }
             }
             document.validate(mesh)?;
             let handles = flat(&std::mem::take(&mut document.handles), &mesh.positions);

@@ -114,10 +114,11 @@ impl Solver {
         self.put.copy_from_slice(positions);
     }
 
-    /// Forgets the steps so far.
+    /// Forgets the steps so far, and that their end was no saddle.
     fn forget(&mut self) {
         self.accelerator.forget();
         self.has_previous = false;
+        self.no_saddle = None;
     }
 
     /// Step I at `x`.
