@@ -1,8 +1,10 @@
 //! A polygon as triangles.
 
+use super::key_of_number;
 use super::plane::{Point2, bounds, distance};
 use super::polygon::{polygon_sides, twice_vector_area};
 use super::vec3::Vec3;
+use std::collections::BTreeSet;
 
 /// Distance from a line within which a corner lies on it, as a fraction of the size of the polygon.
 const STRAIGHT: f64 = 1e-9;
@@ -10,20 +12,47 @@ const STRAIGHT: f64 = 1e-9;
 /// Cuts off ears, the one with the shortest diagonal first: triangles as corners, counterclockwise.
 /// A straight corner is never the tip of an ear, whatever its rounding.
 pub fn ears(polygon: &[Point2]) -> Vec<[usize; 3]> {
+    ears_by(polygon, |a, c| {
+        let [a, c] = [a, c].map(|corner| polygon[corner]);
+        (c[0] - a[0]) * (c[0] - a[0]) + (c[1] - a[1]) * (c[1] - a[1])
+    })
+}
+
+/// The same for a polygon in space, seen along its normal; lengths of diagonals are those in space.
+pub fn ears_in_space(corners: &[Vec3<f64>]) -> Vec<[usize; 3]> {
+    let normal = unit(twice_vector_area(corners.iter().copied()));
+    let steps = polygon_sides(corners).map(|[p, q]| q - p);
+    let along = steps.map(|step| unit(step - normal * step.dot(normal)));
+    let x = along.reduce(|a, b| if a == Vec3::zero() { b } else { a }).unwrap_or(Vec3::zero());
+    let y = normal.cross(x);
+    // Relative to a corner: far away, rounding would exceed what is straight.
+    let origin = corners.first().copied().unwrap_or(Vec3::zero());
+    let flat = corners.iter().map(|&p| [(p - origin).dot(x), (p - origin).dot(y)]);
+    let flat: Vec<Point2> = flat.collect();
+    ears_by(&flat, |a, c| (corners[c] - corners[a]).length_squared())
+}
+
+/// Cuts off ears by the squared length of the `diagonal` between two corners.
+fn ears_by(polygon: &[Point2], diagonal: impl Fn(usize, usize) -> f64) -> Vec<[usize; 3]> {
+    let n = polygon.len();
     let [low, high] = bounds(polygon.iter().copied());
     let least = STRAIGHT * distance(low, high);
-    let mut left: Vec<usize> = (0..polygon.len()).collect();
+    // The corners that are left, as a ring, and their diagonals by length.
+    let mut before: Vec<usize> = (0..n).map(|k| (k + n - 1) % n).collect();
+    let mut after: Vec<usize> = (0..n).map(|k| (k + 1) % n).collect();
+    let key = |a: usize, k: usize, c: usize| (key_of_number(diagonal(a, c)), k);
+    let mut by_length: BTreeSet<(u64, usize)> =
+        (0..n).map(|k| key(before[k], k, after[k])).collect();
+    let mut first = 0;
     let mut found = Vec::new();
-    while left.len() > 3 {
-        let n = left.len();
-        let ear = |k: usize| [left[(k + n - 1) % n], left[k], left[(k + 1) % n]];
-        let diagonal = |k: usize| {
-            let [a, _, c] = ear(k).map(|corner| polygon[corner]);
-            (c[0] - a[0]) * (c[0] - a[0]) + (c[1] - a[1]) * (c[1] - a[1])
+    while by_length.len() > 3 {
+        let ear = |k: usize| [before[k], k, after[k]];
+        let turns_left = |k: usize| {
+            let [a, b, c] = ear(k).map(|corner| polygon[corner]);
+            turn(a, b, c) > least * distance(a, c)
         };
-        let is_whole = |&k: &usize| {
-            let own = ear(k);
-            let [a, b, c] = own.map(|corner| polygon[corner]);
+        let is_whole = |k: usize| {
+            let [a, b, c] = ear(k).map(|corner| polygon[corner]);
             let holds = |p: Point2| {
                 let is_left =
                     |&[p0, p1]: &[Point2; 2]| turn(p0, p1, p) >= -least * distance(p0, p1);
@@ -31,22 +60,29 @@ pub fn ears(polygon: &[Point2]) -> Vec<[usize; 3]> {
             };
             // Another corner at the same point, as at the ends of a slit, is not in the ear.
             let is_other = |&p: &Point2| p != a && p != b && p != c;
-            !left.iter().map(|&corner| polygon[corner]).filter(is_other).any(holds)
-        };
-        let turns_left = |&k: &usize| {
-            let [a, b, c] = ear(k).map(|corner| polygon[corner]);
-            turn(a, b, c) > least * distance(a, c)
+            let mut others = std::iter::successors(Some(after[k]), |&at| Some(after[at]))
+                .take_while(|&at| at != k)
+                .map(|corner| polygon[corner]);
+            !others.any(|p| is_other(&p) && holds(p))
         };
         // Most of the first ones are whole; to test all would take the cube of their number.
-        let mut all: Vec<(f64, usize)> =
-            (0..n).filter(turns_left).map(|k| (diagonal(k), k)).collect();
-        all.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut shortest = by_length.iter().map(|&(_, k)| k);
         // A polygon that crosses itself may have no ear: cut off any triangle.
-        let k = all.into_iter().map(|(_, k)| k).find(is_whole).unwrap_or(0);
-        found.push(ear(k));
-        left.remove(k);
+        let k = shortest.find(|&k| turns_left(k) && is_whole(k)).unwrap_or(first);
+        let [a, _, c] = ear(k);
+        found.push([a, k, c]);
+        for own in [a, k, c] {
+            by_length.remove(&key(before[own], own, after[own]));
+        }
+        (after[a], before[c]) = (c, a);
+        by_length.extend([a, c].map(|own| key(before[own], own, after[own])));
+        if k == first {
+            first = c;
+        }
     }
-    found.extend(<[usize; 3]>::try_from(left));
+    if by_length.len() == 3 {
+        found.push([first, after[first], before[first]]);
+    }
     found
 }
 
@@ -65,13 +101,7 @@ pub fn triangles_in_space(corners: &[Vec3<f64>]) -> Vec<[usize; 3]> {
     if let Some(from) = (0..n).find(has_sense) {
         return around(from).collect();
     }
-    let normal = unit(outside);
-    let steps = polygon_sides(corners).map(|[p, q]| q - p);
-    let along = steps.map(|step| unit(step - normal * step.dot(normal)));
-    let x = along.reduce(|a, b| if a == Vec3::zero() { b } else { a }).unwrap_or(Vec3::zero());
-    let y = normal.cross(x);
-    let flat: Vec<Point2> = corners.iter().map(|p| [p.dot(x), p.dot(y)]).collect();
-    ears(&flat)
+    ears_in_space(corners)
 }
 
 /// Normalises a vector; zero if it has no direction.
@@ -111,6 +141,35 @@ mod tests {
         let areas = || found.iter().map(|&[a, b, c]| turn(notched[a], notched[b], notched[c]));
         assert!(areas().all(|twice| twice >= 0.0), "{found:?}");
         assert_eq!((found.len(), areas().sum::<f64>()), (5, 16.0));
+    }
+
+    #[test]
+    fn many_corners_take_no_longer_than_their_square() {
+        // A comb, and the cap of a cylinder: to try all ears for each took minutes.
+        let comb = (0..10_000).map(|k| [f64::from(k), f64::from(1 + k % 2)]);
+        let comb: Vec<Point2> =
+            [[9_999.0, 0.0], [0.0, 0.0]].into_iter().chain(comb).rev().collect();
+        let area = |found: &[[usize; 3]], of: &[Point2]| -> f64 {
+            found.iter().map(|&[a, b, c]| turn(of[a], of[b], of[c])).sum()
+        };
+        let found = ears(&comb);
+        assert_eq!(found.len(), 10_000);
+        assert!((area(&found, &comb) - 2.0 * 1.5 * 9_999.0).abs() < 2.0);
+        let cap: Vec<Point2> = (0..10_000)
+            .map(|k| libm::sincos(f64::from(k) * std::f64::consts::TAU / 1e4))
+            .map(|(s, c)| [c, s])
+            .collect();
+        assert!((area(&ears(&cap), &cap) - std::f64::consts::TAU).abs() < 1e-5);
+    }
+
+    #[test]
+    fn far_away_a_polygon_has_the_same_triangles() {
+        let notched = [[0.0, 0.0], [0.4, 0.0], [0.4, 0.3], [0.2, 0.1], [0.1, 0.2], [0.0, 0.3]];
+        let at = |far: f64| {
+            let corners = notched.map(|[x, y]| Vec3::new(far + x, y - far, 2.0 * far));
+            ears_in_space(&corners)
+        };
+        assert_eq!(at(1e7), at(0.0));
     }
 
     #[test]

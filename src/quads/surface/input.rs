@@ -2,8 +2,7 @@
 //! the size of panels.
 
 use super::edges::Edges;
-use super::polygon;
-use crate::math::{Vec3, argsort, marked};
+use crate::math::{Vec3, argsort, ears_in_space, marked};
 use crate::mesh::{Mesh, Ragged, Topology, Weld, curvatures};
 use crate::quads::{RemeshError, Side};
 
@@ -191,7 +190,9 @@ fn triangulate(
             face.pop();
         }
         if face.len() >= 3 {
-            found.extend(polygon::triangles(&face, at).into_iter().map(|triangle| (triangle, f)));
+            let corners: Vec<Vec3<f64>> = face.iter().map(|&v| at(v)).collect();
+            let cut = ears_in_space(&corners).into_iter();
+            found.extend(cut.map(|triangle| (triangle.map(|k| face[k]), f)));
         }
     }
     let area = |[a, b, c]: [u32; 3]| (at(b) - at(a)).cross(at(c) - at(a)).length();

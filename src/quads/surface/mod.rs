@@ -2,7 +2,6 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `polygon` | triangles of a polygon |
 //! | `edges` | edges and neighbours of triangles |
 //! | `input` | connected parts of the input, oriented, with curvature |
 //! | `features` | creases |
@@ -16,7 +15,6 @@ mod cones;
 mod edges;
 mod features;
 mod input;
-mod polygon;
 mod prepare;
 mod refine;
 
