@@ -355,3 +355,35 @@ fn the_table_has_what_is_read_and_written() {
         "a.xyz: the format is not known; expected a file in the format .obj, .off, .mesh, .ply or .stl"
     );
 }
+
+#[test]
+fn off_and_medit_are_read_however_their_numbers_are_laid_on_lines() {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 2.0]];
+    let rows = |start: &str, between: &str, end: &str| {
+        let row = |c: &[f64; 3]| format!("{} {} {}{end}", c[0], c[1], c[2]);
+        start.to_owned() + &corners.iter().map(row).collect::<Vec<_>>().join(between)
+    };
+    // The number of edges on its own line was taken for the first coordinate.
+    let off = rows("OFF\n4 1\n4\n", "\n", "") + "\n4 0 1 2 3\n";
+    let apart = rows("OFF\n4\n1\n# edges\n\n4\n", "\n", "") + "\n4 0 1 2 3\n";
+    // Every second vertex was lost, or what followed was shifted by a reference.
+    let head = "MeshVersionFormatted 2\nDimension 3\nVertices\n4\n";
+    let faces = "\nTriangles\n2\n1 2 3 0 1 3 4 0\nEnd\n";
+    let usual = "\nTriangles\n2\n1 2 3 0\n1 3 4\n0\nEnd\n";
+    let medit = [
+        rows(head, "\n", " 0") + usual,
+        rows(head, " ", " 0") + faces,
+        rows(head, "\n", "\n0") + faces,
+        // Without references, and with more numbers than the format has.
+        rows(head, "\n", "") + "\nTriangles\n2\n1 2 3\n1 3 4\nEnd\n",
+        rows(head, "\n", " 0 7") + usual,
+    ];
+    let files = [("a.off", off), ("b.off", apart)].into_iter();
+    for (name, text) in files.chain(medit.map(|text| ("c.mesh", text))) {
+        let read = read(name, text.as_bytes()).expect("it is a mesh");
+        assert_eq!(read.mesh.positions, corners, "{text}");
+        let sizes: usize = read.mesh.faces.iter().map(<[u32]>::len).sum();
+        assert_eq!(sizes, if name == "c.mesh" { 6 } else { 4 }, "{text}");
+        assert!(read.notes.is_empty() && read.problems.is_empty(), "{text}");
+    }
+}

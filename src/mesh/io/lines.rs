@@ -29,6 +29,7 @@ pub(crate) fn lines(text: &str) -> Lines<'_> {
     Lines { rest: text, number: 0 }
 }
 
+#[derive(Clone)]
 pub(crate) struct Lines<'a> {
     rest: &'a str,
     number: usize,

@@ -34,7 +34,7 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
             "Vertices" => {
                 section = word;
                 let count = stream.count("the number of vertices")?;
-                stream.vertices(count, dimension, &mut builder)?;
+                stream.vertices(count, dimension, true, &mut builder)?;
                 continue;
             }
             "Edges" => (ElementKind::Curve, 2),
@@ -68,6 +68,7 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
             stream.element(
                 element,
                 corners,
+                true,
                 format_args!("row {row} of {count} of {word}"),
                 &mut builder,
             )?;

@@ -30,17 +30,20 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
     let mut stream = Stream::new(text);
     let vertices = vertex_count(&mut stream)?;
     let faces = stream.count("the number of faces")?;
-    stream.drop_line();
+    // The number of edges, which nobody needs.
+    if !stream.drop_line() {
+        stream.drop_lone_number();
+    }
 
     let mut builder = MeshBuilder::default();
-    let vertex_rests = stream.vertices(vertices, 3, &mut builder)?;
+    let vertex_rests = stream.vertices(vertices, 3, false, &mut builder)?;
     let mut face_rests = 0;
     for face in 1..=faces {
         let corners =
             stream.count(format_args!("the number of corners of face {face} of {faces}"))?;
         let what = format_args!("a corner of face {face} of {faces}");
         face_rests +=
-            usize::from(stream.element(ElementKind::Face, corners, what, &mut builder)?);
+            usize::from(stream.element(ElementKind::Face, corners, false, what, &mut builder)?);
     }
     if let Some(word) = stream.word() {
         let vertices = words::count(vertices, "vertex", "vertices");

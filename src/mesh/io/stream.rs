@@ -55,12 +55,40 @@ impl<'a> Stream<'a> {
         std::mem::replace(&mut self.words, words("")).next().is_some()
     }
 
-    /// Appends `count` vertices of `dimension` coordinates (two or three), skipping the rest of
-    /// each line; returns the number of lines with a rest.
+    /// Skips the next line if it is a whole number and nothing else.
+    pub(crate) fn drop_lone_number(&mut self) {
+        let mut lines = self.lines.clone();
+        let next = lines.find_map(|(_, text)| {
+            let mut words = words(text);
+            words.next().map(|word| (word, words.next()))
+        });
+        if let Some((word, None)) = next
+            && whole(word).is_some()
+        {
+            self.lines = lines;
+        }
+    }
+
+    /// Skips what follows the `width` numbers of a row: the rest of the line or, if `is_packed`, one
+    /// number, wherever it is, where rows may share a line. Returns whether there was a rest.
+    fn end_row(&mut self, width: usize, is_packed: bool) -> bool {
+        match self.words.clone().count() {
+            0 if is_packed => {
+                self.drop_lone_number();
+                false
+            }
+            rest if is_packed && rest % (width + 1) == 1 => self.words.next().is_some(),
+            _ => self.drop_line(),
+        }
+    }
+
+    /// Appends `count` vertices of `dimension` coordinates (two or three), skipping what follows each
+    /// as in [`Stream::element`]; returns the number of those with a rest.
     pub(crate) fn vertices(
         &mut self,
         count: usize,
         dimension: usize,
+        is_packed: bool,
         builder: &mut MeshBuilder,
     ) -> Result<usize, ReadFault> {
         let mut rests = 0;
@@ -70,17 +98,19 @@ impl<'a> Stream<'a> {
                 *coordinate = self.expect(format_args!("vertex {vertex} of {count}"))?;
             }
             builder.vertex(coordinates, self.line);
-            rests += usize::from(self.drop_line());
+            rests += usize::from(self.end_row(dimension, is_packed));
         }
         Ok(rests)
     }
 
     /// Defers an element with this number of corners; `what` describes it in errors. It may span
-    /// lines; the rest of its last line is skipped. Returns whether there was a rest.
+    /// lines; the rest of its last line is skipped or, if `is_packed`, only the number at the end of
+    /// the row. Returns whether there was a rest.
     pub(crate) fn element(
         &mut self,
         element: ElementKind,
         corners: usize,
+        is_packed: bool,
         what: impl Display,
         builder: &mut MeshBuilder,
     ) -> Result<bool, ReadFault> {
@@ -91,6 +121,6 @@ impl<'a> Stream<'a> {
             builder.defer_corner(whole(word));
         }
         builder.defer_element(element, Some(first_line.unwrap_or(self.line)));
-        Ok(self.drop_line())
+        Ok(self.end_row(corners, is_packed))
     }
 }
