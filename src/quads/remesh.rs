@@ -61,13 +61,18 @@ impl Remesher {
         Remesher::beside(mesh, &[])
     }
 
-    /// The same without some faces, which are to stay as they are. Panels beside them share no
-    /// vertices with them.
+    /// The same without some faces, which are to stay as they are, as do those with a vertex whose
+    /// position is a guess. Panels beside them share no vertices with them.
     ///
     /// # Errors
     /// If no part of the other faces is a surface.
     pub fn beside(mesh: &Mesh, stay: &[u32]) -> Result<Remesher, RemeshError> {
-        let InputParts { surfaces, left } = InputSurface::parts(mesh, stay)?;
+        let is_guess = |v: &u32| mesh.unplaced.binary_search(v).is_ok();
+        let guesses = (0..).zip(mesh.faces.iter()).filter(|(_, face)| face.iter().any(is_guess));
+        let mut stay: Vec<u32> = stay.iter().copied().chain(guesses.map(|(f, _)| f)).collect();
+        stay.sort_unstable();
+        stay.dedup();
+        let InputParts { surfaces, left } = InputSurface::parts(mesh, &stay)?;
         if surfaces.is_empty() {
             return Err(left.into_iter().next().map_or(RemeshError::Empty, |first| first.error));
         }
@@ -75,7 +80,6 @@ impl Remesher {
         // Curves and tetrahedra are not covered.
         let (positions, faces) = (mesh.positions.clone(), mesh.faces.clone());
         let mesh = Mesh { positions, faces, ..Mesh::default() };
-        let stay = stay.to_vec();
         Ok(Remesher { mesh, surfaces, area, left, stay, kept: Vec::new(), measured: None })
     }
 

@@ -49,6 +49,30 @@ fn a_tube_of_triangles_becomes_quads_along_its_lines_of_curvature() {
 }
 
 #[test]
+fn what_is_not_covered_is_in_the_file_as_it_came() {
+    // A panel with a hole, a curve and a group were left out without a word.
+    let folder = Folder::new("remesh-rest");
+    let count = tube().lines().filter(|line| line.starts_with("v ")).count();
+    let at = |k: usize| count + k;
+    let beside = [[5, 0], [9, 0], [9, 4], [5, 4], [6, 1], [8, 1], [8, 3], [6, 3]];
+    let beside: String = beside.iter().map(|[x, y]| format!("v {x} {y} 0\n")).collect();
+    let hole = [1, 2, 3, 4, 1, 5, 8, 7, 6, 5].map(|k| at(k).to_string()).join(" ");
+    let guess = format!("v 5 9 0\nv 9 9 0\nv nan 12 0\nf {} {} {}\n", at(9), at(10), at(11));
+    let rest = format!("{beside}f {hole}\nl {} {}\n{guess}", at(1), at(3));
+    folder.write("site.obj", format!("g skin\n{}g rest\n{rest}", tube()));
+    folder.run(&["remesh", "site.obj", "--quads", "200", "--out", "out.obj"]).done();
+    let made = shape_up::mesh::read("out.obj", folder.read("out.obj").as_bytes()).unwrap().mesh;
+    assert_eq!((made.untouched.len(), made.curves.len()), (1, 1));
+    assert_eq!(
+        made.faces.iter().filter(|face| face.len() == 3).count(),
+        1,
+        "the guess is no surface"
+    );
+    let names: Vec<&str> = made.groups.iter().map(|group| &*group.name).collect();
+    assert!(names.contains(&"skin") && names.contains(&"rest"), "{names:?}");
+}
+
+#[test]
 fn size_and_boundary_are_as_asked() {
     let folder = Folder::new("remesh-size");
     folder.write("tube.obj", tube());

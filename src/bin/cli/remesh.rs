@@ -4,7 +4,7 @@ use crate::cli::arguments::{apart, unknown};
 use crate::cli::words::{MESHES, Word, Words};
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::write_with_ending;
+use shape_up::mesh::{Edited, write_with_ending};
 use shape_up::quads::{
     Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, RemeshStage, Remeshed,
     direction_weight, follow_weight, remesh,
@@ -122,19 +122,19 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
     entered(RemeshStage::Verify);
     let found = found.map_err(|error| at_input(refusal(&error, &scene.units)))?;
     seconds.total = clock::now() - started;
-    if mesh.groups.len() + mesh.curves.len() > 0 {
-        remarks.push("groups and curves of the input are not carried over".to_owned());
+    let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
+    if let Some(out) = &asked.out {
+        // With the groups, curves and faces with holes of the input, as in the page.
+        let Edited { mesh: mut made, origins } = Edited::covering(&mesh, &found.mesh);
+        origins.carry(&mesh, &mut made);
+        let comments = UnitsAndUp::comments(&scene.units, Some(scene.up), &made);
+        let file = write_with_ending(&output::ending(out), &made, &made.positions, &comments);
+        files.push((out, file));
+        remarks.extend(output::left_out(out, &made));
     }
     let mut text = format!("{path}: {}\n", summary(&found, &scene.units));
     found.notes.iter().for_each(|note| text += &format!("note: {}\n", note.words));
     remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
-    let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
-    if let Some(out) = &asked.out {
-        let made = &found.mesh;
-        let comments = UnitsAndUp::comments(&scene.units, Some(scene.up), made);
-        let file = write_with_ending(&output::ending(out), made, &made.positions, &comments);
-        files.push((out, file));
-    }
     if let Some(to) = &asked.report {
         let note = |note: &shape_up::quads::RemeshNote| Note {
             words: note.words.clone(),
