@@ -7,7 +7,7 @@
 use super::model::{ViewError, sides_by_edge};
 use crate::view::camera::{Eye, Section};
 use crate::view::picking::DepthMap;
-use crate::view::state::{SHAPE_NUMBERS, ViewState};
+use crate::view::state::ViewState;
 use glam::{Vec2, Vec3};
 use std::fmt::Write;
 
@@ -85,10 +85,10 @@ pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
             .for_each(|ends| sight.draw([at(ends[0]), at(ends[1])], &[], false, &mut edges));
     }
     if display.shapes {
-        for circle in fitted(state) {
+        for (centre, radii) in state.circles() {
             let point = |k: usize| {
                 let (sin, cos) = (std::f32::consts::TAU * k as f32 / CHORDS as f32).sin_cos();
-                circle.centre + circle.radii[0] * cos + circle.radii[1] * sin
+                centre + radii[0] * cos + radii[1] * sin
             };
             (0..CHORDS)
                 .for_each(|k| sight.draw([point(k), point(k + 1)], &[], false, &mut circles));
@@ -245,22 +245,6 @@ fn forget_specks(seen: &mut [Seen], speck: usize) {
 fn line([start, end]: [Vec2; 2]) -> String {
     let pair = |Vec2 { x, y }: Vec2| format!("{x}{}{y}", if y < 0.0 { "" } else { " " });
     format!("M{}l{}", pair(start), pair(end - start))
-}
-
-/// A circle of the scene: centre, and two perpendicular radii.
-pub(super) struct Circle {
-    pub centre: Vec3,
-    pub radii: [Vec3; 2],
-}
-
-/// Returns the fitted circles of the scene.
-pub(super) fn fitted(state: &ViewState) -> impl Iterator<Item = Circle> + '_ {
-    let shapes = state.shapes().chunks_exact(SHAPE_NUMBERS);
-    shapes.filter(|shape| shape[0] == 0.0).map(|shape| {
-        let normal = Vec3::from_slice(&shape[4..7]);
-        let u = normal.any_orthonormal_vector() * shape[7];
-        Circle { centre: Vec3::from_slice(&shape[1..4]), radii: [u, normal.cross(u)] }
-    })
 }
 
 #[cfg(test)]

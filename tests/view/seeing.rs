@@ -5,7 +5,7 @@ use shape_up::view::appearance::LineKind;
 use shape_up::view::camera::CameraProjection;
 use shape_up::view::gizmo::DragDirection;
 use shape_up::view::overlay::SurfaceLines;
-use shape_up::view::state::{Outline, RegionMode, ViewState};
+use shape_up::view::state::{Display, Outline, RegionMode, ViewState};
 
 const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
 
@@ -43,6 +43,20 @@ fn seen_from_above_in_parallel_the_upper_floor_covers_the_lower_one_exactly() {
     assert_eq!(state.pick_face(CANVAS * 0.5), Some(1));
     state.preset("bottom").unwrap();
     assert_eq!(state.pick_face(CANVAS * 0.5), Some(0));
+}
+
+#[test]
+fn a_circle_much_larger_than_the_model_is_in_front_of_the_eye_and_within_its_depth() {
+    // That of a shallow arc was cut off where it left the depth of the model.
+    let mut state = parallel();
+    let circle = [0.0, 5.0, 5.0, 4.0, 0.0, 0.0, 1.0, 80.0];
+    let [(near, far), (before, behind)] = [true, false].map(|shows| {
+        state.set_display(Display { shapes: shows, ..state.display() });
+        state.set_shapes(&circle).unwrap();
+        state.depth_range()
+    });
+    assert!(far - near > 100.0 && near > 0.0, "{near} {far}");
+    assert!(behind - before < 40.0, "{before} {behind}");
 }
 
 #[test]

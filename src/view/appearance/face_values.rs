@@ -187,14 +187,20 @@ impl Appearance {
     /// An index out of range.
     pub fn select(
         &mut self,
-        vertices: Vec<u32>,
+        mut vertices: Vec<u32>,
         faces: Vec<u32>,
         (vertex_count, face_count): (usize, usize),
     ) -> Result<(), ViewError> {
         check_indices("selected vertices", &vertices, vertex_count)?;
         check_indices("selected faces", &faces, face_count)?;
+        vertices.sort_unstable();
         (self.selected_vertices, self.selected_faces) = (vertices, faces);
         Ok(())
+    }
+
+    /// Whether a vertex is selected.
+    pub fn is_selected(&self, vertex: u32) -> bool {
+        self.selected_vertices.binary_search(&vertex).is_ok()
     }
 
     /// Sets the vertices and faces that are marked as members of a constraint.

@@ -68,14 +68,35 @@ impl RenderMesh {
         Ok(mesh)
     }
 
-    /// Moves the vertices; `coordinates` as in [`RenderMesh::new`].
+    /// Moves the vertices; `coordinates` as in [`RenderMesh::new`]. Returns whether faces have other
+    /// triangles now.
     ///
     /// # Errors
     /// A wrong number of vertices, or a coordinate that is not finite. Nothing has moved then.
-    pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
+    pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<bool, ViewError> {
         check_length("positions", coordinates.len(), self.exact.len() * 3)?;
         self.place(read_points(coordinates)?);
-        Ok(())
+        Ok(self.renew_triangles())
+    }
+
+    /// Cuts the faces anew of which a triangle is turned over, since a corner has passed a diagonal;
+    /// returns whether there were any. A face keeps the number of its triangles.
+    fn renew_triangles(&mut self) -> bool {
+        let mut renewed = false;
+        let mut rest = &mut self.triangles[..];
+        for (face, outside) in self.faces.iter().zip(&self.normals.faces) {
+            let own;
+            (own, rest) = rest.split_at_mut(face.len().saturating_sub(2));
+            let is_turned =
+                |own: &[u32; 3]| newell_normal(&self.positions, own).dot(*outside) < 0.0;
+            if face.len() > 3 && own.iter().any(is_turned) {
+                let mut cut = Vec::with_capacity(own.len());
+                triangulate(&self.positions, face, &mut cut);
+                renewed |= *own != *cut;
+                own.copy_from_slice(&cut);
+            }
+        }
+        renewed
     }
 
     fn place(&mut self, exact: Vec<DVec3>) {
@@ -236,6 +257,20 @@ mod tests {
         assert_eq!(stray.centre, there.centre);
         assert_eq!(stray.positions[..4], there.positions);
         assert!(stray.used_positions().eq(there.used_positions()));
+    }
+
+    #[test]
+    fn a_corner_that_passes_a_diagonal_has_other_triangles_and_back() {
+        // The notch was drawn and picked as if it were filled, until the file was opened again.
+        let mut mesh = square(DVec3::ZERO);
+        let given = mesh.triangles.clone();
+        let mut notched: Vec<f64> = mesh.exact.iter().flat_map(|p| p.to_array()).collect();
+        notched[3..6].copy_from_slice(&[0.4, 0.6, 0.0]);
+        assert_eq!(mesh.set_positions(&notched), Ok(true));
+        let again = RenderMesh::new(mesh.faces.clone(), Lists::default(), &notched).unwrap();
+        assert_eq!(mesh.triangles, again.triangles);
+        assert_ne!(mesh.triangles, given);
+        assert_eq!(mesh.set_positions(&notched), Ok(false));
     }
 
     #[test]

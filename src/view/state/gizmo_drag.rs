@@ -9,7 +9,7 @@ impl ViewState {
     /// Returns the gizmo, at the mean target of the selected handles; none if it is switched off or
     /// no handle is selected.
     pub fn gizmo(&self) -> Option<Gizmo> {
-        let middle = self.middle_of_chosen().filter(|_| self.gizmo.shown)?;
+        let middle = self.gizmo.shown.then(|| self.middle_of_chosen())??;
         Gizmo::new(&self.viewpoint.camera, middle, self.gizmo.touch)
     }
 
@@ -60,11 +60,12 @@ impl ViewState {
 
     /// Returns the mean target of the selected handles, relative to the view's centre.
     fn middle_of_chosen(&self) -> Option<Vec3> {
-        let selected = &self.look.appearance.selected_vertices;
-        if selected.is_empty() {
+        let appearance = &self.look.appearance;
+        if appearance.selected_vertices.is_empty() {
             return None;
         }
-        let chosen = self.content.handles.iter().filter(|handle| selected.contains(&handle.vertex));
+        let handles = self.content.handles.iter();
+        let chosen = handles.filter(|handle| appearance.is_selected(handle.vertex));
         let targets: Vec<DVec3> = chosen.map(|handle| handle.target).collect();
         let sum: DVec3 = targets.iter().sum();
         (!targets.is_empty()).then(|| self.content.mesh.relative(sum / targets.len() as f64))

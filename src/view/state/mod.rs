@@ -99,7 +99,7 @@ impl ViewState {
     /// # Errors
     /// A wrong number of vertices, or a coordinate that is not finite.
     pub fn set_positions(&mut self, coordinates: &[f64]) -> Result<(), ViewError> {
-        self.content.mesh.set_positions(coordinates)?;
+        self.changes.mesh |= self.content.mesh.set_positions(coordinates)?;
         self.changes.positions = true;
         self.viewpoint.forget_depth();
         self.keep_reach();
@@ -165,7 +165,18 @@ impl ViewState {
             self.content.shapes.extend(row[4..].iter().map(|&x| x as f32));
         }
         self.changes.shapes = true;
+        self.keep_reach();
         Ok(())
+    }
+
+    /// Returns the fitted circles: the centre, and two perpendicular radii.
+    pub(crate) fn circles(&self) -> impl Iterator<Item = (Vec3, [Vec3; 2])> + '_ {
+        let shapes = self.content.shapes.chunks_exact(SHAPE_NUMBERS);
+        shapes.filter(|shape| shape[0] == 0.0).map(|shape| {
+            let normal = Vec3::from_slice(&shape[4..7]);
+            let u = normal.any_orthonormal_vector() * shape[7];
+            (Vec3::from_slice(&shape[1..4]), [u, normal.cross(u)])
+        })
     }
 
     /// Sets the projections of the constraints.

@@ -74,6 +74,7 @@ impl ViewState {
     pub fn set_display(&mut self, display: Display) {
         self.changes.view |= display != self.look.display;
         self.look.display = display;
+        self.keep_reach();
     }
 
     /// Colours faces by `values` (#F) on a scale; `None` restores the plain material.

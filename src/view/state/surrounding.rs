@@ -70,7 +70,13 @@ impl ViewState {
     fn drawn_beside(&self) -> impl Iterator<Item = Vec3> + '_ {
         let mesh = &self.content.mesh;
         let points = mesh.used_of(self.ghost()).chain(mesh.used_of(&self.layer.points));
-        self.targets().chain(self.grid()).chain(points.map(|point| mesh.relative(point)))
+        // Of a shallow arc the circle is much larger than the model.
+        let circles = self
+            .circles()
+            .filter(|_| self.look.display.shapes)
+            .flat_map(|(centre, [a, b])| [a + b, a - b, b - a, -a - b].map(|to| centre + to));
+        let points = points.map(|point| mesh.relative(point));
+        self.targets().chain(self.grid()).chain(points).chain(circles)
     }
 
     /// Returns the lines of ghost and grid: their ends among [`ViewState::surrounding_points`], and

@@ -89,8 +89,7 @@ fn marks(state: &ViewState) -> Vec<[u32; 3]> {
         let handles = state.handles().iter().filter(|handle| handle.kind == kind);
         dots.extend(handles.map(|handle| dot(handle.vertex, kind)));
     }
-    let chosen =
-        state.handles().iter().filter(|h| appearance.selected_vertices.contains(&h.vertex));
+    let chosen = state.handles().iter().filter(|handle| appearance.is_selected(handle.vertex));
     dots.extend(chosen.map(|handle| dot(handle.vertex, DotKind::Chosen)));
     dots.extend(state.tape().iter().map(|&end| dot(end, DotKind::Tape)));
     dots
