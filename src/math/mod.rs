@@ -11,6 +11,7 @@
 //! | `alignment`, `orthogonal_pair` | the closest rotation and scale, the closest square frame |
 //! | `round`, `round_within`, `circle_fit` | fitted circles and spheres |
 //! | `nearest_centre` | the closest circle or sphere of a given radius, searched from many starts |
+//! | `nearest_points` | the nearest of many points |
 //! | `product` | the closest numbers with a given product |
 //! | `polygon`, `unit_polygon` | sides and corners of polygons, regular polygons |
 //! | `plane` | points and vectors of the plane, area of a polygon |
@@ -29,6 +30,7 @@ mod elementary;
 mod indices;
 mod lane;
 mod nearest_centre;
+mod nearest_points;
 mod orthogonal_pair;
 pub mod plane;
 mod polygon;
@@ -51,6 +53,7 @@ pub use eigenvector::Eigenvector;
 pub use elementary::{angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, sine};
 pub use indices::{argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};
+pub use nearest_points::NearestPoints;
 pub use orthogonal_pair::OrthogonalPair;
 pub use polygon::{plane_frame, polygon_corners, polygon_sides, twice_vector_area};
 pub use principal::PrincipalAxes;

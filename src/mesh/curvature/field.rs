@@ -39,6 +39,8 @@ pub struct CurvatureField {
     /// The face that each triangle belongs to.
     faces: Vec<u32>,
     normals: Vec<Vec3<f64>>,
+    /// The first triangle with an area at each point, `#points`; [`NONE`] without one.
+    first_triangle: Vec<u32>,
     /// The triangles across the sides of each triangle; side 0 is from corner 0 to corner 1.
     beyond: Vec<[u32; 3]>,
     mean_edge: f64,
@@ -81,11 +83,18 @@ impl CurvatureField {
             beyond: vec![[NONE; 3]; triangles.len()],
             triangles,
             faces,
+            first_triangle: Vec::new(),
             mean_edge,
             diameter,
         };
         field.join();
         field.orient();
+        field.first_triangle = vec![NONE; field.points.len()];
+        for (triangle, corners) in field.triangles.iter().enumerate().rev() {
+            if field.normals[triangle] != Vec3::zero() {
+                corners.iter().for_each(|&v| field.first_triangle[v as usize] = triangle as u32);
+            }
+        }
         field
     }
 
@@ -121,10 +130,8 @@ impl CurvatureField {
 
     /// Returns the point at a vertex, in its first triangle with an area; `None` if there is none.
     pub fn at_vertex(&self, vertex: u32) -> Option<SurfacePoint> {
-        let around = (0..).zip(&self.triangles).filter(|(_, corners)| corners.contains(&vertex));
-        let mut points =
-            around.map(|(triangle, _)| SurfacePoint { triangle, at: self.points[vertex as usize] });
-        points.find(|&point| self.normal(point) != Vec3::zero())
+        let triangle = *self.first_triangle.get(vertex as usize).filter(|&&of| of != NONE)?;
+        Some(SurfacePoint { triangle, at: self.points[vertex as usize] })
     }
 
     /// Returns the centre of a face; `None` if it has no area.

@@ -3,7 +3,7 @@
 use super::origins::{Combinations, Edited, Origins};
 use crate::math::polygon_sides;
 use crate::mesh::{Group, Mesh, Point, Ragged, Topology};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A mesh under construction, initially without faces. Until it is finished, old vertices keep
 /// their indices and new ones follow them; finishing removes the vertices that are no longer used.
@@ -213,8 +213,16 @@ fn mean(mesh: &Mesh, vertices: &[u32]) -> Vertex {
 
 /// Whether a face visits a vertex twice.
 pub(super) fn has_twice(face: &[u32]) -> bool {
-    (1..face.len()).any(|k| face[..k].contains(&face[k]))
+    if face.len() <= FEW_CORNERS {
+        return (1..face.len()).any(|k| face[..k].contains(&face[k]));
+    }
+    let mut corners = face.to_vec();
+    corners.sort_unstable();
+    corners.windows(2).any(|pair| pair[0] == pair[1])
 }
+
+/// In faces of at most this many corners a corner is looked for one by one.
+const FEW_CORNERS: usize = 32;
 
 /// Returns the faces around a vertex in cyclic order; `None` if they are not a single fan of
 /// consistently oriented faces.
@@ -229,17 +237,21 @@ pub(super) fn around(mesh: &Mesh, topology: &Topology, v: u32) -> Option<Vec<Ste
     };
     let all: Vec<Step> = faces.iter().map(|&face| step(face)).collect::<Option<_>>()?;
     // Begin at the face without a predecessor, or anywhere if the fan is closed.
-    let leads_to = |end: u32| all.iter().filter(|step| step.back == end).count();
-    let first = all.iter().find(|step| leads_to(step.out) == 0).or(all.first())?;
+    let backs: BTreeSet<u32> = all.iter().map(|step| step.back).collect();
+    let first = all.iter().find(|step| !backs.contains(&step.out)).or(all.first())?;
+    let mut by_out: BTreeMap<u32, &Step> = BTreeMap::new();
+    if all.iter().any(|step| by_out.insert(step.out, step).is_some()) {
+        // Two faces begin with the same edge.
+        return None;
+    }
     let mut at = *first;
     loop {
         steps.push(at);
-        let mut next = all.iter().filter(|step| step.out == at.back);
-        match (next.next(), next.next()) {
-            (None, _) => break,
-            (Some(next), None) if next.face == first.face => break,
-            (Some(next), None) if steps.len() < all.len() => at = *next,
-            _ => return None,
+        match by_out.get(&at.back) {
+            None => break,
+            Some(next) if next.face == first.face => break,
+            Some(next) if steps.len() < all.len() => at = **next,
+            Some(_) => return None,
         }
     }
     (steps.len() == all.len()).then_some(steps)

@@ -1,6 +1,6 @@
 //! Sharp edges (the boundary and creases) and corners, which a subdivision keeps.
 
-use crate::math::{Vec3, angle_between, polygon_sides, twice_vector_area};
+use crate::math::{Vec3, angle_between, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
 
 pub(super) struct Sharp {
@@ -19,16 +19,15 @@ impl Sharp {
         let most = degrees.to_radians();
         let normals: Vec<Vec3<f64>> =
             mesh.faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v)))).collect();
-        let ends = topology.edges().iter().zip(topology.edge_faces().iter());
-        let is_sharp = |(ends, faces): (&[u32; 2], &[u32])| match *faces {
+        let is_sharp = |(e, faces): (u32, &[u32])| match *faces {
             [f, g] => {
-                let [along, against] = [f, g].map(|face| runs(mesh.faces.row(face as usize), ends));
-                let turned = if along == against { -1.0 } else { 1.0 };
+                let ascends = topology.edge_ascends(e);
+                let turned = if ascends[0] == ascends[1] { -1.0 } else { 1.0 };
                 turns(normals[f as usize], normals[g as usize] * turned, most)
             }
             _ => true,
         };
-        let edges: Vec<bool> = ends.map(is_sharp).collect();
+        let edges: Vec<bool> = (0..).zip(topology.edge_faces().iter()).map(is_sharp).collect();
         let is_corner = |v: u32| match *sharp_neighbours(&edges, topology, v) {
             // A sharp edge that ends inside the surface does not make a corner.
             [] | [_] => topology.vertex_faces().row(v as usize).is_empty(),
@@ -68,9 +67,4 @@ fn sharp_neighbours(edges: &[bool], topology: &Topology, v: u32) -> Vec<u32> {
 /// Whether the angle between two directions exceeds `most`, in radians; false for a zero vector.
 fn turns(a: Vec3<f64>, b: Vec3<f64>, most: f64) -> bool {
     angle_between(a, b).is_some_and(|angle| angle > most)
-}
-
-/// Whether a face traverses an edge from its first to its second end.
-fn runs(face: &[u32], ends: &[u32; 2]) -> bool {
-    polygon_sides(face).any(|side| side == *ends)
 }

@@ -1,7 +1,7 @@
 //! Dihedral angles, between the normals of two faces with a common edge, and faces that a
 //! deformation has folded over.
 
-use crate::math::{Vec3, angle, polygon_sides, twice_vector_area};
+use crate::math::{Vec3, angle, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged, Topology};
 
 /// Two faces with a common edge.
@@ -13,18 +13,11 @@ pub(super) struct Neighbours {
 
 impl Neighbours {
     /// Returns the two faces of each edge that has two.
-    pub(super) fn all<'a>(
-        mesh: &'a Mesh,
-        topology: &'a Topology,
-    ) -> impl Iterator<Item = Neighbours> + 'a {
-        let pairs = topology.edge_faces().iter().zip(topology.edges());
-        pairs.filter_map(|(faces, &[start, end])| {
+    pub(super) fn all<'a>(topology: &'a Topology) -> impl Iterator<Item = Neighbours> + 'a {
+        (0..).zip(topology.edge_faces().iter()).filter_map(|(e, faces)| {
             let &[a, b] = faces else { return None };
-            let runs = |face: u32| {
-                polygon_sides(mesh.faces.row(face as usize))
-                    .any(|[from, to]| [from, to] == [start, end])
-            };
-            let sign = if runs(a) == runs(b) { -1.0 } else { 1.0 };
+            let ascends = topology.edge_ascends(e);
+            let sign = if ascends[0] == ascends[1] { -1.0 } else { 1.0 };
             Some(Neighbours { faces: [a, b], sign })
         })
     }
@@ -57,7 +50,7 @@ fn unit_normals(faces: &Ragged, at: &[Point]) -> Vec<Vec3<f64>> {
 pub fn mean_dihedral_angle(mesh: &Mesh, topology: &Topology, at: &[Point]) -> f64 {
     let normals = unit_normals(&mesh.faces, at);
     let (mut sum, mut count) = (0.0, 0.0);
-    for angle in Neighbours::all(mesh, topology).filter_map(|pair| pair.angle(&normals)) {
+    for angle in Neighbours::all(topology).filter_map(|pair| pair.angle(&normals)) {
         sum += angle;
         count += 1.0;
     }
@@ -85,7 +78,7 @@ pub fn folded_faces(mesh: &Mesh, topology: &Topology, now: &[Point]) -> Vec<u32>
             reversed.any(|(was, is)| was.abs() > TURN && is.abs() > TURN)
         })
         .collect();
-    for pair in Neighbours::all(mesh, topology) {
+    for pair in Neighbours::all(topology) {
         if pair.cosine(&before) > SMOOTH && pair.cosine(&after) < FOLDED {
             pair.faces.iter().for_each(|&face| is_folded[face as usize] = true);
         }

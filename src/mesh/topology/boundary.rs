@@ -5,23 +5,25 @@
 //! number. Walks through the graph are cut wherever they meet themselves, which always gives simple
 //! loops.
 
-use crate::math::polygon_sides;
-use crate::mesh::{Mesh, Ragged};
+use crate::mesh::Ragged;
 
 /// See [`crate::mesh::Topology::boundary_loops`].
 pub(crate) fn boundary_loops(
-    mesh: &Mesh,
+    n_vertices: usize,
     edges: &[[u32; 2]],
     vertex_edges: &Ragged,
-    edge_faces: &Ragged,
+    (edge_faces, ascends): (&Ragged, &[bool]),
 ) -> Ragged {
-    let n_vertices = mesh.positions.len();
     let mut walk = Walk {
         edges,
         vertex_edges,
         // Edges that are not on the boundary count as walked.
         walked: edge_faces.iter().map(|faces| faces.len() != 1).collect(),
-        from_first: runs_from_first(mesh, edges, edge_faces),
+        from_first: edge_faces
+            .offsets()
+            .iter()
+            .map(|&first| ascends.get(first as usize) == Some(&true))
+            .collect(),
         path: Vec::new(),
         path_index: vec![None; n_vertices],
         loops: Ragged::new(),
@@ -34,32 +36,6 @@ pub(crate) fn boundary_loops(
         }
     }
     walk.loops
-}
-
-/// In faces of at most this many corners, a side is found by linear search.
-const FEW_CORNERS: usize = 32;
-
-/// Returns for each edge whether it is a boundary edge that its face traverses from the lower to
-/// the higher end.
-fn runs_from_first(mesh: &Mesh, edges: &[[u32; 2]], edge_faces: &Ragged) -> Vec<bool> {
-    let only_face = |e: usize| match edge_faces.row(e) {
-        &[face] => Some(mesh.faces.row(face as usize)),
-        _ => None,
-    };
-    let runs = |(e, ends): (usize, &[u32; 2])| {
-        only_face(e)
-            .filter(|face| face.len() <= FEW_CORNERS)
-            .is_some_and(|face| polygon_sides(face).any(|side| side == *ends))
-    };
-    let mut from_first: Vec<bool> = edges.iter().enumerate().map(runs).collect();
-    for face in mesh.faces.iter().filter(|face| face.len() > FEW_CORNERS) {
-        for side in polygon_sides(face).filter(|[a, b]| a < b) {
-            if let Ok(e) = edges.binary_search(&side) {
-                from_first[e] = only_face(e).is_some();
-            }
-        }
-    }
-    from_first
 }
 
 struct Walk<'a> {

@@ -26,6 +26,9 @@ pub struct Topology {
     neighbours: Ragged,
     vertex_edges: Ragged,
     edge_faces: Ragged,
+    /// For each entry of `edge_faces`, whether the face traverses the edge from its first to its second
+    /// end. Stored, since to look for an edge among the sides of a face takes long in large faces.
+    ascends: Vec<bool>,
     vertex_faces: Ragged,
     boundary_loops: Ragged,
     triangle_mesh: bool,
@@ -40,6 +43,8 @@ impl Topology {
         let sides = sides(mesh);
         let mut edges = Vec::new();
         let mut edge_faces = Ragged::new();
+        let of_faces = sides.iter().filter(|side| side.face.is_some());
+        let ascends: Vec<bool> = of_faces.map(|side| side.ascends).collect();
         for same in sides.chunk_by(|a, b| a.ends == b.ends) {
             edges.push(same[0].ends);
             let faces: Vec<u32> = same.iter().filter_map(|side| side.face).collect();
@@ -62,7 +67,8 @@ impl Topology {
         let distinct: Vec<(u32, u32)> =
             corners.filter(|&(v, f)| last_face[v as usize].replace(f) != Some(f)).collect();
         let vertex_faces = gather(n_vertices, distinct.iter().copied());
-        let boundary_loops = boundary::boundary_loops(mesh, &edges, &vertex_edges, &edge_faces);
+        let boundary_loops =
+            boundary::boundary_loops(n_vertices, &edges, &vertex_edges, (&edge_faces, &ascends));
         let quads = mesh.faces.iter().filter(|face| face.len() == 4).count();
         Topology {
             triangle_mesh: !mesh.faces.is_empty()
@@ -73,6 +79,7 @@ impl Topology {
             neighbours,
             vertex_edges,
             edge_faces,
+            ascends,
             vertex_faces,
             boundary_loops,
         }
@@ -105,6 +112,12 @@ impl Topology {
     /// or more is not manifold. A face that traverses the edge twice is listed twice.
     pub fn edge_faces(&self) -> &Ragged {
         &self.edge_faces
+    }
+    /// For each face of edge `e`, in the order of [`Topology::edge_faces`], whether it traverses the edge
+    /// from its first to its second end. Two faces that agree in that face opposite ways.
+    pub fn edge_ascends(&self, e: u32) -> &[bool] {
+        let [from, to] = [e, e + 1].map(|e| self.edge_faces.offsets()[e as usize] as usize);
+        &self.ascends[from..to]
     }
     /// Mean length of an edge at `positions`, `#V by 3`, in their unit; zero without edges.
     pub fn mean_edge(&self, positions: &[Point]) -> f64 {
@@ -182,6 +195,8 @@ struct Side {
     ends: [u32; 2],
     /// `None` for curves and tetrahedra.
     face: Option<u32>,
+    /// Whether it is traversed from the lower vertex to the higher.
+    ascends: bool,
 }
 
 /// Returns all sides, sorted by ends, then by face.
@@ -200,7 +215,7 @@ fn sides(mesh: &Mesh) -> Vec<Side> {
         .chain(of_tets)
         .chain(of_faces)
         .filter(|(a, b, _)| a != b)
-        .map(|(a, b, face)| Side { ends: [a.min(b), a.max(b)], face })
+        .map(|(a, b, face)| Side { ends: [a.min(b), a.max(b)], face, ascends: a < b })
         .collect();
     let order = argsort(sides.iter().map(|side| key_of_pair(side.ends)));
     order.into_iter().map(|side| sides[side as usize]).collect()

@@ -21,6 +21,7 @@ const ROUNDS: usize = 10;
 /// Lets the nodes of faces glide. Those on the boundary and on features stay.
 pub(super) fn glide(surface: &Triangulation, nodes: &mut [Node], faces: &[Vec<usize>]) {
     let holds = holds(surface, nodes);
+    let first = first_triangles(surface);
     let mut moved: Vec<Node> = nodes.to_vec();
     for _ in 0..STEPS {
         let mut sums = vec![(Vec3::zero(), 0.0); nodes.len()];
@@ -38,7 +39,7 @@ pub(super) fn glide(surface: &Triangulation, nodes: &mut [Node], faces: &[Vec<us
         }
         for (k, (sum, count)) in sums.into_iter().enumerate() {
             if !holds[k] && count > 0.0 {
-                let start = triangle(surface, &moved[k]);
+                let start = triangle(&first, &moved[k]);
                 let (triangle, position) = walk(surface, start, sum * (1.0 / count));
                 moved[k] = Node { place: Place::Inside(triangle), position, ..moved[k] };
             }
@@ -88,13 +89,19 @@ pub(super) fn holds(surface: &Triangulation, nodes: &[Node]) -> Vec<bool> {
     nodes.iter().map(stays).collect()
 }
 
-/// A triangle that contains a node.
-fn triangle(surface: &Triangulation, node: &Node) -> usize {
+/// The first triangle at each vertex.
+fn first_triangles(surface: &Triangulation) -> Vec<usize> {
+    let mut first = vec![usize::MAX; surface.positions.len()];
+    for (t, corners) in surface.triangles.iter().enumerate().rev() {
+        corners.iter().for_each(|&v| first[v] = t);
+    }
+    first
+}
+
+/// A triangle that contains a node; `first` is that of each vertex.
+fn triangle(first: &[usize], node: &Node) -> usize {
     match node.place {
         Place::Inside(triangle) | Place::Side(Side { triangle, .. }) => triangle,
-        Place::Vertex(v) => {
-            let has = |corners: &[usize; 3]| corners.contains(&v);
-            surface.triangles.iter().position(has).expect("a node lies on the surface")
-        }
+        Place::Vertex(v) => first[v],
     }
 }

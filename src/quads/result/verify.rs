@@ -3,6 +3,7 @@
 
 use crate::mesh::components;
 use crate::quads::fault::ResultFault;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The shape of a surface as far as deformations keep it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,11 +120,14 @@ fn parts<F: AsRef<[usize]>>(faces: &[F]) -> usize {
 /// in one fan.
 fn is_fan(around: &[(usize, usize, usize)]) -> bool {
     // The corner whose face comes next counterclockwise begins where this one ends.
-    let begins = |node: usize| around.iter().position(|&(_, first, _)| first == node);
-    let ends = |node: usize| around.iter().any(|&(_, _, last)| last == node);
-    let start = around.iter().position(|&(_, first, _)| !ends(first)).unwrap_or(0);
+    let mut begins = BTreeMap::new();
+    for (corner, &(_, first, _)) in around.iter().enumerate() {
+        begins.entry(first).or_insert(corner);
+    }
+    let ends: BTreeSet<usize> = around.iter().map(|&(_, _, last)| last).collect();
+    let start = around.iter().position(|(_, first, _)| !ends.contains(first)).unwrap_or(0);
     let (mut at, mut walked) = (start, 1);
-    while let Some(next) = begins(around[at].2) {
+    while let Some(&next) = begins.get(&around[at].2) {
         if next == start || walked > around.len() {
             break;
         }

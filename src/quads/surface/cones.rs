@@ -4,6 +4,7 @@
 
 use crate::math::{Vec3, angle_between, cosine, sine};
 use crate::quads::{Side, Triangulation};
+use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Wedges below this angle, in radians, are opened: 55 degrees.
@@ -61,7 +62,7 @@ fn open(
     let apex = surface.at(first.triangle, first.side);
     let [Some(a), Some(b)] = wedge.sides.map(|side| side.length_and_direction().1) else { return };
     let mut queue = wedge.triangles.clone();
-    let mut seen = queue.clone();
+    let mut seen: BTreeSet<usize> = queue.iter().copied().collect();
     while let Some(t) = queue.pop() {
         let centre = (surface.at(t, 0) + surface.at(t, 1) + surface.at(t, 2)) * (1.0 / 3.0) - apex;
         let (distance, Some(d)) = centre.length_and_direction() else { continue };
@@ -76,8 +77,7 @@ fn open(
         directions[t] = Some(flat * cosine(turn) + normal.cross(flat) * sine(turn));
         for side in (0..3).map(|side| Side { triangle: t, side }) {
             let Some(next) = surface.across(side) else { continue };
-            if !surface.is_feature(side) && !seen.contains(&next.triangle) {
-                seen.push(next.triangle);
+            if !surface.is_feature(side) && seen.insert(next.triangle) {
                 queue.push(next.triangle);
             }
         }

@@ -126,8 +126,8 @@ impl Elements<'_> {
                 };
                 let next = if first == face { second } else { first };
                 // Faces that run the same way along their edge have opposite orientations.
-                let other = self.mesh.faces.row(next as usize);
-                let same_way = polygon_sides(other).any(|side| side == [a, b]);
+                let ascends = self.topology.edge_ascends(edge);
+                let same_way = ascends[0] == ascends[1];
                 let (n, m) = (normals[face as usize], normals[next as usize]);
                 let cosine = if same_way { -n.dot(m) } else { n.dot(m) };
                 if !marks[next as usize] && cosine >= least && m.dot(m) > 0.0 {

@@ -1,6 +1,6 @@
 //! A mirror plane or a rotation axis, and the pairing of points that are images of each other.
 
-use crate::math::{UnitPolygon, Vec3, argsort, key_of_number};
+use crate::math::{NearestPoints, UnitPolygon, Vec3, argsort, key_of_number};
 
 /// The symmetries of a mirror plane or of an n-fold axis through the origin.
 #[derive(Clone, Debug)]
@@ -54,14 +54,14 @@ impl SymmetryGroup {
         }
         let points: Vec<_> =
             points.iter().map(|p| Vec3::new(p.x / extent, p.y / extent, p.z / extent)).collect();
-        let sorted = Sorted::new(&points);
+        let tree = NearestPoints::new(&points);
         let mut shift = Vec3::zero();
         let mut nearest = Vec::new();
         for _ in 0..ROUNDS {
             nearest.clear();
             for (i, p) in points.iter().enumerate() {
                 let image = self.image(1, *p) + shift;
-                let j = sorted.nearest(image, i);
+                let j = tree.nearest(image, i);
                 nearest.push((j, points[j] - image));
             }
             let off = self.across(median(nearest.iter().map(|(_, off)| *off)));
@@ -90,52 +90,6 @@ fn median(vectors: impl Iterator<Item = Vec3<f64>> + Clone) -> Vec3<f64> {
         all[argsort(all.iter().map(|&x| key_of_number(x)))[all.len() / 2] as usize]
     };
     Vec3::new(middle(|v| v.x), middle(|v| v.y), middle(|v| v.z))
-}
-
-/// Points sorted by the coordinate with the greatest spread.
-struct Sorted<'a> {
-    points: &'a [Vec3<f64>],
-    coordinate: fn(Vec3<f64>) -> f64,
-    order: Vec<usize>,
-}
-
-impl<'a> Sorted<'a> {
-    fn new(points: &'a [Vec3<f64>]) -> Self {
-        let coordinates: [fn(Vec3<f64>) -> f64; 3] = [|v| v.x, |v| v.y, |v| v.z];
-        let spread = |coordinate: fn(Vec3<f64>) -> f64| {
-            let all = points.iter().map(|p| coordinate(*p));
-            let (low, high) = all.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-                (low.min(x), high.max(x))
-            });
-            high - low
-        };
-        let coordinate =
-            coordinates.into_iter().reduce(|a, b| if spread(b) > spread(a) { b } else { a });
-        let coordinate = coordinate.expect("space has three coordinates");
-        let order = argsort(points.iter().map(|p| key_of_number(coordinate(*p))));
-        let order = order.into_iter().map(|i| i as usize).collect();
-        Sorted { points, coordinate, order }
-    }
-
-    /// Returns the point nearest to `place`; `own` if no other is nearer.
-    fn nearest(&self, place: Vec3<f64>, own: usize) -> usize {
-        let at = (self.coordinate)(place);
-        let middle = self.order.partition_point(|&i| (self.coordinate)(self.points[i]) < at);
-        let mut best = ((self.points[own] - place).length_squared(), own);
-        let (below, above) = self.order.split_at(middle);
-        // Searches on both sides until the coordinate alone exceeds the least distance.
-        let mut consider = |&i: &usize| {
-            let away = (self.coordinate)(self.points[i]) - at;
-            let distance = (self.points[i] - place).length_squared();
-            if distance < best.0 {
-                best = (distance, i);
-            }
-            away * away <= best.0
-        };
-        let _ = above.iter().all(&mut consider);
-        let _ = below.iter().rev().all(&mut consider);
-        best.1
-    }
 }
 
 #[cfg(test)]

@@ -91,16 +91,13 @@ fn open_sides(task: &Task<'_>) -> Vec<Open> {
     let is_picked = task.picked_vertices();
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
     let mut sides = Vec::new();
-    for (&[a, b], faces) in topology.edges().iter().zip(topology.edge_faces().iter()) {
+    for ((&[a, b], faces), e) in topology.edges().iter().zip(topology.edge_faces().iter()).zip(0..)
+    {
         let (&[face], true) = (faces, is_picked[a as usize] && is_picked[b as usize]) else {
             continue;
         };
         let corners = mesh.faces.row(face as usize);
-        let ends = if crate::math::polygon_sides(corners).any(|side| side == [a, b]) {
-            [a, b]
-        } else {
-            [b, a]
-        };
+        let ends = if topology.edge_ascends(e)[0] { [a, b] } else { [b, a] };
         let normal = twice_vector_area(corners.iter().map(|&v| at(v)));
         let across = (at(ends[1]) - at(ends[0])).cross(normal);
         let outward = across.length_and_direction().1.unwrap_or(Vec3::zero());
