@@ -16,6 +16,8 @@ const WORKER = 'service-worker.js';
  * itself, from their list.
  */
 const SELDOM = /(^|\/)(rhino|checked|licences|sources\/)|^examples\/(?!index)/;
+/** Pictures of the first screen, of which a browser shows one. */
+const FIRST = /^assets\/first-.*\.webp$/;
 /** Pictures of the gallery, a third of all other files: cached together when it is opened. */
 const PICTURE = /^pictures\/.*\.webp$/;
 /** The view's module, of which a browser uses one variant. */
@@ -38,7 +40,8 @@ export async function writeOfflineParts(folder) {
     const [, backend] = VIEW.exec(name) ?? [];
     if (backend) (views[backend] ??= []).push(`./${name}`);
     else if (PICTURE.test(name)) pictures.push(`./${name}`);
-    else if (!SELDOM.test(name)) files.push(name === 'index.html' ? './' : `./${name}`);
+    else if (!SELDOM.test(name) && !FIRST.test(name))
+      files.push(name === 'index.html' ? './' : `./${name}`);
   }
   const site = { version: hash.digest('hex').slice(0, 12), files, views, pictures };
   const script = await transformWithOxc(source, SOURCE);

@@ -1,7 +1,7 @@
 // Compressed sizes of what the site loads. There is one bound: what a visit from nothing loads, with
 // what is kept for use without a network, and without Rhino's files.
 
-import { readFileSync } from 'node:fs';
+import { readFileSync, readdirSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
 import { at } from './project.mjs';
@@ -38,8 +38,15 @@ await main(() => {
   const line = (name, bytes) => console.log(name.padEnd(24) + String(bytes).padStart(10));
   let total = 0;
   line('kept by a visit', 'gzip -9');
-  // A browser loads one of the views: the larger one counts.
-  const rest = new Set([...files, ...views.webgl2, './service-worker.js']);
+  // A browser loads one of the views, and one of the pictures of the first screen: the larger one
+  // counts.
+  const firsts = readdirSync(at('dist', 'assets')).filter((name) => /^first-.*webp$/.test(name));
+  const bytes = (name) => statSync(at('dist', 'assets', name)).size;
+  const [first] = firsts.sort((a, b) => bytes(b) - bytes(a));
+  const rest = new Set([
+    ...[...files, ...views.webgl2, './service-worker.js'],
+    ...(first ? [`./assets/${first}`] : []),
+  ]);
   for (const [group, pattern] of GROUPS) {
     const own = [...rest].filter((name) => pattern.test(name));
     for (const name of own) rest.delete(name);

@@ -1,8 +1,8 @@
 /**
  * Offline use: the service worker (`service-worker.ts`) caches the built files. A new version is
  * fetched beside the old one and announced; it takes over when the user reloads. Of the view
- * module, only the variant that this browser draws with is cached. There is no service worker in
- * development.
+ * module, only the variant that this browser draws with is cached, and of the pictures of the first
+ * screen only the one that it showed. There is no service worker in development.
  */
 
 import { isEmbedded } from '../ui/embedded.ts';
@@ -26,6 +26,9 @@ export function stayOffline(alerts: Alerts, startup: Startup, viewport: Viewport
   register(alerts, startup, viewport).catch(() => {});
 }
 
+/** The address of the picture that the first screen shows, which is gone when the view has drawn. */
+const picture = document.querySelector<HTMLImageElement>('#first-picture img')?.currentSrc;
+
 let registered: Promise<ServiceWorkerRegistration> | null = null;
 
 async function register(alerts: Alerts, startup: Startup, viewport: Viewport) {
@@ -47,7 +50,7 @@ async function register(alerts: Alerts, startup: Startup, viewport: Viewport) {
   registered ??= serviceWorker.register(address, { updateViaCache: 'none' });
   const registration = await registered;
   const post = (worker: ServiceWorker | null) =>
-    worker?.postMessage({ drawsWith: viewport.view?.backend() });
+    worker?.postMessage({ drawsWith: viewport.view?.backend(), picture });
   for (const stage of [registration.installing, registration.waiting, registration.active])
     post(stage);
   if (!isFirst) return;

@@ -2,8 +2,8 @@
  * Service worker: caches the built files, so that the page opens without a network. Each version
  * has its own cache, filled completely before it is used. The build prepends the list of files and
  * their version as `SITE`. The view module is compiled for each backend; the page reports which one
- * it draws with. The pictures of the gallery are cached when it is opened. Files fetched later,
- * such as the parts for Rhino, are cached after their first use.
+ * it draws with, and the picture that it showed first. The pictures of the gallery are cached when
+ * it is opened. Files fetched later, such as the parts for Rhino, are cached after their first use.
  */
 
 const scope = self as unknown as ServiceWorkerGlobalScope;
@@ -33,7 +33,8 @@ scope.addEventListener('message', (event) => {
   if (data === 'take over') void scope.skipWaiting();
   if (data.drawsWith) {
     // Without a network the cached files stay as they are.
-    viewIsKept = keepMissing(views[data.drawsWith]).catch(() => {});
+    const wanted = [...views[data.drawsWith], ...(data.picture ? [data.picture] : [])];
+    viewIsKept = keepMissing(wanted).catch(() => {});
     event.waitUntil(viewIsKept);
   }
 });

@@ -21,6 +21,14 @@ test.use({ fresh: true, serviceWorkers: 'allow' });
 test('after one visit the page works without a network', async ({ page, context }) => {
   await visit(page);
   await keptOffline(page);
+  // Of the pictures of the first screen, that which was shown.
+  const pictures = await page.evaluate(async () => {
+    const kept = await Promise.all(
+      (await caches.keys()).map(async (name) => (await caches.open(name)).keys()),
+    );
+    return kept.flat().flatMap(({ url }) => /first-[a-z]+-[a-z]+/.exec(url) ?? []);
+  });
+  expect(pictures).toEqual(['first-wide-light']);
   await context.setOffline(true);
   await visit(page);
   await waitForState(page, (now) => now.converged);
