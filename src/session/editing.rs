@@ -7,7 +7,7 @@ use super::edit::{
 };
 use super::report::{MeasureCache, check_lesson, check_presentation};
 use super::run::Start;
-use super::state::{RestMesh, SceneChange, SolvedScene, resolve_rows};
+use super::state::{Draft, RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{Change, SavedState, read_history, read_state, write_history, write_state};
 use crate::mesh::{
     Edited, Mesh, MeshOperation, OperationError, Point, Scheme, SubdivideError, SubdividedCounts,
@@ -42,10 +42,28 @@ impl Session {
             self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut unused))?;
             return Ok(false);
         }
+        if self.transaction.is_some() && !self.would_change(&edit)? {
+            return Ok(false);
+        }
         self.end_transaction();
         let Some((name, back)) = self.make(edit)? else { return Ok(false) };
         self.history.push(name, back);
         Ok(true)
+    }
+
+    /// Whether an edit would have an effect: what has none, or is refused, leaves a run, a drag or a
+    /// variation as it is.
+    ///
+    /// # Errors
+    /// Those of [`Session::edit`] that are known before the solver is set up.
+    fn would_change(&mut self, edit: &Edit) -> Result<bool, Error> {
+        check_locks(edit, self.document())?;
+        if let Edit::Refine { .. } | Edit::Remesh(_) = edit {
+            return Ok(true);
+        }
+        let mut unused = IterationState { iteration: self.iteration(), start: None };
+        let try_it = |draft: &mut Draft<'_>| apply(edit.clone(), draft, &mut unused);
+        Ok(self.scene.would_change(&self.rest, try_it)?)
     }
 
     /// The number of the current problem, handles and positions: what was made for another one is

@@ -195,3 +195,22 @@ fn the_tolerance_is_that_of_the_scene_or_of_its_panels_or_of_the_mesh() {
         assert_eq!(error, format!("tolerance: found {wrong}, expected a length above 0"));
     }
 }
+
+#[test]
+fn what_is_refused_or_changes_nothing_leaves_a_run_under_way() {
+    // A search that was interrupted by a wrong number began again, and became a step of its own.
+    let mut session = session();
+    session.begin_run();
+    for _ in 0..3 {
+        session.step().expect("positions stay finite");
+    }
+    let refused = Edit::Set { id: "window".to_owned(), value: json!(0.5) };
+    assert!(session.edit(refused).is_err());
+    let same = Edit::SetWeights(session.document().weights.into());
+    assert!(!session.edit(same).expect("it is valid"));
+    assert!(session.is_running());
+    let other = Edit::SetUnits { units: "km".to_owned() };
+    assert!(session.edit(other).expect("it is valid"));
+    assert!(!session.is_running());
+    assert_eq!(session.undo_and_redo()[0], Some("Change unit"));
+}

@@ -175,6 +175,40 @@ impl SolvedScene {
         rest: &RestMesh,
         propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
     ) -> Result<(T, Option<SceneChange>), Error> {
+        let (done, mut change) = self.proposed(rest, propose)?;
+        if !self.differs(&change) {
+            return Ok((done, None));
+        }
+        self.follow(rest, &mut change)?;
+        Ok((done, Some(change)))
+    }
+
+    /// Whether the change that `propose` makes of a draft would change anything; nothing has changed
+    /// then.
+    ///
+    /// # Errors
+    /// Those of `propose`.
+    pub(crate) fn would_change<T>(
+        &mut self,
+        rest: &RestMesh,
+        propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
+    ) -> Result<bool, SceneError> {
+        let (_, mut change) = self.proposed(rest, propose)?;
+        let differs = self.differs(&change);
+        change.exchange_parts(&mut self.document);
+        Ok(differs)
+    }
+
+    /// Changes the document as `propose` does with a draft, and returns its result with the parts as
+    /// they were and the new handles and positions.
+    ///
+    /// # Errors
+    /// Those of `propose`; nothing has changed then.
+    fn proposed<T>(
+        &mut self,
+        rest: &RestMesh,
+        propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
+    ) -> Result<(T, SceneChange), SceneError> {
         let change = self.snapshot();
         let mut draft = Draft { document: &mut self.document, mesh: rest.mesh(), change };
         let proposed = propose(&mut draft);
@@ -182,20 +216,20 @@ impl SolvedScene {
         match proposed {
             Ok(done) => {
                 change.parts.retain(|part| !part.is_in(&self.document));
-                let is_same = change.parts.is_empty()
-                    && same_handles(&change.handles, self.handles())
-                    && same_positions(&change.positions, self.positions());
-                if is_same {
-                    return Ok((done, None));
-                }
-                self.follow(rest, &mut change)?;
-                Ok((done, Some(change)))
+                Ok((done, change))
             }
             Err(error) => {
                 change.exchange_parts(&mut self.document);
-                Err(error.into())
+                Err(error)
             }
         }
+    }
+
+    /// Whether a proposed change has any part, or other handles or positions.
+    fn differs(&self, change: &SceneChange) -> bool {
+        !change.parts.is_empty()
+            || !same_handles(&change.handles, self.handles())
+            || !same_positions(&change.positions, self.positions())
     }
 
     /// Applies a change to the state, and turns the change into its inverse.
