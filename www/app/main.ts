@@ -12,7 +12,6 @@ import { measureGoals } from '../features/build/live-build.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
-import { messageOf } from '../solver/errors.ts';
 import { JobsClient } from '../solver/jobs-client.ts';
 import { SolverClient } from '../solver/solver-client.ts';
 import { createActions } from '../store/actions.ts';
@@ -125,7 +124,7 @@ viewport.on('none', explainNoPicture);
 
 Object.assign(window, { shapeUp: app.script });
 
-startup.begin().catch((error) => alerts.error(messageOf(error)));
+void actions.reportErrors(startup.begin());
 void actions.reportErrors(examplesMenu(byId('examples'), app));
 const offline = () => stayOffline(alerts, startup, viewport);
 viewport.on('ready', offline);

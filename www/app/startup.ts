@@ -15,7 +15,7 @@ import {
 } from '../documents/autosave.ts';
 import { recentDocuments, removals, type Work } from '../documents/recent-documents.ts';
 import { readLink } from '../documents/share-link.ts';
-import { messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf } from '../solver/errors.ts';
 import { byId, element } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { saveFile } from '../ui/output.ts';
@@ -75,7 +75,7 @@ export class Startup {
     this.#startAutosave();
     let problem = '';
     const linked = await this.#openLink(opening, location.hash).catch((error) => {
-      problem = messageOf(error);
+      problem = error instanceof Cancelled ? '' : messageOf(error);
       return false;
     });
     if (!linked) await this.#openFirst(opening);
@@ -89,7 +89,7 @@ export class Startup {
       await this.#startFresh(opening);
     } catch (error) {
       if (!(await opening.isWanted())) return;
-      this.#alerts.error(messageOf(error));
+      if (!(error instanceof Cancelled)) this.#alerts.error(messageOf(error));
       if (this.#solver.isAbsent) return;
       this.#store.set({ nothingOpen: true });
       showNothingOpen(this.#files, async () => {
@@ -144,6 +144,7 @@ export class Startup {
 
   /** Reports that a work cannot be opened, and offers to save its file. */
   #reportUnreadable(error: unknown) {
+    if (error instanceof Cancelled) return;
     if (!(error instanceof Error && 'work' in error && 'raw' in error)) {
       return this.#alerts.error(messageOf(error));
     }
@@ -206,6 +207,8 @@ export class Startup {
     const origin = { example, work: id, title, saved, text, link, view };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
     return this.#files.open(files, origin, { opening }).catch(async (error) => {
+      // Neither says anything about the work.
+      if (error instanceof Cancelled || this.#solver.isAbsent) throw error;
       await markUnreadable(work);
       throw new Unreadable(work, text, messageOf(error));
     });

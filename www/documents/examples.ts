@@ -1,11 +1,10 @@
 /** The examples: their menu with pictures, their links, and their statements. */
 
-import { messageOf } from '../solver/errors.ts';
 import { element } from '../ui/dom.ts';
 import type { AppContext } from '../app/context.ts';
 
 /** Fills the menu. */
-export async function examplesMenu(menu: HTMLElement, { files, alerts, commands }: AppContext) {
+export async function examplesMenu(menu: HTMLElement, { files, actions, commands }: AppContext) {
   const examples = await files.examples();
   const begin = commands.find(({ id }) => id === 'new-mesh');
   menu.replaceChildren(
@@ -33,7 +32,7 @@ export async function examplesMenu(menu: HTMLElement, { files, alerts, commands 
           role: 'menuitem',
           onclick: () => {
             menu.hidePopover();
-            files.openExample(example).catch((error) => alerts.error(messageOf(error)));
+            void actions.reportErrors(files.openExample(example));
           },
         },
         // Loaded lazily when the menu opens; not available offline.

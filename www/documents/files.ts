@@ -1,7 +1,7 @@
 /** File input and output: open, examples, save, export. Emits `opened` after each opened model. */
 
 import { Emitter } from '../solver/emitter.ts';
-import { messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf } from '../solver/errors.ts';
 import { listOfExamples, type Example } from '../solver/examples.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
 import { count, groupDigits, length } from '../ui/words.ts';
@@ -146,7 +146,8 @@ export class Files extends Emitter<{ opened: void }> {
       if (!(await opening.isWanted())) return null;
       cancelled?.throwIfAborted();
       // Until now the solver has gone on with the open model.
-      cancelled?.addEventListener('abort', () => this.#solver.abandon());
+      const abandon = () => this.#solver.abandon();
+      cancelled?.addEventListener('abort', abandon);
       // The first view shows the fitted shapes.
       if (origin.first) this.#actions.display({ shapes: true });
       // Keep the status of a button press that waits for the first model.
@@ -155,7 +156,9 @@ export class Files extends Emitter<{ opened: void }> {
         this.#actions.setStatus(`Reading ${files.map((file) => file.name).join(' and ')} …`);
       const { saved, first: solved, unwelded } = origin;
       const frame = rememberedFrame(digest);
-      const loaded = await this.#actions.open({ files, saved, frame, solved, weld: !unwelded });
+      const loaded = await this.#actions
+        .open({ files, saved, frame, solved, weld: !unwelded })
+        .finally(() => cancelled?.removeEventListener('abort', abandon));
       opening.opened();
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;
@@ -181,6 +184,10 @@ export class Files extends Emitter<{ opened: void }> {
       return loaded;
     } catch (error) {
       if (!(await opening.isWanted())) return null;
+      if (error instanceof Cancelled) {
+        this.#actions.setStatus('Cancelled');
+        throw error;
+      }
       this.#actions.setStatus('');
       const offers = await offersToChoose(given, this.#actions, this, origin);
       this.#alerts.error(messageOf(error), ...offers);

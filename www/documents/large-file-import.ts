@@ -7,14 +7,11 @@ import '../ui/styles/waiting.css';
 import { button } from '../ui/controls/fields.ts';
 import { byId, element, removeKeepingFocus, setText } from '../ui/dom.ts';
 import { groupDigits, megabytes } from '../ui/words.ts';
-import { messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf } from '../solver/errors.ts';
 import { faceCountOf } from './face-count.ts';
 import type { NamedBytes, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
-
-/** Thrown when the user cancels the import. */
-class Cancelled extends Error {}
 
 /**
  * Opens files as `Files.open` does, with a progress display.

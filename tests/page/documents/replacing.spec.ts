@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { openText, tool } from '../actions.ts';
-import { wavyGrid } from '../meshes.ts';
+import { quadScene, wavyGrid } from '../meshes.ts';
 import { expect, openPage, sceneOf, state, test, visit, waitForState } from '../support.ts';
 
 test.use({ fresh: true });
@@ -106,6 +106,35 @@ test('a model that an address opens closes the dialogs about the one before', as
   await expect(page.getByRole('status')).toHaveText(/^Opened the example/);
   await page.waitForTimeout(500);
   expect(await page.evaluate(() => location.hash)).toBe('#example=fig-05-planar');
+});
+
+test('an edit begun while the next file is being opened is not made to that file', async ({
+  page,
+}) => {
+  // The first row of the next scene was switched off.
+  await page.addInitScript(() => {
+    window.Worker = class extends Worker {
+      #openings = 0;
+      override postMessage(
+        call: { name: string },
+        ...rest: [(Transferable[] | StructuredSerializeOptions)?]
+      ) {
+        super.postMessage(call, ...(rest as [StructuredSerializeOptions?]));
+        if (call.name !== 'open' || ++this.#openings < 3) return;
+        document.querySelector<HTMLInputElement>('[role="switch"][aria-label$=": on"]')?.click();
+      }
+    };
+  });
+  await openPage(page);
+  const scene = (n: number) =>
+    JSON.stringify({ ...JSON.parse(quadScene(n)), constraints: [{ kind: 'plane', on: 'faces' }] });
+  await openText(page, 'one.shapeup.json', scene(2), 9);
+  await expect(page.getByRole('switch', { name: /: on$/ })).toBeChecked();
+  await openText(page, 'two.shapeup.json', scene(3), 16);
+  await page.evaluate(() => window.shapeUp.settled());
+  expect((await state(page)).constraints.plane).toBe(9);
+  await expect(page.getByRole('switch', { name: /: on$/ })).toBeChecked();
+  await expect(page.getByRole('alert')).toBeEmpty();
 });
 
 test('a reload during the trials of a new mesh brings back the work', async ({ page }) => {
