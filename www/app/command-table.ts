@@ -68,7 +68,7 @@ export function commandTable(
   }
 
   // Only the solver knows whether there is a step: an edit may have been sent that the page does not
-  // show yet. Without one, what is undone is the new mesh.
+  // show yet. Without one, what is undone is that the model has replaced another one.
   async function undo() {
     if ((await actions.undo()) === null) await files.goBack();
   }
@@ -150,10 +150,10 @@ export function commandTable(
       keys: ['Ctrl+Z'],
       repeats: true,
       action: undo,
-      enabled: ({ document, dragged, isNew }) =>
-        Boolean(document?.undo || isNew) && dragged.length === 0,
-      title: ({ document, isNew }) => {
-        const what = document?.undo || (isNew && 'New mesh');
+      enabled: ({ document, dragged, undoes }) =>
+        Boolean(document?.undo || undoes) && dragged.length === 0,
+      title: ({ document, undoes }) => {
+        const what = document?.undo || undoes;
         return what ? `Undo: ${what}` : 'Nothing to undo';
       },
     },
@@ -164,10 +164,10 @@ export function commandTable(
       keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
       repeats: true,
       action: redo,
-      enabled: ({ document, dragged, isUndone }) =>
-        Boolean(document?.redo || isUndone) && dragged.length === 0,
-      title: ({ document, isUndone }) => {
-        const what = document?.redo || (isUndone && 'New mesh');
+      enabled: ({ document, dragged, redoes }) =>
+        Boolean(document?.redo || redoes) && dragged.length === 0,
+      title: ({ document, redoes }) => {
+        const what = document?.redo || redoes;
         return what ? `Redo: ${what}` : 'Nothing to redo';
       },
     },

@@ -13,7 +13,7 @@ import {
   take,
   type Taken,
 } from '../documents/autosave.ts';
-import { recentDocuments, removals, type Work } from '../documents/recent-documents.ts';
+import { MOST, recentDocuments, removals, type Work } from '../documents/recent-documents.ts';
 import { readLink } from '../documents/share-link.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
 import { byId, element } from '../ui/dom.ts';
@@ -46,10 +46,12 @@ export class Startup {
     this.#solver = solver;
     this.#files = files;
     this.#alerts = alerts;
-    removals.on('removed', (titles) => {
+    const removed = (why: string) => (titles: string[]) => {
       const all = titles.map((title) => `“${title}”`).join(', ');
-      alerts.notice(`There was no room left in this browser: removed from Open recent ${all}.`);
-    });
+      alerts.notice(`${why}: removed from Open recent ${all}.`);
+    };
+    removals.on('removed', removed('There was no room left in this browser'));
+    removals.on('beyond', removed(`Only the last ${MOST} models that you changed are kept`));
   }
 
   /** Opens the first document, unless the user opens another one meanwhile. */
@@ -203,8 +205,8 @@ export class Startup {
     // The work has all that it needs: without a network it comes back without the note on its example.
     const examples = work.example ? await this.#files.examples().catch(() => []) : [];
     const example = examples.find(({ id }) => id === work.example);
-    const { id, title, hash: link, view } = work;
-    const origin = { example, work: id, title, saved, text, link, view };
+    const { id, title, hash: link, view, file } = work;
+    const origin = { example, work: id, title, saved, text, link, view, file };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
     return this.#files.open(files, origin, { opening }).catch(async (error) => {
       // Neither says anything about the work.

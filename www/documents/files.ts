@@ -18,6 +18,7 @@ import type { SolverClient } from '../solver/solver-client.ts';
 import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
 import { STARTS_LATER } from '../store/press.ts';
+import { untilChanged } from '../store/until-changed.ts';
 import type { Store } from '../store/state.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 export type { Example } from '../solver/examples.ts';
@@ -36,6 +37,8 @@ export interface Origin {
   text?: string;
   /** text of its scene when it was opened first, if it is reopened */
   original?: string | null;
+  /** digest of the file that it was opened from, unless it has been changed since */
+  file?: string | null;
   /** its saved history and progress */
   saved?: Saved;
   /** take what is hidden in a Rhino file */
@@ -48,10 +51,12 @@ export interface Origin {
   view?: SavedView | null;
   /** it is only tried: the work before stays that of the tab, also after a reload */
   trial?: boolean;
-  /** the model that a new mesh replaced, which Undo opens again */
+  /** the model that this one has replaced, as a new mesh does, which Undo opens again */
   before?: Left | null;
-  /** the new mesh that Undo replaced, which Redo opens again */
+  /** the model that Undo has replaced, which Redo opens again */
   after?: Left | null;
+  /** the replacing, as a step of Undo in words */
+  step?: string;
 }
 /** An open model, to be opened again as it was left. */
 type Left = { given: NamedBytes[]; origin: Origin };
@@ -166,7 +171,7 @@ export class Files extends Emitter<{ opened: void }> {
       this.#digest = digest;
       const { view, ...rest } = origin;
       if (view) restoreView(view, this.#store, this.#actions);
-      this.origin = rest;
+      this.origin = { ...(!origin.work && { file: digest }), ...rest };
       this.original = origin.original ?? (origin.work ? null : this.#solver.sceneText);
       this.nameInAddress();
       if (!origin.first) removeFirstPicture();
@@ -174,8 +179,9 @@ export class Files extends Emitter<{ opened: void }> {
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,
         example: origin.example ?? null,
-        isNew: Boolean(origin.before),
-        isUndone: Boolean(origin.after),
+        undoes: (origin.before && origin.step) || '',
+        redoes: origin.after?.origin.step ?? '',
+        nothingOpen: false,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       if (loaded.welded) this.#reportWelded(loaded.welded, loaded.units);
@@ -226,14 +232,15 @@ export class Files extends Emitter<{ opened: void }> {
   }
 
   /**
-   * Returns the open model as it is now, with its undo history, which belongs to the solver's last
-   * scene text; null without one.
+   * Returns the open model with the edits that were begun before, and with its undo history, which
+   * belongs to the solver's last scene text; null without one. A run ends.
    */
   async asItIs(): Promise<Left | null> {
+    if (!this.#store.get().document) return null;
+    const { text } = await this.#actions.rest();
     const state = this.#store.get();
-    if (!state.document) return null;
     const { saved, sceneText } = this.#solver;
-    const bytes = new TextEncoder().encode(sceneText ?? (await this.#actions.ask.scene()));
+    const bytes = new TextEncoder().encode(sceneText ?? text);
     const { origin, original, name } = this;
     const [title, view] = [state.fileName, viewOf(state)];
     return {
@@ -242,29 +249,29 @@ export class Files extends Emitter<{ opened: void }> {
     };
   }
 
-  /** Reopens the model that was open before a new mesh. */
+  /** Reopens the model that this one has replaced. */
   async goBack() {
-    const { before } = this.origin;
+    const { before, step } = this.origin;
     // While a model is being opened, the open one is not left yet.
     if (!before || this.openings.coming) return;
     const after = await this.asItIs();
     const loaded = await this.open(before.given, { ...before.origin, after }).catch(() => null);
-    if (loaded) this.#actions.setStatus('Undid: New mesh');
+    if (loaded) this.#actions.setStatus(`Undid: ${step}`);
   }
 
-  /** Reopens the new mesh from which Undo went back, unless the model has changed since. */
+  /** Reopens the model from which Undo went back, unless this one has changed since. */
   async goForward() {
     const { after } = this.origin;
-    if (!after || !this.#store.get().isUndone || this.openings.coming) return;
+    if (!after || !this.#store.get().redoes || this.openings.coming) return;
     const loaded = await this.open(after.given, after.origin).catch(() => null);
-    if (loaded) this.#actions.setStatus('Redid: New mesh');
+    if (loaded) this.#actions.setStatus(`Redid: ${after.origin.step}`);
   }
 
-  /** Forgets the new mesh from which Undo went back, once an edit has taken its place. */
+  /** Forgets the model from which Undo went back, once an edit has taken its place. */
   #forgetUndone() {
-    const { document: scene, isUndone } = this.#store.get();
-    if (!isUndone || scene?.redo || this.#solver.sceneText === this.#openedText) return;
-    this.#actions.describeFile({ isUndone: false });
+    const { document: scene, redoes } = this.#store.get();
+    if (!redoes || scene?.redo || this.#solver.sceneText === this.#openedText) return;
+    this.#actions.describeFile({ redoes: '' });
     delete this.origin.after;
   }
 
@@ -286,9 +293,20 @@ export class Files extends Emitter<{ opened: void }> {
 
   #reportWelded({ before, after, tolerance }: NonNullable<Loaded['welded']>, units: string) {
     const words = `Joined vertices that lie on each other: ${groupDigits(before)} became ${groupDigits(after)} (up to ${length(tolerance, units)} apart).`;
-    const openUnwelded = () =>
-      this.open(this.#given, { ...this.origin, unwelded: true }).catch(() => {});
-    this.#alerts.notice(words, { label: 'Undo', action: openUnwelded });
+    const action = () => this.#openOtherwise(this.#given, { unwelded: true }, 'Separate vertices');
+    untilChanged(this.#store, this.#alerts.notice(words, { label: 'Undo', action }));
+  }
+
+  /** Opens the files of the open model in another way, as a work of its own; Undo goes back. */
+  #openOtherwise(given: NamedBytes[], how: Origin, step: string) {
+    const { example, title, link, hidden, unwelded } = this.origin;
+    const opened = this.openings.begin(async (opening) => {
+      const before = await this.asItIs();
+      const origin = { ...{ example, title, link, hidden, unwelded }, ...how, before, step };
+      await this.open(given, origin, { opening });
+    });
+    // An alert gives the reason of a refusal.
+    opened.catch(() => {});
   }
 
   /**
@@ -303,9 +321,13 @@ export class Files extends Emitter<{ opened: void }> {
       words.push(`${objects} hidden or on a layer that is off, and not loaded.`);
     }
     if (words.length === 0) return;
-    const action = () => this.open(given, { ...this.origin, hidden: true }).catch(() => {});
+    const action = () => this.#openOtherwise(given, { hidden: true }, 'Load hidden objects');
     const label = hidden === 1 ? 'Load it too' : 'Load them too';
-    this.#alerts.notice(words.join(' '), ...(hidden > 0 ? [{ label, action }] : []));
+    const withdraw = this.#alerts.notice(
+      words.join(' '),
+      ...(hidden > 0 ? [{ label, action }] : []),
+    );
+    if (hidden > 0) untilChanged(this.#store, withdraw);
   }
 
   /** Exports the current shape with the file's original vertices, before welding. */
