@@ -16,6 +16,7 @@ import { canVary } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { isMeshLocked } from '../store/panels-card.ts';
+import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
@@ -86,7 +87,7 @@ export function commandTable(
    * would open. Errors are shown.
    */
   const opens = (open: () => unknown) => () => actions.reportErrors(prepare(open));
-  const prepare = oneAtATime(async (open: () => unknown) => open());
+  const prepare = oneAtATime((open: () => unknown) => openPrepared(app, open));
   /** Opens and closes something: a second press meanwhile closes what the first one opens. */
   const toggles = (toggle: () => unknown) => {
     const begin = inTurn(toggle);

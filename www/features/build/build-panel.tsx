@@ -4,6 +4,7 @@ import './build-panel.css';
 import { useEffect, useRef } from 'preact/hooks';
 import { Docked } from '../../docked/docked.tsx';
 import { askRhino } from '../../documents/rhino/rhino-client.ts';
+import { openPrepared } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { oneAtATime } from '../../ui/once.ts';
@@ -17,7 +18,9 @@ import { TypesCurve } from './types-curve.tsx';
 import type { AppContext } from '../../app/context.ts';
 import type { LiveBuild } from './live-build.ts';
 
-const openReport = oneAtATime(showReport);
+const openReport = oneAtATime((app: AppContext, live: LiveBuild) =>
+  openPrepared(app, () => showReport(app, live)),
+);
 
 const save = oneAtATime(async ({ actions, files }: AppContext, live: LiveBuild) => {
   const bytes = await actions.reportErrors(live.zip());
