@@ -86,16 +86,28 @@ test('Cancel restores what was typed just before, and the run as far as it went'
   const scene = { ...JSON.parse(quadScene(2)), solver: { tolerance: 0 } };
   scene.constraints = [{ kind: 'circle', on: 'faces' }];
   await openText(page, 'endless.shapeup.json', JSON.stringify(scene), 9);
-  await page.getByRole('button', { name: 'Run' }).click();
-  await waitForState(page, (now) => now.iteration > 1000);
-  const weight = page.getByLabel('Shape weight', { exact: true });
-  await weight.fill('7');
-  await page.getByRole('button', { name: 'Examples' }).evaluate((button) => button.focus());
-  const { iteration } = await state(page);
+  // What the dialog needs is there the second time.
   const dialog = await openNewMesh(page);
   await waitForState(page, (now) => now.vertices !== 9);
   await dialog.getByRole('button', { name: 'Cancel' }).click();
   await waitForState(page, (now) => now.vertices === 9);
+  await page.getByRole('button', { name: 'Run' }).click();
+  await waitForState(page, (now) => now.iteration > 1000);
+  await page.getByRole('button', { name: 'Examples' }).click();
+  const weight = page.getByLabel('Shape weight', { exact: true });
+  const begin = page.getByRole('menuitem', { name: 'New mesh' });
+  const iteration = await weight.evaluate(
+    (field: HTMLInputElement, begin) => {
+      field.value = '7';
+      field.dispatchEvent(new Event('change', { bubbles: true }));
+      (begin as HTMLElement).click();
+      return window.shapeUp.state().iteration;
+    },
+    await begin.elementHandle(),
+  );
+  await waitForState(page, (now) => now.vertices !== 9);
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  await waitForState(page, (now) => now.vertices === 9 && now.iteration > 0);
   expect((await state(page)).iteration).toBeGreaterThanOrEqual(iteration);
   expect((await sceneOf(page)).weights.shape).toBe(7);
 });
