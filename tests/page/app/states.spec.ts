@@ -213,6 +213,13 @@ test('a mesh too large for the machine opens only after confirmation', async ({ 
   expect((await state(page)).faces).toBe(before.faces);
   await expect(page.getByRole('alert')).toBeEmpty();
 
+  // The question is gone with another file that is opened meanwhile: Load anyway had no effect then.
+  await open();
+  await expect(anyway).toBeVisible();
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await expect(card(page)).toBeHidden();
+  await expect(status(page)).toContainText('Opened grid.obj');
+
   await open();
   await page.getByRole('button', { name: 'Load anyway' }).click();
   await waitForState(page, (now) => now.faces === 60_000);
