@@ -82,6 +82,7 @@ export class Files extends Emitter<{ opened: void }> {
   #digest: string | null = null;
   /** Base name of saved files. */
   #name = 'model';
+  #replaced = new AbortController();
 
   constructor(store: Store, solver: SolverClient, alerts: Alerts, actions: Actions) {
     super();
@@ -90,6 +91,16 @@ export class Files extends Emitter<{ opened: void }> {
     this.#alerts = alerts;
     this.#actions = actions;
     solver.on('scene', () => this.#forgetUndone());
+    solver.on('model', () => {
+      if (solver.restoring) return;
+      this.#replaced.abort(new Cancelled());
+      this.#replaced = new AbortController();
+    });
+  }
+
+  /** Aborted when another model is shown than now. */
+  get replaced() {
+    return this.#replaced.signal;
   }
 
   get name() {
@@ -332,17 +343,19 @@ export class Files extends Emitter<{ opened: void }> {
 
   /** Exports the current shape with the file's original vertices, before welding. */
   async exportUnwelded() {
-    await this.#actions.settled();
-    if (!(await this.mayExport())) return;
-    const bytes = await this.#actions.ask.objUnwelded();
-    this.save('.obj', Uint8Array.from(bytes), 'model/obj');
+    await this.save('.obj', 'model/obj', async () => {
+      await this.#actions.settled();
+      if (!(await this.mayExport())) return null;
+      return Uint8Array.from(await this.#actions.ask.objUnwelded());
+    });
   }
 
   /** Exports the current shape in the format with this ending. */
   async exportAs(ending: 'ply' | 'stl') {
-    if (!(await this.mayExport())) return;
-    const bytes = await this.#actions.ask.meshFile(ending);
-    this.save(`.${ending}`, Uint8Array.from(bytes), `model/${ending}`);
+    await this.save(`.${ending}`, `model/${ending}`, async () => {
+      if (!(await this.mayExport())) return null;
+      return Uint8Array.from(await this.#actions.ask.meshFile(ending));
+    });
   }
 
   /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
@@ -353,34 +366,48 @@ export class Files extends Emitter<{ opened: void }> {
 
   /** Exports the current shape as OBJ, with the displayed flat map. */
   async exportMesh() {
-    try {
+    const made = this.save('.obj', 'model/obj', async () => {
       await this.#actions.settled();
-      if (!(await this.mayExport())) return;
+      if (!(await this.mayExport())) return null;
       const uv = this.#store.get().flatMap?.found.uv;
       const { ask } = this.#actions;
-      const text = await (uv ? ask.objWithUv(uv) : ask.obj());
-      this.save('.obj', text, 'model/obj');
-    } catch (error) {
-      this.#alerts.error(messageOf(error));
-    }
+      return uv ? ask.objWithUv(uv) : ask.obj();
+    });
+    await this.#actions.reportErrors(made);
   }
 
   async saveScene() {
-    await this.#actions.settled();
-    // Without a worker, save the text received last.
-    const text = await this.#actions.ask.scene().catch(() => this.#solver.sceneText);
-    if (text === null) this.#alerts.error('There is no scene to save.');
-    else this.save('.shapeup.json', text, 'application/json');
+    await this.save('.shapeup.json', 'application/json', async () => {
+      await this.#actions.settled();
+      // Without a worker, save the text received last.
+      const text = await this.#actions.ask.scene().catch(() => this.#solver.sceneText);
+      if (text === null) this.#alerts.error('There is no scene to save.');
+      return text;
+    });
   }
 
   /**
-   * Saves a file under the base name of the model.
+   * Saves a file under the base name of the open model, of which it is made.
    * @param ending suffix of the file name
+   * @param make returns its content, or null to save nothing; may end when another model is shown
    */
-  save(ending: string, content: BlobPart, type: string) {
+  async save(
+    ending: string,
+    type: string,
+    make: (replaced: AbortSignal) => Promise<BlobPart | null> | BlobPart | null,
+  ) {
     const name = `${this.#name}${ending}`;
-    saveFile(name, content, type);
-    this.#actions.setStatus(`Saved ${name}`);
+    const { replaced } = this;
+    try {
+      const content = await make(replaced);
+      replaced.throwIfAborted();
+      if (content === null) return;
+      saveFile(name, content, type);
+      this.#actions.setStatus(`Saved ${name}`);
+    } catch (error) {
+      if (!replaced.aborted) throw error;
+      this.#alerts.notice(`${name} was not saved: another model was opened meanwhile.`);
+    }
   }
 }
 

@@ -22,17 +22,17 @@ const openReport = oneAtATime((app: AppContext, live: LiveBuild) =>
   openPrepared(app, () => showReport(app, live)),
 );
 
-const save = oneAtATime(async ({ actions, files }: AppContext, live: LiveBuild) => {
-  const bytes = await actions.reportErrors(live.zip());
-  if (bytes) files.save('-parts.zip', bytes, 'application/zip');
-});
+const save = oneAtATime(({ files }: AppContext, live: LiveBuild) =>
+  files.save('-parts.zip', 'application/zip', () => live.zip()),
+);
 
 /** Saves a 3DM file, loading its large writer. */
-const saveForRhino = oneAtATime(async ({ files }: AppContext, live: LiveBuild) => {
-  const [made, { symbol }] = [await live.spatialParts(), live.unit()];
-  const bytes = await askRhino((rhino) => rhino.writeParts(made, symbol));
-  files.save('-parts.3dm', bytes, 'model/vnd.3dm');
-});
+const saveForRhino = oneAtATime(({ files }: AppContext, live: LiveBuild) =>
+  files.save('-parts.3dm', 'model/vnd.3dm', async () => {
+    const [made, { symbol }] = [await live.spatialParts(), live.unit()];
+    return askRhino((rhino) => rhino.writeParts(made, symbol));
+  }),
+);
 
 /** The panel, while it is docked. */
 export function BuildPanel() {
@@ -66,7 +66,11 @@ function Panel() {
       >
         Rhino
       </Button>
-      <Button class="primary" disabled={isDisabled} onClick={() => save(app, live)}>
+      <Button
+        class="primary"
+        disabled={isDisabled}
+        onClick={() => actions.reportErrors(save(app, live))}
+      >
         Save drawings and tables
       </Button>
     </>
