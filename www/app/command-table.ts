@@ -88,6 +88,17 @@ export function commandTable(
    */
   const opens = (open: () => unknown) => () => actions.reportErrors(prepare(open));
   const prepare = oneAtATime((open: () => unknown) => openPrepared(app, open));
+  /**
+   * Opens something once nothing is being opened any longer, as a question about that may take long:
+   * until then others can be opened.
+   */
+  const opensLater = (open: () => unknown) => {
+    const begin = oneAtATime(async () => {
+      await files.untilOpen();
+      await prepare(open);
+    });
+    return () => actions.reportErrors(begin());
+  };
   /** Opens and closes something: a second press meanwhile closes what the first one opens. */
   const toggles = (toggle: () => unknown) => {
     const begin = inTurn(toggle);
@@ -374,14 +385,15 @@ export function commandTable(
       group: 'File',
       label: 'New mesh',
       keys: [],
-      action: opens(() => newMesh(app)),
+      // What is being opened is what comes back after the trials.
+      action: opensLater(() => newMesh(app)),
     },
     {
       id: 'draw',
       group: 'File',
       label: 'New mesh from a drawn plan',
       keys: [],
-      action: opens(() => newMesh(app, PLAN)),
+      action: opensLater(() => newMesh(app, PLAN)),
     },
     {
       id: 'present',

@@ -117,8 +117,9 @@ export class Startup {
     await this.#autosave?.save();
   }
 
-  /** Returns the works stored in this browser, except the current one. */
+  /** Returns the works stored in this browser, except the current one; waits for no opening. */
   async recent() {
+    await this.#autosave?.save();
     const current = this.#autosave?.id;
     return (await recentDocuments()).filter(({ id }) => id !== current);
   }

@@ -17,6 +17,7 @@ import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
+import { hideWithNextModel } from '../store/fitted-shapes.ts';
 import { STARTS_LATER } from '../store/press.ts';
 import { untilChanged } from '../store/until-changed.ts';
 import type { Store } from '../store/state.ts';
@@ -176,6 +177,7 @@ export class Files extends Emitter<{ opened: void }> {
         .open({ files, saved, frame, solved, weld: !unwelded })
         .finally(() => cancelled?.removeEventListener('abort', abandon));
       opening.opened();
+      if (origin.first) hideWithNextModel({ store: this.#store, actions: this.#actions });
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;
       this.#openedText = this.#solver.sceneText;

@@ -78,6 +78,12 @@ export class Waiting {
     return this.#calls.size;
   }
 
+  /** Name of the first call without an answer; empty if there is none. */
+  get first() {
+    const [call] = this.#calls.values();
+    return call?.name ?? '';
+  }
+
   /** Sends a call, numbered, by `send`. */
   call(
     name: string,
