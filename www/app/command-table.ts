@@ -16,6 +16,7 @@ import { canVary } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { isMeshLocked } from '../store/panels-card.ts';
+import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
@@ -68,7 +69,7 @@ export function commandTable(
   }
 
   // Only the solver knows whether there is a step: an edit may have been sent that the page does not
-  // show yet. Without one, what is undone is the new mesh.
+  // show yet. Without one, what is undone is that the model has replaced another one.
   async function undo() {
     if ((await actions.undo()) === null) await files.goBack();
   }
@@ -86,7 +87,18 @@ export function commandTable(
    * would open. Errors are shown.
    */
   const opens = (open: () => unknown) => () => actions.reportErrors(prepare(open));
-  const prepare = oneAtATime(async (open: () => unknown) => open());
+  const prepare = oneAtATime((open: () => unknown) => openPrepared(app, open));
+  /**
+   * Opens something once nothing is being opened any longer, as a question about that may take long:
+   * until then others can be opened.
+   */
+  const opensLater = (open: () => unknown) => {
+    const begin = oneAtATime(async () => {
+      await files.untilOpen();
+      await prepare(open);
+    });
+    return () => actions.reportErrors(begin());
+  };
   /** Opens and closes something: a second press meanwhile closes what the first one opens. */
   const toggles = (toggle: () => unknown) => {
     const begin = inTurn(toggle);
@@ -150,10 +162,10 @@ export function commandTable(
       keys: ['Ctrl+Z'],
       repeats: true,
       action: undo,
-      enabled: ({ document, dragged, isNew }) =>
-        Boolean(document?.undo || isNew) && dragged.length === 0,
-      title: ({ document, isNew }) => {
-        const what = document?.undo || (isNew && 'New mesh');
+      enabled: ({ document, dragged, undoes }) =>
+        Boolean(document?.undo || undoes) && dragged.length === 0,
+      title: ({ document, undoes }) => {
+        const what = document?.undo || undoes;
         return what ? `Undo: ${what}` : 'Nothing to undo';
       },
     },
@@ -164,10 +176,10 @@ export function commandTable(
       keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
       repeats: true,
       action: redo,
-      enabled: ({ document, dragged, isUndone }) =>
-        Boolean(document?.redo || isUndone) && dragged.length === 0,
-      title: ({ document, isUndone }) => {
-        const what = document?.redo || (isUndone && 'New mesh');
+      enabled: ({ document, dragged, redoes }) =>
+        Boolean(document?.redo || redoes) && dragged.length === 0,
+      title: ({ document, redoes }) => {
+        const what = document?.redo || redoes;
         return what ? `Redo: ${what}` : 'Nothing to redo';
       },
     },
@@ -373,14 +385,15 @@ export function commandTable(
       group: 'File',
       label: 'New mesh',
       keys: [],
-      action: opens(() => newMesh(app)),
+      // What is being opened is what comes back after the trials.
+      action: opensLater(() => newMesh(app)),
     },
     {
       id: 'draw',
       group: 'File',
       label: 'New mesh from a drawn plan',
       keys: [],
-      action: opens(() => newMesh(app, PLAN)),
+      action: opensLater(() => newMesh(app, PLAN)),
     },
     {
       id: 'present',

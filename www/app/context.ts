@@ -51,7 +51,7 @@ export interface AppContext {
   alerts: Alerts;
   hold: HoldOriginal;
   /** the works saved in this browser */
-  works: Pick<Startup, 'saveNow' | 'recent' | 'openWork'>;
+  works: Pick<Startup, 'recent' | 'openWork'>;
   /** the API for scripts */
   script: ReturnType<typeof import('./script-api.ts').scriptApi>;
   /** commands of selection operations are added later */

@@ -10,9 +10,9 @@ import { examplesMenu } from '../documents/examples.ts';
 import { Files } from '../documents/files.ts';
 import { measureGoals } from '../features/build/live-build.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
+import { LAYING_OUT } from '../features/make-panels/layouts.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
 import { showContextMenu } from '../features/selecting/context-menu.ts';
-import { messageOf } from '../solver/errors.ts';
 import { JobsClient } from '../solver/jobs-client.ts';
 import { SolverClient } from '../solver/solver-client.ts';
 import { createActions } from '../store/actions.ts';
@@ -125,8 +125,8 @@ viewport.on('none', explainNoPicture);
 
 Object.assign(window, { shapeUp: app.script });
 
-startup.begin().catch((error) => alerts.error(messageOf(error)));
-void actions.reportErrors(examplesMenu(byId('examples'), app));
+void actions.reportErrors(startup.begin());
+examplesMenu(byId('examples'), app);
 const offline = () => stayOffline(alerts, startup, viewport);
 viewport.on('ready', offline);
 viewport.on('none', offline);
@@ -176,8 +176,10 @@ function bindSolver(client: SolverClient) {
   });
   client.on('busy', ({ busy }) => offerCancel('solver', busy, () => client.abandon()));
   // The card of new panels says itself what it does, with its own Cancel.
-  const isSaid = () => store.get().corner === 'new-panels';
-  jobs.on('busy', ({ busy }) => offerCancel('jobs', busy && !isSaid(), () => jobs.cancel()));
+  const isSaid = (job: string) => LAYING_OUT.some((one) => one === job);
+  jobs.on('busy', ({ busy, job }) =>
+    offerCancel('jobs', busy && !isSaid(job), () => jobs.cancel()),
+  );
   client.on('trouble', ({ message }) => alerts.error(message));
   client.on('absent', ({ message }) => {
     alerts.stop(message, { label: 'Reload', action: () => location.reload() });

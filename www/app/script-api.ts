@@ -176,10 +176,10 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
     /**
      * A video (WebM) of one turn of the model.
      * @param seconds duration, by default 6
-     * @returns rejects if the browser cannot record
+     * @returns rejects if the browser cannot record, or another model is opened
      */
     async turntable(seconds?: number): Promise<Blob> {
-      return turntableVideo(viewport, seconds);
+      return turntableVideo(viewport, files.replaced, seconds);
     },
 
     /**

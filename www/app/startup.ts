@@ -13,9 +13,9 @@ import {
   take,
   type Taken,
 } from '../documents/autosave.ts';
-import { recentDocuments, removals, type Work } from '../documents/recent-documents.ts';
+import { MOST, recentDocuments, removals, type Work } from '../documents/recent-documents.ts';
 import { readLink } from '../documents/share-link.ts';
-import { messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf } from '../solver/errors.ts';
 import { byId, element } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { saveFile } from '../ui/output.ts';
@@ -46,10 +46,12 @@ export class Startup {
     this.#solver = solver;
     this.#files = files;
     this.#alerts = alerts;
-    removals.on('removed', (titles) => {
+    const removed = (why: string) => (titles: string[]) => {
       const all = titles.map((title) => `“${title}”`).join(', ');
-      alerts.notice(`There was no room left in this browser: removed from Open recent ${all}.`);
-    });
+      alerts.notice(`${why}: removed from Open recent ${all}.`);
+    };
+    removals.on('removed', removed('There was no room left in this browser'));
+    removals.on('beyond', removed(`Only the last ${MOST} models that you changed are kept`));
   }
 
   /** Opens the first document, unless the user opens another one meanwhile. */
@@ -75,7 +77,7 @@ export class Startup {
     this.#startAutosave();
     let problem = '';
     const linked = await this.#openLink(opening, location.hash).catch((error) => {
-      problem = messageOf(error);
+      problem = error instanceof Cancelled ? '' : messageOf(error);
       return false;
     });
     if (!linked) await this.#openFirst(opening);
@@ -89,7 +91,7 @@ export class Startup {
       await this.#startFresh(opening);
     } catch (error) {
       if (!(await opening.isWanted())) return;
-      this.#alerts.error(messageOf(error));
+      if (!(error instanceof Cancelled)) this.#alerts.error(messageOf(error));
       if (this.#solver.isAbsent) return;
       this.#store.set({ nothingOpen: true });
       showNothingOpen(this.#files, async () => {
@@ -115,8 +117,9 @@ export class Startup {
     await this.#autosave?.save();
   }
 
-  /** Returns the works stored in this browser, except the current one. */
+  /** Returns the works stored in this browser, except the current one; waits for no opening. */
   async recent() {
+    await this.#autosave?.save();
     const current = this.#autosave?.id;
     return (await recentDocuments()).filter(({ id }) => id !== current);
   }
@@ -144,6 +147,7 @@ export class Startup {
 
   /** Reports that a work cannot be opened, and offers to save its file. */
   #reportUnreadable(error: unknown) {
+    if (error instanceof Cancelled) return;
     if (!(error instanceof Error && 'work' in error && 'raw' in error)) {
       return this.#alerts.error(messageOf(error));
     }
@@ -202,10 +206,12 @@ export class Startup {
     // The work has all that it needs: without a network it comes back without the note on its example.
     const examples = work.example ? await this.#files.examples().catch(() => []) : [];
     const example = examples.find(({ id }) => id === work.example);
-    const { id, title, hash: link, view } = work;
-    const origin = { example, work: id, title, saved, text, link, view };
+    const { id, title, hash: link, view, file } = work;
+    const origin = { example, work: id, title, saved, text, link, view, file };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
     return this.#files.open(files, origin, { opening }).catch(async (error) => {
+      // Neither says anything about the work.
+      if (error instanceof Cancelled || this.#solver.isAbsent) throw error;
       await markUnreadable(work);
       throw new Unreadable(work, text, messageOf(error));
     });

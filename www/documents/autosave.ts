@@ -206,6 +206,7 @@ export class Autosave {
       example: origin.example?.id ?? null,
       hash: origin.link ?? '',
       view,
+      file: text === (original ?? origin.text) && !progress ? origin.file : null,
     };
     return [work, text === kept.text ? { progress } : { text, history, progress }];
   }

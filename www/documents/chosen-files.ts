@@ -46,7 +46,7 @@ async function read({ actions, files, alerts }: AppContext, opening: Opening, ch
     cancelled,
   ) => files.open(given, {}, { opening, cancelled }).catch(() => null);
   if (chosen.some(({ size }) => size > LARGE)) {
-    return openLarge(chosen, { actions, alerts, open });
+    return openLarge(chosen, { actions, alerts, open, overtaken: opening.overtaken });
   }
   try {
     return await open(await Promise.all(chosen.map((file) => namedBytes(file))));

@@ -6,6 +6,7 @@
 import { openDialog } from '../ui/controls/dialog.ts';
 import { button } from '../ui/controls/fields.ts';
 import { element } from '../ui/dom.ts';
+import { untilChanged } from '../store/until-changed.ts';
 import { oneAtATime } from '../ui/once.ts';
 import type { AppContext } from '../app/context.ts';
 
@@ -28,16 +29,7 @@ export function reportCollapse({ store, alerts, actions }: AppContext, collapse:
     },
     { label: 'Continue anyway', action: () => actions.run(true) },
   );
-  // What it says and offers is about this shape.
-  const { document } = store.get();
-  let { running } = store.get();
-  const end = store.subscribe(['document', 'running'], (state) => {
-    const begins = state.running && !running;
-    ({ running } = state);
-    if (!begins && state.document === document) return;
-    withdraw();
-    end();
-  });
+  untilChanged(store, withdraw);
 }
 
 /** Asks whether to export a collapsed shape, unless the question is open already. */

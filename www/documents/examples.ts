@@ -1,14 +1,36 @@
 /** The examples: their menu with pictures, their links, and their statements. */
 
-import { messageOf } from '../solver/errors.ts';
 import { element } from '../ui/dom.ts';
 import type { AppContext } from '../app/context.ts';
+import type { Example } from '../solver/examples.ts';
 
-/** Fills the menu. */
-export async function examplesMenu(menu: HTMLElement, { files, alerts, commands }: AppContext) {
-  const examples = await files.examples();
+/** Fills the menu, and again when it is to open if the examples could not be fetched. */
+export function examplesMenu(menu: HTMLElement, app: AppContext) {
+  const { files, actions } = app;
+  let isFilled = false;
+  const fill = async () => {
+    const examples = await files.examples();
+    menu.replaceChildren(...others, ...examples.map((example) => itemOf(example, menu, app)));
+    isFilled = true;
+  };
+  const others = otherItems(menu, app);
+  menu.replaceChildren(...others);
+  void actions.reportErrors(fill());
+  let isAsked = false;
+  menu.addEventListener('beforetoggle', async (event) => {
+    if (isFilled || isAsked || event.newState !== 'open') return;
+    event.preventDefault();
+    isAsked = true;
+    await actions.reportErrors(fill());
+    if (!menu.matches(':popover-open')) menu.showPopover();
+    isAsked = false;
+  });
+}
+
+/** What is in the menu beside the examples. */
+function otherItems(menu: HTMLElement, { commands }: AppContext) {
   const begin = commands.find(({ id }) => id === 'new-mesh');
-  menu.replaceChildren(
+  return [
     element(
       'button.new-mesh',
       {
@@ -26,29 +48,30 @@ export async function examplesMenu(menu: HTMLElement, { files, alerts, commands 
       { role: 'menuitem', href: './gallery.html' },
       entry('Gallery', 'All examples with pictures of their start and end, figure by figure.'),
     ),
-    ...examples.map((example) =>
-      element(
-        'button',
-        {
-          role: 'menuitem',
-          onclick: () => {
-            menu.hidePopover();
-            files.openExample(example).catch((error) => alerts.error(messageOf(error)));
-          },
-        },
-        // Loaded lazily when the menu opens; not available offline.
-        element('img', {
-          ...(navigator.onLine && {
-            src: new URL(`pictures/${example.id}-end.webp`, document.baseURI).href,
-          }),
-          alt: '',
-          width: 72,
-          height: 52,
-          loading: 'lazy',
-        }),
-        entry(example.title, example.summary),
-      ),
-    ),
+  ];
+}
+
+function itemOf(example: Example, menu: HTMLElement, { files, actions }: AppContext) {
+  return element(
+    'button',
+    {
+      role: 'menuitem',
+      onclick: () => {
+        menu.hidePopover();
+        void actions.reportErrors(files.openExample(example));
+      },
+    },
+    // Loaded lazily when the menu opens; not available offline.
+    element('img', {
+      ...(navigator.onLine && {
+        src: new URL(`pictures/${example.id}-end.webp`, document.baseURI).href,
+      }),
+      alt: '',
+      width: 72,
+      height: 52,
+      loading: 'lazy',
+    }),
+    entry(example.title, example.summary),
   );
 }
 

@@ -1,7 +1,7 @@
 /** File input and output: open, examples, save, export. Emits `opened` after each opened model. */
 
 import { Emitter } from '../solver/emitter.ts';
-import { messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf } from '../solver/errors.ts';
 import { listOfExamples, type Example } from '../solver/examples.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
 import { count, groupDigits, length } from '../ui/words.ts';
@@ -17,7 +17,9 @@ import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
+import { hideWithNextModel } from '../store/fitted-shapes.ts';
 import { STARTS_LATER } from '../store/press.ts';
+import { untilChanged } from '../store/until-changed.ts';
 import type { Store } from '../store/state.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 export type { Example } from '../solver/examples.ts';
@@ -36,6 +38,8 @@ export interface Origin {
   text?: string;
   /** text of its scene when it was opened first, if it is reopened */
   original?: string | null;
+  /** digest of the file that it was opened from, unless it has been changed since */
+  file?: string | null;
   /** its saved history and progress */
   saved?: Saved;
   /** take what is hidden in a Rhino file */
@@ -48,10 +52,12 @@ export interface Origin {
   view?: SavedView | null;
   /** it is only tried: the work before stays that of the tab, also after a reload */
   trial?: boolean;
-  /** the model that a new mesh replaced, which Undo opens again */
+  /** the model that this one has replaced, as a new mesh does, which Undo opens again */
   before?: Left | null;
-  /** the new mesh that Undo replaced, which Redo opens again */
+  /** the model that Undo has replaced, which Redo opens again */
   after?: Left | null;
+  /** the replacing, as a step of Undo in words */
+  step?: string;
 }
 /** An open model, to be opened again as it was left. */
 type Left = { given: NamedBytes[]; origin: Origin };
@@ -77,6 +83,7 @@ export class Files extends Emitter<{ opened: void }> {
   #digest: string | null = null;
   /** Base name of saved files. */
   #name = 'model';
+  #replaced = new AbortController();
 
   constructor(store: Store, solver: SolverClient, alerts: Alerts, actions: Actions) {
     super();
@@ -85,6 +92,16 @@ export class Files extends Emitter<{ opened: void }> {
     this.#alerts = alerts;
     this.#actions = actions;
     solver.on('scene', () => this.#forgetUndone());
+    solver.on('model', () => {
+      if (solver.restoring) return;
+      this.#replaced.abort(new Cancelled());
+      this.#replaced = new AbortController();
+    });
+  }
+
+  /** Aborted when another model is shown than now. */
+  get replaced() {
+    return this.#replaced.signal;
   }
 
   get name() {
@@ -146,7 +163,8 @@ export class Files extends Emitter<{ opened: void }> {
       if (!(await opening.isWanted())) return null;
       cancelled?.throwIfAborted();
       // Until now the solver has gone on with the open model.
-      cancelled?.addEventListener('abort', () => this.#solver.abandon());
+      const abandon = () => this.#solver.abandon();
+      cancelled?.addEventListener('abort', abandon);
       // The first view shows the fitted shapes.
       if (origin.first) this.#actions.display({ shapes: true });
       // Keep the status of a button press that waits for the first model.
@@ -155,15 +173,18 @@ export class Files extends Emitter<{ opened: void }> {
         this.#actions.setStatus(`Reading ${files.map((file) => file.name).join(' and ')} …`);
       const { saved, first: solved, unwelded } = origin;
       const frame = rememberedFrame(digest);
-      const loaded = await this.#actions.open({ files, saved, frame, solved, weld: !unwelded });
+      const loaded = await this.#actions
+        .open({ files, saved, frame, solved, weld: !unwelded })
+        .finally(() => cancelled?.removeEventListener('abort', abandon));
       opening.opened();
+      if (origin.first) hideWithNextModel({ store: this.#store, actions: this.#actions });
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;
       this.#openedText = this.#solver.sceneText;
       this.#digest = digest;
       const { view, ...rest } = origin;
       if (view) restoreView(view, this.#store, this.#actions);
-      this.origin = rest;
+      this.origin = { ...(!origin.work && { file: digest }), ...rest };
       this.original = origin.original ?? (origin.work ? null : this.#solver.sceneText);
       this.nameInAddress();
       if (!origin.first) removeFirstPicture();
@@ -171,8 +192,9 @@ export class Files extends Emitter<{ opened: void }> {
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,
         example: origin.example ?? null,
-        isNew: Boolean(origin.before),
-        isUndone: Boolean(origin.after),
+        undoes: (origin.before && origin.step) || '',
+        redoes: origin.after?.origin.step ?? '',
+        nothingOpen: false,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
       if (loaded.welded) this.#reportWelded(loaded.welded, loaded.units);
@@ -181,6 +203,10 @@ export class Files extends Emitter<{ opened: void }> {
       return loaded;
     } catch (error) {
       if (!(await opening.isWanted())) return null;
+      if (error instanceof Cancelled) {
+        this.#actions.setStatus('Cancelled');
+        throw error;
+      }
       this.#actions.setStatus('');
       const offers = await offersToChoose(given, this.#actions, this, origin);
       this.#alerts.error(messageOf(error), ...offers);
@@ -219,14 +245,15 @@ export class Files extends Emitter<{ opened: void }> {
   }
 
   /**
-   * Returns the open model as it is now, with its undo history, which belongs to the solver's last
-   * scene text; null without one.
+   * Returns the open model with the edits that were begun before, and with its undo history, which
+   * belongs to the solver's last scene text; null without one. A run ends.
    */
   async asItIs(): Promise<Left | null> {
+    if (!this.#store.get().document) return null;
+    const { text } = await this.#actions.rest();
     const state = this.#store.get();
-    if (!state.document) return null;
     const { saved, sceneText } = this.#solver;
-    const bytes = new TextEncoder().encode(sceneText ?? (await this.#actions.ask.scene()));
+    const bytes = new TextEncoder().encode(sceneText ?? text);
     const { origin, original, name } = this;
     const [title, view] = [state.fileName, viewOf(state)];
     return {
@@ -235,29 +262,29 @@ export class Files extends Emitter<{ opened: void }> {
     };
   }
 
-  /** Reopens the model that was open before a new mesh. */
+  /** Reopens the model that this one has replaced. */
   async goBack() {
-    const { before } = this.origin;
+    const { before, step } = this.origin;
     // While a model is being opened, the open one is not left yet.
     if (!before || this.openings.coming) return;
     const after = await this.asItIs();
     const loaded = await this.open(before.given, { ...before.origin, after }).catch(() => null);
-    if (loaded) this.#actions.setStatus('Undid: New mesh');
+    if (loaded) this.#actions.setStatus(`Undid: ${step}`);
   }
 
-  /** Reopens the new mesh from which Undo went back, unless the model has changed since. */
+  /** Reopens the model from which Undo went back, unless this one has changed since. */
   async goForward() {
     const { after } = this.origin;
-    if (!after || !this.#store.get().isUndone || this.openings.coming) return;
+    if (!after || !this.#store.get().redoes || this.openings.coming) return;
     const loaded = await this.open(after.given, after.origin).catch(() => null);
-    if (loaded) this.#actions.setStatus('Redid: New mesh');
+    if (loaded) this.#actions.setStatus(`Redid: ${after.origin.step}`);
   }
 
-  /** Forgets the new mesh from which Undo went back, once an edit has taken its place. */
+  /** Forgets the model from which Undo went back, once an edit has taken its place. */
   #forgetUndone() {
-    const { document: scene, isUndone } = this.#store.get();
-    if (!isUndone || scene?.redo || this.#solver.sceneText === this.#openedText) return;
-    this.#actions.describeFile({ isUndone: false });
+    const { document: scene, redoes } = this.#store.get();
+    if (!redoes || scene?.redo || this.#solver.sceneText === this.#openedText) return;
+    this.#actions.describeFile({ redoes: '' });
     delete this.origin.after;
   }
 
@@ -279,9 +306,20 @@ export class Files extends Emitter<{ opened: void }> {
 
   #reportWelded({ before, after, tolerance }: NonNullable<Loaded['welded']>, units: string) {
     const words = `Joined vertices that lie on each other: ${groupDigits(before)} became ${groupDigits(after)} (up to ${length(tolerance, units)} apart).`;
-    const openUnwelded = () =>
-      this.open(this.#given, { ...this.origin, unwelded: true }).catch(() => {});
-    this.#alerts.notice(words, { label: 'Undo', action: openUnwelded });
+    const action = () => this.#openOtherwise(this.#given, { unwelded: true }, 'Separate vertices');
+    untilChanged(this.#store, this.#alerts.notice(words, { label: 'Undo', action }));
+  }
+
+  /** Opens the files of the open model in another way, as a work of its own; Undo goes back. */
+  #openOtherwise(given: NamedBytes[], how: Origin, step: string) {
+    const { example, title, link, hidden, unwelded } = this.origin;
+    const opened = this.openings.begin(async (opening) => {
+      const before = await this.asItIs();
+      const origin = { ...{ example, title, link, hidden, unwelded }, ...how, before, step };
+      await this.open(given, origin, { opening });
+    });
+    // An alert gives the reason of a refusal.
+    opened.catch(() => {});
   }
 
   /**
@@ -296,24 +334,30 @@ export class Files extends Emitter<{ opened: void }> {
       words.push(`${objects} hidden or on a layer that is off, and not loaded.`);
     }
     if (words.length === 0) return;
-    const action = () => this.open(given, { ...this.origin, hidden: true }).catch(() => {});
+    const action = () => this.#openOtherwise(given, { hidden: true }, 'Load hidden objects');
     const label = hidden === 1 ? 'Load it too' : 'Load them too';
-    this.#alerts.notice(words.join(' '), ...(hidden > 0 ? [{ label, action }] : []));
+    const withdraw = this.#alerts.notice(
+      words.join(' '),
+      ...(hidden > 0 ? [{ label, action }] : []),
+    );
+    if (hidden > 0) untilChanged(this.#store, withdraw);
   }
 
   /** Exports the current shape with the file's original vertices, before welding. */
   async exportUnwelded() {
-    await this.#actions.settled();
-    if (!(await this.mayExport())) return;
-    const bytes = await this.#actions.ask.objUnwelded();
-    this.save('.obj', Uint8Array.from(bytes), 'model/obj');
+    await this.save('.obj', 'model/obj', async () => {
+      await this.#actions.settled();
+      if (!(await this.mayExport())) return null;
+      return Uint8Array.from(await this.#actions.ask.objUnwelded());
+    });
   }
 
   /** Exports the current shape in the format with this ending. */
   async exportAs(ending: 'ply' | 'stl') {
-    if (!(await this.mayExport())) return;
-    const bytes = await this.#actions.ask.meshFile(ending);
-    this.save(`.${ending}`, Uint8Array.from(bytes), `model/${ending}`);
+    await this.save(`.${ending}`, `model/${ending}`, async () => {
+      if (!(await this.mayExport())) return null;
+      return Uint8Array.from(await this.#actions.ask.meshFile(ending));
+    });
   }
 
   /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
@@ -324,34 +368,48 @@ export class Files extends Emitter<{ opened: void }> {
 
   /** Exports the current shape as OBJ, with the displayed flat map. */
   async exportMesh() {
-    try {
+    const made = this.save('.obj', 'model/obj', async () => {
       await this.#actions.settled();
-      if (!(await this.mayExport())) return;
+      if (!(await this.mayExport())) return null;
       const uv = this.#store.get().flatMap?.found.uv;
       const { ask } = this.#actions;
-      const text = await (uv ? ask.objWithUv(uv) : ask.obj());
-      this.save('.obj', text, 'model/obj');
-    } catch (error) {
-      this.#alerts.error(messageOf(error));
-    }
+      return uv ? ask.objWithUv(uv) : ask.obj();
+    });
+    await this.#actions.reportErrors(made);
   }
 
   async saveScene() {
-    await this.#actions.settled();
-    // Without a worker, save the text received last.
-    const text = await this.#actions.ask.scene().catch(() => this.#solver.sceneText);
-    if (text === null) this.#alerts.error('There is no scene to save.');
-    else this.save('.shapeup.json', text, 'application/json');
+    await this.save('.shapeup.json', 'application/json', async () => {
+      await this.#actions.settled();
+      // Without a worker, save the text received last.
+      const text = await this.#actions.ask.scene().catch(() => this.#solver.sceneText);
+      if (text === null) this.#alerts.error('There is no scene to save.');
+      return text;
+    });
   }
 
   /**
-   * Saves a file under the base name of the model.
+   * Saves a file under the base name of the open model, of which it is made.
    * @param ending suffix of the file name
+   * @param make returns its content, or null to save nothing; may end when another model is shown
    */
-  save(ending: string, content: BlobPart, type: string) {
+  async save(
+    ending: string,
+    type: string,
+    make: (replaced: AbortSignal) => Promise<BlobPart | null> | BlobPart | null,
+  ) {
     const name = `${this.#name}${ending}`;
-    saveFile(name, content, type);
-    this.#actions.setStatus(`Saved ${name}`);
+    const { replaced } = this;
+    try {
+      const content = await make(replaced);
+      replaced.throwIfAborted();
+      if (content === null) return;
+      saveFile(name, content, type);
+      this.#actions.setStatus(`Saved ${name}`);
+    } catch (error) {
+      if (!replaced.aborted) throw error;
+      this.#alerts.notice(`${name} was not saved: another model was opened meanwhile.`);
+    }
   }
 }
 

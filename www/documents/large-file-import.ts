@@ -7,18 +7,16 @@ import '../ui/styles/waiting.css';
 import { button } from '../ui/controls/fields.ts';
 import { byId, element, removeKeepingFocus, setText } from '../ui/dom.ts';
 import { groupDigits, megabytes } from '../ui/words.ts';
-import { messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf } from '../solver/errors.ts';
 import { faceCountOf } from './face-count.ts';
 import type { NamedBytes, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 
-/** Thrown when the user cancels the import. */
-class Cancelled extends Error {}
-
 /**
  * Opens files as `Files.open` does, with a progress display.
  * @param parts.open reports errors itself
+ * @param parts.overtaken aborted when another model has been opened meanwhile
  */
 export async function openLarge(
   chosen: File[],
@@ -26,15 +24,18 @@ export async function openLarge(
     actions,
     alerts,
     open,
+    overtaken,
   }: {
     actions: Actions;
     alerts: Alerts;
     open: (files: NamedBytes[], cancelled: AbortSignal) => Promise<Loaded | null>;
+    overtaken: AbortSignal;
   },
 ) {
   const names = chosen.map(({ name }) => name).join(' and ');
   const all = chosen.reduce((sum, { size }) => sum + size, 0);
   const card = new Card(names);
+  overtaken.addEventListener('abort', () => card.abort());
   /** Faces of the files that have been read so far. */
   let faces = 0;
   // The solver measures the limit, unless known already, while the file is read.
@@ -67,6 +68,8 @@ export async function openLarge(
     if (card.cancelled.aborted) throw new Cancelled();
     return loaded;
   } catch (error) {
+    // What is said now is about the other model.
+    if (overtaken.aborted) return;
     if (!card.cancelled.aborted) return void alerts.error(messageOf(error));
     alerts.clear();
     actions.setStatus('Cancelled');
@@ -108,17 +111,21 @@ class Card {
     const attributes = { class: 'message notice', role: 'group', 'aria-label': `Opening ${names}` };
     const words = element('div.import', this.#text, this.#bar);
     this.#element = element('div', attributes, words, this.#buttons);
-    this.#buttons.append(button('Cancel', () => this.#abort.abort(), SMALL));
+    this.#buttons.append(button('Cancel', () => this.abort(), SMALL));
     this.#element.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
       event.stopPropagation();
-      this.#abort.abort();
+      this.abort();
     });
     byId('messages').append(this.#element);
   }
 
   get cancelled() {
     return this.#abort.signal;
+  }
+
+  abort() {
+    this.#abort.abort();
   }
 
   /** @param part fraction from 0 to 1; null if unknown */

@@ -12,6 +12,8 @@ export interface Opening {
   isWanted: () => Promise<boolean>;
   /** Notes that its model is open. */
   opened: () => void;
+  /** Aborted when a later one has opened its model: this one is of no use any longer. */
+  overtaken: AbortSignal;
 }
 
 export class Openings {
@@ -19,8 +21,8 @@ export class Openings {
   #begun = 0;
   /** Number of the latest one whose model was opened. */
   #opened = 0;
-  /** When those end that have not opened their models yet, by number. */
-  #ends: Map<number, Promise<unknown>> = new Map();
+  /** Those that have not opened their models yet, by number: when they end, and what stops them. */
+  #coming: Map<number, { end: Promise<unknown>; stop: AbortController }> = new Map();
   #begins;
 
   /** @param begins called when one begins; what it says stays until the next one */
@@ -36,31 +38,35 @@ export class Openings {
   begin<T>(open: (opening: Opening) => Promise<T>): Promise<T | null> {
     const number = ++this.#begun;
     this.#begins();
+    const stop = new AbortController();
     const opening = {
       isWanted: () => this.#isWanted(number),
       opened: () => {
         this.#opened = Math.max(this.#opened, number);
-        this.#ends.delete(number);
+        this.#coming.delete(number);
+        for (const [other, { stop }] of this.#coming) if (other < number) stop.abort();
       },
+      overtaken: stop.signal,
     };
     const done = open(opening).catch(async (error) => {
       if (await opening.isWanted()) throw error;
       return null;
     });
-    const end = () => this.#ends.delete(number);
-    this.#ends.set(number, done.then(end, end));
+    const end = () => this.#coming.delete(number);
+    this.#coming.set(number, { end: done.then(end, end), stop });
     return done;
   }
 
   /** Resolves when all openings have ended that have not opened their models yet; null if none. */
   get coming(): Promise<unknown> | null {
-    return this.#ends.size > 0 ? Promise.all(this.#ends.values()) : null;
+    const ends = [...this.#coming.values()].map(({ end }) => end);
+    return ends.length > 0 ? Promise.all(ends) : null;
   }
 
   async #isWanted(number: number) {
-    const later = () => [...this.#ends].filter(([other]) => other > number);
-    for (let ends = later(); ends.length > 0; ends = later())
-      await Promise.all(ends.map(([, end]) => end));
+    const later = () => [...this.#coming].filter(([other]) => other > number);
+    for (let those = later(); those.length > 0; those = later())
+      await Promise.all(those.map(([, { end }]) => end));
     return this.#opened <= number;
   }
 }

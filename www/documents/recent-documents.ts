@@ -24,6 +24,8 @@ export interface Work {
   view: SavedView | null;
   /** opening it failed */
   unreadable?: boolean;
+  /** digest of the file that it was opened from, if it was not changed since: it can be opened again */
+  file?: string | null;
 }
 
 /**
@@ -43,13 +45,16 @@ const PARTS = [ABOUT, TEXT, 'history ', 'progress '];
 /** Earlier versions stored a list instead. */
 const OLD_LIST = 'list';
 /** Number of works kept, beside those that are open. */
-const MOST = 8;
+export const MOST = 8;
 /** A tab holds a lock with this prefix and the id of its work. */
 export const LOCK_PREFIX = 'shape-up.work.';
 const database = createStore('shape-up', 'works');
 
-/** Tells which works, by their titles, have made room for another one. */
-export const removals = new Emitter<{ removed: string[] }>();
+/**
+ * Tells which works, by their titles, have made room for another one, and which changed ones are beyond
+ * the limit.
+ */
+export const removals = new Emitter<{ removed: string[]; beyond: string[] }>();
 /** By the ids of works that do not fit: the ids of those that were not enough to make room. */
 const notEnough: Map<string, string> = new Map();
 
@@ -126,10 +131,21 @@ async function keepInPlaceOfOthers(work: Work, contents: Partial<Contents>, full
 const isFull = (error: unknown) =>
   error instanceof DOMException && error.name === 'QuotaExceededError';
 
-/** Deletes the oldest works beyond the limit, except those that are open. */
+/**
+ * Deletes works beyond the limit, except those that are open: first those that were not changed, of
+ * which there is only the newest of each file, then the oldest.
+ */
 export async function pruneOldest() {
-  const newest = (await recentDocuments()).slice(0, MOST).map(({ id }) => id);
-  await remove((await closedWorks()).filter(({ id }) => !newest.includes(id)));
+  const all = await recentDocuments();
+  const changed = all.filter(({ file }) => !file);
+  const unchanged = all.filter(
+    ({ id, file }) => file && all.find((one) => one.file === file)?.id === id,
+  );
+  const kept = [...changed, ...unchanged].slice(0, MOST).map(({ id }) => id);
+  const removed = (await closedWorks()).filter(({ id }) => !kept.includes(id));
+  await remove(removed);
+  const titles = removed.filter(({ file }) => !file).map(({ title }) => title);
+  if (titles.length > 0) removals.emit('beyond', titles);
 }
 
 /** Returns the ids of the works that are open in this tab or another one. */

@@ -18,7 +18,6 @@ export function RecentMenu() {
     const open = async (event: Event) => {
       if (isOpen()) return;
       event.preventDefault();
-      await app.works.saveNow().catch(() => {});
       setList(await app.works.recent().catch(() => []));
     };
     const button = byId('recent-button');

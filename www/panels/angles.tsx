@@ -105,7 +105,7 @@ function Histogram({ original, now }: Counts) {
 
 function Save() {
   const { files, actions } = useApp();
-  const save = async () => files.save('-angles.csv', await actions.ask.table('angles'), 'text/csv');
+  const save = () => files.save('-angles.csv', 'text/csv', () => actions.ask.table('angles'));
   return (
     <Button class="bordered small" onClick={() => actions.reportErrors(save())}>
       Save angles as CSV

@@ -17,7 +17,7 @@ const isNotFetched = (thrown: unknown, message: string) =>
   (thrown instanceof TypeError && NOT_FETCHED.test(message)) ||
   (thrown instanceof Error && NOT_LOADED.test(message));
 
-/** Error of what the user has cancelled: there is nothing to report. */
+/** Error of what the user has cancelled, or given up by opening another model: nothing to report. */
 export class Cancelled extends Error {
   isMeant;
 

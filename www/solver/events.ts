@@ -3,11 +3,14 @@
  *
  * Page to worker: a `Call` (`remote.ts`) of a method of `worker/interface.ts`, or `ping`, which is
  * answered by `pong` between slices. With an `id` a call is answered by
- * exactly one `reply` or `refused` with the same `id`. Worker to page: those answers, and the events
+ * exactly one `reply`, `refused` or `outdated` with the same `id`. Worker to page: those answers, and the events
  * of {@link FromWorker}. Events caused by a call are sent before its answer, so that the page is up
  * to date when its promise settles.
  *
  * The worker first sends `ready`, once; the page queues its messages until then.
+ *
+ * Meshes are numbered by their `model` messages, from 1, in each worker. A call has the number of the
+ * mesh that the page shows: what is about another one, by now, is not done.
  *
  * Positions travel in two buffers of `#V by 3` numbers, which are transferred, never copied: the
  * worker writes one and sends it in a `frame`; the page returns the previous one with `recycle`
@@ -33,7 +36,7 @@ import type {
 /**
  * - `ready`: the solver accepts messages. Sent first, once; `module` is the engine, compiled.
  * - `loading`: before that, the progress of fetching its module, if it takes long.
- * - `model`: another mesh is open; without a name and files, the current mesh was refined or
+ * - `model`: another mesh is open, with the number `mesh`; without a name and files, the current mesh was refined or
  *   refining was undone. `positions` is one of the two buffers.
  * - `document`: after every edit and every load.
  * - `scene`: the scene file's text with its undo history, whenever it changed and the solver is
@@ -53,7 +56,7 @@ import type {
  * - `died`: the state is unusable, the worker must be replaced.
  * - `working`: work begins that may take long, with no message until then. `pong`: sign of life.
  * - `refused`: `path` is the position of the error in the scene, such as `constraints[0].length`;
- *   empty if it is not about a scene.
+ *   empty if it is not about a scene. `outdated`: the call is about a mesh that has been replaced.
  */
 export type FromWorker =
   | {
@@ -65,7 +68,13 @@ export type FromWorker =
       module: WebAssembly.Module;
     }
   | { type: 'loading'; bytes: number; all: number }
-  | { type: 'model'; loaded: Loaded; connectivity: Connectivity; positions: Float64Array }
+  | {
+      type: 'model';
+      mesh: number;
+      loaded: Loaded;
+      connectivity: Connectivity;
+      positions: Float64Array;
+    }
   | { type: 'document'; document: SceneDocument }
   | { type: 'scene'; text: string; generation: number; history: Uint8Array; iteration: number }
   | { type: 'progress'; bytes: Uint8Array; iteration: number }
@@ -89,7 +98,8 @@ export type FromWorker =
   | { type: 'working' }
   | { type: 'pong' }
   | { type: 'reply'; id: number; value: unknown }
-  | { type: 'refused'; id: number; message: string; path: string };
+  | { type: 'refused'; id: number; message: string; path: string }
+  | { type: 'outdated'; id: number };
 
 /** The messages of the worker by their type. */
 export type WorkerEvents = { [T in FromWorker['type']]: Extract<FromWorker, { type: T }> };

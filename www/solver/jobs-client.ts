@@ -15,7 +15,8 @@ type ErrorOf = Parameters<Waiting['fail']>[0];
 const LONG_MS = 1500;
 
 export class JobsClient extends Emitter<{
-  busy: { busy: boolean };
+  /** whether a job, by its name, takes long */
+  busy: { busy: boolean; job: string };
   /** what the current job does, in words */
   told: { words: string };
 }> {
@@ -115,6 +116,6 @@ export class JobsClient extends Emitter<{
   #setBusy(busy: boolean) {
     if (busy === this.#isBusy) return;
     this.#isBusy = busy;
-    this.emit('busy', { busy });
+    this.emit('busy', { busy, job: this.#waiting.first });
   }
 }

@@ -31,6 +31,8 @@ export interface Call {
   id?: number;
   name: string;
   given: unknown[];
+  /** number of the mesh that the page shows, see `events.ts` */
+  mesh?: number;
 }
 
 /** An answer, as it is sent back. After a trap, the engine in the worker is of no use. */
@@ -76,8 +78,18 @@ export class Waiting {
     return this.#calls.size;
   }
 
+  /** Name of the first call without an answer; empty if there is none. */
+  get first() {
+    const [call] = this.#calls.values();
+    return call?.name ?? '';
+  }
+
   /** Sends a call, numbered, by `send`. */
-  call(name: string, given: unknown[], send: (call: Required<Call>) => void): Promise<unknown> {
+  call(
+    name: string,
+    given: unknown[],
+    send: (call: Call & { id: number }) => void,
+  ): Promise<unknown> {
     const id = this.#nextId++;
     return new Promise((resolve, reject) => {
       // It may be answered at once.

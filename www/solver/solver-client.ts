@@ -6,7 +6,7 @@
  */
 
 import { Emitter } from './emitter.ts';
-import { messageOf } from './errors.ts';
+import { Cancelled, messageOf } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
 import type { Connectivity, Measure, Snapshot, Projections, Saved } from './types.ts';
@@ -56,7 +56,10 @@ class Refusal extends Error {
  * The worker's messages, and events about the worker itself: it has been working for long (`busy`),
  * it could not be started (`absent`), it was replaced (`restarted`).
  */
-type SolverEvents = Omit<WorkerEvents, 'reply' | 'refused' | 'died' | 'working' | 'pong'> & {
+type SolverEvents = Omit<
+  WorkerEvents,
+  'reply' | 'refused' | 'outdated' | 'died' | 'working' | 'pong'
+> & {
   busy: { busy: boolean };
   absent: { message: string };
   restarted: { message: string };
@@ -76,6 +79,8 @@ export class SolverClient extends Emitter<SolverEvents> {
 
   #worker: Worker | null = null;
   #ready = false;
+  /** Number in the worker of the mesh that the page shows; 0 if it has none of the page's. */
+  #mesh = 0;
   /** The worker replaces one that died, and has not opened its scene yet. */
   #restoring = false;
   /** The latest `model` is the previous model, in a new worker or with another mesh. */
@@ -108,7 +113,7 @@ export class SolverClient extends Emitter<SolverEvents> {
   );
   /** Commands, which have no answer. */
   readonly tell: Told<Commands> = calling((name, given) => {
-    const command = { name, given };
+    const command = { name, given, mesh: this.#mesh };
     if (name === 'show') this.#show = command;
     this.#post(command);
   });
@@ -210,7 +215,8 @@ export class SolverClient extends Emitter<SolverEvents> {
   }
 
   #request(name: string, given: unknown[]) {
-    return this.#waiting.call(name, given, (call) => this.#post(call));
+    const mesh = this.#mesh;
+    return this.#waiting.call(name, given, (call) => this.#post({ ...call, mesh }));
   }
 
   #post(call: Call, transfer: Transferable[] = []) {
@@ -241,6 +247,7 @@ export class SolverClient extends Emitter<SolverEvents> {
         break;
       }
       case 'model':
+        this.#mesh = message.mesh;
         // A restored model keeps its file name.
         this.#isSameModel = this.#restoring || !message.loaded.name;
         if (!this.#isSameModel) {
@@ -289,6 +296,8 @@ export class SolverClient extends Emitter<SolverEvents> {
         return this.#answer(message.id, message.value, null);
       case 'refused':
         return this.#answer(message.id, null, new Refusal(message.message, message.path));
+      case 'outdated':
+        return this.#answer(message.id, null, new Cancelled());
       case 'died':
         return this.#died(message.message);
     }
@@ -299,8 +308,10 @@ export class SolverClient extends Emitter<SolverEvents> {
     if (this.#waiting.settle(id, value, error) === 'open') this.#replaced = null;
   }
 
-  /** @param wanted at the user's request: show no message */
+  /** @param wanted at the user's request: tell only what is lost */
   async #died(reason: string, wanted: boolean = false) {
+    // The first mesh of the next worker will be that of the last scene, which the page may show already.
+    this.#mesh = this.#replaced || this.#sceneGeneration === null ? 0 : 1;
     // A scene that has not been opened to the end is not the page's scene.
     if (this.#replaced)
       ({ name: this.#modelName, text: this.sceneText, saved: this.saved } = this.#replaced);
@@ -314,7 +325,10 @@ export class SolverClient extends Emitter<SolverEvents> {
     this.#setBusy(0);
     this.#held = [];
     this.#replaced = null;
-    this.#waiting.fail(() => new Error(`the solver stopped (${reason})`));
+    this.#waiting.fail((_, place) =>
+      // What waited behind the work that the user has cancelled can be asked for again.
+      wanted ? new Cancelled(place === 0) : new Error(`the solver stopped (${reason})`),
+    );
     this.emit('activity', { type: 'activity', running: false, converged: false });
 
     if (atStart && !lastScene && !wanted) {
@@ -329,8 +343,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     }
     this.#start();
     if (this.#show) this.#post(this.#show);
-    const notice = (text: string) => wanted || this.#notice(text);
-    if (!lastScene) return void notice(`The solver stopped (${reason}) and was restarted.`);
+    if (!lastScene)
+      return void (wanted || this.#notice(`The solver stopped (${reason}) and was restarted.`));
     this.#restoring = true;
     const worker = this.#worker;
     const { saved } = this;
@@ -340,7 +354,8 @@ export class SolverClient extends Emitter<SolverEvents> {
       const { undoLost } = await this.change.open({ files, saved });
       const back = `your model is back as it was at iteration ${this.saved.iteration}`;
       const but = undoLost ? `, but its undo history is lost: ${undoLost}.` : '.';
-      notice(`The solver stopped (${reason}) and was restarted; ${back}${but}`);
+      if (!wanted || undoLost)
+        this.#notice(`The solver stopped (${reason}) and was restarted; ${back}${but}`);
     } catch (error) {
       // Not if this worker has been replaced in its turn.
       if (this.#worker === worker)

@@ -5,7 +5,7 @@
 
 import { workingKey } from '../ui/keys.ts';
 import { count } from '../ui/words.ts';
-import { Cancelled, messageOf } from '../solver/errors.ts';
+import { again, Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { Edit, Handle, PanelStart, Require } from '../solver/types.ts';
@@ -84,8 +84,10 @@ export function createActions(
       withdraw();
       return made;
     } catch (error) {
-      if (showError(error)) return undefined;
-      withdraw = alerts.error(withoutPath(error));
+      if (!(error instanceof Cancelled)) {
+        if (showError(error)) return undefined;
+        withdraw = alerts.error(withoutPath(error));
+      }
       // The controls show what was asked for: all show again what is.
       store.set({ refused: store.get().refused + 1 });
       return undefined;
@@ -217,8 +219,9 @@ export function createActions(
     /** Registers what selects elements that are still to be found, so that `settled` waits for it. */
     begin: <T>(begun: Promise<T>) => solver.begin(begun),
 
-    /** Opens files; rejects with the error. */
-    open: solver.change.open,
+    /** Opens files; rejects with the error. What waits behind cancelled work is opened after it. */
+    open: (...given: Parameters<typeof solver.change.open>) =>
+      again(() => solver.change.open(...given)),
 
     runOrPause() {
       const { running, refining } = store.get();

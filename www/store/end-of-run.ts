@@ -11,12 +11,17 @@ import type { SolverClient } from '../solver/solver-client.ts';
 export function endOfRun(solver: Pick<SolverClient, 'on'>, began: boolean = false) {
   let stop = () => {};
   const ended = new Promise<boolean>((settle) => {
-    stop = solver.on('activity', ({ running, converged }) => {
-      began ||= running;
-      if (running || !began) return;
-      stop();
-      settle(converged);
-    });
+    const ends = [
+      // A run that is refused ends where it would have begun.
+      solver.on('trouble', () => (began = true)),
+      solver.on('activity', ({ running, converged }) => {
+        began ||= running;
+        if (running || !began) return;
+        stop();
+        settle(converged);
+      }),
+    ];
+    stop = () => ends.forEach((end) => end());
   });
   return { ended, stop: () => stop() };
 }

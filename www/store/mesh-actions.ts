@@ -1,6 +1,7 @@
 /** Actions on the mesh itself. */
 
 import { endOfRun } from './end-of-run.ts';
+import { Cancelled } from '../solver/errors.ts';
 import { count } from '../ui/words.ts';
 import type { Remeshing } from '../pkg/engine/shape_up.js';
 import type { Edit } from '../solver/types.ts';
@@ -11,6 +12,14 @@ import type { Actions } from './actions.ts';
 type Refinement = Extract<Edit, { refine: unknown }>['refine'];
 
 export function meshActions(store: Store, solver: SolverClient, actions: Actions) {
+  /** What is found about the open mesh; rejects if another one is open by then. */
+  async function ofThisMesh<Found>(found: Promise<Found>): Promise<Found> {
+    const { model } = store.get();
+    const value = await found;
+    if (store.get().model !== model) throw new Cancelled();
+    return value;
+  }
+
   /** Runs to the end; false if stopped before convergence. */
   async function untilEnd(begin: () => unknown) {
     // A current run goes on, and is waited for.
@@ -21,12 +30,12 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
       stop();
       throw error;
     }
-    return ended;
+    return ofThisMesh(ended);
   }
 
   /** The verdict on the panels, for the status line. */
   async function verdict() {
-    const found = await actions.ask.panelProgress();
+    const found = await ofThisMesh(actions.ask.panelProgress());
     return found ? `. ${found}` : '';
   }
 

@@ -1,13 +1,20 @@
 /** Dialogs whose content is a component. */
 
 import { render, type ComponentType } from 'preact';
-import { openDialog } from '../ui/controls/dialog.ts';
+import { closeAboutModel, openDialog } from '../ui/controls/dialog.ts';
 import { AppProvider } from './use-app.ts';
 import type { AppContext } from '../app/context.ts';
 
 /** What a dialog gives to its content. */
 export interface InDialog {
   close: () => void;
+}
+
+/** Prepares and opens a dialog; once more if the model has changed meanwhile and it is about that. */
+export async function openPrepared({ store }: Pick<AppContext, 'store'>, open: () => unknown) {
+  const { model } = store.get();
+  await open();
+  if (store.get().model !== model && closeAboutModel()) await open();
 }
 
 /** Opens a dialog, and removes it and its content when it is closed. */

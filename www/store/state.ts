@@ -147,10 +147,10 @@ export interface State {
   plot: string;
   dark: boolean;
   renderer: 'webgpu' | 'webgl2' | 'none' | 'starting';
-  /** the model is a new mesh that replaced another model */
-  isNew: boolean;
-  /** the model is the one from which a new mesh was undone */
-  isUndone: boolean;
+  /** what has put the model in place of another one, which Undo opens again; empty if nothing has */
+  undoes: string;
+  /** the same, undone: Redo opens the other one again */
+  redoes: string;
   /** state of the autosave, as text */
   saved: string;
   /** last event, as text */
@@ -297,8 +297,8 @@ const INITIAL: State = {
   plot: 'convergence',
   dark: false,
   renderer: 'starting',
-  isNew: false,
-  isUndone: false,
+  undoes: '',
+  redoes: '',
   saved: '',
   status: '',
 };

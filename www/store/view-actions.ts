@@ -114,7 +114,14 @@ export function createViewActions(store: Store) {
       file: Partial<
         Pick<
           State,
-          'firstExample' | 'fileName' | 'example' | 'isNew' | 'isUndone' | 'saved' | 'status'
+          | 'firstExample'
+          | 'nothingOpen'
+          | 'fileName'
+          | 'example'
+          | 'undoes'
+          | 'redoes'
+          | 'saved'
+          | 'status'
         >
       >,
     ) => store.set(file),

@@ -22,6 +22,8 @@ const PROGRESS_SHARE = 0.05;
 
 export class Scheduler {
   frames;
+  /** Number of meshes that were sent. */
+  meshes = 0;
   #solver;
   #post;
   #died;
@@ -264,6 +266,7 @@ export class Scheduler {
   /** Sends the current mesh; the next frame is followed by `activity`. */
   sendModel(loaded: Loaded) {
     const solver = this.#solver;
+    this.meshes += 1;
     this.#activityDue = true;
     const connectivity = {
       faceOffsets: solver.faceOffsets(),
@@ -277,7 +280,7 @@ export class Scheduler {
     const positions = this.frames.renew(loaded.vertices);
     const arrays = [positions, ...Object.values(connectivity)];
     this.#post(
-      { type: 'model', loaded, connectivity, positions },
+      { type: 'model', mesh: this.meshes, loaded, connectivity, positions },
       arrays.map(({ buffer }) => buffer),
     );
   }

@@ -3,7 +3,7 @@
 import init, { Solver } from '../pkg/engine/shape_up.js';
 import { isTrap, messageOf } from '../solver/errors.ts';
 import { fetchModule } from './fetch-wasm.ts';
-import { changesOf, commandsOf, questionsOf } from './interface.ts';
+import { ABOUT_MESH, changesOf, commandsOf, questionsOf } from './interface.ts';
 import { Scheduler } from './scheduler.ts';
 import { resetIdle } from './warm-up.ts';
 import type { FromWorker } from '../solver/events.ts';
@@ -65,7 +65,9 @@ function listen(solver: Solver, module: WebAssembly.Module) {
     // Answered between slices, to show that the worker is alive.
     if (call.name === 'ping') return post({ type: 'pong' });
     resetIdle();
-    if (call.id === undefined) scheduler.guard(() => commands[call.name](...call.given));
+    if (ABOUT_MESH.has(call.name) && call.mesh !== scheduler.meshes) {
+      if (call.id !== undefined) post({ type: 'outdated', id: call.id });
+    } else if (call.id === undefined) scheduler.guard(() => commands[call.name](...call.given));
     else answer(call, call.id);
   }
 

@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { at } from '../../../.scripts/project.mjs';
-import { openText, showStep } from '../actions.ts';
+import { openText, showStep, tool } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import { expect, openPage, state, test, waitForState } from '../support.ts';
 
@@ -106,10 +106,24 @@ test('if no example can be fetched, the page shows what can be opened', async ({
   await expect(page.locator('#first-picture')).toHaveCount(0);
   await showStep(page, 'Open');
   await expect(page.getByText('Nothing is open.')).toBeVisible();
+  // Other items are there all the same.
+  const items = page.getByRole('menu', { name: 'Examples' }).getByRole('menuitem');
+  await page.getByRole('button', { name: 'Examples', exact: true }).click();
+  await expect(items).toHaveText([/^New mesh/, /^Gallery/]);
+  await page.keyboard.press('Escape');
   await page.unroute('**/examples/*');
+  await page.getByRole('button', { name: 'Examples', exact: true }).click();
+  await expect.poll(() => items.count()).toBeGreaterThan(5);
+  await page.keyboard.press('Escape');
   await page.getByRole('button', { name: 'Open an example' }).click();
   await waitForState(page, (now) => now.vertices > 0);
   await expect(page.getByText(/^Drop a mesh \(\.obj, .*\) or a scene/)).toBeHidden();
+  // The hints of the first visit are about it.
+  await expect(page.getByText(/Drag a blue handle/).filter({ visible: true })).not.toHaveCount(0);
+  const shapes = page.getByRole('checkbox', { name: 'Best-fitting shapes' });
+  await expect(shapes).toBeChecked();
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await expect(shapes).not.toBeChecked();
   // The only complaints are about the blocked requests.
   expect(complaints.filter((text) => !text.includes('net::ERR_FAILED'))).toEqual([]);
   complaints.length = 0;
@@ -213,6 +227,23 @@ test('a mesh too large for the machine opens only after confirmation', async ({ 
   expect((await state(page)).faces).toBe(before.faces);
   await expect(page.getByRole('alert')).toBeEmpty();
 
+  // The question is gone with another file that is opened meanwhile: Load anyway had no effect then.
+  await open();
+  await expect(anyway).toBeVisible();
+  // A new mesh waits for the answer, and no other dialog waits with it.
+  await page.getByRole('button', { name: 'Examples', exact: true }).click();
+  await page.getByRole('menuitem', { name: 'New mesh' }).click();
+  await tool(page, 'More formats');
+  await expect(page.getByRole('dialog', { name: 'More formats' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  const drawn = page.getByRole('dialog', { name: 'New mesh' });
+  await expect(drawn).toBeVisible();
+  await drawn.getByRole('button', { name: 'Cancel' }).click();
+  await waitForState(page, (now) => now.vertices === 25);
+  await expect(card(page)).toBeHidden();
+  await expect(status(page)).toContainText('Opened grid');
+
   await open();
   await page.getByRole('button', { name: 'Load anyway' }).click();
   await waitForState(page, (now) => now.faces === 60_000);
@@ -231,6 +262,10 @@ test('opening a file can be cancelled while the solver builds the model', async 
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   await page.getByLabel('Open file').setInputFiles(file('wide.obj', large(2000)));
   await expect(card(page)).toContainText('Opening wide.obj');
+  // Meanwhile another one can be chosen.
+  await tool(page, 'Open recent');
+  await expect(page.getByRole('menu', { name: 'Open recent' })).toBeVisible();
+  await page.keyboard.press('Escape');
   await card(page).getByRole('button', { name: 'Cancel' }).click();
   await expect(card(page)).toBeHidden();
   await expect(status(page)).toHaveText('Cancelled');

@@ -69,6 +69,25 @@ test('work is restored after the tab was killed', async ({ page, context }) => {
   await waitForState(again, (now) => now.vertices === 25 && now.iteration > 0);
 });
 
+test('work stays the last one where the solver could not be fetched', async ({
+  page,
+  context,
+  complaints,
+}) => {
+  // It was taken for unreadable, and the next tab did not bring it back.
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await kept(page);
+  await page.route('**/assets/engine-*.wasm', (route) => route.abort());
+  await page.reload();
+  await expect(page.getByRole('alert')).toContainText('The solver could not be started');
+  complaints.length = 0;
+  await page.close();
+  const again = await context.newPage();
+  await visit(again);
+  await expect(back(again)).toContainText('roof.obj');
+});
+
 test('two tabs do not overwrite each other', async ({ page, context }) => {
   await visit(page);
   await openText(page, 'one.obj', wavyGrid(2), 9);

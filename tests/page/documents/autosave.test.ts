@@ -4,7 +4,11 @@ import assert from 'node:assert/strict';
 import { test, type TestContext } from 'node:test';
 import { locks } from './storage.ts';
 import { Autosave } from '../../../www/documents/autosave.ts';
-import { LOCK_PREFIX, contentsOf } from '../../../www/documents/recent-documents.ts';
+import {
+  LOCK_PREFIX,
+  contentsOf,
+  recentDocuments,
+} from '../../../www/documents/recent-documents.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { Files, Origin } from '../../../www/documents/files.ts';
@@ -38,7 +42,7 @@ function started(context: TestContext) {
   const solver = new Solver();
   const origin: Origin = {};
   const files = Object.assign(new Emitter<{ opened: void }>(), {
-    ...{ origin, original: null, name: 'roof' },
+    ...{ origin, original: null as string | null, name: 'roof' },
   });
   const store = createStore();
   store.set({ model: { title: '', name: 'roof.obj' } as Loaded });
@@ -68,6 +72,23 @@ test('autosave goes on after the opening of another file was cancelled', async (
   await autosave.save();
   assert.equal(autosave.id, id);
   assert.equal((await contentsOf(id)).text, 'the roof with a door');
+});
+
+test('a work says of which file it is, as long as it is not changed', async (context) => {
+  const { solver, files, autosave } = started(context);
+  const fileOf = async () => {
+    await autosave.save();
+    return (await recentDocuments()).find(({ id }) => id === autosave.id)?.file;
+  };
+  await autosave.save();
+  files.origin = { file: 'of the roof' };
+  files.original = 'the roof';
+  files.emit('opened', undefined);
+  assert.equal(await fileOf(), 'of the roof');
+  solver.scene('the roof with a door');
+  assert.equal(await fileOf(), null);
+  solver.scene('the roof');
+  assert.equal(await fileOf(), 'of the roof');
 });
 
 test('what is changed just before another file is opened is saved', async (context) => {

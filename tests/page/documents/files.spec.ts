@@ -258,6 +258,19 @@ test('separate vertices at the same position are welded, can be kept apart, and 
   await page.getByRole('alert').getByRole('button', { name: 'Undo' }).click();
   await waitForState(page, (now) => now.vertices === 36);
   await expect(message).toBeHidden();
+  // The welded mesh was lost.
+  const undo = page.getByRole('button', { name: 'Undo', exact: true });
+  await expect(undo).toHaveAttribute('title', /^Undo: Separate vertices/);
+  await undo.click();
+  await waitForState(page, (now) => now.vertices === 16);
+  await page.getByRole('button', { name: 'Redo', exact: true }).click();
+  await waitForState(page, (now) => now.vertices === 36);
+
+  // The offer would read the file again, without what was done since.
+  await openText(page, 'loose.obj', text, 16);
+  await expect(message).toBeVisible();
+  await addConstraint(page, 'Plane', 'each face');
+  await expect(message).toBeHidden();
 });
 
 test('the page asks for a file that a scene needs, and takes a pose from another file', async ({

@@ -58,6 +58,23 @@ test('the failure of an earlier opening is dropped once a later one has opened i
   assert.deepEqual(opened, ['own']);
 });
 
+test('an opening is told when a later one has opened its model, not when an earlier one has', async () => {
+  const openings = new Openings();
+  const opened: Opening[] = [];
+  const ends: (() => void)[] = [];
+  for (let count = 0; count < 3; count++)
+    void openings.begin((opening) => {
+      opened.push(opening);
+      return new Promise<void>((end) => ends.push(end));
+    });
+  opened[1].opened();
+  assert.deepEqual(
+    opened.map(({ overtaken }) => overtaken.aborted),
+    [true, false, false],
+  );
+  ends.forEach((end) => end());
+});
+
 test('messages are cleared as an opening begins, never later', async () => {
   // A refused link's message was lost when the first example, begun before it, came after it.
   let cleared = 0;

@@ -41,6 +41,30 @@ test('eight models opened in one tab leave the work that is open in another tab'
   assert.equal((await contentsOf('other-tab')).text, 'hours of work');
 });
 
+test('a file opened again and again pushes out no work that was changed', async (context) => {
+  // Eight copies of it were all that was left.
+  const removed: string[] = [];
+  context.after(removals.on('beyond', (titles) => removed.push(...titles)));
+  await keep(work('edited roof'), contents('hours of work'));
+  for (let time = 1; time <= 9; time++) {
+    await keep({ ...work(`copy-${time}`), file: 'of the file' }, contents('a model'));
+    await pruneOldest();
+  }
+  assert.deepEqual(await ids(), ['copy-9', 'edited roof']);
+  for (let time = 1; time <= 8; time++) {
+    await keep({ ...work(`file-${time}`), file: `of file ${time}` }, contents('a model'));
+    await pruneOldest();
+  }
+  assert.ok((await ids()).includes('edited roof'));
+  assert.deepEqual(removed, []);
+  // What was changed is told when it has to go.
+  for (let time = 1; time <= 8; time++) {
+    await keep(work(`edited-${time}`), contents('a model'));
+    await pruneOldest();
+  }
+  assert.deepEqual(removed, ['edited roof']);
+});
+
 /** Limits the database to so many characters of scenes. */
 function limit(context: TestContext, room: number) {
   const set = Map.prototype.set.bind(records);

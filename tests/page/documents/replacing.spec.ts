@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { openText, tool } from '../actions.ts';
-import { wavyGrid } from '../meshes.ts';
+import { quadScene, wavyGrid } from '../meshes.ts';
 import { expect, openPage, sceneOf, state, test, visit, waitForState } from '../support.ts';
 
 test.use({ fresh: true });
@@ -106,6 +106,53 @@ test('a model that an address opens closes the dialogs about the one before', as
   await expect(page.getByRole('status')).toHaveText(/^Opened the example/);
   await page.waitForTimeout(500);
   expect(await page.evaluate(() => location.hash)).toBe('#example=fig-05-planar');
+});
+
+/** Clicks what is selected as soon as the solver has been asked to open its `nth` model. */
+const clickDuringOpening = (page: Page, nth: number, selector: string) =>
+  page.addInitScript(
+    ([nth, selector]) => {
+      let openings = 0;
+      window.Worker = class extends Worker {
+        override postMessage(
+          call: { name: string },
+          ...rest: [(Transferable[] | StructuredSerializeOptions)?]
+        ) {
+          super.postMessage(call, ...(rest as [StructuredSerializeOptions?]));
+          if (call.name !== 'open' || ++openings !== nth) return;
+          document.querySelector<HTMLElement>(selector)?.click();
+        }
+      };
+    },
+    [nth, selector] as const,
+  );
+
+test('a dialog begun while the next file is being opened is about that file', async ({ page }) => {
+  // The lesson of the next scene was hidden behind a dialog for a lesson of the one before.
+  await clickDuringOpening(page, 2, '[data-command="lesson"]');
+  await openPage(page);
+  const lesson = { text: 'Make it flat.', goals: [{ measure: 'planarity', at_most: 0.01 }] };
+  const scene = JSON.stringify({ ...JSON.parse(quadScene(2)), lesson });
+  await openText(page, 'lesson.shapeup.json', scene, 9);
+  const dialog = page.getByRole('dialog', { name: 'Lesson' });
+  await expect(dialog.getByLabel('Task')).toHaveValue('Make it flat.');
+});
+
+test('an edit begun while the next file is being opened is not made to that file', async ({
+  page,
+}) => {
+  // The first row of the next scene was switched off.
+  await clickDuringOpening(page, 3, '[role="switch"][aria-label$=": on"]');
+  await openPage(page);
+  const scene = (n: number) =>
+    JSON.stringify({ ...JSON.parse(quadScene(n)), constraints: [{ kind: 'plane', on: 'faces' }] });
+  await openText(page, 'one.shapeup.json', scene(2), 9);
+  await expect(page.getByRole('switch', { name: /: on$/ })).toBeChecked();
+  await openText(page, 'two.shapeup.json', scene(3), 16);
+  await page.evaluate(() => window.shapeUp.settled());
+  expect((await state(page)).constraints.plane).toBe(9);
+  await expect(page.getByRole('switch', { name: /: on$/ })).toBeChecked();
+  await expect(page.getByRole('alert')).toBeEmpty();
 });
 
 test('a reload during the trials of a new mesh brings back the work', async ({ page }) => {

@@ -106,3 +106,40 @@ test('lengths are shown in the chosen unit', async ({ page }) => {
   await expect(worst.first()).toBeAttached();
   expect((await state(page)).planarity?.max_distance).toBeGreaterThan(0);
 });
+
+test.describe('with slow answers', () => {
+  test.use({ sameDocument: false });
+
+  test('the unit is remembered for the file in which it was chosen', async ({ page }) => {
+    // The file that was opened meanwhile had it the next time, and was a thousand times as large.
+    await page.addInitScript(() => {
+      window.Worker = class extends Worker {
+        #edits = new Set<unknown>();
+        override postMessage(
+          call: { id?: number; name: string },
+          ...rest: [(Transferable[] | StructuredSerializeOptions)?]
+        ) {
+          if (call.name === 'edit') this.#edits.add(call.id);
+          super.postMessage(call, ...(rest as [StructuredSerializeOptions?]));
+        }
+        override set onmessage(hear: (event: MessageEvent) => void) {
+          super.onmessage = (event) =>
+            this.#edits.has(event.data.id) ? setTimeout(hear, 1500, event) : hear(event);
+        }
+      };
+    });
+    await openPage(page);
+    await openText(page, 'roof.obj', wavyGrid(4), 25);
+    await showStep(page, 'Shape');
+    const units = page.getByRole('combobox', { name: 'Unit' });
+    await units.selectOption('mm');
+    await openText(page, 'other.obj', wavyGrid(5), 36);
+    const remembered = () => page.evaluate(() => localStorage.getItem('shape-up.frames') ?? '[]');
+    await expect.poll(async () => JSON.parse(await remembered()).length).toBe(1);
+    await expect(guess(page)).toBeVisible();
+    await openText(page, 'roof.obj', wavyGrid(4), 25);
+    await expect(units).toHaveValue('mm');
+    await openText(page, 'other.obj', wavyGrid(5), 36);
+    await expect(units).toHaveValue('m');
+  });
+});

@@ -338,3 +338,28 @@ test('a film shows one turn if the browser can record', looks, async ({ page }) 
   await tool(page, 'More formats');
   await expect(page.getByRole('button', { name: /^WebM/ })).toBeVisible();
 });
+
+test('a film ends with its model, and leaves the camera of the next one', async ({ page }) => {
+  // Both models were in the film, saved under the name of the second, which was shown as the first.
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
+  const names: string[] = [];
+  page.on('download', (download) => names.push(download.suggestedFilename()));
+  await tool(page, 'More formats');
+  const dialog = page.getByRole('dialog', { name: 'More formats' });
+  await dialog.getByRole('button', { name: /^WebM/ }).click();
+  await expect(dialog.getByText('Working …')).toBeVisible();
+  await page.keyboard.press('Escape');
+  const camera = async () => {
+    await openText(page, 'wide.obj', wavyGrid(9), 100);
+    await page.evaluate(() => window.shapeUp.drawn());
+    return page.evaluate(() => window.shapeUp.camera());
+  };
+  const during = await camera();
+  await expect(page.getByRole('alert')).toContainText('roof.webm was not saved');
+  expect(await page.evaluate(() => window.shapeUp.camera())).toEqual(during);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  expect(await camera()).toEqual(during);
+  expect(names).toEqual([]);
+});

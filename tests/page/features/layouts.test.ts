@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { test, type TestContext } from 'node:test';
 import { Layouts } from '../../../www/features/make-panels/layouts.ts';
+import { Cancelled } from '../../../www/solver/errors.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { AppContext } from '../../../www/app/context.ts';
@@ -24,12 +25,15 @@ class Solver extends Emitter<{ scene: object; frame: object }> {
 }
 
 /** Layouts of panels that know for which generation they were laid out. */
-async function begun(context: TestContext) {
+async function begun(context: TestContext, boundary: string | null = null) {
   const solver = new Solver();
   const jobs = Object.assign(new Emitter<object>(), {
     cancel() {},
     copy: ({ generation }: { generation: number }) => ({
-      layOutPanels: async () => ({ words: `for ${generation}`, notes: [], count: 1, size: 1 }),
+      layOutPanels: async () => ({
+        ...{ words: `for ${generation}`, notes: [], count: 1, size: 1, boundary },
+      }),
+      panelsAtBoundaries: () => Promise.reject(new Cancelled()),
     }),
   });
   const viewport = Object.assign(new Emitter<object>(), { unmeasured() {} });
@@ -38,7 +42,7 @@ async function begun(context: TestContext) {
   const layouts = new Layouts(app as unknown as AppContext, () => {});
   context.after(layouts.begin());
   await answered();
-  return { solver, said: () => layouts.said.value.words };
+  return { solver, layouts, said: () => layouts.said.value.words };
 }
 
 const answered = () => new Promise((done) => setTimeout(done));
@@ -77,4 +81,19 @@ test('after a shape that was only shown there are panels again', async (context)
   solver.frame(1);
   await answered();
   assert.equal(said(), 'for 1');
+});
+
+test('a comparison at the boundary that is cancelled ends', async (context) => {
+  // Its place said … for ever.
+  context.mock.timers.enable({ apis: ['setTimeout'] });
+  const wait = () => new Promise((done) => setImmediate(done));
+  const began = begun(context, 'follow');
+  await wait();
+  context.mock.timers.tick(0);
+  const { layouts } = await began;
+  assert.equal(layouts.forecast.value, null);
+  context.mock.timers.tick(1000);
+  await wait();
+  assert.deepEqual(layouts.forecast.value, []);
+  assert.equal(layouts.doing.value, null);
 });

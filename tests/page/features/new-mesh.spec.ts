@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { openText, showStep, tool } from '../actions.ts';
-import { wavyGrid } from '../meshes.ts';
+import { quadScene, wavyGrid } from '../meshes.ts';
 import {
   boxOf,
   expect,
@@ -77,6 +77,39 @@ test('Cancel restores the previous model, an edited example as edited and under 
   await tool(page, 'Share');
   const link = page.getByRole('dialog', { name: 'Share' }).getByRole('textbox', { name: 'Link' });
   await expect(link).toHaveValue(/#link=/);
+});
+
+test('Cancel restores what was typed just before, and the run as far as it went', async ({
+  page,
+}) => {
+  await openPage(page);
+  const scene = { ...JSON.parse(quadScene(2)), solver: { tolerance: 0 } };
+  scene.constraints = [{ kind: 'circle', on: 'faces' }];
+  await openText(page, 'endless.shapeup.json', JSON.stringify(scene), 9);
+  // What the dialog needs is there the second time.
+  const dialog = await openNewMesh(page);
+  await waitForState(page, (now) => now.vertices !== 9);
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  await waitForState(page, (now) => now.vertices === 9);
+  await page.getByRole('button', { name: 'Run' }).click();
+  await waitForState(page, (now) => now.iteration > 1000);
+  await page.getByRole('button', { name: 'Examples' }).click();
+  const weight = page.getByLabel('Shape weight', { exact: true });
+  const begin = page.getByRole('menuitem', { name: 'New mesh' });
+  const iteration = await weight.evaluate(
+    (field: HTMLInputElement, begin) => {
+      field.value = '7';
+      field.dispatchEvent(new Event('change', { bubbles: true }));
+      (begin as HTMLElement).click();
+      return window.shapeUp.state().iteration;
+    },
+    await begin.elementHandle(),
+  );
+  await waitForState(page, (now) => now.vertices !== 9);
+  await dialog.getByRole('button', { name: 'Cancel' }).click();
+  await waitForState(page, (now) => now.vertices === 9 && now.iteration > 0);
+  expect((await state(page)).iteration).toBeGreaterThanOrEqual(iteration);
+  expect((await sceneOf(page)).weights.shape).toBe(7);
 });
 
 test('Undo restores the model before a new mesh, with its undo history', async ({ page }) => {

@@ -62,6 +62,19 @@ test('the worker starts with the first call, and gets the module before it', asy
   assert.ok(!worker.isEnded, 'what is refused leaves the worker as it is');
 });
 
+test('a long job is told by its name', async (context) => {
+  // Of all jobs it was said nothing, with no Cancel, while the card of new panels was open.
+  context.mock.timers.enable({ apis: ['setTimeout'] });
+  const { jobs } = client();
+  const names: string[] = [];
+  jobs.on('busy', ({ job }) => names.push(job));
+  void jobs.ask.buildOffers();
+  void jobs.ask.variation(3).catch(() => {});
+  await tick();
+  context.mock.timers.tick(1500);
+  assert.deepEqual(names, ['buildOffers']);
+});
+
 test('a long job can be cancelled with those that wait, and the next has another worker', async () => {
   mock.timers.enable({ apis: ['setTimeout'] });
   const { jobs, busy } = client();

@@ -1,7 +1,9 @@
-// Which scene a new worker opens after work was cancelled, and the generations of the shape.
+// Which scene a new worker opens after work was cancelled, the generations of the shape, and which mesh
+// a call is about.
 
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
+import { Cancelled, isUnmeant } from '../../../www/solver/errors.ts';
 import { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Call } from '../../../www/solver/remote.ts';
 import type { Opening } from '../../../www/worker/open.ts';
@@ -25,9 +27,9 @@ class FakeWorker {
   say(message: object) {
     this.onmessage({ data: message });
   }
-  model(name: string) {
+  model(name: string, mesh: number = 1) {
     this.say({
-      ...{ type: 'model', loaded: { name }, connectivity: {} },
+      ...{ type: 'model', mesh, loaded: { name }, connectivity: {} },
       positions: new Float64Array(3),
     });
   }
@@ -35,9 +37,13 @@ class FakeWorker {
     this.say({ type: 'scene', text, iteration, history: null });
   }
   /** Answers the request to open a file. */
-  opened() {
+  opened(undoLost: string = '') {
     const { id } = this.#opening;
-    this.say({ type: 'reply', id, value: { undoLost: '' } });
+    this.say({ type: 'reply', id, value: { undoLost } });
+  }
+  /** The number of the mesh that the last call is about. */
+  get mesh() {
+    return this.posted.at(-1)?.mesh;
   }
   get reopened() {
     const [{ files }] = this.#opening.given as [Opening];
@@ -138,4 +144,67 @@ test('every other mesh and every other shape is another generation, other frames
     generations.map((each) => each - first),
     [1, 2, 2, 3, 3],
   );
+});
+
+test('a call is about the mesh that the page shows, and cancelled if that has been replaced', async () => {
+  const client = await clientWithRoof();
+  const worker = FakeWorker.latest;
+  const edited = client.change.edit('reset');
+  assert.equal(worker.mesh, 1);
+  worker.say({ type: 'outdated', id: worker.posted[0].id });
+  await assert.rejects(edited, Cancelled);
+  worker.model('', 2);
+  void client.change.edit('reset');
+  assert.equal(worker.mesh, 2);
+});
+
+test('what is edited while the model comes back is edited then, but no other model', async () => {
+  const client = await clientWithRoof();
+  const edit = () => client.change.edit('reset').catch(() => {});
+  FakeWorker.latest.model('', 7);
+  FakeWorker.latest.scene('the roof', 8);
+  client.abandon();
+  FakeWorker.latest.say({ type: 'ready' });
+  void edit();
+  // It is the first one of the new worker.
+  assert.equal(FakeWorker.latest.mesh, 1);
+  FakeWorker.latest.model('roof.obj', 1);
+  FakeWorker.latest.scene('the roof', 8);
+  FakeWorker.latest.opened();
+  await tick();
+  client.change.open({ files: [] }).catch(() => {});
+  FakeWorker.latest.model('large.obj', 2);
+  client.abandon();
+  FakeWorker.latest.say({ type: 'ready' });
+  void edit();
+  assert.equal(FakeWorker.latest.mesh, 0);
+});
+
+test('work that the user cancels is no error, and what waits behind it can be asked for again', async () => {
+  const client = await clientWithRoof();
+  const asked = [client.change.open({ files: [] }), client.ask.scene()];
+  const ended = Promise.allSettled(asked);
+  client.abandon();
+  const errors = (await ended).map((one) => one.status === 'rejected' && one.reason);
+  // It was said that the solver had stopped.
+  assert.deepEqual(
+    errors.map((error) => [error instanceof Cancelled, isUnmeant(error)]),
+    [
+      [true, false],
+      [true, true],
+    ],
+  );
+});
+
+test('an undo history that is lost by cancelling is told', async () => {
+  const client = await clientWithRoof();
+  const told: string[] = [];
+  client.on('restarted', ({ message }) => told.push(message));
+  client.abandon();
+  FakeWorker.latest.say({ type: 'ready' });
+  FakeWorker.latest.model('restored.shapeup.json');
+  FakeWorker.latest.opened('it is of another version');
+  await tick();
+  assert.equal(told.length, 1);
+  assert.match(told[0], /its undo history is lost: it is of another version/);
 });

@@ -6,12 +6,13 @@ import { endOfRun } from '../../../www/store/end-of-run.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 
-type Heard = { activity: { running: boolean; converged: boolean } };
+type Heard = { activity: { running: boolean; converged: boolean }; trouble: object };
 
 function client() {
   const solver = new Emitter<Heard>();
   const tell = (running: boolean) => solver.emit('activity', { running, converged: !running });
-  return { solver: solver as unknown as SolverClient, tell };
+  const refuse = () => solver.emit('trouble', {});
+  return { solver: solver as unknown as SolverClient, tell, refuse };
 }
 
 /** What a promise is by now. */
@@ -35,6 +36,15 @@ test('the end of the run before is not that of the next one, unless it counts', 
   tell(true);
   tell(false);
   assert.equal(await now(next.ended), true);
+});
+
+test('a run that is refused ends where it would have begun', async () => {
+  // Refine and solve waited for ever, and the button said Pause.
+  const { solver, refuse } = client();
+  const { ended } = endOfRun(solver);
+  refuse();
+  solver.emit('activity', { type: 'activity', running: false, converged: false });
+  assert.equal(await ended, false);
 });
 
 test('what is no longer waited for does not end', async () => {

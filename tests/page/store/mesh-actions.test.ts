@@ -2,10 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { Cancelled } from '../../../www/solver/errors.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { meshActions } from '../../../www/store/mesh-actions.ts';
 import { createStore, type Store } from '../../../www/store/state.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
+import type { Loaded } from '../../../www/solver/types.ts';
 import type { Actions } from '../../../www/store/actions.ts';
 
 /** Whether it runs, and whether it has converged. */
@@ -53,10 +55,14 @@ class RunningSolver extends Emitter<{ activity: Activity }> {
 function refineDuringRun() {
   const store = createStore();
   const solver = new RunningSolver(store);
-  const actions = { setStatus() {}, ask: { panelProgress: async () => undefined } };
+  const said: string[] = [];
+  const actions = {
+    setStatus: (words: string) => said.push(words),
+    ask: { panelProgress: async () => undefined },
+  };
   const given = [store, solver as unknown as SolverClient, actions as unknown as Actions] as const;
   const how = { scheme: 'catmull-clark' as const, levels: 1, keep: 75 };
-  return { store, solver, ended: meshActions(...given).refine(how, true) };
+  return { store, solver, said, ended: meshActions(...given).refine(how, true) };
 }
 
 test('Refine and solve during a run refines when that run has converged', async () => {
@@ -80,4 +86,16 @@ test('Pause before the first level ends Refine and solve', async () => {
     await solver.endRun(true);
     assert.equal(solver.refinements, 0);
   }
+});
+
+test('Refine and solve says nothing about a model that is opened meanwhile', async () => {
+  // It was said to be refined.
+  const { store, solver, said, ended } = refineDuringRun();
+  await solver.endRun(true);
+  store.set({ model: { faces: 25 } as Loaded });
+  const given = assert.rejects(ended, Cancelled);
+  await solver.endRun(false);
+  await given;
+  assert.deepEqual(said, []);
+  assert.equal(store.get().refining, false);
 });

@@ -4,6 +4,7 @@ import './build-panel.css';
 import { useEffect, useRef } from 'preact/hooks';
 import { Docked } from '../../docked/docked.tsx';
 import { askRhino } from '../../documents/rhino/rhino-client.ts';
+import { openPrepared } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { oneAtATime } from '../../ui/once.ts';
@@ -17,19 +18,21 @@ import { TypesCurve } from './types-curve.tsx';
 import type { AppContext } from '../../app/context.ts';
 import type { LiveBuild } from './live-build.ts';
 
-const openReport = oneAtATime(showReport);
+const openReport = oneAtATime((app: AppContext, live: LiveBuild) =>
+  openPrepared(app, () => showReport(app, live)),
+);
 
-const save = oneAtATime(async ({ actions, files }: AppContext, live: LiveBuild) => {
-  const bytes = await actions.reportErrors(live.zip());
-  if (bytes) files.save('-parts.zip', bytes, 'application/zip');
-});
+const save = oneAtATime(({ files }: AppContext, live: LiveBuild) =>
+  files.save('-parts.zip', 'application/zip', () => live.zip()),
+);
 
 /** Saves a 3DM file, loading its large writer. */
-const saveForRhino = oneAtATime(async ({ files }: AppContext, live: LiveBuild) => {
-  const [made, { symbol }] = [await live.spatialParts(), live.unit()];
-  const bytes = await askRhino((rhino) => rhino.writeParts(made, symbol));
-  files.save('-parts.3dm', bytes, 'model/vnd.3dm');
-});
+const saveForRhino = oneAtATime(({ files }: AppContext, live: LiveBuild) =>
+  files.save('-parts.3dm', 'model/vnd.3dm', async () => {
+    const [made, { symbol }] = [await live.spatialParts(), live.unit()];
+    return askRhino((rhino) => rhino.writeParts(made, symbol));
+  }),
+);
 
 /** The panel, while it is docked. */
 export function BuildPanel() {
@@ -63,7 +66,11 @@ function Panel() {
       >
         Rhino
       </Button>
-      <Button class="primary" disabled={isDisabled} onClick={() => save(app, live)}>
+      <Button
+        class="primary"
+        disabled={isDisabled}
+        onClick={() => actions.reportErrors(save(app, live))}
+      >
         Save drawings and tables
       </Button>
     </>

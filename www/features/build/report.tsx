@@ -48,7 +48,7 @@ export async function showReport(app: AppContext, live: LiveBuild) {
           >
             Print or save as PDF
           </button>
-          <Button onClick={() => files.save('-report.html', text, 'text/html')}>
+          <Button onClick={() => files.save('-report.html', 'text/html', () => text)}>
             Save as HTML
           </Button>
         </div>

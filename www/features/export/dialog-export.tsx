@@ -75,7 +75,7 @@ function ExportDialog({ close }: InDialog) {
     }
   };
   const makeTable = (name: 'errors' | 'convergence' | 'angles') =>
-    make(async () => files.save(`-${name}.csv`, await actions.ask.table(name), 'text/csv'));
+    make(() => files.save(`-${name}.csv`, 'text/csv', () => actions.ask.table(name)));
 
   return (
     <div class="dialog-body">
@@ -159,18 +159,17 @@ function ExportDialog({ close }: InDialog) {
           name="PNG"
           words={canDraw ? 'The view as it is now' : 'This browser cannot draw the view'}
           disabled={!canDraw}
-          onClick={make(async () => {
-            const blob = await pictureOf(viewport, store.get(), picture.value);
-            files.save('.png', blob, 'image/png');
-          })}
+          onClick={make(() =>
+            files.save('.png', 'image/png', () => pictureOf(viewport, store.get(), picture.value)),
+          )}
         />
         {canRecord() && (
           <Format
             name="WebM"
             words="A 6-second video in which the model turns once"
             disabled={!canDraw}
-            onClick={make(async () =>
-              files.save('.webm', await turntableVideo(viewport), 'video/webm'),
+            onClick={make(() =>
+              files.save('.webm', 'video/webm', (replaced) => turntableVideo(viewport, replaced)),
             )}
           />
         )}
@@ -181,18 +180,19 @@ function ExportDialog({ close }: InDialog) {
           onClick={make(async () => {
             const drawing = viewport.lineDrawing();
             if (!drawing) throw new Error('This browser cannot draw the view.');
-            files.save('-drawing.svg', drawing, 'image/svg+xml');
+            await files.save('-drawing.svg', 'image/svg+xml', () => drawing);
           })}
         />
         <Format
           name="SVG"
           words="The plot of the convergence, on white"
-          onClick={make(async () => {
-            const title = `${model?.title || files.name}: convergence`;
-            const squared = scene?.units ? `${scene.units}²` : '';
-            const svg = convergenceSvg(await actions.ask.table('convergence'), title, squared);
-            files.save('-convergence.svg', svg, 'image/svg+xml');
-          })}
+          onClick={make(() =>
+            files.save('-convergence.svg', 'image/svg+xml', async () => {
+              const title = `${model?.title || files.name}: convergence`;
+              const squared = scene?.units ? `${scene.units}²` : '';
+              return convergenceSvg(await actions.ask.table('convergence'), title, squared);
+            }),
+          )}
         />
       </section>
       <p class="working quiet" aria-live="polite">
@@ -264,9 +264,11 @@ function PictureOptions() {
 }
 
 /** Saves a 3DM file, loading its large writer. */
-async function saveForRhino({ actions, files }: AppContext) {
-  if (!(await files.mayExport())) return;
-  const scene = await actions.ask.scene();
-  const errors = await actions.ask.table('errors');
-  files.save('.3dm', await askRhino((rhino) => rhino.write(scene, errors)), 'model/vnd.3dm');
+function saveForRhino({ actions: { ask }, files }: AppContext) {
+  return files.save('.3dm', 'model/vnd.3dm', async () => {
+    if (!(await files.mayExport())) return null;
+    // Of the same shape.
+    const [scene, errors] = await Promise.all([ask.scene(), ask.table('errors')]);
+    return askRhino((rhino) => rhino.write(scene, errors));
+  });
 }

@@ -15,9 +15,14 @@ export const canRecord = () =>
 
 /**
  * Turns the model once, records it as WebM, and restores the camera.
+ * @param replaced aborted when another model is shown, which ends the video
  * @param seconds for the turn
  */
-export async function turntableVideo(viewport: Viewport, seconds: number = SECONDS): Promise<Blob> {
+export async function turntableVideo(
+  viewport: Viewport,
+  replaced: AbortSignal,
+  seconds: number = SECONDS,
+): Promise<Blob> {
   const stream = canRecord() ? viewport.stream() : undefined;
   if (!stream) throw new Error('This browser cannot record a video of the view.');
   const recorder = new MediaRecorder(stream, { mimeType: kind(), videoBitsPerSecond: BITS });
@@ -32,19 +37,22 @@ export async function turntableVideo(viewport: Viewport, seconds: number = SECON
     return view.camera();
   });
   recorder.start();
-  await turnOnce(viewport, seconds);
+  await turnOnce(viewport, seconds, replaced);
   recorder.stop();
   stream.getTracks().forEach((track) => track.stop());
+  // The camera is that of the other model.
+  replaced.throwIfAborted();
   if (camera) viewport.with((view) => view.placeCamera(camera));
   await stopped;
   return new Blob(parts, { type: 'video/webm' });
 }
 
-function turnOnce(viewport: Viewport, seconds: number) {
+function turnOnce(viewport: Viewport, seconds: number, replaced: AbortSignal) {
   const began = performance.now();
   let part = 0;
   return new Promise((done) => {
     const turn = () => {
+      if (replaced.aborted) return done(undefined);
       const now = Math.min(1, (performance.now() - began) / 1000 / seconds);
       viewport.unmeasured((view) => view.spin(2 * Math.PI * (now - part)));
       part = now;

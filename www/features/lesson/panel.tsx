@@ -171,8 +171,8 @@ function HandIn() {
   async function save() {
     const student = name.current?.value.trim() ?? '';
     const time = new Date().toISOString();
-    const text = await actions.reportErrors(actions.ask.results(student, time));
-    if (text) files.save('.results.json', text, 'application/json');
+    const make = () => actions.ask.results(student, time);
+    await actions.reportErrors(files.save('.results.json', 'application/json', make));
   }
 
   return (

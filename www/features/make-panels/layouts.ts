@@ -38,6 +38,9 @@ interface LaidOutFor {
   generation: number;
 }
 
+/** What the second worker does for the layouts. */
+export const LAYING_OUT = ['layOutPanels', 'panelsAtBoundaries'] as const;
+
 /** Time without another wish after which both choices at the boundary are forecast. */
 const IDLE_MS = 1000;
 
@@ -49,7 +52,7 @@ export class Layouts {
   readonly said = signal<{ words: string; notes: LayoutNote[] }>({ words: '', notes: [] });
   /** What is being done, which can be cancelled; null if nothing is. */
   readonly doing = signal<string | null>(null);
-  /** Both choices at the boundary, once they are known. */
+  /** Both choices at the boundary, once they are known; empty if they were not to be found. */
   readonly forecast = signal<BoundaryForecast[] | null>(null);
   /** The faces that were selected at the beginning. */
   readonly selected: Uint32Array<ArrayBuffer>;
@@ -118,7 +121,7 @@ export class Layouts {
   }
 
   cancel() {
-    this.#app.jobs.cancel('layOutPanels', 'panelsAtBoundaries');
+    this.#app.jobs.cancel(...LAYING_OUT);
   }
 
   /**
@@ -208,10 +211,10 @@ export class Layouts {
     if (!this.#isOpen || mine !== this.#turn) return;
     this.#isForecasting = true;
     this.doing.value = 'Comparing both choices at the boundary …';
-    const found = await ask().catch(() => null);
+    const found = await ask().catch(() => []);
     this.#isForecasting = false;
     if (!this.#layouts.isBusy()) this.doing.value = null;
-    if (this.#isOpen && mine === this.#turn && found) this.forecast.value = found;
+    if (this.#isOpen && mine === this.#turn) this.forecast.value = found;
   }
 
   /** Removes panels that are for another shape. */

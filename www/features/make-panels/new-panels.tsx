@@ -192,7 +192,7 @@ function Boundary({ layouts }: Of) {
           }
         />
       </label>
-      <dl class="quiet">
+      <dl class="quiet" hidden={known?.length === 0}>
         {panels &&
           BOUNDARIES.map(([boundary, , label]) => (
             <div key={boundary} aria-current={boundary === panels.boundary}>

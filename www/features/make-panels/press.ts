@@ -1,6 +1,7 @@
 /** One press for all panels: the run, its transition, and commands for it. */
 
 import { endOfRun } from '../../store/end-of-run.ts';
+import { hideWithNextModel } from '../../store/fitted-shapes.ts';
 import type { KindInfo, PanelStart } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
@@ -67,16 +68,6 @@ async function nextTakes({ store, files }: AppContext, id: string) {
   const { model } = store.get();
   const offered = model?.panels.find(({ kind }) => kind === id);
   return model !== before && offered !== undefined && !offered.reason;
-}
-
-/** The next mesh starts without fitted shapes. */
-function hideWithNextModel({ store, actions }: AppContext) {
-  const { model } = store.get();
-  const stop = store.subscribe(['model'], (now) => {
-    if (now.model === model) return;
-    stop();
-    actions.display({ shapes: false });
-  });
 }
 
 /** Adds the commands that make all panels one shape, once the solver has declared the kinds. */

@@ -24,8 +24,6 @@ const SPAN = { id: 'span', label: 'Between curves' };
 /** @param first what is chosen at first; by default the first kind */
 export async function newMesh(app: AppContext, first?: { id: string }) {
   const { files, solver } = app;
-  // What is being opened is what comes back after the trials.
-  await files.untilOpen();
   await init({ module_or_path: solver.module });
   const kinds = newKinds();
   const trial = new Trial(app, await files.asItIs());

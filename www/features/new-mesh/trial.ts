@@ -124,17 +124,18 @@ export class Trial {
   }
 
   async #takeBack() {
-    const { files, alerts } = this.#app;
-    await this.#making;
-    const before = this.#before;
+    const { files } = this.#app;
     if (this.#isKept || this.#isOther()) return;
+    const before = this.#before;
+    // At once: what the user opens next comes later, and stays. An alert gives the reason of a refusal.
+    if (before) return void files.open(before.given, before.origin).catch(() => {});
+    await this.#making;
     // The last trial stays as the only model, and is saved as such.
-    if (!before) return files.origin.trial ? files.keepTrial() : undefined;
-    await files.open(before.given, before.origin).catch((error) => alerts.error(messageOf(error)));
+    if (files.origin.trial && !this.#isOther()) files.keepTrial();
   }
 
   #origin() {
-    return { work: this.#work, title: this.#label, before: this.#before };
+    return { work: this.#work, title: this.#label, before: this.#before, step: 'New mesh' };
   }
 
   /** Whether a model was opened from elsewhere, which stays: neither a trial nor the one before. */

@@ -10,7 +10,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
 import { unitsOfLength } from '../../ui/words.ts';
-import type { Loaded } from '../../solver/types.ts';
+import type { Edit, Loaded } from '../../solver/types.ts';
 
 /** Units, and the empty string for a mesh without a unit. */
 const SYMBOLS = [...unitsOfLength(), ''];
@@ -24,13 +24,17 @@ export function FrameFields({ model }: { model: Loaded }) {
   const symbols = SYMBOLS.includes(units) ? SYMBOLS : [units, ...SYMBOLS];
   const guess = model === confirmed ? '' : guessInWords(model);
 
-  /** Changes unit and axis, each as one step of undo. */
+  /** Changes unit and axis, each as one step of undo, and remembers them if they are not refused. */
   async function change(part: Partial<Frame>) {
     const frame = { units, up, ...part };
-    if (frame.units !== units) await actions.edit({ setUnits: { units: frame.units } });
-    if (frame.up !== up) await actions.edit({ setUp: { up: frame.up } });
-    if (files.digest) rememberFrame(files.digest, frame);
-    setConfirmed(store.get().model);
+    const { digest } = files;
+    const edits: Edit[] = [];
+    if (frame.units !== units) edits.push({ setUnits: { units: frame.units } });
+    if (frame.up !== up) edits.push({ setUp: { up: frame.up } });
+    for (const edit of edits) if ((await actions.edit(edit)) === undefined) return;
+    // Another file may be open by now.
+    if (digest) rememberFrame(digest, frame);
+    setConfirmed(model);
   }
 
   return (

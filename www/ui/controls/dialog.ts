@@ -7,9 +7,14 @@ import { closeButton } from './fields.ts';
 /** Dialogs about the open model. */
 const ABOUT_MODEL = 'dialog[data-about="model"]';
 
-/** Closes the dialogs about a model that another one has replaced. */
+/**
+ * Closes the dialogs about a model that another one has replaced.
+ * @returns whether there were any
+ */
 export function closeAboutModel() {
-  for (const dialog of document.querySelectorAll<HTMLDialogElement>(ABOUT_MODEL)) dialog.close();
+  const dialogs = document.querySelectorAll<HTMLDialogElement>(ABOUT_MODEL);
+  for (const dialog of dialogs) dialog.close();
+  return dialogs.length > 0;
 }
 
 /**
