@@ -99,8 +99,7 @@ export class PointerInput {
     listen('pointermove', (event) => this.#move(event));
     listen('pointerup', (event) => this.#release(event));
     listen('pointercancel', (event) => {
-      this.#down.delete(event.pointerId);
-      this.cancel();
+      if (this.#down.delete(event.pointerId)) this.cancel();
     });
     // What was begun on another mesh has nothing to restore on this one.
     solver.on('model', () => {
@@ -141,7 +140,8 @@ export class PointerInput {
   }
 
   #press(event: PointerEvent) {
-    if (!this.#viewport.view) return;
+    // A second finger or a palm while a handle is dragged has no part in it.
+    if (!this.#viewport.view || this.#gesture?.kind === 'handle') return;
     const at = this.#at(event);
     this.#element.focus({ preventScroll: true });
     this.#element.setPointerCapture(event.pointerId);
@@ -243,12 +243,8 @@ export class PointerInput {
     event.stopPropagation();
   }
 
-  /**
-   * A second finger switches to pan and zoom, except while a handle is dragged. What the first one
-   * has done meanwhile was not meant.
-   */
+  /** A second finger switches to pan and zoom. What the first one has done meanwhile was not meant. */
   #secondFinger() {
-    if (this.#gesture?.kind === 'handle') return;
     this.cancel();
     this.#become({ kind: 'pinch' });
   }
