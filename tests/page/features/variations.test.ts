@@ -78,3 +78,32 @@ test('variations that ended with the worker of another job are searched again wh
   }
   stop();
 });
+
+test('sliders that are back in the middle show no variation', async () => {
+  const shown: string[] = [];
+  const variations = {
+    leave: async () => void shown.push('left'),
+    show: async () => Boolean(shown.push('shown')),
+  };
+  const actions = { variations, reportErrors: (promise: Promise<unknown>) => promise };
+  // The farthest that the constraints allow is the middle itself.
+  const go = async () => ({ positions: [], part: 0.001, report: {} });
+  const jobs = { generation: 0, ask: { go, towards: async () => [] } };
+  const panel = new Variations({ jobs, actions } as unknown as AppContext);
+  panel.found.value = [{ slide: 1 } as (typeof panel.found.value)[number]];
+  panel.steps.value = [0];
+  const done = () => new Promise((end) => setTimeout(end, 5));
+  panel.move(0, 3);
+  await done();
+  panel.move(0, 0);
+  await done();
+  panel.release();
+  await done();
+  assert.deepEqual(shown, ['shown', 'left', 'shown', 'left']);
+  panel.move(0, 3);
+  await done();
+  panel.release();
+  await done();
+  assert.deepEqual(shown.slice(4), ['shown', 'shown', 'left']);
+  assert.equal(panel.isExact.value, false);
+});

@@ -119,6 +119,8 @@ export class Variations {
     }
     if (this.#wanted === 'exact') return this.#project();
     const shape = await jobs.ask.towards(this.#coefficients());
+    // A variation that is shown is what Undo takes back: in the middle there is none.
+    if (!this.isMoved()) return variations.leave();
     return variations.show(this.#varied.generation, shape, null);
   }
 
@@ -129,13 +131,15 @@ export class Variations {
 
   async #project() {
     const { actions, jobs } = this.#app;
+    const { variations } = actions;
     const asked = this.steps.value;
     const { positions, part, report } = await jobs.ask.go(this.#coefficients());
-    const isShown = await actions.variations.show(this.#varied.generation, positions, report);
+    const isShown = await variations.show(this.#varied.generation, positions, report);
     if (!isShown || this.#updates.hasNext()) return;
     if (part < 1) this.steps.value = asked.map((step) => Math.round(part * step));
     this.words.value =
       part < 1 ? 'Farther, the required constraints could not all be satisfied.' : HINT;
+    if (!this.isMoved()) return variations.leave();
     this.isExact.value = true;
   }
 
