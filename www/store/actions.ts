@@ -214,7 +214,7 @@ export function createActions(
      */
     settled: () => solver.settled(),
 
-    /** Registers what selects elements that are still to be found, so that `settled` waits for it. */
+    /** Registers what the user has begun and the solver does not know of, so that `settled` waits for it. */
     begin: <T>(begun: Promise<T>) => solver.begin(begun),
 
     /** Opens files; rejects with the error. */

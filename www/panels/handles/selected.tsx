@@ -81,13 +81,18 @@ function useTypedTargets() {
     setAhead(new Map(after.map(({ vertex, target }) => [vertex, target])));
     actions.moveHandles(before, 'start');
     actions.moveHandles(after, 'move');
-    const end = () => {
-      clearTimeout(timer);
-      pending.current = null;
-      actions.moveHandles(after, 'end');
-    };
-    const timer = setTimeout(end, FOLLOW_MS);
-    pending.current = end;
+    const followed = new Promise<void>((done) => {
+      const end = () => {
+        clearTimeout(timer);
+        pending.current = null;
+        actions.moveHandles(after, 'end');
+        done();
+      };
+      const timer = setTimeout(end, FOLLOW_MS);
+      pending.current = end;
+    });
+    // What is saved waits for it: meanwhile the mesh is half way.
+    void actions.begin(followed);
     actions.setStatus(
       after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`,
     );
