@@ -17,6 +17,7 @@ import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { isMeshLocked } from '../store/panels-card.ts';
 import { isDrawn, type State } from '../store/state.ts';
+import { undone } from '../store/undone.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { isTypedInto } from '../ui/keys.ts';
@@ -150,10 +151,9 @@ export function commandTable(
       keys: ['Ctrl+Z'],
       repeats: true,
       action: undo,
-      enabled: ({ document, dragged, isNew }) =>
-        Boolean(document?.undo || isNew) && dragged.length === 0,
-      title: ({ document, isNew }) => {
-        const what = document?.undo || (isNew && 'New mesh');
+      enabled: (state) => undone(state) !== '' && state.dragged.length === 0,
+      title: (state) => {
+        const what = undone(state);
         return what ? `Undo: ${what}` : 'Nothing to undo';
       },
     },
