@@ -105,7 +105,7 @@ function sectionsOf({
       [
         [some(undefined), 'Make handle', () => actions.holdSelected(false)],
         [some(undefined) || some(false), 'Fix', () => actions.holdSelected(true)],
-        [some(true), 'Make soft', () => actions.holdSelected(false)],
+        [some(true), 'Make soft', () => actions.softenSelected()],
         offer(some(true) || some(false), 'Remove handle', 'remove-handles'),
       ],
     ],

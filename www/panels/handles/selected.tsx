@@ -177,26 +177,22 @@ function Hold({ chosen }: { chosen: Handle[] }) {
   const { actions } = useApp();
   const soft = chosen.filter((handle) => !handle.fixed);
   const weight = common(soft.map((handle) => handle.weight));
-  const make = (fixed: boolean) => {
-    // Handles of this kind already keep their weight.
-    const others = chosen.filter((handle) => handle.fixed !== fixed);
-    if (others.length > 0)
-      void actions.addHandles(
-        others.map(({ vertex }) => vertex),
-        fixed,
-      );
-  };
+  const vertices = chosen.map(({ vertex }) => vertex);
   return (
     <div class="hold">
       <span class="segmented">
         <button
           type="button"
           aria-pressed={soft.length === chosen.length}
-          onClick={() => make(false)}
+          onClick={() => actions.soften(vertices)}
         >
           Soft
         </button>
-        <button type="button" aria-pressed={soft.length === 0} onClick={() => make(true)}>
+        <button
+          type="button"
+          aria-pressed={soft.length === 0}
+          onClick={() => actions.addHandles(vertices, true)}
+        >
           Fixed
         </button>
       </span>
