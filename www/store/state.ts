@@ -168,8 +168,8 @@ export interface FlatMap {
   weights: MapWeights;
   /** of the computation */
   norm: MapNorm;
-  /** of the shape that was flattened */
-  iteration: number;
+  /** the shape that was flattened, `#V by 3` */
+  shape: Float64Array;
   /** settings with fewer flipped triangles; null if not searched */
   fewerFlips: FewerFlips | 'searching' | 'none' | null;
   onModel: Look;
