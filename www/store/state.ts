@@ -74,8 +74,10 @@ export interface State {
   pointedAt: number | undefined;
   /** time from the last pointer move to new positions */
   dragMs: number;
-  /** members of the constraint under the pointer */
+  /** elements that are marked, as what cannot be met, until that is over */
   tint: Tint | null;
+  /** elements of the row or the part under the pointer, shown instead for that time */
+  pointed: Tint | null;
   /** colours of constraint rows */
   rowColours: RowColours | null;
   /** the visible step if there is room for only one */
@@ -255,6 +257,7 @@ const INITIAL: State = {
   pointedAt: undefined,
   dragMs: 0,
   tint: null,
+  pointed: null,
   rowColours: null,
   step: 'shape',
   measure: null,
