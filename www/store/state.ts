@@ -59,6 +59,8 @@ export interface State {
   through: boolean;
   /** whether a box or a lasso also selects what it only touches, whichever way it is drawn */
   touching: boolean;
+  /** whether what is selected is added, as with Shift */
+  adds: boolean;
   /** radius, CSS pixels */
   brush: number;
   /** what a click selects */
@@ -248,6 +250,7 @@ const INITIAL: State = {
   shape: 'box',
   through: false,
   touching: false,
+  adds: false,
   brush: 24,
   mode: 'vertices',
   selection: { vertices: new Set(), edges: new Set(), faces: new Set() },

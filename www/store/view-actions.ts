@@ -75,7 +75,9 @@ export function createViewActions(store: Store) {
     tintPointed: (pointed: State['pointed']) => store.set({ pointed }),
 
     useTool: (
-      tool: Partial<Pick<State, 'tool' | 'shape' | 'through' | 'touching' | 'brush' | 'tape'>>,
+      tool: Partial<
+        Pick<State, 'tool' | 'shape' | 'through' | 'touching' | 'adds' | 'brush' | 'tape'>
+      >,
     ) => store.set(tool),
 
     /** Sets parts of the display. */
