@@ -107,3 +107,22 @@ test('sliders that are back in the middle show no variation', async () => {
   assert.deepEqual(shown.slice(4), ['shown', 'shown', 'left']);
   assert.equal(panel.isExact.value, false);
 });
+
+test('where nothing is required, no run is asked for', async () => {
+  const store = createStore();
+  const jobs = { generation: 0, ask: {}, copy: () => ({ findVariations: async () => false }) };
+  const actions = { variations: { leave: async () => {} }, atRest: async () => ({}) };
+  const solver = { geometry: { connectivity: {} } };
+  const app = { store, jobs, actions, solver } as unknown as AppContext;
+  const row = { enabled: true, require: 'exact' };
+  const saidWith = async (...constraints: object[]) => {
+    store.set({ model: { faces: 1 }, document: { constraints } } as unknown as Partial<State>);
+    const variations = new Variations(app);
+    const stop = variations.begin(assert.fail);
+    await new Promise((done) => setTimeout(done, 5));
+    stop();
+    return variations.words.value;
+  };
+  assert.match(await saidWith(row), /Press Run first/);
+  assert.match(await saidWith({ ...row, enabled: false }), /nothing is required now/);
+});

@@ -6,10 +6,12 @@
 import { signal } from '@preact/signals';
 import { again, messageOf } from '../../solver/errors.ts';
 import { latestOnly } from '../../store/latest-only.ts';
+import { isHard } from '../../store/state.ts';
 import type { Connectivity } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const NONE = 'Not all required constraints are satisfied yet. Press Run first.';
+const NOTHING = 'Variations keep what is required, and nothing is required now.';
 const HINT = 'Move the sliders; their effects add up. The line under each shows how far it can go.';
 
 /** Slider steps from the middle to either end. */
@@ -166,7 +168,8 @@ export class Variations {
     // A run has begun meanwhile: its end begins another search.
     if (!model) return;
     if (!connectivity || !(await jobs.copy(model).findVariations())) {
-      if (isCurrent()) this.words.value = NONE;
+      const isRequired = store.get().document?.constraints.some(isHard);
+      if (isCurrent()) this.words.value = isRequired ? NONE : NOTHING;
       return;
     }
     if (!isCurrent()) return;
