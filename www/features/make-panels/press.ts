@@ -24,7 +24,7 @@ interface How {
 /** Makes all panels of this kind, with a transition. */
 export async function makePanels(
   app: AppContext,
-  kind: Pick<KindInfo, 'id'>,
+  kind: KindInfo,
   { from = 'now', within, label = '' }: How = {},
 ) {
   const { store, solver, viewport, actions, files } = app;
