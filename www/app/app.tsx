@@ -10,6 +10,7 @@ import { FlatMapRegion } from '../features/flat-map/flat-map-region.tsx';
 import { Lesson, LessonCard, lockable } from '../features/lesson/panel.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
+import { makePanels } from '../features/make-panels/press.ts';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
 import { Stage } from '../features/present/stage.tsx';
 import { VariationsButton, VariationsPanel } from '../features/variations/variations-panel.tsx';
@@ -60,7 +61,7 @@ const PLACES: Record<string, ComponentType> = {
   'docked-place': () => (
     <>
       <VariationsPanel />
-      <BuildPanel />
+      <BuildPanel makePanels={makePanels} />
     </>
   ),
   'flat-map-panel-place': FlatMapPanel,

@@ -18,6 +18,7 @@ import { halfStepTitle } from '../store/half-step.ts';
 import { isMeshLocked } from '../store/panels-card.ts';
 import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
+import { undone } from '../store/undone.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { isTypedInto } from '../ui/keys.ts';
@@ -162,10 +163,9 @@ export function commandTable(
       keys: ['Ctrl+Z'],
       repeats: true,
       action: undo,
-      enabled: ({ document, dragged, undoes }) =>
-        Boolean(document?.undo || undoes) && dragged.length === 0,
-      title: ({ document, undoes }) => {
-        const what = document?.undo || undoes;
+      enabled: (state) => undone(state) !== '' && state.dragged.length === 0,
+      title: (state) => {
+        const what = undone(state);
         return what ? `Undo: ${what}` : 'Nothing to undo';
       },
     },

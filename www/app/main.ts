@@ -152,7 +152,7 @@ function bindSolver(client: SolverClient) {
       selection: NOTHING,
       dragged: [],
       dragMs: 0,
-      tint: null,
+      ...{ tint: null, pointed: null },
       tape: null,
       section: null,
     }),

@@ -19,6 +19,8 @@ export interface Geometry {
    * of date
    */
   generation: number;
+  /** generation of problem and shape in the worker, as of the latest frame */
+  solved: number | null;
   connectivity: Connectivity;
   /** latest positions, `#V by 3`; replaced with every frame */
   positions: Float64Array;
@@ -259,6 +261,7 @@ export class SolverClient extends Emitter<SolverEvents> {
         this.#previous = null;
         this.geometry = {
           generation: ++this.#generation,
+          solved: null,
           connectivity: message.connectivity,
           positions: message.positions,
           values: null,
@@ -282,6 +285,7 @@ export class SolverClient extends Emitter<SolverEvents> {
         // Frames also come for another measure, or for numbers alone.
         if (message.positions.some((x, i) => x !== geometry.positions[i]))
           geometry.generation = ++this.#generation;
+        geometry.solved = message.generation;
         this.#previous = geometry.positions;
         geometry.positions = message.positions;
         geometry.values = message.values;

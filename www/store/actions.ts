@@ -114,24 +114,36 @@ export function createActions(
       .filter((vertex) => selection.vertices.has(vertex));
   }
 
-  async function addHandles(vertices: number[], fixed: boolean) {
+  /** Makes or changes the handles at those of these vertices that `how` concerns. */
+  async function hold(vertices: number[], how: keyof typeof HOLDS) {
     if (areHandlesLocked(store.get().document)) return setStatus(HANDLES_LOCKED);
     if (vertices.length === 0)
       return setStatus(`Select a vertex first, then press ${workingKey('H') || 'Make handle'}.`);
     const { handles = [] } = store.get().document ?? {};
     const known = new Map(handles.map((handle) => [handle.vertex, handle.fixed]));
-    // Handles of this kind keep their weights and targets.
-    const others = vertices.filter((vertex) => known.get(vertex) !== fixed);
-    const made = others.length;
-    if (made === 0) return setStatus(alreadyInWords(vertices.length, fixed));
-    if ((await edit({ addHandles: { vertices: others, fixed } })) === undefined) return;
-    setStatus(`${count(made, 'handle')} ${fixed ? 'fixed' : 'added'}`);
+    const { concerns, fixed, done } = HOLDS[how];
+    // The others keep their weights and targets.
+    const held = vertices.filter((vertex) => concerns(known.get(vertex)));
+    if (held.length === 0) return setStatus(alreadyInWords(vertices.length, how));
+    if ((await edit({ addHandles: { vertices: held, fixed } })) === undefined) return;
+    setStatus(`${count(held.length, 'handle')} ${done}`);
   }
 
-  /** Makes the selected vertices handles. */
+  /** Fixes vertices, or makes handles of those that are none. */
+  const addHandles = (vertices: number[], fixed: boolean) => hold(vertices, fixed ? 'fix' : 'add');
+
+  /** Does so with the selected vertices. */
   async function holdSelected(fixed: boolean) {
     await solver.settled();
     await addHandles(selectedVertices(), fixed);
+  }
+
+  /** Makes fixed handles soft. */
+  const soften = (vertices: number[]) => hold(vertices, 'soften');
+
+  async function softenSelected() {
+    await solver.settled();
+    await soften(selectedVertices());
   }
 
   /** Removes the selected handles. */
@@ -207,7 +219,9 @@ export function createActions(
     selectedVertices,
     selectedHandles,
     addHandles,
+    soften,
     holdSelected,
+    softenSelected,
     releaseSelected,
 
     /**
@@ -216,7 +230,7 @@ export function createActions(
      */
     settled: () => solver.settled(),
 
-    /** Registers what selects elements that are still to be found, so that `settled` waits for it. */
+    /** Registers what the user has begun and the solver does not know of, so that `settled` waits for it. */
     begin: <T>(begun: Promise<T>) => solver.begin(begun),
 
     /** Opens files; rejects with the error. What waits behind cancelled work is opened after it. */
@@ -292,9 +306,20 @@ export function withoutPath(error: unknown) {
   return path.length > 2 && message.startsWith(path) ? message.slice(path.length) : message;
 }
 
-/** Says that nothing becomes a handle. */
-function alreadyInWords(vertices: number, fixed: boolean) {
-  const what = fixed ? 'fixed' : vertices === 1 ? 'a handle' : 'handles';
+/**
+ * Which vertices are concerned, by whether their handles are fixed (undefined without one), what
+ * becomes of them, and its words.
+ */
+const HOLDS = {
+  add: { concerns: (fixed?: boolean) => fixed === undefined, fixed: false, done: 'added' },
+  fix: { concerns: (fixed?: boolean) => fixed !== true, fixed: true, done: 'fixed' },
+  soften: { concerns: (fixed?: boolean) => fixed === true, fixed: false, done: 'made soft' },
+};
+
+/** Says that there was nothing to do. */
+function alreadyInWords(vertices: number, how: keyof typeof HOLDS) {
+  if (how === 'soften') return 'No fixed handle is selected.';
+  const what = how === 'fix' ? 'fixed' : vertices === 1 ? 'a handle' : 'handles';
   return `${count(vertices, 'vertex is', 'vertices are')} already ${what}`;
 }
 

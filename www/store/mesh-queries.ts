@@ -91,7 +91,7 @@ export class Selecting {
 
   /** Performs the operation of a double-click on an element, if any. */
   doubleClick(mode: Mode, item: number, event: MouseEvent) {
-    const { operations } = this.#store.get();
+    const { operations, adds } = this.#store.get();
     const withShift = operations.find(({ shiftDoubleClick }) => shiftDoubleClick === mode);
     const plain = operations.find(({ doubleClick }) => doubleClick === mode);
     const isOther = event.shiftKey && withShift;
@@ -99,7 +99,7 @@ export class Selecting {
     if (!operation) return;
     const isAgain = this.#last?.operation === operation && this.#last.selection[mode].has(item);
     this.#store.set({ mode });
-    const combine = isOther ? 'replace' : combineOf(event);
+    const combine = isOther ? 'replace' : combineOf(event, adds);
     const how: How = { from: { [mode]: [item] }, combine };
     const wider = isAgain ? operations.find(({ id }) => id === operation.again) : undefined;
     void this.#select(operation, wider, how, item);

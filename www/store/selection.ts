@@ -9,14 +9,16 @@ export type Combine = 'replace' | 'add' | 'remove';
 
 export const NOTHING: Selection = { vertices: new Set(), edges: new Set(), faces: new Set() };
 
-/** Rhino's rule: Shift adds, Ctrl removes; on a Mac Cmd, where Ctrl + click opens the menu. */
-export function combineOf(event: {
-  shiftKey: boolean;
-  ctrlKey: boolean;
-  metaKey: boolean;
-}): Combine {
+/**
+ * Rhino's rule: Shift adds, Ctrl removes; on a Mac Cmd, where Ctrl + click opens the menu.
+ * @param adds whether a button does what Shift does, for fingers
+ */
+export function combineOf(
+  event: { shiftKey: boolean; ctrlKey: boolean; metaKey: boolean },
+  adds: boolean = false,
+): Combine {
   if (event.metaKey || (event.ctrlKey && !IS_MAC)) return 'remove';
-  return event.shiftKey ? 'add' : 'replace';
+  return event.shiftKey || adds ? 'add' : 'replace';
 }
 
 /** @param mode kind of the `items` */

@@ -59,6 +59,8 @@ export interface State {
   through: boolean;
   /** whether a box or a lasso also selects what it only touches, whichever way it is drawn */
   touching: boolean;
+  /** whether what is selected is added, as with Shift */
+  adds: boolean;
   /** radius, CSS pixels */
   brush: number;
   /** what a click selects */
@@ -74,8 +76,10 @@ export interface State {
   pointedAt: number | undefined;
   /** time from the last pointer move to new positions */
   dragMs: number;
-  /** members of the constraint under the pointer */
+  /** elements that are marked, as what cannot be met, until that is over */
   tint: Tint | null;
+  /** elements of the row or the part under the pointer, shown instead for that time */
+  pointed: Tint | null;
   /** colours of constraint rows */
   rowColours: RowColours | null;
   /** the visible step if there is room for only one */
@@ -168,8 +172,8 @@ export interface FlatMap {
   weights: MapWeights;
   /** of the computation */
   norm: MapNorm;
-  /** of the shape that was flattened */
-  iteration: number;
+  /** the shape that was flattened, `#V by 3` */
+  shape: Float64Array;
   /** settings with fewer flipped triangles; null if not searched */
   fewerFlips: FewerFlips | 'searching' | 'none' | null;
   onModel: Look;
@@ -246,6 +250,7 @@ const INITIAL: State = {
   shape: 'box',
   through: false,
   touching: false,
+  adds: false,
   brush: 24,
   mode: 'vertices',
   selection: { vertices: new Set(), edges: new Set(), faces: new Set() },
@@ -255,6 +260,7 @@ const INITIAL: State = {
   pointedAt: undefined,
   dragMs: 0,
   tint: null,
+  pointed: null,
   rowColours: null,
   step: 'shape',
   measure: null,

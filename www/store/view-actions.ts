@@ -71,9 +71,13 @@ export function createViewActions(store: Store) {
       store.set({ tolerances: { ...store.get().tolerances, [id]: value } }),
 
     tint: (tint: State['tint']) => store.set({ tint }),
+    /** Tints what is pointed at; null when it no longer is. */
+    tintPointed: (pointed: State['pointed']) => store.set({ pointed }),
 
     useTool: (
-      tool: Partial<Pick<State, 'tool' | 'shape' | 'through' | 'touching' | 'brush' | 'tape'>>,
+      tool: Partial<
+        Pick<State, 'tool' | 'shape' | 'through' | 'touching' | 'adds' | 'brush' | 'tape'>
+      >,
     ) => store.set(tool),
 
     /** Sets parts of the display. */

@@ -14,7 +14,7 @@ export function keepFocus(place: HTMLElement) {
   setInterval(() => {
     // A press beside all controls takes the focus away on purpose.
     if (document.activeElement !== document.body || !(last instanceof HTMLElement)) return;
-    if (last.checkVisibility() && !last.matches(':disabled')) return;
+    if (last.checkVisibility({ visibilityProperty: true }) && !last.matches(':disabled')) return;
     const dialogs = document.querySelectorAll<HTMLElement>('dialog:modal');
     const next = [...dialogs].at(-1) ?? place;
     next.focus({ preventScroll: true });

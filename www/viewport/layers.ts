@@ -49,7 +49,7 @@ export const LAYERS: [
     (view, state) => view.highlightGizmo(state.gizmoPart, state.dragged.length > 0),
   ],
   [['selection', 'model'], showSelection],
-  [['tint', 'model'], showTint],
+  [['tint', 'pointed', 'model'], showTint],
   [['rowColours', 'model', 'flatMap'], showRowColours],
   [['measure', 'range', 'document', 'tolerances', 'display', 'flatMap'], showValues],
   [['flatMap'], showFlatMap],
@@ -102,8 +102,9 @@ function showSelection(view: View, { selection }: State) {
   view.setSelectedEdges(Uint32Array.from(selection.edges));
 }
 
-function showTint(view: View, { tint }: State) {
-  const { vertices, faces, colour } = tint ?? { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
+function showTint(view: View, { tint, pointed }: State) {
+  const none = { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
+  const { vertices, faces, colour } = pointed ?? tint ?? none;
   const [red, green, blue] = colour.map((byte) => byte / 255);
   view.setTint(vertices, faces, red, green, blue);
 }

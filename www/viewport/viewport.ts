@@ -342,8 +342,9 @@ export class Viewport extends Emitter<ViewportEvents> {
   }
 
   #storeCamera(numbers: Float64Array) {
-    const isSame = this.#camera?.every((number, i) => number === numbers[i]);
-    if (isSame) return;
+    // Another model that is opened takes the camera away, although the view may stay as it is.
+    const { camera } = this.#store.get();
+    if (camera?.every((number, i) => number === numbers[i])) return;
     this.#camera = [...numbers];
     this.#actions.look({ camera: this.#camera });
   }

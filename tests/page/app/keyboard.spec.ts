@@ -298,6 +298,17 @@ test('dismissing a hint or message moves the focus to the view', async ({ page }
   await expect(view).toBeFocused();
 });
 
+test('the focus does not stay in a card that a message hides', async ({ page }) => {
+  // It was on the body, without a ring: the next press of Tab began at the top of the page.
+  await visit(page);
+  const open = page.getByRole('button', { name: 'Open your mesh' });
+  await open.focus();
+  await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
+  await expect(page.getByRole('alert')).toContainText('house.ifc');
+  await expect(open).toBeHidden();
+  await expect(page.getByRole('application', { name: '3D view' })).toBeFocused();
+});
+
 /** A key press on another keyboard layout: the character printed and the key's position. */
 const foreign = (
   page: Page,

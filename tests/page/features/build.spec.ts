@@ -146,6 +146,8 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
     (now) => !now.running && now.build?.check.every(({ met }) => met),
   );
   expect(missed(reportOf(tightened))).toEqual([]);
+  // It is a press for all panels like any other.
+  await expect(page.getByRole('checkbox', { name: 'Best-fitting shapes' })).toBeChecked();
   await expect.poll(failed).toEqual([]);
   await expect(partsPanel(page).getByRole('button', { name: 'Corners' })).toContainText('exact');
   await expect(partsPanel(page).getByRole('button', { name: 'Tighten' })).toBeDisabled();

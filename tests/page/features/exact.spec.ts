@@ -85,6 +85,8 @@ test.describe('with every row closed', () => {
     const unmet = await waitForState(page, (now) => !now.running && now.exact);
     expect(unmet.exact).toMatchObject({ met: false, contradiction: true, unmet: [0, 1] });
     await expect(verdict(page)).toContainText('2 of 2 constraints cannot be satisfied together');
+    // It took what helps with it.
+    await verdict(page).getByRole('button', { name: 'Show them' }).click();
     await verdict(page).getByRole('button', { name: 'Make Length 0.8 soft' }).click();
     await waitForState(page, (now) => !now.running && now.exact?.met);
 

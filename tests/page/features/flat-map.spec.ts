@@ -6,7 +6,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../../.scripts/project.mjs';
-import { openExample, openText, runToTheEnd, saved, showStep } from '../actions.ts';
+import { openExample, openText, openVariations, runToTheEnd, saved, showStep } from '../actions.ts';
 import { box, tube, wavyGrid } from '../meshes.ts';
 import { decodePng, differingBytes } from '../picture.ts';
 import { boxOf, drawn, expect, looks, openPage, screenOf, test, waitForState } from '../support.ts';
@@ -132,6 +132,22 @@ test('a map belongs to the flattened shape, and can be renewed once the shape ch
   // Another model has no map yet.
   await openText(page, 'grid.obj', wavyGrid(4), 25);
   await expect(map(page)).toBeHidden();
+});
+
+test('a variation moves the model since it was flattened, without an iteration', async ({
+  page,
+}) => {
+  const panel = await openVariations(page, 4);
+  const slider = panel.getByRole('slider').first();
+  await expect(slider).toBeVisible();
+  await parametrize(page);
+  const again = page.getByRole('button', { name: 'Flatten again' });
+  await expect(again).toBeHidden();
+  await slider.focus();
+  for (let k = 0; k < 9; k++) await slider.press('ArrowRight');
+  await expect(again).toBeVisible();
+  await panel.getByRole('button', { name: 'Back', exact: true }).click();
+  await expect(again).toBeHidden();
 });
 
 test('a model without faces is not offered a map, and one without a boundary gets the reason', async ({

@@ -47,6 +47,20 @@ test('a new mesh follows its sizes, is kept, and is constrained', async ({ page 
   await waitForState(page, (now) => !now.running && now.exact?.met);
 });
 
+test('a size that is taken out of its field is back in another unit', async ({ page }) => {
+  await openPage(page);
+  const dialog = await openNewMesh(page);
+  const [first] = await dialog.getByRole('spinbutton').all();
+  const length = Number(await first.inputValue());
+  await first.fill('');
+  await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeDisabled();
+  await dialog.getByLabel('Unit').selectOption('mm');
+  // It was NaN.
+  await expect(first).toHaveValue(String(1000 * length));
+  await expect(dialog.getByText(/faces, .* vertices\./)).toBeVisible();
+  await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeEnabled();
+});
+
 test('Cancel restores the previous model, an edited example as edited and under the same saved work', async ({
   page,
 }) => {

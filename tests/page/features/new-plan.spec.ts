@@ -130,6 +130,22 @@ test('an outline and a hole are drawn, panels are cut to them, and mistakes are 
   await expect(point(dialog, 6)).toBeVisible();
 });
 
+test('a second finger on the plan has no part in the drag of a point', async ({ page }) => {
+  const dialog = await openPlan(page);
+  const { x, y, width, height } = await boxOf(point(dialog, 3));
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await page.mouse.move(x + width / 2 + 20, y + height / 2, { steps: 2 });
+  const name = await point(dialog, 3).getAttribute('aria-label');
+  const plan = dialog.getByRole('group', { name: 'Plan' });
+  for (const type of ['pointermove', 'pointerup'])
+    await plan.dispatchEvent(type, { pointerId: 7, clientX: 9, clientY: 9, bubbles: true });
+  await expect(point(dialog, 3)).toHaveAttribute('aria-label', name ?? '');
+  await page.mouse.move(x + width / 2 + 40, y + height / 2, { steps: 2 });
+  await expect(point(dialog, 3)).not.toHaveAttribute('aria-label', name ?? '');
+  await page.mouse.up();
+});
+
 test('points are moved, added and removed by keys, and a number typed last is in the mesh', async ({
   page,
 }) => {

@@ -3,7 +3,7 @@
 import type { Page } from '@playwright/test';
 import type { Slide } from '../../../www/solver/types.ts';
 import { openText, tool } from '../actions.ts';
-import { wavyGrid } from '../meshes.ts';
+import { file, wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -67,6 +67,28 @@ test('a title in which nothing has changed in the end belongs to no other step',
   await dialogOf(page).getByRole('button', { name: 'Remove step 1' }).click();
   await expect(dialogOf(page).getByRole('listitem')).toHaveCount(1);
   await expect(dialogOf(page).getByLabel('Title of step 1')).toHaveValue('Flat panels');
+});
+
+test('what is refused in the dialog is said in the dialog', async ({ page }) => {
+  // It was behind the dialog, where nothing can be pressed.
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  const scene = await sceneOf(page);
+  scene.steps = Array.from({ length: 99 }, (_, k) => ({ title: `Step ${k + 1}` }));
+  await page.getByLabel('Open file').setInputFiles(file('full.json', JSON.stringify(scene)));
+  await expect(page.getByRole('status')).toContainText('Opened full.json');
+  await openSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Add this view' }).click();
+  const alert = page.getByRole('alert');
+  await expect(dialogOf(page).getByRole('alert')).toContainText('99 at most');
+  await dialogOf(page).getByRole('button', { name: 'Dismiss' }).click();
+  await expect(alert).toBeEmpty();
+  await dialogOf(page).getByRole('button', { name: 'Add this view' }).click();
+  await expect(alert).toContainText('99 at most');
+  await dialogOf(page).getByRole('button', { name: 'Close' }).click();
+  await expect(alert).toBeInViewport({ ratio: 1 });
+  await alert.getByRole('button', { name: 'Dismiss' }).click();
+  await expect(alert).toBeEmpty();
 });
 
 test('steps are shown by buttons and by the keys of a presenter', async ({ page }) => {

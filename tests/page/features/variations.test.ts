@@ -78,3 +78,51 @@ test('variations that ended with the worker of another job are searched again wh
   }
   stop();
 });
+
+test('sliders that are back in the middle show no variation', async () => {
+  const shown: string[] = [];
+  const variations = {
+    leave: async () => void shown.push('left'),
+    show: async () => Boolean(shown.push('shown')),
+  };
+  const actions = { variations, reportErrors: (promise: Promise<unknown>) => promise };
+  // The farthest that the constraints allow is the middle itself.
+  const go = async () => ({ positions: [], part: 0.001, report: {} });
+  const jobs = { generation: 0, ask: { go, towards: async () => [] } };
+  const panel = new Variations({ jobs, actions } as unknown as AppContext);
+  panel.found.value = [{ slide: 1 } as (typeof panel.found.value)[number]];
+  panel.steps.value = [0];
+  const done = () => new Promise((end) => setTimeout(end, 5));
+  panel.move(0, 3);
+  await done();
+  panel.move(0, 0);
+  await done();
+  panel.release();
+  await done();
+  assert.deepEqual(shown, ['shown', 'left', 'shown', 'left']);
+  panel.move(0, 3);
+  await done();
+  panel.release();
+  await done();
+  assert.deepEqual(shown.slice(4), ['shown', 'shown', 'left']);
+  assert.equal(panel.isExact.value, false);
+});
+
+test('where nothing is required, no run is asked for', async () => {
+  const store = createStore();
+  const jobs = { generation: 0, ask: {}, copy: () => ({ findVariations: async () => false }) };
+  const actions = { variations: { leave: async () => {} }, atRest: async () => ({}) };
+  const solver = { geometry: { connectivity: {} } };
+  const app = { store, jobs, actions, solver } as unknown as AppContext;
+  const row = { enabled: true, require: 'exact' };
+  const saidWith = async (...constraints: object[]) => {
+    store.set({ model: { faces: 1 }, document: { constraints } } as unknown as Partial<State>);
+    const variations = new Variations(app);
+    const stop = variations.begin(assert.fail);
+    await new Promise((done) => setTimeout(done, 5));
+    stop();
+    return variations.words.value;
+  };
+  assert.match(await saidWith(row), /Press Run first/);
+  assert.match(await saidWith({ ...row, enabled: false }), /nothing is required now/);
+});

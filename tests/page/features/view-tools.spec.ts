@@ -10,7 +10,7 @@ import {
   showStep,
   addConstraint,
 } from '../actions.ts';
-import { wavyGrid } from '../meshes.ts';
+import { file, wavyGrid } from '../meshes.ts';
 import { decodePng, differingBytes } from '../picture.ts';
 import {
   coloursOfView,
@@ -86,6 +86,18 @@ test('views are chosen by keys and menu, at once with reduced motion', async ({ 
     .toBeGreaterThan(20);
   for (const name of ['Top', 'Right', 'Back', 'Left', 'Bottom', 'Isometric'])
     await expect(menu.getByRole('button', { name })).toBeVisible();
+});
+
+test('a model that is opened again has a camera, which a presentation keeps', async ({ page }) => {
+  const camera = () => page.evaluate(() => window.shapeUp.camera());
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await waitForState(page, (now) => now.renderer.startsWith('web'));
+  await expect.poll(camera).not.toBeNull();
+  await page.getByLabel('Open file').setInputFiles(file('again.obj', wavyGrid(4)));
+  await expect(page.getByRole('status')).toContainText('Opened again.obj');
+  // The picture is the same, and so was the camera for the view.
+  await expect.poll(camera).not.toBeNull();
 });
 
 test('a short animation leads to the view', async ({ page }) => {

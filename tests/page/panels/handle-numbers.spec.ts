@@ -1,7 +1,7 @@
 // Handles by numbers: several at once, relative values, and room for the digits.
 
 import type { Locator, Page } from '@playwright/test';
-import { addConstraint, hidePanels, openText, showStep } from '../actions.ts';
+import { addConstraint, downloaded, hidePanels, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
@@ -13,6 +13,7 @@ declare global {
   interface Window {
     /** Sends the message that the test holds back. */
     end: () => void;
+    sent: string[];
   }
 }
 
@@ -112,6 +113,27 @@ test('two coordinates entered in quick succession both take effect', async ({ pa
   await page.keyboard.press('Enter');
   await expect.poll(() => targets(page)).toEqual([[1.25, 2.75, z]]);
   await expect(undoButton(page)).toHaveAttribute('title', /Move handle/);
+});
+
+test('what is saved right after a number has the mesh that has followed it', async ({ page }) => {
+  // The messages to the solver, in their order: names, and phases of a drag.
+  await page.addInitScript(() => {
+    window.sent = [];
+    const postMessage = Worker.prototype.postMessage as (...message: unknown[]) => void;
+    Worker.prototype.postMessage = function (...message) {
+      window.sent.push(message[0].given?.[0]?.phase ?? message[0].name);
+      postMessage.apply(this, message);
+    };
+  });
+  await open(page);
+  await makeHandles(page, [MIDDLE]);
+  await target(page, 'z').fill('7.5');
+  await page.evaluate(() => (window.sent = []));
+  await downloaded(page, () => page.keyboard.press('Control+s'));
+  const sent = await page.evaluate(() => window.sent);
+  expect(sent.filter((name) => ['start', 'end', 'scene'].includes(name))).toEqual([
+    ...['start', 'end', 'scene'],
+  ]);
 });
 
 test('undo takes back a number for good, even while the mesh still follows it', async ({

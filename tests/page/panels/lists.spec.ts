@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import { addConstraint, openText, runToTheEnd, showStep } from '../actions.ts';
-import { wavyGrid } from '../meshes.ts';
+import { file, wavyGrid } from '../meshes.ts';
 import { expect, known, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -131,6 +131,22 @@ test('faces without area are reported and can be selected', async ({ page }) => 
   await expect(alert).toContainText('1 face has zero size; it is kept but not coloured.');
   await alert.getByRole('button', { name: 'Select' }).click();
   await waitForState(page, (now) => now.selection.faces[0] === 36);
+});
+
+test('a message with an offer stays beside one that offers something else', async ({ page }) => {
+  // What was joined could not be undone: the message came and went at once.
+  // Squares with vertices of their own, and a face without area.
+  const square = (x: number) =>
+    `v ${x} 0 0\nv ${x + 1} 0 0\nv ${x + 1} 1 0\nv ${x} 1 0\nf -4 -3 -2 -1\n`;
+  const loose = `${square(0)}${square(1)}${square(2)}v 5 0 0\nv 6 0 0\nv 7 0 0\nf -3 -2 -1\n`;
+  await page.getByLabel('Open file').setInputFiles(file('loose.obj', loose));
+  const alert = page.getByRole('alert');
+  await expect(alert.getByRole('button', { name: 'Select' })).toBeVisible();
+  await expect(alert.getByRole('button', { name: 'Undo' })).toBeVisible();
+  await alert.getByRole('button', { name: 'Select' }).click();
+  await expect(alert.getByRole('paragraph')).toHaveText(/^Joined vertices/);
+  await page.getByLabel('Open file').setInputFiles(file('grid.obj', wavyGrid(N)));
+  await expect(alert).toBeEmpty();
 });
 
 test('a run reports that all is within tolerance, or the worst element and what reduces its error', async ({

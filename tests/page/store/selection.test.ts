@@ -13,6 +13,8 @@ test('Shift adds, Ctrl removes, and a plain click replaces', () => {
   assert.equal(withKeys({ ctrlKey: true, shiftKey: true }), 'remove');
   assert.equal(withKeys({ metaKey: true }), 'remove', 'Cmd on a Mac');
   assert.equal(withKeys({}), 'replace');
+  const none = { shiftKey: false, ctrlKey: false, metaKey: false };
+  assert.equal(combineOf(none, true), 'add', 'a finger, once that is asked for');
   const two = select(select(NOTHING, 'faces', [4], 'replace'), 'faces', [5], 'add');
   assert.deepEqual([...two.faces], [4, 5]);
   assert.deepEqual([...select(two, 'faces', [4], 'remove').faces], [5]);

@@ -81,3 +81,21 @@ test('a handle that is made after the release is not dragged', () => {
   assert.equal(element.dataset.gesture, '');
   assert.deepEqual(sent, [['make', VERTEX], ['end']]);
 });
+
+test('a second finger on the view neither moves, ends nor cancels the drag of a handle', () => {
+  const { element, event, say, sent } = inputAtVertex();
+  event('pointerdown', 10);
+  say(VERTEX);
+  event('pointermove', 20);
+  const before = sent.length;
+  const finger = { pointerId: 2, pointerType: 'touch', altKey: false };
+  event('pointerdown', 300, finger);
+  event('pointermove', 310, finger);
+  event('pointercancel', 310, finger);
+  event('pointerdown', 300, finger);
+  event('pointerup', 300, finger);
+  assert.equal(sent.length, before);
+  assert.equal(element.dataset.gesture, 'handle');
+  event('pointerup', 20);
+  assert.deepEqual(sent.at(-1), ['end', VERTEX]);
+});

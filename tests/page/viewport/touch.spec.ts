@@ -52,6 +52,30 @@ test('after a touch that the system cancels, one finger selects as before', asyn
   await waitForState(page, (now) => now.selection.vertices.length === 1);
 });
 
+test('a finger adds to the selection once that is asked for', async ({ page }) => {
+  const touch = await fingers(page);
+  const tap = async (vertex: number) => {
+    await touch.down(await screenOf(page, vertex));
+    await touch.up();
+  };
+  const selected = (...vertices: number[]) =>
+    waitForState(page, (now, all) => `${now.selection.vertices}` === `${all}`, vertices);
+  await tap(MIDDLE);
+  await selected(MIDDLE);
+  await tap(MIDDLE + 1);
+  await selected(MIDDLE + 1);
+  const bar = page.getByRole('toolbar', { name: 'Selection' });
+  const add = bar.getByRole('button', { name: 'Add to selection' });
+  await add.tap();
+  await expect(add).toHaveAttribute('aria-pressed', 'true');
+  await tap(MIDDLE);
+  await selected(MIDDLE + 1, MIDDLE);
+  // With the Select tool, the bar still takes one line.
+  await bar.getByRole('button', { name: 'Lasso' }).tap();
+  await expect(bar.getByRole('button', { name: 'Select through' })).toBeVisible();
+  expect((await boxOf(bar)).height).toBeLessThan(60);
+});
+
 test('one finger orbits, two pan and zoom', async ({ page }) => {
   const touch = await fingers(page);
   const corners = [0, N, VERTICES - 1];

@@ -8,7 +8,7 @@ import { openPrepared } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { oneAtATime } from '../../ui/once.ts';
-import { CheckCard } from './check-card.tsx';
+import { CheckCard, type MakePanels } from './check-card.tsx';
 import { theParts } from './parts.ts';
 import { showReport } from './report.tsx';
 import { Settings } from './settings.tsx';
@@ -35,11 +35,11 @@ const saveForRhino = oneAtATime(({ files }: AppContext, live: LiveBuild) =>
 );
 
 /** The panel, while it is docked. */
-export function BuildPanel() {
-  return useApp().store.state.docked === 'parts' ? <Panel /> : null;
+export function BuildPanel(props: { makePanels: MakePanels }) {
+  return useApp().store.state.docked === 'parts' ? <Panel {...props} /> : null;
 }
 
-function Panel() {
+function Panel({ makePanels }: { makePanels: MakePanels }) {
   const app = useApp();
   const { store, actions } = app;
   const parts = theParts(app);
@@ -83,7 +83,7 @@ function Panel() {
           <Settings parts={parts} offers={offers} />
           <div class="parts-check">
             <Thickness parts={parts} declared={offers.settings} />
-            <CheckCard parts={parts} />
+            <CheckCard parts={parts} makePanels={makePanels} />
             <TypesCurve parts={parts} />
             {warnings.map((words) => (
               <p key={words} class="notice">

@@ -3,14 +3,18 @@
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { showElements } from '../../viewport/camera.ts';
-import type { CheckRow, CheckWords } from '../../solver/types.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { CheckRow, CheckWords, KindInfo } from '../../solver/types.ts';
 import type { Parts } from './parts.ts';
 
 const MARKS = { none: '–', met: '✓', missed: '✗' };
 
-export function CheckCard({ parts }: { parts: Parts }) {
-  const { store, actions } = useApp();
-  const { model } = store.state;
+/** The press that makes all panels of this kind, within a tolerance. */
+export type MakePanels = (app: AppContext, kind: KindInfo, how: { within: number }) => unknown;
+
+export function CheckCard({ parts, makePanels }: { parts: Parts; makePanels: MakePanels }) {
+  const app = useApp();
+  const { model, kinds } = app.store.state;
   const card = parts.card.value;
   if (!card) return null;
   const { report, words } = card;
@@ -21,7 +25,8 @@ export function CheckCard({ parts }: { parts: Parts }) {
   );
   function tighten() {
     const { constraint, within } = suggestions[at];
-    return actions.makePanels(constraint, within);
+    const kind = kinds.find(({ id }) => id === constraint);
+    return kind && makePanels(app, kind, { within });
   }
   return (
     <div class="check-card">

@@ -40,7 +40,7 @@ export function offsetLayer({ store, actions, viewport }: AppContext) {
   }
 
   viewport.on('ready', draw);
-  // Restores the tint after a temporary one, such as an element pointed at.
+  // Restores the tint after that of something else.
   store.subscribe(['tint'], (now) => {
     // The tint of another mesh is out of date.
     if (now.model !== tinted) tint = null;

@@ -67,7 +67,7 @@ export class Parts {
       stop();
       this.#isOpen = false;
       this.#withdraw();
-      actions.tint(null);
+      actions.tintPointed(null);
     };
   }
 

@@ -45,7 +45,10 @@ function Panel({ flatMap }: Of) {
     if (place.current) reveal(place.current);
   }, []);
   const { found, weights, norm, onModel, onMap, squares } = flatMap;
-  const isStale = useComputed(() => state.numbers?.iteration !== state.flatMap?.iteration).value;
+  // Each shape comes with its numbers.
+  const isStale = useComputed(
+    () => state.numbers && state.flatMap && !maps.isCurrent(state.flatMap),
+  ).value;
   const notice = [isStale ? STALE : '', closedWords(found)].filter(Boolean).join(' ');
   return (
     <section id="flat-map-section" ref={place} aria-labelledby="heading-flat-map">

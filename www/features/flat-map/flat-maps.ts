@@ -18,6 +18,7 @@ export const flatMaps = once((app: AppContext) => new FlatMaps(app));
 
 class FlatMaps {
   #store;
+  #solver;
   #viewport;
   #actions;
   #jobs;
@@ -37,8 +38,9 @@ class FlatMaps {
     () => this.#store.get().flatMap === null,
   );
 
-  constructor({ store, viewport, actions, jobs }: AppContext) {
+  constructor({ store, solver, viewport, actions, jobs }: AppContext) {
     this.#store = store;
+    this.#solver = solver;
     this.#viewport = viewport;
     this.#actions = actions;
     this.#jobs = jobs;
@@ -100,8 +102,23 @@ class FlatMaps {
 
   async #map(weights: MapWeights, norm: MapNorm) {
     const model = await this.#actions.rest();
-    const { iteration = 0 } = this.#store.get().numbers ?? {};
-    return { model, found: await this.#jobs.copy(model).parametrize(weights, norm), iteration };
+    const found = this.#jobs.copy(model).parametrize(weights, norm);
+    const [shape] = await Promise.all([this.#shapeOf(model), found]);
+    return { model, found: await found, shape };
+  }
+
+  /** The positions of the model: the frame that has them may come after it. */
+  async #shapeOf({ generation }: Snapshot) {
+    const solver = this.#solver;
+    if (solver.geometry?.solved !== generation)
+      await new Promise((come) => solver.once('frame', come));
+    return solver.geometry?.positions.slice() ?? new Float64Array(0);
+  }
+
+  /** Whether the map is that of the shape as it is now. */
+  isCurrent({ shape }: FlatMap) {
+    const { positions } = this.#solver.geometry ?? {};
+    return positions?.length === shape.length && positions.every((x, i) => x === shape[i]);
   }
 
   /** Shows the map of the current shape. */
@@ -111,10 +128,10 @@ class FlatMaps {
     try {
       const map = await this.#newest(this.#map(weights, norm));
       if (!map) return this.#sayNothing();
-      const { model, found, iteration } = map;
+      const { model, found, shape } = map;
       this.#flattened = model;
       this.#actions.look({
-        flatMap: { found, iteration, fewerFlips: null, ...this.#choices },
+        flatMap: { found, shape, fewerFlips: null, ...this.#choices },
         status: `Flattened in ${duration(1000 * found.seconds)}`,
       });
       // Every map of a surface without boundary folds over itself.

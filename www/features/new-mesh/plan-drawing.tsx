@@ -45,7 +45,9 @@ const apart = (p: Place, q: Place) => Math.hypot(p[0] - q[0], p[1] - q[1]);
 export function PlanDrawing({ drawn }: { drawn: DrawnPlan }) {
   const picture = useRef<SVGSVGElement>(null);
   const size = useSize(picture);
-  const drag = useSignal<{ spot: Spot; arc: boolean; moved: boolean } | null>(null);
+  const drag = useSignal<{ spot: Spot; arc: boolean; moved: boolean; pointer: number } | null>(
+    null,
+  );
   const loops = drawn.loops.value;
   const sides = drawn.sides.value;
   const sketch = drawn.sketch.value;
@@ -90,7 +92,7 @@ export function PlanDrawing({ drawn }: { drawn: DrawnPlan }) {
 
   function grab(event: PointerEvent, spot: Spot, arc: boolean) {
     if (event.button !== 0) return;
-    drag.value = { spot, arc, moved: false };
+    drag.value = { spot, arc, moved: false, pointer: event.pointerId };
     picture.current?.setPointerCapture(event.pointerId);
     drawn.select(spot);
     drawn.wantsFocus = true;
@@ -98,11 +100,12 @@ export function PlanDrawing({ drawn }: { drawn: DrawnPlan }) {
 
   function move(event: PointerEvent) {
     if (sketch) drawn.sketch.value = { ...sketch, pointer: snapped(event) };
-    if (!drag.value) return;
+    // Another finger has no part in it.
+    if (drag.value?.pointer !== event.pointerId) return;
     const { spot, arc, moved } = drag.value;
     if (!moved) {
       drawn.remember();
-      drag.value = { spot, arc, moved: true };
+      drag.value = { ...drag.value, moved: true };
     }
     if (!arc) return drawn.edit((_, __, point) => (point.at = snapped(event, spot)));
     const through = Float64Array.from(under(event));
@@ -121,8 +124,8 @@ export function PlanDrawing({ drawn }: { drawn: DrawnPlan }) {
     event.preventDefault();
   }
 
-  const release = () => {
-    drag.value = null;
+  const release = ({ pointerId }: PointerEvent) => {
+    if (drag.value?.pointer === pointerId) drag.value = null;
   };
   const marked = drawn.crossing.value.filter(({ loop, point }) => loops[loop]?.[point]);
   return (

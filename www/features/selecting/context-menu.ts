@@ -4,6 +4,7 @@
  */
 
 import { isEnabled, press } from '../../store/press.ts';
+import { undone } from '../../store/undone.ts';
 import { byId, element } from '../../ui/dom.ts';
 import { placeMenu } from '../../ui/controls/navigation.ts';
 import { once } from '../../ui/once.ts';
@@ -81,6 +82,7 @@ function sectionsOf({
 }: AppContext): [heading: string, items: Item[]][] {
   const state = store.get();
   const { document, operations } = state;
+  const what = undone(state);
   const vertices = actions.selectedVertices();
   const held = new Map(document?.handles.map((handle) => [handle.vertex, handle.fixed]));
   const some = (as: boolean | undefined) => vertices.some((vertex) => held.get(vertex) === as);
@@ -103,7 +105,7 @@ function sectionsOf({
       [
         [some(undefined), 'Make handle', () => actions.holdSelected(false)],
         [some(undefined) || some(false), 'Fix', () => actions.holdSelected(true)],
-        [some(true), 'Make soft', () => actions.holdSelected(false)],
+        [some(true), 'Make soft', () => actions.softenSelected()],
         offer(some(true) || some(false), 'Remove handle', 'remove-handles'),
       ],
     ],
@@ -123,7 +125,7 @@ function sectionsOf({
         offer(vertices.length === 0, 'Zoom to everything', 'fit-all'),
       ],
     ],
-    ['Edit', [offer(Boolean(document?.undo), `Undo: ${document?.undo}`, 'undo')]],
+    ['Edit', [offer(what !== '', `Undo: ${what}`, 'undo')]],
   ];
   return sections
     .map(

@@ -6,10 +6,12 @@
 import { signal } from '@preact/signals';
 import { again, messageOf } from '../../solver/errors.ts';
 import { latestOnly } from '../../store/latest-only.ts';
+import { isHard } from '../../store/state.ts';
 import type { Connectivity } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 const NONE = 'Not all required constraints are satisfied yet. Press Run first.';
+const NOTHING = 'Variations keep what is required, and nothing is required now.';
 const HINT = 'Move the sliders; their effects add up. The line under each shows how far it can go.';
 
 /** Slider steps from the middle to either end. */
@@ -119,6 +121,8 @@ export class Variations {
     }
     if (this.#wanted === 'exact') return this.#project();
     const shape = await jobs.ask.towards(this.#coefficients());
+    // A variation that is shown is what Undo takes back: in the middle there is none.
+    if (!this.isMoved()) return variations.leave();
     return variations.show(this.#varied.generation, shape, null);
   }
 
@@ -129,13 +133,15 @@ export class Variations {
 
   async #project() {
     const { actions, jobs } = this.#app;
+    const { variations } = actions;
     const asked = this.steps.value;
     const { positions, part, report } = await jobs.ask.go(this.#coefficients());
-    const isShown = await actions.variations.show(this.#varied.generation, positions, report);
+    const isShown = await variations.show(this.#varied.generation, positions, report);
     if (!isShown || this.#updates.hasNext()) return;
     if (part < 1) this.steps.value = asked.map((step) => Math.round(part * step));
     this.words.value =
       part < 1 ? 'Farther, the required constraints could not all be satisfied.' : HINT;
+    if (!this.isMoved()) return variations.leave();
     this.isExact.value = true;
   }
 
@@ -162,7 +168,8 @@ export class Variations {
     // A run has begun meanwhile: its end begins another search.
     if (!model) return;
     if (!connectivity || !(await jobs.copy(model).findVariations())) {
-      if (isCurrent()) this.words.value = NONE;
+      const isRequired = store.get().document?.constraints.some(isHard);
+      if (isCurrent()) this.words.value = isRequired ? NONE : NOTHING;
       return;
     }
     if (!isCurrent()) return;

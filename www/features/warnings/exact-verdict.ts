@@ -146,7 +146,8 @@ export class ExactVerdict {
     this.#messages.say({
       words: words.brief,
       numbers: { words: words.numbers, elsewhere: 'in-rows' },
-      offers: [{ label: 'Show them', act: show }, ...suggestions],
+      // Their colours end with the message, and so would what helps.
+      offers: [{ label: 'Show them', stays: true, act: show }, ...suggestions],
     });
     show();
   }

@@ -35,17 +35,16 @@ export function FreeVertices() {
       setFound({ of: model, tint });
     });
   }, [free, model]);
-  useEffect(() => {
-    if (!marks) return;
-    actions.tint(marks);
-    return () => {
-      if (store.get().tint === marks) actions.tint(null);
-    };
-  }, [marks]);
-  // Pointing at a constraint replaces them for that time.
+  // What cannot be met or built is marked instead, as long as it is.
   useEffect(() => {
     if (marks && !tint) actions.tint(marks);
   }, [marks, tint]);
+  useEffect(
+    () => () => {
+      if (store.get().tint === marks) actions.tint(null);
+    },
+    [marks],
+  );
   if (!marks) return null;
 
   const vertices = [...marks.vertices];

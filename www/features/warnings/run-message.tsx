@@ -56,13 +56,13 @@ function Content({ message: { words, numbers, offers = [], waits } }: { message:
           </span>
         )}
       </p>
-      {offers.map(({ label, title, act }) => (
+      {offers.map(({ label, title, stays, act }) => (
         <Button
           key={label}
           class="small bordered"
           title={title}
           onClick={() => {
-            messages.withdraw();
+            if (!stays) messages.withdraw();
             act();
           }}
         >

@@ -5,10 +5,11 @@ import { Emitter } from '../../solver/emitter.ts';
 import { panelsCard } from '../../store/panels-card.ts';
 import type { Store } from '../../store/state.ts';
 
-/** A button of a message; pressing it withdraws the message first. */
+/** A button of a message; pressing it withdraws the message first, unless that `stays`. */
 export interface Offer {
   label: string;
   title?: string;
+  stays?: boolean;
   act: () => unknown;
 }
 

@@ -51,7 +51,7 @@ function Row({ row }: { row: ConstraintRow }) {
   const set = (change: { weight?: number; enabled?: boolean }) =>
     actions.edit({ setConstraint: { index: row.index, ...change } });
 
-  const untint = () => actions.tint(null);
+  const untint = () => actions.tintPointed(null);
   useEffect(() => untint, []);
   /** Tints the members in the view. */
   async function tint() {
@@ -59,7 +59,7 @@ function Row({ row }: { row: ConstraintRow }) {
     if (!members || !place.current?.matches(':is(:hover, :focus-within)')) return;
     // Dots on the corners of tinted faces would be redundant.
     const vertices = members.faces.length > 0 ? NONE : members.vertices;
-    actions.tint({ faces: members.faces, vertices, colour: row.colour });
+    actions.tintPointed({ faces: members.faces, vertices, colour: row.colour });
   }
 
   async function select() {

@@ -81,13 +81,18 @@ function useTypedTargets() {
     setAhead(new Map(after.map(({ vertex, target }) => [vertex, target])));
     actions.moveHandles(before, 'start');
     actions.moveHandles(after, 'move');
-    const end = () => {
-      clearTimeout(timer);
-      pending.current = null;
-      actions.moveHandles(after, 'end');
-    };
-    const timer = setTimeout(end, FOLLOW_MS);
-    pending.current = end;
+    const followed = new Promise<void>((done) => {
+      const end = () => {
+        clearTimeout(timer);
+        pending.current = null;
+        actions.moveHandles(after, 'end');
+        done();
+      };
+      const timer = setTimeout(end, FOLLOW_MS);
+      pending.current = end;
+    });
+    // What is saved waits for it: meanwhile the mesh is half way.
+    void actions.begin(followed);
     actions.setStatus(
       after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`,
     );
@@ -172,26 +177,22 @@ function Hold({ chosen }: { chosen: Handle[] }) {
   const { actions } = useApp();
   const soft = chosen.filter((handle) => !handle.fixed);
   const weight = common(soft.map((handle) => handle.weight));
-  const make = (fixed: boolean) => {
-    // Handles of this kind already keep their weight.
-    const others = chosen.filter((handle) => handle.fixed !== fixed);
-    if (others.length > 0)
-      void actions.addHandles(
-        others.map(({ vertex }) => vertex),
-        fixed,
-      );
-  };
+  const vertices = chosen.map(({ vertex }) => vertex);
   return (
     <div class="hold">
       <span class="segmented">
         <button
           type="button"
           aria-pressed={soft.length === chosen.length}
-          onClick={() => make(false)}
+          onClick={() => actions.soften(vertices)}
         >
           Soft
         </button>
-        <button type="button" aria-pressed={soft.length === 0} onClick={() => make(true)}>
+        <button
+          type="button"
+          aria-pressed={soft.length === 0}
+          onClick={() => actions.addHandles(vertices, true)}
+        >
           Fixed
         </button>
       </span>

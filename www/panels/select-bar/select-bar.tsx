@@ -27,7 +27,7 @@ export const opener = createRef<HTMLButtonElement>();
 
 export function SelectBar() {
   const { store, actions } = useApp();
-  const { tool, shape, through, touching, brush, selection, model } = store.state;
+  const { tool, shape, through, touching, adds, brush, selection, model } = store.state;
   const selects = tool === 'select';
   const words = describe(selection);
   return (
@@ -54,7 +54,7 @@ export function SelectBar() {
       </div>
       <button
         type="button"
-        class="toggle"
+        class="toggle through"
         title={`Also select what the surface hides${keyInTitle('T')}`}
         aria-pressed={through}
         hidden={!selects}
@@ -73,6 +73,18 @@ export function SelectBar() {
       >
         <Icon name="touching" />
         <span>Touching</span>
+      </button>
+      {/* Fingers have no Shift. */}
+      <button
+        type="button"
+        class="toggle adds"
+        title="Add to the selection instead of replacing it"
+        aria-pressed={adds}
+        hidden={!words}
+        onClick={() => actions.useTool({ adds: !adds })}
+      >
+        <Icon name="add" />
+        <span>Add to selection</span>
       </button>
       <input
         type="range"

@@ -50,21 +50,21 @@ function Content({ close }: { close: () => void }) {
 }
 
 /** Operations that start from the selection replace it. */
-function combineWith(operation: Operation, event: MouseEvent) {
-  return operation.needsSelection ? 'replace' : combineOf(event);
+function combineWith(operation: Operation, event: MouseEvent, adds: boolean) {
+  return operation.needsSelection ? 'replace' : combineOf(event, adds);
 }
 
 /** The operations for what a click selects. */
 function Operations(props: { close: () => void; ask: (operation: Operation) => void }) {
   const { store, selecting } = useApp();
-  const { operations, mode } = store.state;
+  const { operations, mode, adds } = store.state;
   const fitting = operations.filter(({ modes, takesName }) => modes.includes(mode) && !takesName);
   const groups = [...new Set(fitting.map(({ group }) => group))];
 
   function apply(operation: Operation, event: MouseEvent) {
     if (operation.params.length > 0) return props.ask(operation);
     props.close();
-    void selecting.applyOrReport(operation, { combine: combineWith(operation, event) });
+    void selecting.applyOrReport(operation, { combine: combineWith(operation, event, adds) });
   }
 
   return (
@@ -98,12 +98,12 @@ function Operations(props: { close: () => void; ask: (operation: Operation) => v
 /** The sets of the scene and the groups of the file. */
 function Named({ close, save }: { close: () => void; save: () => void }) {
   const { store, actions, selecting } = useApp();
-  const { operations, selection, document, model } = store.state;
+  const { operations, selection, document, model, adds } = store.state;
   const operation = operations.find(({ takesName }) => takesName);
   if (!operation) return null;
   const pick = (name: string) => (event: MouseEvent) => {
     close();
-    const combine = combineWith(operation, event);
+    const combine = combineWith(operation, event, adds);
     void selecting.applyOrReport(operation, { params: { name }, combine });
   };
   return (

@@ -5,9 +5,10 @@ import { NumberInput, numberIn } from './number-input.tsx';
 import type { Size } from '../../pkg/engine/shape_up.js';
 
 /**
- * @param value the first one
+ * @param value the first one, later the last valid one
  * @param unit of lengths
- * @param onSize called for each input; `problem` says what is wrong with it, if anything is
+ * @param onSize called for each input with the last valid value; `problem` says what is wrong with
+ *   the input, if anything is
  */
 export function SizeField({
   size: { label, of, least, most },
@@ -32,7 +33,7 @@ export function SizeField({
         value={text}
         onInput={({ currentTarget: field }) => {
           setText(field.value);
-          onSize(numberIn(field, accepted) ?? NaN, field.validationMessage);
+          onSize(numberIn(field, accepted) ?? value, field.validationMessage);
         }}
       />
       <span class="unit" data-of={of}>

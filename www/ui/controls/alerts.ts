@@ -2,6 +2,7 @@
 
 import { signal } from '@preact/signals';
 import { element, removeKeepingFocus } from '../dom.ts';
+import { showInFront } from './dialog.ts';
 import { button, closeButton } from './fields.ts';
 
 /** A button of a message. */
@@ -17,18 +18,23 @@ export interface Entry {
 
 /** The most entries of the journal; older ones are dropped. */
 const MOST_ENTRIES = 500;
+/** The most messages at a time. */
+const MOST_SHOWN = 3;
 
 export class Alerts {
   #journal = signal<Entry[]>([]);
   /** What clears other messages of the view. */
   #others: (() => void)[] = [];
   #place;
+  /** Where that is without a dialog. */
+  #home;
   /** Whether the current message must not be replaced. */
   #isFatal = false;
 
   /** @param place the `role="alert"` */
   constructor(place: HTMLElement) {
     this.#place = place;
+    this.#home = place.parentElement ?? document.body;
   }
 
   /**
@@ -51,6 +57,7 @@ export class Alerts {
 
   /** Reports a fatal problem. Errors that it causes do not replace it. */
   stop(message: string, offer: Offer) {
+    this.#remove(...this.#place.children);
     this.#show(message, 'error', [offer]);
     this.#isFatal = true;
   }
@@ -69,10 +76,10 @@ export class Alerts {
     this.#journal.value = [...before, entry].slice(-MOST_ENTRIES);
   }
 
-  /** Clears the message, as Escape does, and others of the view. */
+  /** Clears all messages, as Escape does, and others of the view. */
   clear() {
     for (const clear of this.#others) clear();
-    if (!this.#isFatal) this.#clear();
+    if (!this.#isFatal) this.#remove(...this.#place.children);
   }
 
   /** Also clears messages that are shown elsewhere. */
@@ -80,28 +87,45 @@ export class Alerts {
     this.#others.push(clear);
   }
 
-  #clear() {
-    this.#isFatal = false;
-    removeKeepingFocus(this.#place, () => this.#place.replaceChildren());
+  #remove(...messages: Element[]) {
+    for (const one of messages)
+      if (one instanceof HTMLElement) removeKeepingFocus(one, () => one.remove());
   }
 
-  /** Shows a message in place of the previous one, whose action has been retried since. */
-  #show(message: string, kind: 'error' | 'notice', offers: Offer[] = []) {
+  /**
+   * Shows a message in place of the previous one, whose action has been retried since. One that
+   * offers something else stays: nothing else may offer that.
+   */
+  #show(message: string, kind: 'error' | 'notice', offers: Offer[]) {
     this.note(message, kind);
     if (this.#isFatal) return () => {};
-    const close = closeButton('Dismiss', () => this.#clear());
-    const text = element('p', message);
+    const withdraw = () => {
+      if (!shown.isConnected) return;
+      this.#isFatal = false;
+      this.#remove(shown);
+    };
+    const close = closeButton('Dismiss', withdraw);
     const buttons = offers.map(({ label, action }) => {
       const onclick = () => {
-        this.#clear();
+        withdraw();
         action();
       };
       return button(label, onclick, { class: 'small bordered' });
     });
-    const shown = element('div', { class: `message ${kind}` }, text, ...buttons, close);
-    this.#place.replaceChildren(shown);
-    return () => {
-      if (shown.isConnected) this.#clear();
-    };
+    const offered = offers.map(({ label }) => label).join();
+    const shown = element(
+      'div',
+      { class: `message ${kind}`, 'data-offers': offered },
+      element('p', message),
+      ...buttons,
+      close,
+    );
+    const before = [...this.#place.querySelectorAll<HTMLElement>(':scope > *')];
+    const stay = before.filter(({ dataset }) => dataset.offers && dataset.offers !== offered);
+    stay.splice(0, stay.length + 1 - MOST_SHOWN);
+    this.#remove(...before.filter((one) => !stay.includes(one)));
+    this.#place.append(shown);
+    showInFront(this.#place, this.#home);
+    return withdraw;
   }
 }

@@ -18,6 +18,19 @@ export function closeAboutModel() {
 }
 
 /**
+ * Moves an element into the dialog in front, as long as that is open: outside of it nothing can be
+ * pressed.
+ * @param home where it is, as the first, without a dialog
+ */
+export function showInFront(place: HTMLElement, home: HTMLElement) {
+  const front = [...document.querySelectorAll<HTMLElement>('dialog:modal')].at(-1);
+  const parent = front ?? home;
+  if (place.parentElement === parent) return;
+  parent.prepend(place);
+  front?.addEventListener('close', () => showInFront(place, home), { once: true });
+}
+
+/**
  * Shows a dialog, and removes it when it is closed. The one that a quick second press asks for takes
  * the place of the first.
  * @param about `light`: a click outside closes it; `lasts`: it is not about the open model

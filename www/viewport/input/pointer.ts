@@ -99,8 +99,7 @@ export class PointerInput {
     listen('pointermove', (event) => this.#move(event));
     listen('pointerup', (event) => this.#release(event));
     listen('pointercancel', (event) => {
-      this.#down.delete(event.pointerId);
-      this.cancel();
+      if (this.#down.delete(event.pointerId)) this.cancel();
     });
     // What was begun on another mesh has nothing to restore on this one.
     solver.on('model', () => {
@@ -141,7 +140,8 @@ export class PointerInput {
   }
 
   #press(event: PointerEvent) {
-    if (!this.#viewport.view) return;
+    // A second finger or a palm while a handle is dragged has no part in it.
+    if (!this.#viewport.view || this.#gesture?.kind === 'handle') return;
     const at = this.#at(event);
     this.#element.focus({ preventScroll: true });
     this.#element.setPointerCapture(event.pointerId);
@@ -161,7 +161,7 @@ export class PointerInput {
       if (event.altKey && this.#handle === undefined) return void this.#makeHandle(event, at);
       const paints = this.#handle === undefined && this.#region.paints;
       this.#become({ kind: paints ? 'region' : 'press' });
-      if (paints) this.#region.begin(at, combineOf(event));
+      if (paints) this.#region.begin(at, this.#combineOf(event));
       else if (event.pointerType === 'touch')
         this.#longPressTimer = window.setTimeout(() => this.#longPress(event, at), LONG_PRESS_MS);
     }
@@ -177,11 +177,11 @@ export class PointerInput {
 
   /** Shows the context menu of the element hit, after selecting it. */
   #openMenu(event: PointerEvent, at: [number, number]) {
-    const { mode, selection } = this.#store.get();
+    const { mode, selection, adds } = this.#store.get();
     const what = this.#handle === undefined ? mode : 'vertices';
     const item = this.#handle ?? this.#pick(mode, event, at);
     if (item !== undefined && !selection[what].has(item))
-      this.#actions.setSelection(select(selection, what, [item], 'replace'));
+      this.#actions.setSelection(select(selection, what, [item], adds ? 'add' : 'replace'));
     this.#become({ kind: 'spent' });
     this.#commands.showMenu([event.clientX, event.clientY]);
   }
@@ -243,12 +243,8 @@ export class PointerInput {
     event.stopPropagation();
   }
 
-  /**
-   * A second finger switches to pan and zoom, except while a handle is dragged. What the first one
-   * has done meanwhile was not meant.
-   */
+  /** A second finger switches to pan and zoom. What the first one has done meanwhile was not meant. */
   #secondFinger() {
-    if (this.#gesture?.kind === 'handle') return;
     this.cancel();
     this.#become({ kind: 'pinch' });
   }
@@ -344,7 +340,7 @@ export class PointerInput {
         else this.#click(event, at);
         break;
       case 'region':
-        this.#region.end(at, combineOf(event));
+        this.#region.end(at, this.#combineOf(event));
         break;
     }
     this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
@@ -359,7 +355,7 @@ export class PointerInput {
       if (end !== undefined) this.#actions.useTool({ tape: isOther ? [...tape, end] : [end] });
       return;
     }
-    const combine = combineOf(event);
+    const combine = this.#combineOf(event);
     if (event.altKey && this.#handle === undefined) {
       const edge = this.#viewport.with((view) => view.pickEdge(...at, near(event)));
       if (edge !== undefined) return this.#commands.doubleClick('edges', edge, event);
@@ -371,6 +367,10 @@ export class PointerInput {
     } else if (combine === 'replace') {
       this.#actions.selectNothing();
     }
+  }
+
+  #combineOf(event: MouseEvent) {
+    return combineOf(event, this.#store.get().adds);
   }
 
   /** Picks the element under the pointer. */
