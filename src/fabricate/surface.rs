@@ -40,7 +40,8 @@ pub struct PanelSurface {
     pub positions: Vec<Vec3<f64>>,
     /// The centre of the box.
     pub centre: Vec3<f64>,
-    /// The corners of each panel, counterclockwise seen from outside.
+    /// The corners of each panel, counterclockwise seen from outside. Its first side is that of the
+    /// face in the mesh.
     pub faces: Ragged,
     /// The sides of faces, each once.
     pub edges: Vec<Edge>,
@@ -93,10 +94,7 @@ impl PanelSurface {
         for (face, &turned) in mesh.faces.iter().zip(&turned) {
             match turned {
                 false => faces.push(face),
-                true => {
-                    let back = face[1..].iter().rev().copied();
-                    faces.push(&[face[0]].into_iter().chain(back).collect::<Vec<_>>());
-                }
+                true => faces.push(&reversed(face)),
             }
         }
         let (positions, centre) = about_the_centre(&mesh.positions, &faces);
@@ -282,6 +280,13 @@ fn about_the_centre(positions: &[[f64; 3]], faces: &Ragged) -> (Vec<Vec3<f64>>, 
 fn count_parts(positions: &[Vec3<f64>], faces: &Ragged) -> usize {
     let labels = components(positions.len(), faces.iter());
     distinct(faces.iter().map(|face| labels[face[0] as usize])).len()
+}
+
+/// The corners of a face backwards. Its first side stays the first one, to which arrows point and
+/// from which rotations and strips are counted.
+fn reversed(face: &[u32]) -> Vec<u32> {
+    let (first, rest) = face.split_at(face.len().min(2));
+    first.iter().rev().chain(rest.iter().rev()).copied().collect()
 }
 
 /// The distinct indices in ascending order.
