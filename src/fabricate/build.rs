@@ -12,7 +12,7 @@ use super::surface::PanelSurface;
 use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
-use crate::scene::{BuildSettings, Names, OffsetKind, Page, Product};
+use crate::scene::{BuildSettings, Names, OffsetKind, Page, Product, Tiling};
 
 /// Numbers below this, in mm of the building or degrees, are rounding errors: a limit of 0 is met by
 /// them.
@@ -159,7 +159,8 @@ impl Build {
 
     /// The number of pages of all sheets, on pages of the size that was asked for.
     fn pages(&self) -> u64 {
-        self.layout.sheets.len() as u64 * self.settings.page.count(self.settings.sheet)
+        let BuildSettings { sheet, page, .. } = self.settings;
+        self.layout.sheets.len() as u64 * Tiling::of(sheet, page.size()).count()
     }
 
     /// The page size of the PDF: that which was asked for, unless nobody would glue so many pages.

@@ -40,6 +40,19 @@ pub struct Drawing {
     pub pen: f64,
     /// Its lines.
     pub lines: Vec<DrawnLine>,
+    /// What is free of its margin, where a page may have its ruler.
+    pub free: Vec<FreeBand>,
+}
+
+/// A free band in a margin, as high as a line of text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeBand {
+    /// The middle of its start, in mm.
+    pub from: Point2,
+    /// The unit vector along it.
+    pub along: Point2,
+    /// Its length in mm.
+    pub length: f64,
 }
 
 /// Height of title and legend in mm; what does not fit into the margin is left out.
@@ -59,7 +72,8 @@ impl Drawing {
         parts: &[CutPart],
         outlines_only: bool,
     ) -> Drawing {
-        let mut drawing = Drawing { name, title, size, pen: PEN, lines: Vec::new() };
+        let mut drawing =
+            Drawing { name, title, size, pen: PEN, lines: Vec::new(), free: Vec::new() };
         if !outlines_only {
             drawing.frame(margin, &legend);
         }
@@ -95,17 +109,26 @@ impl Drawing {
         let [width, height] = self.size;
         let corners = vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height], [0.0, 0.0]];
         self.add(corners);
-        let lines =
-            [(self.title.clone(), 0.5 * margin), (legend.to_owned(), height - 0.5 * margin)];
+        if margin < TITLE + 1.5 {
+            return;
+        }
+        let middle = 0.5 * margin;
+        let lines = [(legend.to_owned(), height - middle), (self.title.clone(), middle)];
         for (text, y) in lines {
             let long = text_width(&text, TITLE);
-            if margin >= TITLE + 1.5 && long <= width - 2.0 * margin {
-                let centre = [margin + 0.5 * long, y];
+            let mut left = margin;
+            if long <= width - 2.0 * margin {
+                let centre = [left + 0.5 * long, y];
                 strokes(&text, TITLE, centre, [1.0, 0.0])
                     .into_iter()
                     .for_each(|line| self.add(line));
+                left += long + 2.0 * TITLE;
             }
+            let length = width - margin - left;
+            self.free.push(FreeBand { from: [left, y], along: [1.0, 0.0], length });
         }
+        let (from, length) = ([middle, margin], height - 2.0 * margin);
+        self.free.push(FreeBand { from, along: [0.0, 1.0], length });
     }
 
     fn add(&mut self, points: Vec<Point2>) {

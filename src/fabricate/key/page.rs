@@ -91,7 +91,7 @@ impl Page {
                 panels: Vec::new(),
             }));
         }
-        Drawing { name, title, size: self.size, pen: PEN, lines }
+        Drawing { name, title, size: self.size, pen: PEN, lines, free: Vec::new() }
     }
 }
 
