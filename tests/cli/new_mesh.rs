@@ -1,6 +1,8 @@
 //! `shape-up new`.
 
 use super::folder::Folder;
+use shape_up::generate::NEW_KINDS;
+use shape_up::scene::{UnitsAndUp, Up};
 
 #[test]
 fn a_new_mesh_is_written_with_its_unit_and_can_be_checked() {
@@ -24,6 +26,22 @@ fn a_new_mesh_is_written_with_its_unit_and_can_be_checked() {
     folder.run(&["new", "barrel", "--out", "b.ply"]).done();
     assert!(std::fs::read(folder.0.join("b.ply")).unwrap().starts_with(b"ply\n"));
     folder.run(&["new", "barrel", "--out", "b.off"]).misused("--out writes .obj, .ply");
+}
+
+#[test]
+fn every_new_mesh_is_opened_as_it_was_made_with_z_up() {
+    let folder = Folder::new("new-up");
+    for kind in NEW_KINDS {
+        for ending in ["obj", "ply"] {
+            let file = format!("new.{ending}");
+            folder.run(&["new", kind.id, "--out", &file]).done();
+            let bytes = std::fs::read(folder.0.join(&file)).unwrap();
+            let read = shape_up::mesh::read(&file, &bytes).unwrap();
+            let stated = UnitsAndUp::stated(&bytes).up;
+            let up = stated.unwrap_or_else(|| UnitsAndUp::guess_up(&read.mesh));
+            assert_eq!(up, Up::Z, "{} lies on its side", kind.id);
+        }
+    }
 }
 
 #[test]
