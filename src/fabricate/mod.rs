@@ -15,6 +15,7 @@
 //! | `fault` | reasons why something cannot be built |
 //! | `unit` | the unit of the mesh |
 //! | `surface` | the panels as an oriented surface, edges with the panels on both sides |
+//! | `orientation` | which side of the panels is outside |
 //! | `alike` | sorting of items into types |
 //! | `panel` | panels laid flat, the joint, names, types |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
@@ -53,6 +54,7 @@ mod key;
 mod layer;
 mod numbers;
 pub mod offset;
+mod orientation;
 mod output;
 pub mod panel;
 pub mod paper;
