@@ -67,9 +67,9 @@ pub struct Build {
     pub not_cut: Vec<NotCut>,
     /// The parts to cut.
     pub parts: Vec<CutPart>,
-    /// Neighbours' names without room.
+    /// Neighbours' names without room, on parts that are on a sheet.
     pub dropped_names: usize,
-    /// Panels whose own name is too small to be read well.
+    /// Parts on a sheet whose own name is too small to be read well.
     pub small_names: usize,
     /// Holes without room.
     pub dropped_holes: usize,

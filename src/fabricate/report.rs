@@ -110,7 +110,7 @@ pub struct BuildReport {
     pub small_names: usize,
     /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
-    /// Holes in parts.
+    /// Holes in parts on sheets.
     pub holes: usize,
     /// Holes left out for lack of room.
     pub dropped_holes: usize,
@@ -177,9 +177,9 @@ impl Build {
         let is_nameless =
             |part: &&CutPart| part.named == NamePlace::Nowhere && !self.settings.outlines_only;
         let cut_area_mm2 = sum(area);
-        let holes = on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
+        let holes = || on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
         let around_holes =
-            holes.map(|hole| std::f64::consts::TAU * hole.radius).fold(0.0, |a, b| a + b);
+            holes().map(|hole| std::f64::consts::TAU * hole.radius).fold(0.0, |a, b| a + b);
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
         let folds = || self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
@@ -227,7 +227,7 @@ impl Build {
                 .filter(|(place, part)| place.is_some() && is_nameless(part))
                 .map(|(_, part)| part.name.clone())
                 .collect(),
-            holes: self.parts.iter().map(|part| part.holes.len()).sum(),
+            holes: holes().count(),
             dropped_holes: self.dropped_holes,
             types: self.types.leaders.len(),
             types_curve: curve(&ALIKE_MM, self.flat.len(), |tolerance| {

@@ -448,6 +448,23 @@ fn a_panel_that_is_larger_than_the_sheet_is_named_and_not_scaled() {
 }
 
 #[test]
+fn a_part_on_no_sheet_is_neither_named_nor_drilled() {
+    // A panel of 100 mm between two of a metre.
+    let x = [0.0, 1.0, 1.1, 2.1];
+    let mesh = grid(3, 1, |i, j| [x[i as usize], 0.1 * f64::from(j), 0.0]);
+    let own = BuildSettings { scale: 1.0, sheet: [200.0, 120.0], hole: 6.0, ..settings() };
+    let made = build(&mesh, &BuildSettings { joint: 0.0, ..own });
+    let report = made.report();
+    assert_eq!((report.too_large, report.holes), (vec!["P0".to_owned(), "P2".to_owned()], 4));
+    assert_eq!((report.dropped_names, report.small_names), (0, 0));
+    let table =
+        texts(&made, ".csv").into_iter().find(|text| text.starts_with("name,type")).unwrap();
+    let written: Vec<&str> =
+        table.lines().skip(1).map(|row| row.rsplit(',').next().unwrap()).collect();
+    assert_eq!(written, ["nowhere", "on it", "nowhere"]);
+}
+
+#[test]
 fn the_unit_of_the_mesh_and_the_scale_decide_the_size_on_the_sheet() {
     let mesh = grid(1, 1, |i, j| [1000.0 * f64::from(i), 1000.0 * f64::from(j), 0.0]);
     let mut unit = metres();
