@@ -183,6 +183,16 @@ fn tables_have_a_row_for_each_and_areas_that_add_up() {
 }
 
 #[test]
+fn no_text_of_a_scene_is_a_formula_in_a_table() {
+    let material = "=HYPERLINK(\"x\")".to_owned();
+    let made = build(&vault(), &BuildSettings { material, ..settings() });
+    let files = made.files(true);
+    let summary = &files.iter().find(|file| file.name == "summary.csv").unwrap().text;
+    assert!(summary.contains(",\"'=HYPERLINK(\"\"x\"\")\","), "{summary}");
+    assert_eq!(file::text_field("=1+1"), "'=1+1");
+}
+
+#[test]
 fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides() {
     // Panels with room for all names.
     let mesh = grid(4, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);

@@ -10,7 +10,7 @@ mod pdf;
 mod picture;
 mod svg;
 
-pub use csv::{Cell, Table};
+pub use csv::{Cell, Table, not_a_formula, text_field};
 pub use drawing::{Drawing, DrawnLine, FreeBand};
 pub use dxf::dxf;
 pub use glb::{GlbLayer, GlbPart, glb};
