@@ -14,16 +14,20 @@ use crate::math::plane::Point2;
 use crate::mesh::Mesh;
 use crate::scene::{BuildSettings, Names, OffsetKind, Page, Product, Tiling};
 
-/// Numbers below this, in mm of the building or degrees, are rounding errors: a limit of 0 is met by
-/// them.
+/// Numbers below this, in mm of the building or degrees, are rounding errors.
 const ROUNDING: f64 = 1e-6;
 
 /// Largest number of pages that sheets are tiled to.
 const MOST_PAGES: u64 = 5000;
 
+/// What a limit allows: a limit of 0 is met by rounding errors, and by nothing else.
+pub(super) fn allowed(limit: f64) -> f64 {
+    limit.max(ROUNDING)
+}
+
 /// Whether a number is within its limit.
 pub(super) fn is_within(value: f64, limit: f64) -> bool {
-    value <= limit.max(ROUNDING)
+    value <= allowed(limit)
 }
 
 /// A panel as it is cut, in mm of the sheet, rotated so that its smallest box lies along x.
@@ -248,7 +252,7 @@ impl Build {
     /// The warp and distance error of an exact offset, in the unit of the mesh.
     pub(super) fn exact_tolerance(&self) -> f64 {
         let limits = self.settings.limits;
-        (0.1 * limits.warp.min(limits.distance)).max(ROUNDING) / self.mm_of_building()
+        allowed(0.1 * limits.warp.min(limits.distance)) / self.mm_of_building()
     }
 
     /// The sheets as line drawings.
