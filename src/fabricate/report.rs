@@ -7,7 +7,7 @@ use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::{Choice, OffsetCheck};
 use super::panel::{panel_types, perimeter};
-use super::paper::{FLAT, Joint, JointKind, PaperModel};
+use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, NamePlace};
 use super::surface::distinct;
 use super::tighten::Tighten;
@@ -309,9 +309,9 @@ impl Build {
 
     fn paper_report(&self) -> Option<PaperReport> {
         let PaperModel { net, joint_kinds, .. } = self.paper.as_ref()?;
-        let folds = || {
+        let folds = |kind: FoldKind| {
             let joints = net.joints.iter().zip(&net.folded);
-            joints.filter(|(_, folded)| **folded).map(|(joint, _)| joint.fold)
+            joints.filter(|(joint, folded)| **folded && joint.kind() == kind).count()
         };
         let creases = net.joints.iter().filter(|joint| joint.edge.is_none());
         let creased = distinct(creases.map(|joint| net.facets[joint.sides[0].0 as usize].panel));
@@ -326,8 +326,8 @@ impl Build {
             panels.iter().map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join("/")
         });
         Some(PaperReport {
-            ridges: folds().filter(|fold| *fold > FLAT).count(),
-            valleys: folds().filter(|fold| *fold < -FLAT).count(),
+            ridges: folds(FoldKind::Ridge),
+            valleys: folds(FoldKind::Valley),
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
             creased: creased.len(),

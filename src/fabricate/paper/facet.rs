@@ -43,6 +43,43 @@ pub struct Joint {
     pub edge: Option<u32>,
 }
 
+/// What a fold becomes, seen from outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FoldKind {
+    /// Folded backwards.
+    Ridge,
+    /// Folded forwards.
+    Valley,
+    /// Neither: the panels are coplanar.
+    Flat,
+}
+
+impl FoldKind {
+    /// Its word in tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            FoldKind::Ridge => "ridge",
+            FoldKind::Valley => "valley",
+            FoldKind::Flat => "flat",
+        }
+    }
+}
+
+impl Joint {
+    /// What its fold becomes.
+    pub fn kind(&self) -> FoldKind {
+        /// Largest angle, in radians, of panels that count as coplanar.
+        const FLAT: f64 = 1e-3;
+        if self.fold.abs() <= FLAT {
+            FoldKind::Flat
+        } else if self.fold > 0.0 {
+            FoldKind::Ridge
+        } else {
+            FoldKind::Valley
+        }
+    }
+}
+
 /// The facets of panels and their joints, and the panels without facets with the reason; `model` is
 /// in mm per unit of the mesh.
 pub(super) fn facets(

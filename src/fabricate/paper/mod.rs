@@ -10,9 +10,8 @@ mod strip;
 mod tab;
 mod tab_name;
 
-pub(super) use drawn::FLAT;
 pub use drawn::{MissingNames, drawn, write_names};
-pub use facet::{Facet, Joint};
+pub use facet::{Facet, FoldKind, Joint};
 pub use net::{OutlineSide, PaperNet};
 pub use plane::Motion;
 pub use tab::Tab;
