@@ -1,6 +1,6 @@
 //! A sheet as lines with roles: the input of all file formats.
 
-use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, strokes, text_width};
+use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, height_within, strokes, text_width};
 use crate::math::plane::Point2;
 
 /// A polyline of a sheet.
@@ -55,8 +55,9 @@ pub struct FreeBand {
     pub length: f64,
 }
 
-/// Height of title and legend in mm; what does not fit into the margin is left out.
+/// Largest and least height of title and legend in mm; what does not fit into the margin is left out.
 const TITLE: f64 = 2.5;
+const LEAST: f64 = 1.0;
 /// Width of lines in mm: machines take thin ones for cuts.
 const PEN: f64 = 0.1;
 
@@ -115,11 +116,12 @@ impl Drawing {
         let middle = 0.5 * margin;
         let lines = [(legend.to_owned(), height - middle), (self.title.clone(), middle)];
         for (text, y) in lines {
-            let long = text_width(&text, TITLE);
+            let height = height_within(&text, TITLE, width - 2.0 * margin);
             let mut left = margin;
-            if long <= width - 2.0 * margin {
+            if height >= LEAST {
+                let long = text_width(&text, height);
                 let centre = [left + 0.5 * long, y];
-                strokes(&text, TITLE, centre, [1.0, 0.0])
+                strokes(&text, height, centre, [1.0, 0.0])
                     .into_iter()
                     .for_each(|line| self.add(line));
                 left += long + 2.0 * TITLE;

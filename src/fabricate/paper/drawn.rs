@@ -157,8 +157,8 @@ pub fn write_names(
     MissingNames { dropped, small, piece: !is_named }
 }
 
-/// Outlines for the names of a panel: the whole panel if it is on this piece, else each of its
-/// facets.
+/// Outlines for the names of a panel: the whole panel if it is on this piece and hangs together
+/// there, else each of its facets.
 fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSide>> {
     let net = &model.net;
     let sides = |f: u32| (0..net.facets[f as usize].corners.len() as u32).map(move |k| (f, k));
@@ -177,7 +177,10 @@ fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSid
         })
         .collect();
     sort_by_number(&mut of_panel, |(side, _)| u64::from(*side));
-    match own.len() == all.len() {
+    let is_held =
+        |&joint: &u32| net.joints[joint as usize].edge.is_some() || net.folded[joint as usize];
+    let hangs_together = |&f: &u32| net.facets[f as usize].joints.iter().flatten().all(is_held);
+    match own.len() == all.len() && own.iter().all(hangs_together) {
         true => vec![of_panel.into_iter().map(|(_, side)| side).collect()],
         false => own
             .iter()
