@@ -3,6 +3,8 @@
 use super::folder::Folder;
 use shape_up::generate::NEW_KINDS;
 use shape_up::scene::{UnitsAndUp, Up};
+use std::io::Write as _;
+use std::process::{Command, Stdio};
 
 #[test]
 fn a_new_mesh_is_written_with_its_unit_and_can_be_checked() {
@@ -82,6 +84,19 @@ fn a_surface_between_curves_keeps_the_unit_and_the_up_axis_of_their_file() {
     assert_eq!(head(&["curve.obj", "--units", "cm"]), "# units: cm\n# up: y");
     folder.write("bare.obj", points);
     assert_eq!(head(&["bare.obj"]), "", "the file does not say");
+}
+
+#[test]
+fn the_curves_may_come_through_a_pipe() {
+    let points = b"v 0 0 0\nv 9 0 0\nv 9 7 0\nv 0 7 0\nl 1 2 3 4 1\n";
+    let mut program = Command::new(env!("CARGO_BIN_EXE_shape-up"));
+    program.args(["new", "fill", "/dev/stdin"]).stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut running = program.spawn().unwrap();
+    // The pipe is closed at the end of the statement.
+    running.stdin.take().unwrap().write_all(points).unwrap();
+    let ended = running.wait_with_output().unwrap();
+    assert!(ended.status.success());
+    assert!(String::from_utf8_lossy(&ended.stdout).contains("\nf "), "it was read once");
 }
 
 #[test]

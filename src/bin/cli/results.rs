@@ -1,6 +1,7 @@
 //! `shape-up check` of the results of a lesson: of one student (`RESULTS --scene SCENE`), against
 //! the goals; or of a class (`FOLDER [--scene SCENE] [--csv FILE.csv]`), as a table.
 
+use crate::cli::arguments::place;
 use crate::cli::{Failure, input, output};
 use shape_up::fabricate::file::not_a_formula;
 use shape_up::scene::{GoalOf, GoalResult, NamedEnum, Results, SceneError};
@@ -46,7 +47,8 @@ pub(crate) fn check_class(
     let input = input::read(scene)?;
     let mut unreadable = Vec::new();
     let mut rows = Vec::new();
-    for path in handed_in.iter().filter(|path| path.as_path() != scene) {
+    let scene = place(scene);
+    for path in handed_in.iter().filter(|path| place(path) != scene) {
         match read(path) {
             Ok(results) => {
                 let checked = check_results(&results, input.scene.clone(), input.mesh.clone());
