@@ -149,7 +149,7 @@ impl Build {
             build.faults.push(Fault::untouched(build.surface.untouched));
         }
         if build.surface.is_inside_out() {
-            build.faults.push(Fault::inside_out());
+            build.faults.push(Fault::inside_out(build.surface.parts));
         }
         if build.settings.names == Names::Rows && !are_rows {
             build.faults.push(Fault::no_rows());
