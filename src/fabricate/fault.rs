@@ -57,7 +57,7 @@ impl Fault {
                 "the surface is closed and its panels face inwards, so what is called outside here is its inside: apply Flip faces, in Edit mesh"
             }
             _ => {
-                "a closed part of the surface has panels that face inwards, so what is called outside there is its inside: select its faces and apply Flip faces, in Edit mesh"
+                "a closed part of the surface has panels that face inwards, so what is called outside there is its inside: turn its faces around in the program that it comes from"
             }
         };
         Fault(words.to_owned())
