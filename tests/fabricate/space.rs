@@ -66,7 +66,12 @@ fn a_vertex_of_no_panel_is_in_no_file_and_moves_no_sheet() {
     let [without, with] = [&plain, &stray].map(|mesh| build(mesh, &own));
     for up in [true, false] {
         let parts = [&without, &with].map(|made| made.spatial_parts(up));
-        assert_eq!(parts[0].len(), parts[1].len());
+        // Names are longer, and have more strokes on the sheets.
+        let points = parts.each_ref().map(|parts| {
+            let of_shape = parts.iter().filter(|part| !part.layer.starts_with("Sheets"));
+            of_shape.map(|part| part.points.len()).collect::<Vec<_>>()
+        });
+        assert_eq!(points[0], points[1]);
         let far = parts[1].iter().flat_map(|part| &part.points).flatten();
         assert!(far.fold(0.0_f64, |most, x| most.max(x.abs())) < 1e3);
     }
