@@ -2,6 +2,7 @@
 
 use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, height_within, strokes, text_width};
 use crate::math::plane::Point2;
+use crate::scene::Page;
 
 /// A polyline of a sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +45,7 @@ pub struct Drawing {
     pub free: Vec<FreeBand>,
 }
 
-/// A free band in a margin, as high as a line of text.
+/// A free band in a margin, 2 mm high: a line of text.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeBand {
     /// The middle of its start, in mm.
@@ -58,6 +59,8 @@ pub struct FreeBand {
 /// Largest and least height of title and legend in mm; what does not fit into the margin is left out.
 const TITLE: f64 = 2.5;
 const LEAST: f64 = 1.0;
+/// Height of a free band in mm.
+const BAND: f64 = 2.0;
 /// Width of lines in mm: machines take thin ones for cuts.
 const PEN: f64 = 0.1;
 
@@ -114,8 +117,13 @@ impl Drawing {
             return;
         }
         let middle = 0.5 * margin;
-        let lines = [(legend.to_owned(), height - middle), (self.title.clone(), middle)];
-        for (text, y) in lines {
+        // In what is printed of a page, as far as the margin reaches there.
+        let within = middle.max((Page::FREE + 0.5 * BAND).min(margin - 0.75 * BAND));
+        let lines = [
+            (legend.to_owned(), height - middle, height - within),
+            (self.title.clone(), middle, within),
+        ];
+        for (text, y, free) in lines {
             let height = height_within(&text, TITLE, width - 2.0 * margin);
             let mut left = margin;
             if height >= LEAST {
@@ -127,9 +135,9 @@ impl Drawing {
                 left += long + 2.0 * TITLE;
             }
             let length = width - margin - left;
-            self.free.push(FreeBand { from: [left, y], along: [1.0, 0.0], length });
+            self.free.push(FreeBand { from: [left, free], along: [1.0, 0.0], length });
         }
-        let (from, length) = ([middle, margin], height - 2.0 * margin);
+        let (from, length) = ([within, margin], height - 2.0 * margin);
         self.free.push(FreeBand { from, along: [0.0, 1.0], length });
     }
 

@@ -39,7 +39,7 @@ impl Page {
     }
 
     /// The unprintable margin of a page, in mm.
-    const FREE: f64 = 5.0;
+    pub(crate) const FREE: f64 = 5.0;
     /// Height of the line with words and a ruler below a part of a sheet, in mm.
     pub(crate) const LINE: f64 = 4.0;
     /// Overlap of neighbouring pages, in mm.
