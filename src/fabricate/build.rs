@@ -12,18 +12,22 @@ use super::surface::PanelSurface;
 use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
-use crate::scene::{BuildSettings, Names, OffsetKind, Page, Product};
+use crate::scene::{BuildSettings, Names, OffsetKind, Page, Product, Tiling};
 
-/// Numbers below this, in mm of the building or degrees, are rounding errors: a limit of 0 is met by
-/// them.
+/// Numbers below this, in mm of the building or degrees, are rounding errors.
 const ROUNDING: f64 = 1e-6;
 
 /// Largest number of pages that sheets are tiled to.
 const MOST_PAGES: u64 = 5000;
 
+/// What a limit allows: a limit of 0 is met by rounding errors, and by nothing else.
+pub(super) fn allowed(limit: f64) -> f64 {
+    limit.max(ROUNDING)
+}
+
 /// Whether a number is within its limit.
 pub(super) fn is_within(value: f64, limit: f64) -> bool {
-    value <= limit.max(ROUNDING)
+    value <= allowed(limit)
 }
 
 /// A panel as it is cut, in mm of the sheet, rotated so that its smallest box lies along x.
@@ -67,9 +71,9 @@ pub struct Build {
     pub not_cut: Vec<NotCut>,
     /// The parts to cut.
     pub parts: Vec<CutPart>,
-    /// Neighbours' names without room.
+    /// Neighbours' names without room, on parts that are on a sheet.
     pub dropped_names: usize,
-    /// Panels whose own name is too small to be read well.
+    /// Parts on a sheet whose own name is too small to be read well.
     pub small_names: usize,
     /// Holes without room.
     pub dropped_holes: usize,
@@ -145,7 +149,7 @@ impl Build {
             build.faults.push(Fault::untouched(build.surface.untouched));
         }
         if build.surface.is_inside_out() {
-            build.faults.push(Fault::inside_out());
+            build.faults.push(Fault::inside_out(build.surface.parts));
         }
         if build.settings.names == Names::Rows && !are_rows {
             build.faults.push(Fault::no_rows());
@@ -159,7 +163,8 @@ impl Build {
 
     /// The number of pages of all sheets, on pages of the size that was asked for.
     fn pages(&self) -> u64 {
-        self.layout.sheets.len() as u64 * self.settings.page.count(self.settings.sheet)
+        let BuildSettings { sheet, page, .. } = self.settings;
+        self.layout.sheets.len() as u64 * Tiling::of(sheet, page.size()).count()
     }
 
     /// The page size of the PDF: that which was asked for, unless nobody would glue so many pages.
@@ -247,7 +252,7 @@ impl Build {
     /// The warp and distance error of an exact offset, in the unit of the mesh.
     pub(super) fn exact_tolerance(&self) -> f64 {
         let limits = self.settings.limits;
-        (0.1 * limits.warp.min(limits.distance)).max(ROUNDING) / self.mm_of_building()
+        allowed(0.1 * limits.warp.min(limits.distance)) / self.mm_of_building()
     }
 
     /// The sheets as line drawings.

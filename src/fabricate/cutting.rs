@@ -159,11 +159,11 @@ impl Build {
         Vec::new()
     }
 
-    /// Engraves each part with its name and the names of its neighbours `beside` its edges.
+    /// Engraves each part on a sheet with its name and the names of its neighbours `beside` its edges.
     fn write_names(&mut self, beside: &[Beside]) {
         let places = self.layout.places(self.parts.len());
         for (k, part) in self.parts.iter_mut().enumerate() {
-            let turn = places[k].map_or([1.0, 0.0], |(_, place)| place.turn);
+            let Some((_, Place { turn, .. })) = places[k] else { continue };
             let missing = match &self.paper {
                 Some(model) => {
                     let inside = self.settings.print_inside;

@@ -50,12 +50,17 @@ impl Fault {
         Fault(untouched_words(faces))
     }
 
-    /// A closed surface whose panels face inwards.
-    pub(super) fn inside_out() -> Fault {
-        Fault(
-            "the surface is closed and its panels face inwards, so what is called outside here is its inside: apply Flip faces, in Edit mesh"
-                .to_owned(),
-        )
+    /// A closed surface whose panels face inwards, or of several parts at least one.
+    pub(super) fn inside_out(parts: usize) -> Fault {
+        let words = match parts {
+            1 => {
+                "the surface is closed and its panels face inwards, so what is called outside here is its inside: apply Flip faces, in Edit mesh"
+            }
+            _ => {
+                "a closed part of the surface has panels that face inwards, so what is called outside there is its inside: turn its faces around in the program that it comes from"
+            }
+        };
+        Fault(words.to_owned())
     }
 
     /// Names by rows and columns without rows and columns.

@@ -15,6 +15,8 @@
 //! | `fault` | reasons why something cannot be built |
 //! | `unit` | the unit of the mesh |
 //! | `surface` | the panels as an oriented surface, edges with the panels on both sides |
+//! | `orientation` | which panels to reverse so that all face the same side |
+//! | `facing` | panels that face inwards or are folded over |
 //! | `alike` | sorting of items into types |
 //! | `panel` | panels laid flat, the joint, names, types |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
@@ -46,6 +48,7 @@ mod build_words;
 mod card;
 mod check_card;
 mod cutting;
+mod facing;
 mod fault;
 pub mod file;
 mod holes;
@@ -53,6 +56,7 @@ mod key;
 mod layer;
 mod numbers;
 pub mod offset;
+mod orientation;
 mod output;
 pub mod panel;
 pub mod paper;

@@ -4,7 +4,8 @@ use super::build::Build;
 use super::file::{dxf, pdf, svg};
 use super::space::solids;
 use super::tables;
-use crate::mesh::write_obj;
+use crate::mesh::write_obj_with_comments;
+use crate::scene::{UnitsAndUp, Up};
 
 /// A file to be saved.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,11 +57,10 @@ impl Build {
             add(name.to_owned(), text);
         }
         if let Some(solids) = solids(self) {
-            // Stated as in every mesh file, so that it is read again as it is; z need not be.
-            let symbol: String = self.unit.symbol.chars().filter(|c| !c.is_control()).collect();
-            let up = if z_up { "" } else { "# up: y\n" };
-            let text = write_obj(&solids, &solids.positions);
-            add("beams.obj".to_owned(), format!("# units: {symbol}\n{up}{text}"));
+            let up = if z_up { Up::Z } else { Up::Y };
+            let comments = UnitsAndUp::comments(&self.unit.symbol, Some(up), &solids);
+            let text = write_obj_with_comments(&solids, &solids.positions, &comments);
+            add("beams.obj".to_owned(), text);
         }
         files
     }

@@ -7,7 +7,7 @@ use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::{Choice, OffsetCheck};
 use super::panel::{panel_types, perimeter};
-use super::paper::{FLAT, Joint, JointKind, PaperModel};
+use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, NamePlace};
 use super::surface::distinct;
 use super::tighten::Tighten;
@@ -110,7 +110,7 @@ pub struct BuildReport {
     pub small_names: usize,
     /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
-    /// Holes in parts.
+    /// Holes in parts on sheets.
     pub holes: usize,
     /// Holes left out for lack of room.
     pub dropped_holes: usize,
@@ -177,9 +177,9 @@ impl Build {
         let is_nameless =
             |part: &&CutPart| part.named == NamePlace::Nowhere && !self.settings.outlines_only;
         let cut_area_mm2 = sum(area);
-        let holes = on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
+        let holes = || on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
         let around_holes =
-            holes.map(|hole| std::f64::consts::TAU * hole.radius).fold(0.0, |a, b| a + b);
+            holes().map(|hole| std::f64::consts::TAU * hole.radius).fold(0.0, |a, b| a + b);
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
         let folds = || self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
@@ -227,7 +227,7 @@ impl Build {
                 .filter(|(place, part)| place.is_some() && is_nameless(part))
                 .map(|(_, part)| part.name.clone())
                 .collect(),
-            holes: self.parts.iter().map(|part| part.holes.len()).sum(),
+            holes: holes().count(),
             dropped_holes: self.dropped_holes,
             types: self.types.leaders.len(),
             types_curve: curve(&ALIKE_MM, self.flat.len(), |tolerance| {
@@ -309,9 +309,9 @@ impl Build {
 
     fn paper_report(&self) -> Option<PaperReport> {
         let PaperModel { net, joint_kinds, .. } = self.paper.as_ref()?;
-        let folds = || {
+        let folds = |kind: FoldKind| {
             let joints = net.joints.iter().zip(&net.folded);
-            joints.filter(|(_, folded)| **folded).map(|(joint, _)| joint.fold)
+            joints.filter(|(joint, folded)| **folded && joint.kind() == kind).count()
         };
         let creases = net.joints.iter().filter(|joint| joint.edge.is_none());
         let creased = distinct(creases.map(|joint| net.facets[joint.sides[0].0 as usize].panel));
@@ -326,8 +326,8 @@ impl Build {
             panels.iter().map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join("/")
         });
         Some(PaperReport {
-            ridges: folds().filter(|fold| *fold > FLAT).count(),
-            valleys: folds().filter(|fold| *fold < -FLAT).count(),
+            ridges: folds(FoldKind::Ridge),
+            valleys: folds(FoldKind::Valley),
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
             creased: creased.len(),

@@ -8,6 +8,7 @@ use crate::fabricate::build::{Build, beam_name, node_name};
 use crate::fabricate::file::{GlbLayer, GlbPart, glb};
 use crate::fabricate::panel::triangles_in_space;
 use crate::fabricate::sheet::Role;
+use crate::fabricate::surface::{PanelSurface, distinct};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Group, GroupKeyword, Mesh};
 use serde::Serialize;
@@ -29,6 +30,17 @@ pub struct SpatialPart {
     pub faces: Vec<Vec<u32>>,
     /// Whether a line leads back to its first point, which is not repeated.
     pub closed: bool,
+}
+
+/// The vertices of panels, and the panels over these alone. To other vertices belongs nothing that is
+/// built, and one far away would move what is laid beside the shape.
+fn used(surface: &PanelSurface) -> (Vec<u32>, Vec<Vec<u32>>) {
+    let used = distinct(surface.faces.indices().iter().copied());
+    let mut place = vec![0; surface.positions.len()];
+    used.iter().zip(0..).for_each(|(&v, k)| place[v as usize] = k);
+    let faces = surface.faces.iter();
+    let faces = faces.map(|face| face.iter().map(|&v| place[v as usize]).collect()).collect();
+    (used, faces)
 }
 
 /// Faces, those with more than four corners or a notch as triangles.
@@ -71,23 +83,22 @@ impl Build {
             faces: Vec::new(),
             closed: false,
         };
-        let faces: Vec<Vec<u32>> = surface.faces.iter().map(<[u32]>::to_vec).collect();
+        let (used, faces) = used(surface);
+        let below: Vec<Vec3<f64>> = used.iter().map(|&v| surface.at(v)).collect();
         let (grey, violet, brown, blue) =
             ([110, 110, 115], [90, 50, 165], [115, 75, 45], [0, 90, 160]);
-        let mut parts = vec![SpatialPart {
-            faces: filled(&faces, &surface.positions),
-            ..on("Surface", grey, "", &surface.positions)
-        }];
-        for (face, name) in faces.iter().zip(&self.names) {
+        let mut parts =
+            vec![SpatialPart { faces: filled(&faces, &below), ..on("Surface", grey, "", &below) }];
+        for (face, name) in surface.faces.iter().zip(&self.names) {
             let corners: Vec<_> = face.iter().map(|&v| surface.at(v)).collect();
             parts.push(SpatialPart { closed: true, ..on("Panels", grey, name, &corners) });
         }
         if let Some((axes, _)) = &self.offset {
-            let above = surface.positions.iter().zip(&axes.axes);
-            let above: Vec<_> = above.map(|(p, n)| *p + *n * self.distance()).collect();
+            let moved = |&v: &u32| surface.at(v) + axes.axes[v as usize] * self.distance();
+            let above: Vec<_> = used.iter().map(moved).collect();
             let own = on("Offset", violet, "", &above);
             parts.push(SpatialPart { faces: filled(&faces, &above), ..own });
-            for (v, (&low, &high)) in (0..).zip(surface.positions.iter().zip(&above)) {
+            for (&v, (&low, &high)) in used.iter().zip(below.iter().zip(&above)) {
                 if low != high {
                     parts.push(on("Nodes", blue, &node_name(v), &[low, high]));
                 }
@@ -188,15 +199,15 @@ pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
     let frame = build.frame.as_ref()?;
     let (axes, _) = build.offset.as_ref()?;
     let mut mesh = Mesh::default();
-    let faces = || build.surface.faces.iter().map(<[u32]>::to_vec);
+    let (used, faces) = used(&build.surface);
     let moved = |by: f64| -> Vec<Vec3<f64>> {
-        build.surface.positions.iter().zip(&axes.axes).map(|(p, n)| *p + *n * by).collect()
+        used.iter().map(|&v| build.surface.at(v) + axes.axes[v as usize] * by).collect()
     };
     let centre = build.surface.centre;
-    add(&mut mesh, "panels", &moved(0.0), centre, faces());
+    add(&mut mesh, "panels", &moved(0.0), centre, faces.clone());
     // The faces of the panels are the first ones of the mesh.
     mesh.groups.extend((0..).zip(&build.names).map(|(face, name)| group(name, vec![face])));
-    add(&mut mesh, "offset", &moved(build.distance()), centre, faces());
+    add(&mut mesh, "offset", &moved(build.distance()), centre, faces);
     for (edge, prism) in build.surface.edges.iter().zip(&frame.prisms) {
         if let Some(prism) = prism {
             let faces = Prism::faces();

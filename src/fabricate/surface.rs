@@ -5,6 +5,7 @@
 //! digits.
 
 use super::fault::Fault;
+use super::orientation::{orientation, reversed};
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
 use crate::mesh::{Mesh, Ragged, Topology, components};
 
@@ -40,7 +41,8 @@ pub struct PanelSurface {
     pub positions: Vec<Vec3<f64>>,
     /// The centre of the box.
     pub centre: Vec3<f64>,
-    /// The corners of each panel, counterclockwise seen from outside.
+    /// The corners of each panel, counterclockwise seen from outside. Its first side is that of the
+    /// face in the mesh.
     pub faces: Ragged,
     /// The sides of faces, each once.
     pub edges: Vec<Edge>,
@@ -93,10 +95,7 @@ impl PanelSurface {
         for (face, &turned) in mesh.faces.iter().zip(&turned) {
             match turned {
                 false => faces.push(face),
-                true => {
-                    let back = face[1..].iter().rev().copied();
-                    faces.push(&[face[0]].into_iter().chain(back).collect::<Vec<_>>());
-                }
+                true => faces.push(&reversed(face)),
             }
         }
         let (positions, centre) = about_the_centre(&mesh.positions, &faces);
@@ -214,29 +213,6 @@ impl PanelSurface {
         let (n, m) = (self.normal(left), self.normal(right));
         Some(libm::atan2(self.direction(edge).dot(n.cross(m)), n.dot(m)))
     }
-
-    /// Whether it is closed and its panels face inwards: it encloses a negative volume. A hollow solid
-    /// encloses a positive one.
-    pub fn is_inside_out(&self) -> bool {
-        let middle = |face: &[u32]| {
-            let sum = face.iter().fold(Vec3::zero(), |sum, &v| sum + self.at(v));
-            sum * (1.0 / face.len() as f64)
-        };
-        let cones = self.faces.iter().zip(&self.areas).map(|(face, area)| middle(face).dot(*area));
-        self.one_sided.is_none()
-            && self.edges.iter().all(|edge| !edge.is_rim())
-            && cones.sum::<f64>() < 0.0
-    }
-
-    /// The panels that are folded over: the normals of the panel and of one of its vertices point
-    /// to opposite sides, so that no offset is meaningful there.
-    pub fn folded_over(&self) -> Vec<u32> {
-        let over = |f: &u32| {
-            let area = self.areas[*f as usize];
-            self.faces.row(*f as usize).iter().any(|&v| area.dot(self.normals[v as usize]) < 0.0)
-        };
-        (0..self.faces.len() as u32).filter(over).collect()
-    }
 }
 
 /// Normalises a vector; zero if it has no direction.
@@ -295,55 +271,4 @@ pub(super) fn distinct(indices: impl Iterator<Item = u32>) -> Vec<u32> {
         is_there[index as usize] = true;
     }
     (0..).zip(is_there).filter(|(_, is_there)| *is_there).map(|(index, _)| index).collect()
-}
-
-/// The faces to reverse so that neighbours traverse their edge in opposite directions, and why that
-/// is impossible. In each component the minority is reversed.
-fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Option<Fault>) {
-    let mut state: Vec<Option<bool>> = vec![None; faces.len()];
-    let mut contradiction = None;
-    let ascends = |f: u32, [a, b]: [u32; 2]| {
-        polygon_sides(faces.row(f as usize)).any(|[p, q]| p == a && q == b)
-    };
-    let crowded = topology.edge_faces().iter().filter(|faces| faces.len() > 2).count();
-    for first in 0..faces.len() as u32 {
-        if state[first as usize].is_some() {
-            continue;
-        }
-        state[first as usize] = Some(false);
-        let mut part = vec![first];
-        let mut next = 0;
-        while let Some(&f) = part.get(next) {
-            next += 1;
-            let turned = state[f as usize] == Some(true);
-            for [a, b] in polygon_sides(faces.row(f as usize)) {
-                let Some(e) = topology.edge(a, b) else { continue };
-                let ends = topology.edges()[e as usize];
-                let &[g, h] = topology.edge_faces().row(e as usize) else { continue };
-                let other = if g == f { h } else { g };
-                if other == f {
-                    continue;
-                }
-                let needed = turned ^ (ascends(f, ends) == ascends(other, ends));
-                match state[other as usize] {
-                    None => {
-                        state[other as usize] = Some(needed);
-                        part.push(other);
-                    }
-                    Some(found) if found != needed => contradiction = Some(ends),
-                    Some(_) => {}
-                }
-            }
-        }
-        let turned = part.iter().filter(|&&f| state[f as usize] == Some(true)).count();
-        if 2 * turned > part.len() {
-            part.iter().for_each(|&f| state[f as usize] = state[f as usize].map(|own| !own));
-        }
-    }
-    let fault = match (contradiction, crowded) {
-        (Some(ends), _) => Some(Fault::one_sided(ends)),
-        (None, 0) => None,
-        (None, edges) => Some(Fault::crowded_edges(edges)),
-    };
-    (state.into_iter().map(|turned| turned == Some(true)).collect(), fault)
 }

@@ -1,6 +1,6 @@
 //! Suggestions for numbers of the build check that exceed their limits: constraints for the solver.
 
-use super::build::Build;
+use super::build::{Build, allowed};
 use super::check_card::CheckRow;
 use crate::scene::OffsetKind;
 use serde::Serialize;
@@ -38,7 +38,7 @@ impl Build {
         let of_offset = of_offset.reduce(f64::min);
         let suggestion = |constraint, within: f64| PanelSuggestion {
             constraint,
-            within: within / self.mm_of_building(),
+            within: allowed(within) / self.mm_of_building(),
         };
         let corners = self.settings.kind.is_none_or(|kind| kind == OffsetKind::Corner);
         let mut suggestions = Vec::new();

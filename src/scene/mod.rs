@@ -39,7 +39,7 @@ pub use crate::solve::{
     SmoothnessOf, SolverSettings, Weighting, Weights,
 };
 pub use crate::sparse::Factorization;
-pub(crate) use build::page_counts;
+pub(crate) use build::Tiling;
 pub use build::{
     BUILD_PRESETS, BUILD_SETTINGS, BuildForm, BuildGroup, BuildOption, BuildPreset, BuildSetting,
     BuildSettings, BuildUnit, CheckLimits, Dxf, Names, OffsetKind, Order, Page, Pieces, PresetOf,

@@ -4,8 +4,8 @@
 use super::values::{Js, plain, plains};
 use super::{log_panics, mesh_of, rows_of, thrown};
 use crate::generate::{CurveLabel, NEW_KINDS, NewKind, SpanCurve, SpanError, example, fill, loft};
-use crate::mesh::{Mesh, write_obj};
-use crate::scene::UnitsAndUp;
+use crate::mesh::{Mesh, write_obj_with_comments};
+use crate::scene::{NamedEnum, UnitsAndUp, Up};
 use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
@@ -24,7 +24,7 @@ pub fn new_kinds() -> Result<Vec<Js<NewKind>>, JsValue> {
 #[wasm_bindgen(js_name = newMesh)]
 pub fn new_mesh(kind: &str, sizes: &[f64], units: &str) -> Result<String, JsValue> {
     let kind = NewKind::of(kind).ok_or_else(|| thrown(format!("unknown kind {kind:?}")))?;
-    Ok(obj(&kind.mesh(sizes).map_err(thrown)?, units, "z"))
+    Ok(obj(&kind.mesh(sizes).map_err(thrown)?, units, Up::Z))
 }
 
 /// The curves of a mesh, to be spanned by surfaces.
@@ -32,7 +32,7 @@ pub fn new_mesh(kind: &str, sizes: &[f64], units: &str) -> Result<String, JsValu
 pub struct NewSpans {
     curves: Vec<SpanCurve>,
     units: String,
-    up: String,
+    up: Up,
 }
 
 #[wasm_bindgen]
@@ -51,7 +51,7 @@ impl NewSpans {
     ) -> NewSpans {
         let mut mesh = mesh_of(positions, face_offsets, face_indices);
         mesh.curves = rows_of(curve_offsets, curve_indices);
-        NewSpans { curves: SpanCurve::all(&mesh), units, up }
+        NewSpans { curves: SpanCurve::all(&mesh), units, up: Up::of_word(&up).unwrap_or_default() }
     }
 
     /// Returns the polylines of the mesh, then the boundaries of its faces.
@@ -66,11 +66,11 @@ impl NewSpans {
     /// Why there is no such surface, in one sentence.
     pub fn mesh(&self, first: usize, second: Option<usize>, size: f64) -> Result<String, JsValue> {
         let mesh = self.surface(first, second, size).map_err(thrown)?;
-        Ok(obj(&mesh, &self.units, &self.up))
+        Ok(obj(&mesh, &self.units, self.up))
     }
 
     fn surface(&self, first: usize, second: Option<usize>, size: f64) -> Result<Mesh, SpanError> {
-        let up = if self.up == "y" { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] };
+        let up = self.up.direction();
         let first = SpanCurve::of(&self.curves, first)?;
         match second {
             Some(second) => loft(first, SpanCurve::of(&self.curves, second)?, size, up),
@@ -80,10 +80,9 @@ impl NewSpans {
 }
 
 /// Returns the text of an OBJ file, with comments that state unit and up axis.
-pub(super) fn obj(mesh: &Mesh, units: &str, up: &str) -> String {
-    let units: String =
-        UnitsAndUp::comments(units, None, mesh).iter().map(|line| format!("# {line}\n")).collect();
-    format!("{units}# up: {up}\n{}", write_obj(mesh, &mesh.positions))
+pub(super) fn obj(mesh: &Mesh, units: &str, up: Up) -> String {
+    let comments = UnitsAndUp::comments(units, Some(up), mesh);
+    write_obj_with_comments(mesh, &mesh.positions, &comments)
 }
 
 /// Returns the bytes of an example's scene or mesh by the name of the file.

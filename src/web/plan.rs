@@ -8,6 +8,7 @@ use crate::generate::{
     Plan, PlanDrawing, PlanError, PlanLoops, PlanPoint, bulge_of, bulge_through, end_of_side,
     grid_step, loop_through,
 };
+use crate::scene::Up;
 use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
@@ -29,7 +30,7 @@ pub struct NewPlan {
 #[wasm_bindgen(js_name = newPlan)]
 pub fn new_plan(plan: Js<Plan>, units: &str) -> Result<Js<NewPlan>, JsValue> {
     let surface = read::<Plan>(plan)?.surface().map_err(|why| refused(&why))?;
-    plain(&NewPlan { text: obj(&surface.mesh, units, "z"), supports: surface.feet })
+    plain(&NewPlan { text: obj(&surface.mesh, units, Up::Z), supports: surface.feet })
 }
 
 fn refused(why: &PlanError) -> JsValue {

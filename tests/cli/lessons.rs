@@ -125,6 +125,10 @@ fn positions_that_do_not_fit_are_called_so() {
     folder.run(&["check", "class/cut.json", "--scene", "s.json"]).refused(&[message]);
     let table = folder.run(&["check", "class", "--scene", "s.json"]).done();
     assert!(table.contains(message), "{table}");
+    // The scene is no result, however its name is written.
+    folder.write("class/roof.obj", ROOF).write("class/s.json", folder.read("s.json"));
+    let table = folder.run(&["check", "./class", "--scene", "class/../class/s.json"]).done();
+    assert!(table.contains(message) && table.ends_with("of 1 file\n"), "{table}");
 }
 
 #[test]

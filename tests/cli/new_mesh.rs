@@ -1,6 +1,10 @@
 //! `shape-up new`.
 
 use super::folder::Folder;
+use shape_up::generate::NEW_KINDS;
+use shape_up::scene::{UnitsAndUp, Up};
+use std::io::Write as _;
+use std::process::{Command, Stdio};
 
 #[test]
 fn a_new_mesh_is_written_with_its_unit_and_can_be_checked() {
@@ -24,6 +28,22 @@ fn a_new_mesh_is_written_with_its_unit_and_can_be_checked() {
     folder.run(&["new", "barrel", "--out", "b.ply"]).done();
     assert!(std::fs::read(folder.0.join("b.ply")).unwrap().starts_with(b"ply\n"));
     folder.run(&["new", "barrel", "--out", "b.off"]).misused("--out writes .obj, .ply");
+}
+
+#[test]
+fn every_new_mesh_is_opened_as_it_was_made_with_z_up() {
+    let folder = Folder::new("new-up");
+    for kind in NEW_KINDS {
+        for ending in ["obj", "ply"] {
+            let file = format!("new.{ending}");
+            folder.run(&["new", kind.id, "--out", &file]).done();
+            let bytes = std::fs::read(folder.0.join(&file)).unwrap();
+            let read = shape_up::mesh::read(&file, &bytes).unwrap();
+            let stated = UnitsAndUp::stated(&bytes).up;
+            let up = stated.unwrap_or_else(|| UnitsAndUp::guess_up(&read.mesh));
+            assert_eq!(up, Up::Z, "{} lies on its side", kind.id);
+        }
+    }
 }
 
 #[test]
@@ -64,6 +84,19 @@ fn a_surface_between_curves_keeps_the_unit_and_the_up_axis_of_their_file() {
     assert_eq!(head(&["curve.obj", "--units", "cm"]), "# units: cm\n# up: y");
     folder.write("bare.obj", points);
     assert_eq!(head(&["bare.obj"]), "", "the file does not say");
+}
+
+#[test]
+fn the_curves_may_come_through_a_pipe() {
+    let points = b"v 0 0 0\nv 9 0 0\nv 9 7 0\nv 0 7 0\nl 1 2 3 4 1\n";
+    let mut program = Command::new(env!("CARGO_BIN_EXE_shape-up"));
+    program.args(["new", "fill", "/dev/stdin"]).stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut running = program.spawn().unwrap();
+    // The pipe is closed at the end of the statement.
+    running.stdin.take().unwrap().write_all(points).unwrap();
+    let ended = running.wait_with_output().unwrap();
+    assert!(ended.status.success());
+    assert!(String::from_utf8_lossy(&ended.stdout).contains("\nf "), "it was read once");
 }
 
 #[test]

@@ -64,6 +64,17 @@ fn a_scene_is_solved_again_when_its_mesh_is_saved() {
 }
 
 #[test]
+fn what_is_wrong_at_first_is_said_and_waited_for() {
+    let folder = Folder::new("watch-first");
+    folder.write("roof.obj", "f 1 2 3\n");
+    let press = ["roof.obj", "--panels", "circle", "--within", "auto", "--out", "out.obj"];
+    let _watching = Watching::begin(&folder, &press);
+    wait_for(&folder, "wrong", |text| text.starts_with("roof.obj: the file has no vertices"));
+    folder.write("roof.obj", ROOF);
+    wait_for(&folder, "out.obj", |text| text.contains("\nf "));
+}
+
+#[test]
 fn nothing_that_is_watched_is_overwritten_and_what_is_not_there_is_said() {
     let folder = Folder::new("watch-faults");
     folder.write("roof.obj", ROOF).write("roof.json", scene(PLANES));

@@ -444,7 +444,11 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
     }
     let mut open = Mesh { faces: Ragged::new(), ..reversed.clone() };
     reversed.faces.iter().skip(1).for_each(|face| open.faces.push(face));
-    for (mesh, is_inside_out) in [(cube, false), (reversed, true), (hollow, false), (open, false)] {
+    // A smaller cube beside it, which its volume alone does not show.
+    let mut beside = hollow.clone();
+    beside.positions[8..].iter_mut().for_each(|point| point[0] += 5.0);
+    let all = [(cube, false), (reversed, true), (hollow, false), (open, false), (beside, true)];
+    for (mesh, is_inside_out) in all {
         let problems = build(&mesh, &BuildSettings::default()).report().problems;
         assert_eq!(problems.iter().any(|words| words.contains("inwards")), is_inside_out);
     }

@@ -51,6 +51,16 @@ fn what_fails_is_listed_and_the_worst_of_it_is_named() {
 }
 
 #[test]
+fn a_limit_of_0_is_suggested_as_what_meets_it_and_not_as_0() {
+    let limits = CheckLimits { warp: 0.0, distance: 0.0, flatness: 0.0, lean: 20.0 };
+    let tighten =
+        build(&wavy(), &BuildSettings { limits, ..BuildSettings::default() }).report().tighten;
+    assert!(tighten.suggestions.len() == 2, "{tighten:?}");
+    // A scene refuses a tolerance of 0.
+    assert!(tighten.suggestions.iter().all(|one| one.within > 0.0), "{tighten:?}");
+}
+
+#[test]
 fn the_lean_that_is_judged_is_that_of_an_inner_node() {
     let made = build(&wavy(), &BuildSettings::default());
     let lean = row(&made.report().check, "lean");

@@ -183,6 +183,16 @@ fn tables_have_a_row_for_each_and_areas_that_add_up() {
 }
 
 #[test]
+fn no_text_of_a_scene_is_a_formula_in_a_table() {
+    let material = "=HYPERLINK(\"x\")".to_owned();
+    let made = build(&vault(), &BuildSettings { material, ..settings() });
+    let files = made.files(true);
+    let summary = &files.iter().find(|file| file.name == "summary.csv").unwrap().text;
+    assert!(summary.contains(",\"'=HYPERLINK(\"\"x\"\")\","), "{summary}");
+    assert_eq!(file::text_field("=1+1"), "'=1+1");
+}
+
+#[test]
 fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides() {
     // Panels with room for all names.
     let mesh = grid(4, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
@@ -445,6 +455,23 @@ fn a_panel_that_is_larger_than_the_sheet_is_named_and_not_scaled() {
     assert_eq!(report.too_large, ["P1"]);
     assert_eq!((report.placed, report.panels), (1, 2));
     assert!((report.cut_area_mm2 - 1e4).abs() < 1e-6);
+}
+
+#[test]
+fn a_part_on_no_sheet_is_neither_named_nor_drilled() {
+    // A panel of 100 mm between two of a metre.
+    let x = [0.0, 1.0, 1.1, 2.1];
+    let mesh = grid(3, 1, |i, j| [x[i as usize], 0.1 * f64::from(j), 0.0]);
+    let own = BuildSettings { scale: 1.0, sheet: [200.0, 120.0], hole: 6.0, ..settings() };
+    let made = build(&mesh, &BuildSettings { joint: 0.0, ..own });
+    let report = made.report();
+    assert_eq!((report.too_large, report.holes), (vec!["P0".to_owned(), "P2".to_owned()], 4));
+    assert_eq!((report.dropped_names, report.small_names), (0, 0));
+    let table =
+        texts(&made, ".csv").into_iter().find(|text| text.starts_with("name,type")).unwrap();
+    let written: Vec<&str> =
+        table.lines().skip(1).map(|row| row.rsplit(',').next().unwrap()).collect();
+    assert_eq!(written, ["nowhere", "on it", "nowhere"]);
 }
 
 #[test]

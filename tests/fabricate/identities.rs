@@ -173,6 +173,37 @@ fn reversing_all_faces_negates_the_axes() {
 }
 
 #[test]
+fn a_saltbox_is_not_folded_over_at_its_sharp_ridge() {
+    // Slopes of 65 degrees, 2 m and 5 m long.
+    let mesh = grid(6, 2, |i, j| {
+        let along = [-2.0, 0.0, 5.0][j as usize];
+        let turns = 65.0 / 360.0;
+        [f64::from(i), along * cosine(turns), -f64::abs(along) * sine(turns)]
+    });
+    let report = build(&mesh, &BuildSettings::default()).report();
+    assert!(report.offset.is_some(), "{:?}", report.problems);
+    assert_eq!(report.problems, [""; 0]);
+}
+
+#[test]
+fn the_first_side_of_a_reversed_panel_is_still_that_of_its_face_in_the_mesh() {
+    let mut mesh = Mesh { faces: Ragged::new(), ..revolution(6, 4) };
+    for (face, f) in revolution(6, 4).faces.iter().zip(0..) {
+        let back = face.iter().rev().copied().collect::<Vec<_>>();
+        mesh.faces.push(if f % 5 == 0 { &back } else { face });
+    }
+    let surface = PanelSurface::new(&mesh).unwrap();
+    assert_eq!(surface.turned, 5);
+    for (face, (panel, sides)) in
+        mesh.faces.iter().zip(surface.faces.iter().zip(surface.sides.iter()))
+    {
+        let ends = |side: &[u32]| [side[0].min(side[1]), side[0].max(side[1])];
+        assert_eq!(ends(panel), ends(face), "arrows point to the first edge in the model");
+        assert_eq!(surface.edges[sides[0] as usize].ends, ends(face));
+    }
+}
+
+#[test]
 fn inside_the_safe_distance_no_edge_is_turned_and_outside_one_is() {
     let mesh = inverted(&revolution(9, 7));
     let surface = PanelSurface::new(&mesh).unwrap();

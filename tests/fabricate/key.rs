@@ -106,6 +106,46 @@ fn what_is_hidden_from_all_sides_is_said() {
     assert_eq!(key.unnamed, ["P6", "P7", "P8", "P9", "P10", "P11"]);
     assert_eq!(all_names(&key.drawings).len(), 6);
     assert!(key.drawings[0].title.ends_with(", WITHOUT 6 NAMES THAT NO VIEW SHOWS"));
+    // On every page, however narrow.
+    for Drawing { lines, size: [width, _], .. } in &key.drawings {
+        assert!(
+            lines.iter().flat_map(|line| &line.points).all(|[x, _]| (0.0..=*width).contains(x))
+        );
+    }
+}
+
+#[test]
+fn what_is_not_made_has_no_mark() {
+    // Between two quads one without area, and so an edge without length.
+    let x = [0.0, 1.0, 1.0, 2.0];
+    let mesh = grid(3, 1, |i, j| [x[i as usize], f64::from(j), 0.0]);
+    for product in [Product::Panels, Product::Fins, Product::Paper] {
+        let made = build(&mesh, &BuildSettings { product, ..BuildSettings::default() });
+        let key = made.key(true);
+        assert!(
+            !made.not_cut.is_empty() && key.unnamed.is_empty(),
+            "{product:?} {:?}",
+            key.unnamed
+        );
+        assert_eq!(key.drawings[0].title, "KEY 1/1, NOT TO BE CUT, SEEN FROM ABOVE");
+    }
+}
+
+#[test]
+fn a_panel_that_is_cut_along_its_crease_has_the_names_of_both_pieces() {
+    let mesh = grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.3 * f64::from(i * j)]);
+    // Each half fits on a sheet, and both do not.
+    let sheet = [1600.0, 850.0];
+    let settings = BuildSettings {
+        product: Product::Paper,
+        scale: 1.0,
+        tab: 0.0,
+        sheet,
+        ..BuildSettings::default()
+    };
+    let made = build(&mesh, &settings);
+    assert_eq!((made.parts.len(), made.layout.too_large.len()), (2, 0));
+    assert_eq!(all_names(&made.key(true).drawings), BTreeSet::from(["S1/S2".to_owned()]));
 }
 
 #[test]

@@ -267,6 +267,11 @@ fn folds_of_rounding_are_neither_ridges_nor_valleys() {
     assert!(model(&made).net.joints.iter().any(|joint| joint.fold != 0.0));
     let report = made.report().paper.unwrap();
     assert_eq!((report.ridges, report.valleys), (0, 0));
+    let files = made.files(true);
+    let joins = &files.iter().find(|file| file.name == "joins.csv").unwrap().text;
+    let folds: Vec<&str> =
+        joins.lines().skip(1).map(|row| row.split(',').nth(6).unwrap()).collect();
+    assert!(!folds.is_empty() && folds.iter().all(|fold| *fold == "flat"), "{folds:?}");
 }
 
 #[test]

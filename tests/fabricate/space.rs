@@ -54,6 +54,36 @@ fn sheets_have_their_real_size_beside_the_shape() {
 }
 
 #[test]
+fn a_vertex_of_no_panel_is_in_no_file_and_moves_no_sheet() {
+    let own = BuildSettings { product: Product::Fins, thickness: 3.0, ..BuildSettings::default() };
+    let plain = revolution(5, 4);
+    // Before the others, so that every number changes.
+    let mut stray = Mesh { positions: vec![[1e6; 3]], ..Mesh::default() };
+    stray.positions.extend(&plain.positions);
+    for face in plain.faces.iter() {
+        stray.faces.push(&face.iter().map(|v| v + 1).collect::<Vec<_>>());
+    }
+    let [without, with] = [&plain, &stray].map(|mesh| build(mesh, &own));
+    for up in [true, false] {
+        let parts = [&without, &with].map(|made| made.spatial_parts(up));
+        // Names are longer, and have more strokes on the sheets.
+        let points = parts.each_ref().map(|parts| {
+            let of_shape = parts.iter().filter(|part| !part.layer.starts_with("Sheets"));
+            of_shape.map(|part| part.points.len()).collect::<Vec<_>>()
+        });
+        assert_eq!(points[0], points[1]);
+        let far = parts[1].iter().flat_map(|part| &part.points).flatten();
+        assert!(far.fold(0.0_f64, |most, x| most.max(x.abs())) < 1e3);
+    }
+    let beams = |made: &Build| {
+        let files = made.files(true);
+        let text = &files.iter().find(|file| file.name == "beams.obj").unwrap().text;
+        text.lines().filter(|line| line.starts_with("v ")).count()
+    };
+    assert_eq!(beams(&without), beams(&with));
+}
+
+#[test]
 fn y_up_is_turned_so_that_z_is() {
     let made = made();
     let [z_up, y_up] = [true, false].map(|up| made.spatial_parts(up));

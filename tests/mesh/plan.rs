@@ -203,6 +203,30 @@ fn what_is_wrong_is_said() {
     assert!(error.starts_with("outline[0].bulge: found \"x\", expected a number"), "{error}");
 }
 
+#[test]
+fn a_hole_or_a_notch_too_narrow_for_the_panels_is_refused_and_not_closed() {
+    let cut = |plan: Plan| Plan { layout: PlanLayout::Cut, size: 2.0, ..plan }.mesh();
+    let rectangle = || plan(points(&RECTANGLE), PlanLayout::Cut);
+    // Around a vertex of the grid, which alone is moved onto it.
+    let small = cut(Plan { holes: vec![circle([10.0, 6.0], 0.5)], ..rectangle() });
+    assert_eq!(small, Err(PlanError::TooCoarse(Some(0))));
+    // Along a line of the grid.
+    let slot = [
+        [0.0, 0.0],
+        [9.9, 0.0],
+        [9.9, 8.0],
+        [10.1, 8.0],
+        [10.1, 0.0],
+        [20.0, 0.0],
+        [20.0, 12.0],
+        [0.0, 12.0],
+    ];
+    let notch = cut(plan(points(&slot), PlanLayout::Cut));
+    assert_eq!(notch, Err(PlanError::TooCoarse(None)));
+    let wide = cut(Plan { holes: vec![circle([10.0, 6.0], 2.5)], ..rectangle() }).unwrap();
+    assert_eq!(Topology::new(&wide).boundary_loops().len(), 2);
+}
+
 prop_compose! {
     /// A star-shaped outline with straight sides and arcs.
     fn outlines()(

@@ -119,6 +119,19 @@ fn closed_curves_are_joined_where_they_are_nearest() {
 }
 
 #[test]
+fn closed_curves_of_very_many_points_are_joined_as_well_and_soon() {
+    // All orders of all points would take minutes.
+    let begun = std::time::Instant::now();
+    let n = 50_000;
+    let second = reversed(&circle(n, 3.0, 6.0, 0.3));
+    let curves = curves(&[(circle(n, 5.0, 0.0, 0.0), true), (second, true)]);
+    let mesh = loft(&curves[0], &curves[1], 100.0, UP).unwrap();
+    let exact = std::f64::consts::PI * 8.0 * (4.0_f64 + 36.0).sqrt();
+    assert!((area(&mesh) / exact - 1.0).abs() < 1e-6, "{} {exact}", area(&mesh));
+    assert!(begun.elapsed().as_secs() < 20, "{:?}", begun.elapsed());
+}
+
+#[test]
 fn a_filled_boundary_is_a_surface_with_that_boundary() {
     // A rectangle with bent sides, a circle in space, and an opening of a mesh.
     let mut loops: Vec<(Vec<Point>, usize)> = Vec::new();
@@ -233,6 +246,14 @@ fn what_cannot_be_is_refused_with_the_reason() {
     assert!(loft(&known[0], &known[1], 0.5, UP).is_ok());
     assert_eq!(loft(&known[0], &known[2], 0.5, UP), Err(SpanError::OneClosed));
     assert_eq!(loft(&known[0], &known[0], 0.5, UP), Err(SpanError::Same));
+    // The same curve from elsewhere: from its other end, or as the boundary of faces.
+    let backwards = curves(&[(reversed(&line(0.0)), false)]);
+    assert_eq!(loft(&known[0], &backwards[0], 0.5, UP), Err(SpanError::Same));
+    let mut grid = crate::support::grid::grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let rim: Vec<u32> = Topology::new(&grid).boundary_loops().row(0).to_vec();
+    grid.curves.push(&[&rim[3..], &rim[..4]].concat());
+    let both = SpanCurve::all(&grid);
+    assert_eq!(loft(&both[0], &both[1], 0.5, UP), Err(SpanError::Same));
     assert_eq!(loft(&known[0], &known[1], 0.0, UP), Err(SpanError::Size(0.0)));
     assert!(matches!(loft(&known[0], &known[1], 1e-4, UP), Err(SpanError::TooManyFaces(_))));
     assert_eq!(fill(&known[0], 0.5, UP), Err(SpanError::Open));

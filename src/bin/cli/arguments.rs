@@ -371,7 +371,7 @@ pub(super) fn apart(input: &Path, outputs: &[(&str, &Option<PathBuf>)]) -> Resul
 }
 
 /// Returns the absolute path of a file that may not exist yet, with links resolved.
-fn place(path: &Path) -> PathBuf {
+pub(super) fn place(path: &Path) -> PathBuf {
     let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     let of_folder = || {
         let folder = absolute.parent()?.canonicalize().ok()?;

@@ -4,7 +4,7 @@ use crate::cli::words::{MESHES, Word, Words};
 use crate::cli::{Failure, input, output};
 use shape_up::generate::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
 use shape_up::mesh::{Mesh, write_with_ending};
-use shape_up::scene::UnitsAndUp;
+use shape_up::scene::{UnitsAndUp, Up};
 use shape_up::words;
 use std::path::PathBuf;
 
@@ -141,7 +141,7 @@ pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
 
 /// The mesh, and its unit and up axis: those of the file of its curves, if it has one.
 fn mesh(from: &From) -> Result<(Mesh, UnitsAndUp), Failure> {
-    let metres = UnitsAndUp { units: Some("m".to_owned()), up: None };
+    let metres = UnitsAndUp { units: Some("m".to_owned()), up: Some(Up::Z) };
     match from {
         From::Kind(id, sizes) => {
             let kind = NewKind::of(id).expect("it was found when it was read");
@@ -157,26 +157,27 @@ fn mesh(from: &From) -> Result<(Mesh, UnitsAndUp), Failure> {
             Ok((mesh, metres))
         }
         From::Span(Span { file, count, curves, size }) => {
-            let bytes = input::bytes(file)?;
             // Welded as when it is opened: the ends of curves then meet exactly.
-            let known = SpanCurve::all(&input::read_mesh(file)?.0.mesh);
+            let (read, _, stated) = input::read_mesh(file)?;
+            let known = SpanCurve::all(&read.mesh);
             let closed = known.iter().position(SpanCurve::is_closed).unwrap_or(0);
             let usual = if *count == 1 { vec![closed] } else { vec![0, 1] };
             let curves = curves.as_ref().unwrap_or(&usual);
-            let frame = UnitsAndUp::stated(&bytes);
-            let up = frame.up.unwrap_or_default().direction();
+            let up = stated.up.unwrap_or_else(|| UnitsAndUp::guess_up(&read.mesh));
             let lengths = SpanCurve::labels(&known);
             let made = curves.iter().map(|&number| SpanCurve::of(&known, number));
             let made = made.collect::<Result<Vec<_>, _>>().and_then(|asked| {
                 let size = size.unwrap_or_else(|| PANEL * lengths[curves[0]].length);
                 match asked[..] {
-                    [first, second] => loft(first, second, size, up),
-                    _ => fill(asked[0], size, up),
+                    [first, second] => loft(first, second, size, up.direction()),
+                    _ => fill(asked[0], size, up.direction()),
                 }
             });
             let mesh =
                 made.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
-            Ok((mesh, frame))
+            // A file that does not say leaves it open, unless the surface would be taken otherwise.
+            let is_said = stated.up.is_some() || UnitsAndUp::guess_up(&mesh) != up;
+            Ok((mesh, UnitsAndUp { up: is_said.then_some(up), ..stated }))
         }
     }
 }

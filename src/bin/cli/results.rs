@@ -1,7 +1,9 @@
 //! `shape-up check` of the results of a lesson: of one student (`RESULTS --scene SCENE`), against
 //! the goals; or of a class (`FOLDER [--scene SCENE] [--csv FILE.csv]`), as a table.
 
+use crate::cli::arguments::place;
 use crate::cli::{Failure, input, output};
+use shape_up::fabricate::file::not_a_formula;
 use shape_up::scene::{GoalOf, GoalResult, NamedEnum, Results, SceneError};
 use shape_up::session::{Checked, Error, check_results};
 use shape_up::words;
@@ -45,7 +47,8 @@ pub(crate) fn check_class(
     let input = input::read(scene)?;
     let mut unreadable = Vec::new();
     let mut rows = Vec::new();
-    for path in handed_in.iter().filter(|path| path.as_path() != scene) {
+    let scene = place(scene);
+    for path in handed_in.iter().filter(|path| place(path) != scene) {
         match read(path) {
             Ok(results) => {
                 let checked = check_results(&results, input.scene.clone(), input.mesh.clone());
@@ -151,16 +154,9 @@ fn aligned(rows: &[[String; 9]], units: &str) -> String {
     output::table(&lines) + &sum
 }
 
-/// Formats a line of CSV. A field that a spreadsheet would read as a formula (students' names are
-/// untrusted) is turned into text.
+/// Formats a line of CSV with fields that are no formulas: students' names are untrusted.
 fn comma_separated(row: &[String]) -> String {
-    let field = |text: &String| {
-        let text = match text.chars().next() {
-            Some('=' | '+' | '-' | '@' | '\t' | '\r') => format!("'{text}"),
-            _ => text.clone(),
-        };
-        format!("\"{}\"", text.replace('"', "\"\""))
-    };
+    let field = |text: &String| format!("\"{}\"", not_a_formula(text).replace('"', "\"\""));
     row.iter().map(field).collect::<Vec<_>>().join(",") + "\n"
 }
 

@@ -23,24 +23,55 @@ pub(super) fn watch(command: &Solve) -> Result<(), Failure> {
         apart(&file, &[("--out", &command.out), ("--report", &command.report)])
             .map_err(Failure::Usage)?;
     }
+    let mut inputs = Inputs::of(&command.input);
     // Before it is solved: it may be saved meanwhile.
-    let mut solved = stamps(&command.input);
+    let mut solved = inputs.stamps();
     let mut last = solved.clone();
-    solve::solve(command)?;
+    if solved[0].is_none() {
+        // Its name may be wrong.
+        return solve::solve(command);
+    }
+    solve_or_say(command)?;
     loop {
         thread::sleep(EVERY);
-        let now = stamps(&command.input);
+        let now = inputs.stamps();
         // A file that is still written changes from one look to the next, and some programs remove it
         // first. One that a scene names may be missing: then that is said.
         if now == last && now != solved && now[0].is_some() {
             solved.clone_from(&now);
-            match solve::solve(command) {
-                Ok(()) => {}
-                Err(Failure::Input(message)) => eprintln!("{}", one_line(&message)),
-                Err(failure) => return Err(failure),
-            }
+            solve_or_say(command)?;
         }
         last = now;
+    }
+}
+
+/// Solves, or says what is wrong with the input.
+fn solve_or_say(command: &Solve) -> Result<(), Failure> {
+    match solve::solve(command) {
+        Err(Failure::Input(message)) => {
+            eprintln!("{}", one_line(&message));
+            Ok(())
+        }
+        done => done,
+    }
+}
+
+/// The input, and the files that a scene names, which is read again only when it is saved.
+struct Inputs {
+    files: Vec<PathBuf>,
+    read: Stamp,
+}
+
+impl Inputs {
+    fn of(path: &Path) -> Inputs {
+        Inputs { read: stamp(path), files: inputs(path) }
+    }
+
+    fn stamps(&mut self) -> Vec<Stamp> {
+        if stamp(&self.files[0]) != self.read {
+            *self = Inputs::of(&self.files[0]);
+        }
+        self.files.iter().map(|file| stamp(file)).collect()
     }
 }
 
@@ -57,10 +88,7 @@ fn inputs(path: &Path) -> Vec<PathBuf> {
     all
 }
 
-fn stamps(path: &Path) -> Vec<Stamp> {
-    let stamp = |path: &PathBuf| {
-        let about = fs::metadata(path).ok()?;
-        Some((about.modified().ok()?, about.len()))
-    };
-    inputs(path).iter().map(stamp).collect()
+fn stamp(path: &Path) -> Stamp {
+    let about = fs::metadata(path).ok()?;
+    Some((about.modified().ok()?, about.len()))
 }

@@ -1,6 +1,7 @@
 //! Comma-separated values (RFC 4180): UTF-8, a header with units, a point as decimal mark.
 
 use super::places;
+use std::borrow::Cow;
 
 /// A table that grows by rows.
 #[derive(Clone, Debug)]
@@ -21,10 +22,7 @@ impl Table {
                 self.0.push(',');
             }
             match cell {
-                Cell::Text(text) if text.contains([',', '"', '\n', '\r']) => {
-                    self.0 += &format!("\"{}\"", text.replace('"', "\"\""));
-                }
-                Cell::Text(text) => self.0 += text,
+                Cell::Text(text) => self.0 += &text_field(text),
                 // In steps of 1e-6 mm, so that sums of areas agree with the areas of the outlines.
                 Cell::Number(number) => self.0 += &places(number, 6),
                 Cell::Count(count) => self.0 += &count.to_string(),
@@ -40,10 +38,28 @@ impl Table {
     }
 }
 
+/// A text as a field of CSV: quoted if necessary, and never a formula.
+pub fn text_field(text: &str) -> String {
+    let text = not_a_formula(text);
+    match text.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", text.replace('"', "\"\"")),
+        false => text.into_owned(),
+    }
+}
+
+/// The text, with an apostrophe before it if a spreadsheet would take it as a formula: names in files
+/// of others are untrusted.
+pub fn not_a_formula(text: &str) -> Cow<'_, str> {
+    match text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        true => format!("'{text}").into(),
+        false => text.into(),
+    }
+}
+
 /// One value of a row.
 #[derive(Clone, Copy, Debug)]
 pub enum Cell<'a> {
-    /// Text, quoted if necessary.
+    /// Text, as [`text_field`] writes it.
     Text(&'a str),
     /// A number with a decimal point.
     Number(f64),

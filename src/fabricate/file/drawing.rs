@@ -1,7 +1,8 @@
 //! A sheet as lines with roles: the input of all file formats.
 
-use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, strokes, text_width};
+use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, height_within, strokes, text_width};
 use crate::math::plane::Point2;
+use crate::scene::Page;
 
 /// A polyline of a sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,10 +41,26 @@ pub struct Drawing {
     pub pen: f64,
     /// Its lines.
     pub lines: Vec<DrawnLine>,
+    /// What is free of its margin, where a page may have its ruler.
+    pub free: Vec<FreeBand>,
 }
 
-/// Height of title and legend in mm; what does not fit into the margin is left out.
+/// A free band in a margin, 2 mm high: a line of text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeBand {
+    /// The middle of its start, in mm.
+    pub from: Point2,
+    /// The unit vector along it.
+    pub along: Point2,
+    /// Its length in mm.
+    pub length: f64,
+}
+
+/// Largest and least height of title and legend in mm; what does not fit into the margin is left out.
 const TITLE: f64 = 2.5;
+const LEAST: f64 = 1.0;
+/// Height of a free band in mm.
+const BAND: f64 = 2.0;
 /// Width of lines in mm: machines take thin ones for cuts.
 const PEN: f64 = 0.1;
 
@@ -59,7 +76,8 @@ impl Drawing {
         parts: &[CutPart],
         outlines_only: bool,
     ) -> Drawing {
-        let mut drawing = Drawing { name, title, size, pen: PEN, lines: Vec::new() };
+        let mut drawing =
+            Drawing { name, title, size, pen: PEN, lines: Vec::new(), free: Vec::new() };
         if !outlines_only {
             drawing.frame(margin, &legend);
         }
@@ -95,17 +113,32 @@ impl Drawing {
         let [width, height] = self.size;
         let corners = vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height], [0.0, 0.0]];
         self.add(corners);
-        let lines =
-            [(self.title.clone(), 0.5 * margin), (legend.to_owned(), height - 0.5 * margin)];
-        for (text, y) in lines {
-            let long = text_width(&text, TITLE);
-            if margin >= TITLE + 1.5 && long <= width - 2.0 * margin {
-                let centre = [margin + 0.5 * long, y];
-                strokes(&text, TITLE, centre, [1.0, 0.0])
+        if margin < TITLE + 1.5 {
+            return;
+        }
+        let middle = 0.5 * margin;
+        // In what is printed of a page, as far as the margin reaches there.
+        let within = middle.max((Page::FREE + 0.5 * BAND).min(margin - 0.75 * BAND));
+        let lines = [
+            (legend.to_owned(), height - middle, height - within),
+            (self.title.clone(), middle, within),
+        ];
+        for (text, y, free) in lines {
+            let height = height_within(&text, TITLE, width - 2.0 * margin);
+            let mut left = margin;
+            if height >= LEAST {
+                let long = text_width(&text, height);
+                let centre = [left + 0.5 * long, y];
+                strokes(&text, height, centre, [1.0, 0.0])
                     .into_iter()
                     .for_each(|line| self.add(line));
+                left += long + 2.0 * TITLE;
             }
+            let length = width - margin - left;
+            self.free.push(FreeBand { from: [left, free], along: [1.0, 0.0], length });
         }
+        let (from, length) = ([within, margin], height - 2.0 * margin);
+        self.free.push(FreeBand { from, along: [0.0, 1.0], length });
     }
 
     fn add(&mut self, points: Vec<Point2>) {

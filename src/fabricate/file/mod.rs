@@ -5,12 +5,13 @@ mod csv;
 mod drawing;
 mod dxf;
 mod glb;
+mod page_marks;
 mod pdf;
 mod picture;
 mod svg;
 
-pub use csv::{Cell, Table};
-pub use drawing::{Drawing, DrawnLine};
+pub use csv::{Cell, Table, not_a_formula, text_field};
+pub use drawing::{Drawing, DrawnLine, FreeBand};
 pub use dxf::dxf;
 pub use glb::{GlbLayer, GlbPart, glb};
 pub use pdf::pdf;

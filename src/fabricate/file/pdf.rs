@@ -1,10 +1,11 @@
 //! PDF 1.6 at 1:1: a page per sheet in mm, a layer for each role that viewers can switch on and
-//! off, a ruler of 100 mm, and a request to print without scaling.
+//! off, a ruler of 100 mm where it has room, and a request to print without scaling.
 
 use super::drawing::{Drawing, DrawnLine};
+use super::page_marks::{longest_ruler, marks};
 use super::places;
-use crate::fabricate::sheet::{FREE, OVERLAP, Role, Tile, strokes, text_width, tiles};
-use crate::math::plane::Point2;
+use crate::fabricate::sheet::{Role, Tile, tiles};
+use crate::scene::Page;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 
 /// Points per mm: without a `UserUnit`, the unit of PDF.
@@ -13,8 +14,6 @@ const POINTS: f64 = 72.0 / 25.4;
 const LONGEST: f64 = 14_400.0;
 /// How hard it is tried to compress, of 10.
 const EFFORT: u8 = 4;
-/// Height of text beside the ruler, in mm.
-const TEXT_HEIGHT: f64 = 2.0;
 
 /// Writes all sheets, each on one page of its size, or on as many of the size `page` (shorter and
 /// longer side in mm) as needed.
@@ -83,56 +82,25 @@ fn content(lines: &[DrawnLine]) -> String {
 }
 
 /// The operators before and after the content of a sheet on one of its pages: unit, clipping
-/// rectangle, ruler, and cutting marks.
+/// rectangle, and the marks of the page.
 fn around(drawing: &Drawing, tile: &Tile) -> (String, String) {
     let scale = places(POINTS / user_unit(tile.page), 9);
     let mut before = format!("{scale} 0 0 {scale} 0 0 cm\n{} w 1 J 1 j\n", places(drawing.pen, 3));
-    let mut lines = ruler(tile.page);
     let mut after = String::new();
-    if let Some([place, counts]) = tile.place {
-        let [width, height] = tile.page.map(|size| size - 2.0 * FREE);
-        let [x, y] = tile.origin.map(|at| places(-at, 6));
-        before += &format!(
-            "q {FREE} {FREE} {} {} re W n\n1 0 0 1 {x} {y} cm\n",
-            places(width, 6),
-            places(height, 6)
-        );
-        after += "Q\n";
-        lines.extend(marks(drawing, tile.page, place, counts));
-    }
+    let lines = match tile.place {
+        None => longest_ruler(&drawing.free),
+        Some([place, counts]) => {
+            let [low, high] = Page::frame(tile.page);
+            let [x, y] = tile.origin.map(|at| places(-at, 6));
+            let [left, bottom] = low.map(|at| places(at, 6));
+            let [width, height] = [0, 1].map(|k| places(high[k] - low[k], 6));
+            before += &format!("q {left} {bottom} {width} {height} re W n\n1 0 0 1 {x} {y} cm\n");
+            after += "Q\n";
+            marks(&drawing.name, tile.page, place, counts)
+        }
+    };
     let lines: Vec<_> = lines.into_iter().map(DrawnLine::of_sheet).collect();
     (before, after + &content(&lines))
-}
-
-/// The frame along which a page is cut, ticks where the next page begins, and the number of the
-/// page.
-fn marks(
-    drawing: &Drawing,
-    page: [f64; 2],
-    [column, row]: [u32; 2],
-    [columns, rows]: [u32; 2],
-) -> Vec<Vec<Point2>> {
-    let [right, top] = page.map(|size| size - FREE);
-    let mut lines =
-        vec![vec![[FREE, FREE], [right, FREE], [right, top], [FREE, top], [FREE, FREE]]];
-    let tick = 4.0;
-    if column + 1 < columns {
-        let x = right - OVERLAP;
-        lines.extend([vec![[x, FREE], [x, FREE + tick]], vec![[x, top - tick], [x, top]]]);
-    }
-    if row + 1 < rows {
-        let y = top - OVERLAP;
-        lines.extend([vec![[FREE, y], [FREE + tick, y]], vec![[right - tick, y], [right, y]]]);
-    }
-    let words = format!(
-        "{}, COLUMN {} OF {columns}, ROW {} OF {rows} FROM BELOW",
-        drawing.name,
-        column + 1,
-        row + 1
-    );
-    let centre = [FREE + 0.5 * text_width(&words, TEXT_HEIGHT), 0.5 * FREE];
-    lines.extend(strokes(&words, TEXT_HEIGHT, centre, [1.0, 0.0]));
-    lines
 }
 
 fn path(text: &mut String, line: &DrawnLine) {
@@ -141,24 +109,6 @@ fn path(text: &mut String, line: &DrawnLine) {
         *text += &format!("{} {} {operator}\n", places(x, 6), places(y, 6));
     }
     *text += if line.closed { "s\n" } else { "S\n" };
-}
-
-/// A ruler at the upper edge of a page with an instruction, 100 mm long if the page is wide enough.
-fn ruler([width, height]: [f64; 2]) -> Vec<Vec<Point2>> {
-    let tens = ((width - 10.0) / 10.0).floor().clamp(0.0, 10.0);
-    let words = format!("{} MM. PRINT AT 100 %", places(10.0 * tens, 0));
-    let y = height - 1.0;
-    let mut lines = vec![vec![[5.0, y], [5.0 + 10.0 * tens, y]]];
-    for k in 0..=tens as u32 {
-        let x = 5.0 + 10.0 * f64::from(k);
-        lines.push(vec![[x, y], [x, y - 1.5]]);
-    }
-    let long = text_width(&words, TEXT_HEIGHT);
-    let from = 8.0 + 10.0 * tens;
-    if from + long < width {
-        lines.extend(strokes(&words, TEXT_HEIGHT, [from + 0.5 * long, height - 1.8], [1.0, 0.0]));
-    }
-    lines
 }
 
 /// Makes a stream object, such as the content of a page: compressed, and written as text, as all

@@ -14,6 +14,7 @@ use super::build::{Build, beam_name, node_name};
 use super::file::Drawing;
 use super::sight::{Sight, compass, from_above, from_camera};
 use crate::scene::Product;
+use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use view::{Element, Mark, View};
 
@@ -69,28 +70,28 @@ impl Build {
         }
     }
 
-    /// The names of parts, and where they go. The panels of a paper model have the name of their piece.
+    /// The names of the parts that are made, and where they go. The panels of a paper model have the
+    /// name of their piece, or of both if they are cut along a crease.
     fn marks(&self) -> Vec<Mark> {
         let surface = &self.surface;
-        if let (Product::Fins, Some(_)) = (self.settings.product, &self.frame) {
-            let beams = surface
-                .edges
-                .iter()
-                .zip(0..)
-                .map(|(edge, e)| Mark { name: beam_name(edge.ends), element: Element::Edge(e) });
-            let nodes = super::surface::distinct(surface.faces.indices().iter().copied());
-            let nodes =
-                nodes.into_iter().map(|v| Mark { name: node_name(v), element: Element::Vertex(v) });
+        if self.settings.product == Product::Fins {
+            let made: BTreeSet<&str> = self.parts.iter().map(|part| &*part.name).collect();
+            let beams =
+                surface.edges.iter().zip(0..).map(|(edge, e)| (edge, beam_name(edge.ends), e));
+            let beams: Vec<_> = beams.filter(|(_, name, _)| made.contains(&**name)).collect();
+            let ends = beams.iter().flat_map(|(edge, ..)| edge.ends);
+            let nodes = super::surface::distinct(ends).into_iter();
+            let nodes = nodes.map(|v| Mark { name: node_name(v), element: Element::Vertex(v) });
+            let beams =
+                beams.into_iter().map(|(_, name, e)| Mark { name, element: Element::Edge(e) });
             return beams.chain(nodes).collect();
         }
-        let mut names = self.names.clone();
-        if self.settings.product == Product::Paper {
-            for part in &self.parts {
-                part.panels.iter().for_each(|&f| names[f as usize].clone_from(&part.name));
-            }
+        let mut names = vec![Vec::new(); self.names.len()];
+        for part in &self.parts {
+            part.panels.iter().for_each(|&f| names[f as usize].push(&*part.name));
         }
-        let panels = names.into_iter().zip(0..);
-        panels.map(|(name, f)| Mark { name, element: Element::Panel(f) }).collect()
+        let made = names.into_iter().zip(0..).filter(|(names, _)| !names.is_empty());
+        made.map(|(names, f)| Mark { name: names.join("/"), element: Element::Panel(f) }).collect()
     }
 }
 

@@ -2,13 +2,13 @@
 
 use super::view::{Mark, Spot, View};
 use crate::fabricate::file::{Drawing, DrawnLine};
-use crate::fabricate::sheet::{Role, strokes, text_width};
+use crate::fabricate::sheet::{Role, height_within, strokes, text_width};
 use crate::math::plane::Point2;
 
 /// A4 to A0: shorter and longer side, in mm.
 const PAPERS: [[f64; 2]; 5] =
     [[210.0, 297.0], [297.0, 420.0], [420.0, 594.0], [594.0, 841.0], [841.0, 1189.0]];
-/// Free margin, in mm, and the height of the title in it.
+/// Free margin, in mm, and the height of the title in it, unless that is too long for the page.
 const MARGIN: f64 = 12.0;
 const TITLE: [f64; 2] = [3.0, 8.0];
 /// Height of the title relative to the longer side.
@@ -78,6 +78,7 @@ impl Page {
         let mut lines: Vec<DrawnLine> =
             edges.map(|ends| DrawnLine::of_sheet(ends.map(put).to_vec())).collect();
         let tall = (OF_PAGE * self.size[0].max(self.size[1])).clamp(TITLE[0], TITLE[1]);
+        let tall = height_within(&title, tall, self.size[0] - 2.0 * MARGIN);
         let left = [MARGIN + 0.5 * text_width(&title, tall), 0.5 * MARGIN];
         lines.extend(strokes(&title, tall, left, [1.0, 0.0]).into_iter().map(DrawnLine::of_sheet));
         for (mark, spot) in marks.iter().zip(spots) {
@@ -91,7 +92,7 @@ impl Page {
                 panels: Vec::new(),
             }));
         }
-        Drawing { name, title, size: self.size, pen: PEN, lines }
+        Drawing { name, title, size: self.size, pen: PEN, lines, free: Vec::new() }
     }
 }
 

@@ -4,7 +4,7 @@
 use crate::fabricate::panel::{direction_of, roomiest_point};
 use crate::fabricate::sheet::{text_width, upright};
 use crate::fabricate::sight::Sight;
-use crate::fabricate::surface::PanelSurface;
+use crate::fabricate::surface::{Edge, PanelSurface};
 use crate::math::plane::{Point2, distance, is_inside};
 
 /// Something that has a name.
@@ -190,10 +190,12 @@ impl View<'_> {
         (long > 0.0).then_some(Spot { at, along, height })
     }
 
-    /// For each vertex the length of its shortest edge in the picture, and its panels.
+    /// For each vertex the length of its shortest edge in the picture, and its panels. An edge without
+    /// length in space leaves room for a name.
     fn around_vertices(&self) -> (Vec<f64>, Vec<Vec<u32>>) {
         let mut shortest = vec![f64::INFINITY; self.points.len()];
-        for edge in &self.surface.edges {
+        let has_length = |edge: &&Edge| self.surface.length(edge) > 0.0;
+        for edge in self.surface.edges.iter().filter(has_length) {
             let [a, b] = edge.ends.map(|v| v as usize);
             let long = distance(self.points[a], self.points[b]);
             [a, b].into_iter().for_each(|v| shortest[v] = shortest[v].min(long));

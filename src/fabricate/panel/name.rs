@@ -1,6 +1,7 @@
 //! Names of panels: short, stable, the same on every sheet and in every list.
 //!
-//! `P12` is face 12 of the file, counted from 0 as everywhere. On a mesh that is one grid of quads,
+//! `P12` is face 12 of the mesh, counted from 0 as everywhere; faces of the file that are left as they
+//! are, [`crate::mesh::Mesh::untouched`], do not count. On a mesh that is one grid of quads,
 //! names by row and column (`C-07`) are an option, because builders work in rows.
 
 use crate::fabricate::surface::PanelSurface;

@@ -1,5 +1,6 @@
 //! A piece as a part to be cut: its outline with tabs, folds, and names on panels and on tabs.
 
+use super::facet::FoldKind;
 use super::net::OutlineSide;
 use super::tab_name::place_on_tab;
 use super::{JointKind, PaperModel};
@@ -15,8 +16,6 @@ const DASH: f64 = 2.5;
 const MOST_DASHES: f64 = 1000.0;
 /// Gap between dashes, as a fraction of [`DASH`].
 const GAP: f64 = 0.6;
-/// Folds below this angle, in radians, are not scored: their panels are coplanar.
-pub(in crate::fabricate) const FLAT: f64 = 1e-3;
 
 /// Maps a point of a piece to its part: mirrored if the inside is printed, then rotated.
 #[derive(Clone, Copy)]
@@ -63,12 +62,10 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
     for &f in &net.pieces[piece as usize] {
         for k in 0..net.facets[f as usize].corners.len() as u32 {
             let Some(joint) = net.facets[f as usize].joints[k as usize] else { continue };
-            let fold = net.joints[joint as usize].fold;
+            let own = &net.joints[joint as usize];
             let is_drawn = match model.joint_kinds[joint as usize] {
                 // Only once, from the first of its sides.
-                JointKind::Folded => {
-                    net.joints[joint as usize].sides[0] == (f, k) && fold.abs() > FLAT
-                }
+                JointKind::Folded => own.sides[0] == (f, k) && own.kind() != FoldKind::Flat,
                 JointKind::Tab(tab) => tab.side == OutlineSide { facet: f, side: k },
                 JointKind::Bare => false,
             };
@@ -76,7 +73,8 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
                 continue;
             }
             let [p, q] = net.ends((f, k)).map(|point| place.put(point));
-            match (fold >= 0.0) != inside {
+            // A tab is folded back where its panels are coplanar too.
+            match (own.kind() != FoldKind::Valley) != inside {
                 true => part.ridges.push(vec![p, q]),
                 false => part.valleys.extend(dashes(p, q)),
             }
@@ -159,8 +157,8 @@ pub fn write_names(
     MissingNames { dropped, small, piece: !is_named }
 }
 
-/// Outlines for the names of a panel: the whole panel if it is on this piece, else each of its
-/// facets.
+/// Outlines for the names of a panel: the whole panel if it is on this piece and hangs together
+/// there, else each of its facets.
 fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSide>> {
     let net = &model.net;
     let sides = |f: u32| (0..net.facets[f as usize].corners.len() as u32).map(move |k| (f, k));
@@ -179,7 +177,10 @@ fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSid
         })
         .collect();
     sort_by_number(&mut of_panel, |(side, _)| u64::from(*side));
-    match own.len() == all.len() {
+    let is_held =
+        |&joint: &u32| net.joints[joint as usize].edge.is_some() || net.folded[joint as usize];
+    let hangs_together = |&f: &u32| net.facets[f as usize].joints.iter().flatten().all(is_held);
+    match own.len() == all.len() && own.iter().all(hangs_together) {
         true => vec![of_panel.into_iter().map(|(_, side)| side).collect()],
         false => own
             .iter()

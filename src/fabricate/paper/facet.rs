@@ -3,8 +3,9 @@
 
 use crate::fabricate::panel::{FlatPanel, check_size, is_simple, triangles, turn};
 use crate::fabricate::surface::{PanelSurface, unit};
-use crate::math::Vec3;
 use crate::math::plane::Point2;
+use crate::math::{Vec3, polygon_sides};
+use std::collections::BTreeMap;
 
 /// Panels are creased if laying them flat would change a distance between corners by more, in mm on
 /// the sheet.
@@ -43,6 +44,43 @@ pub struct Joint {
     pub edge: Option<u32>,
 }
 
+/// What a fold becomes, seen from outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FoldKind {
+    /// Folded backwards.
+    Ridge,
+    /// Folded forwards.
+    Valley,
+    /// Neither: the panels are coplanar.
+    Flat,
+}
+
+impl FoldKind {
+    /// Its word in tables.
+    pub fn word(self) -> &'static str {
+        match self {
+            FoldKind::Ridge => "ridge",
+            FoldKind::Valley => "valley",
+            FoldKind::Flat => "flat",
+        }
+    }
+}
+
+impl Joint {
+    /// What its fold becomes.
+    pub fn kind(&self) -> FoldKind {
+        /// Largest angle, in radians, of panels that count as coplanar.
+        const FLAT: f64 = 1e-3;
+        if self.fold.abs() <= FLAT {
+            FoldKind::Flat
+        } else if self.fold > 0.0 {
+            FoldKind::Ridge
+        } else {
+            FoldKind::Valley
+        }
+    }
+}
+
 /// The facets of panels and their joints, and the panels without facets with the reason; `model` is
 /// in mm per unit of the mesh.
 pub(super) fn facets(
@@ -51,8 +89,6 @@ pub(super) fn facets(
     model: f64,
 ) -> (Vec<Facet>, Vec<Joint>, Vec<(u32, &'static str)>) {
     let (mut facets, mut joints, mut without) = (Vec::new(), Vec::new(), Vec::new());
-    // The range of facets of each panel.
-    let mut of_panels = vec![0..0; flat.len()];
     for (panel, f) in flat.iter().zip(0..) {
         let first = facets.len();
         match panel.as_ref().ok_or("it has no area").and_then(|panel| usable(panel, model)) {
@@ -62,10 +98,17 @@ pub(super) fn facets(
             }
             Ok(panel) => creased(&mut facets, surface, f, panel, model),
         }
-        of_panels[f as usize] = first..facets.len();
-        for (a, b) in pairs(first..facets.len()) {
-            if let Some(sides) = crease(&facets, [a, b]) {
-                add(&mut facets, &mut joints, surface, sides, None);
+        for sides in creases(&facets, first) {
+            add(&mut facets, &mut joints, surface, sides, None);
+        }
+    }
+    // The panel, the facet and its side at each edge.
+    let mut at_edges = vec![Vec::new(); surface.edges.len()];
+    for (f, facet) in facets.iter().enumerate() {
+        let sides = surface.sides.row(facet.panel as usize);
+        for (k, side) in facet.panel_sides.iter().enumerate() {
+            if let Some(side) = side {
+                at_edges[sides[*side as usize] as usize].push((facet.panel, (f, k)));
             }
         }
     }
@@ -75,10 +118,8 @@ pub(super) fn facets(
             continue;
         }
         let side = |panel: u32| {
-            let sides = surface.sides.row(panel as usize);
-            let own = Some(sides.iter().position(|&side| side == e)? as u32);
-            let mut all = of_panels[panel as usize].clone();
-            all.find_map(|f| Some((f, facets[f].panel_sides.iter().position(|&k| k == own)?)))
+            let own = at_edges[e as usize].iter().find(|(own, _)| *own == panel);
+            own.map(|(_, side)| *side)
         };
         if let (Some(a), Some(b)) = (side(left), side(right)) {
             add(&mut facets, &mut joints, surface, [a, b], Some(e));
@@ -108,10 +149,6 @@ fn scaled(panel: &FlatPanel, model: f64) -> Vec<Point2> {
 fn distinct(corners: &[Point2]) -> Vec<Point2> {
     let n = corners.len();
     (0..n).filter(|&k| corners[k] != corners[(k + 1) % n]).map(|k| corners[k]).collect()
-}
-
-fn pairs(range: std::ops::Range<usize>) -> impl Iterator<Item = (usize, usize)> {
-    range.clone().flat_map(move |a| (range.start..a).map(move |b| (b, a)))
 }
 
 fn whole(surface: &PanelSurface, f: u32, panel: &FlatPanel, model: f64) -> Facet {
@@ -176,19 +213,20 @@ fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &Flat
     }
 }
 
-/// The common side of two facets of a panel, if they have one.
-fn crease(facets: &[Facet], [a, b]: [usize; 2]) -> Option<[(usize, usize); 2]> {
-    let ends = |f: usize, k: usize| {
-        let own = &facets[f].vertices;
-        [own[k], own[(k + 1) % own.len()]]
-    };
-    let creases = |f: usize| {
-        (0..facets[f].vertices.len()).filter(move |&k| facets[f].panel_sides[k].is_none())
-    };
-    creases(a).find_map(|i| {
-        let [p, q] = ends(a, i);
-        Some([(a, i), (b, creases(b).find(|&j| ends(b, j) == [q, p])?)])
-    })
+/// The common sides of the facets of a panel, of which `first` is the first and the last of all is the
+/// last: each facet and its side, sorted by the second facet, then the first.
+fn creases(facets: &[Facet], first: usize) -> Vec<[(usize, usize); 2]> {
+    let mut known: BTreeMap<[u32; 2], (usize, usize)> = BTreeMap::new();
+    let mut found = Vec::new();
+    for (f, facet) in facets.iter().enumerate().skip(first) {
+        let sides = polygon_sides(&facet.vertices).zip(&facet.panel_sides).enumerate();
+        for (k, ([p, q], _)) in sides.filter(|(_, (_, side))| side.is_none()) {
+            found.extend(known.get(&[q, p]).map(|&other| [other, (f, k)]));
+            known.insert([p, q], (f, k));
+        }
+    }
+    found.sort_unstable_by_key(|&[(a, _), (b, _)]| (b, a));
+    found
 }
 
 fn add(

@@ -10,9 +10,8 @@ mod strip;
 mod tab;
 mod tab_name;
 
-pub(super) use drawn::FLAT;
 pub use drawn::{MissingNames, drawn, write_names};
-pub use facet::{Facet, Joint};
+pub use facet::{Facet, FoldKind, Joint};
 pub use net::{OutlineSide, PaperNet};
 pub use plane::Motion;
 pub use tab::Tab;
@@ -64,6 +63,8 @@ pub struct PaperModel {
     pub net: PaperNet,
     /// How each joint is made.
     pub joint_kinds: Vec<JointKind>,
+    /// The joints whose tab is on each piece of the net.
+    tab_joints: Vec<Vec<u32>>,
     /// The pieces of the net that have facets, sorted by their first facet.
     pub pieces: Vec<u32>,
     /// The panels beyond each side of a facet that has no joint because there are several of them, or
@@ -96,7 +97,13 @@ impl PaperModel {
         net.pieces.iter_mut().for_each(|own| own.sort_unstable());
         sort_by_number(&mut pieces, |&piece| u64::from(net.pieces[piece as usize][0]));
         let joint_kinds = joint_kinds(&net, &pieces, size);
-        PaperModel { net, joint_kinds, pieces, unpaired, without, is_without_quads }
+        let mut tab_joints = vec![Vec::new(); net.pieces.len()];
+        for (kind, joint) in joint_kinds.iter().zip(0..) {
+            if let JointKind::Tab(tab) = kind {
+                tab_joints[net.piece_of[tab.side.facet as usize] as usize].push(joint);
+            }
+        }
+        PaperModel { net, joint_kinds, tab_joints, pieces, unpaired, without, is_without_quads }
     }
 
     /// The tab on a side.
@@ -110,8 +117,9 @@ impl PaperModel {
 
     /// The tabs of a piece.
     pub fn tabs(&self, piece: u32) -> impl Iterator<Item = &Tab> {
-        self.joint_kinds.iter().filter_map(move |kind| match kind {
-            JointKind::Tab(tab) if self.net.piece_of[tab.side.facet as usize] == piece => Some(tab),
+        let joints = self.tab_joints[piece as usize].iter();
+        joints.filter_map(|&joint| match &self.joint_kinds[joint as usize] {
+            JointKind::Tab(tab) => Some(tab),
             _ => None,
         })
     }
@@ -164,6 +172,10 @@ fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind
     pieces.iter().enumerate().for_each(|(k, &piece)| place[piece as usize] = k);
     let outlines: Vec<_> =
         pieces.iter().map(|&piece| net.outline(piece).unwrap_or_default()).collect();
+    let mut at: BTreeMap<(u32, u32), usize> = BTreeMap::new();
+    for outline in &outlines {
+        at.extend(outline.iter().zip(0..).map(|(own, k)| ((own.facet, own.side), k)));
+    }
     let mut taken: Vec<Vec<Vec<Point2>>> = pieces.iter().map(|&piece| net.convex(piece)).collect();
     // The corners of pieces that fit, but need not with tabs.
     let with_tabs = size.room.map(|side| side - 2.0 * size.tab);
@@ -187,7 +199,7 @@ fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind
         let own =
             sides.into_iter().filter(|_| size.tab > 0.0).find_map(|(piece, (facet, side))| {
                 let outline = &outlines[piece];
-                let k = outline.iter().position(|own| (own.facet, own.side) == (facet, side))?;
+                let k = *at.get(&(facet, side))?;
                 let tab = tab(net, outline, k, &taken[piece], size.tab)?;
                 let whole = tight[piece].as_ref().map(|own| [&own[..], &tab.corners].concat());
                 whole.is_none_or(|whole| lies_on(&whole, size.room)).then_some((piece, tab))

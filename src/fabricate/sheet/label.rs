@@ -128,13 +128,12 @@ fn label_of_height(
     taken.insert(0, own);
     let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
     let mut highest: f64 = 0.0;
+    let is_rival = |i: usize| free_sides || matches!(neighbours.get(i), Some(Some(_)));
+    let rivals = sides(outline).enumerate().filter(|&(i, _)| is_rival(i));
+    let rivals: Vec<[Point2; 2]> = rivals.map(|(_, side)| side).collect();
     for (k, neighbour) in neighbours.iter().enumerate() {
         let Some(neighbour) = neighbour else { continue };
         let edge = [outline[k], outline[(k + 1) % outline.len()]];
-        let is_rival =
-            |i: usize| i != k && (free_sides || matches!(neighbours.get(i), Some(Some(_))));
-        let all = sides(outline).enumerate().filter(|&(i, _)| is_rival(i));
-        let rivals: Vec<[Point2; 2]> = all.map(|(_, side)| side).collect();
         let tallest = beside.min(height);
         let found =
             beside_edge(outline, (edge, &rivals), (neighbour, tallest), turn, (&taken, holes));
@@ -217,7 +216,7 @@ fn beside_edge(
     }
 }
 
-/// Whether none of the `rivals` is nearer to a point than its own side.
+/// Whether none of the `rivals`, its own side or others, is nearer to a point than its own side.
 fn is_nearest(own: [Point2; 2], rivals: &[[Point2; 2]], point: Point2) -> bool {
     let far = |side: &[Point2; 2]| distance_to_outline(side, point);
     let least = far(&own) * (1.0 - 1e-9);

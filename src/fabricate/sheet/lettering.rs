@@ -66,6 +66,11 @@ pub fn text_width(text: &str, height: f64) -> f64 {
     ((ADVANCE * letters - (ADVANCE - WIDTH)) * height / HEIGHT).max(0.0)
 }
 
+/// The largest height up to `tallest` at which a line of text is no longer than `room`.
+pub fn height_within(text: &str, tallest: f64, room: f64) -> f64 {
+    tallest.min(room / text_width(text, 1.0))
+}
+
 /// The strokes of a line of text of this height, centred at `centre`, along the unit vector
 /// `along`.
 pub fn strokes(text: &str, height: f64, centre: Point2, along: Point2) -> Vec<Vec<Point2>> {

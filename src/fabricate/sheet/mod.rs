@@ -12,9 +12,9 @@ mod waste;
 
 pub(super) use label::upright;
 pub use label::{Inscription, Labels, label};
-pub use lettering::{strokes, text_width};
+pub use lettering::{height_within, strokes, text_width};
 pub use part::{CutPart, Hole, NamePlace, Place, Role, SheetSize};
-pub(super) use tiles::{FREE, OVERLAP, Tile, tiles};
+pub(super) use tiles::{Tile, tiles};
 pub use waste::Waste;
 
 use crate::math::plane::rotated;

@@ -88,7 +88,7 @@ impl Hole {
 /// Where the name of a part is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum NamePlace {
-    /// Nowhere: there is no room, or no name is requested.
+    /// Nowhere: there is no room, the part is on no sheet, or no name is requested.
     #[default]
     Nowhere,
     /// On the part.

@@ -1,11 +1,6 @@
 //! Sheets larger than a page of paper, tiled: pages overlap by 10 mm and have a frame to cut along.
 
-use crate::scene::{Page, page_counts};
-
-/// The unprintable margin of a page, in mm.
-pub(in crate::fabricate) const FREE: f64 = Page::FREE;
-/// Overlap of neighbouring pages, in mm.
-pub(in crate::fabricate) const OVERLAP: f64 = Page::OVERLAP;
+use crate::scene::{Page, Tiling};
 
 /// A page with a part of a sheet.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,26 +13,19 @@ pub(in crate::fabricate) struct Tile {
     pub(in crate::fabricate) place: Option<[[u32; 2]; 2]>,
 }
 
-/// The pages of a sheet, portrait or landscape, whichever needs fewer; column by column from the
-/// lower left.
+/// The pages of a sheet, column by column from the lower left; see [`Tiling::of`].
 pub(in crate::fabricate) fn tiles(sheet: [f64; 2], page: Option<[f64; 2]>) -> Vec<Tile> {
-    let whole = |page| vec![Tile { page, origin: [0.0; 2], place: None }];
-    let Some([short, long]) = page else { return whole(sheet) };
-    let both = [[short, long], [long, short]];
-    // A sheet and a page of the same standard size agree up to rounding.
-    let holds = |page: &[f64; 2]| (0..2).all(|k| sheet[k] <= page[k] + 0.1);
-    if let Some(page) = both.into_iter().find(holds) {
-        return whole(page);
-    }
-    let pages = |page: [f64; 2]| page_counts(sheet, page).map(u64::from).iter().product::<u64>();
-    let page = if pages(both[0]) <= pages(both[1]) { both[0] } else { both[1] };
-    let counts = page_counts(sheet, page);
+    let Tiling { page, counts } = Tiling::of(sheet, page);
+    let Some(counts) = counts else {
+        return vec![Tile { page, origin: [0.0; 2], place: None }];
+    };
+    let [low, high] = Page::frame(page);
     let mut all = Vec::new();
     for column in 0..counts[0] {
         for row in 0..counts[1] {
             let place = [column, row];
             let origin =
-                [0, 1].map(|k| f64::from(place[k]) * (page[k] - 2.0 * FREE - OVERLAP) - FREE);
+                [0, 1].map(|k| f64::from(place[k]) * (high[k] - low[k] - Page::OVERLAP) - low[k]);
             all.push(Tile { page, origin, place: Some([place, counts]) });
         }
     }
@@ -60,9 +48,10 @@ mod tests {
                 [200.0_f64.min(sheet[0]), 287.0],
             ] {
                 let shows = |tile: &Tile| {
+                    let [low, high] = Page::frame(tile.page);
                     (0..2).all(|k| {
                         let at = point[k] - tile.origin[k];
-                        at >= FREE - 1e-9 && at <= tile.page[k] - FREE + 1e-9
+                        at >= low[k] - 1e-9 && at <= high[k] + 1e-9
                     })
                 };
                 assert!(all.iter().any(shows), "{sheet:?} {point:?}");

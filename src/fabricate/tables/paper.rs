@@ -81,7 +81,6 @@ fn joins(build: &Build, model: &PaperModel) -> String {
         };
         let tab_on =
             tab.map(|tab| panels[usize::from((tab.side.facet, tab.side.side) != joint.sides[0])]);
-        let fold = if joint.fold >= 0.0 { "ridge" } else { "valley" };
         let length = |k: usize| {
             let [p, q] = net.ends(joint.sides[k]);
             ((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])).sqrt()
@@ -93,7 +92,7 @@ fn joins(build: &Build, model: &PaperModel) -> String {
             Cell::from(&*pieces[0]),
             Cell::from(&*pieces[1]),
             Cell::from(join),
-            Cell::from(fold),
+            Cell::from(joint.kind().word()),
             Cell::from(joint.fold.to_degrees()),
             Cell::from(tab_on.unwrap_or_default()),
             Cell::from(tab.map(|tab| tab.height)),

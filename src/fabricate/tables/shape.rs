@@ -18,16 +18,20 @@ pub(super) fn edges(build: &Build) -> String {
         "twist_deg",
     ]);
     let building = build.mm_of_building();
+    // The panels that traverse each edge from its first to its second end.
+    let mut ascending = vec![Vec::new(); build.surface.edges.len()];
+    for (face, f) in build.surface.faces.iter().zip(0..) {
+        let sides = build.surface.sides.row(f as usize).iter().zip(polygon_sides(face));
+        sides.filter(|(_, [a, b])| a < b).for_each(|(&e, _)| ascending[e as usize].push(f));
+    }
     for (e, edge) in build.surface.edges.iter().enumerate() {
         let [a, b] = edge.ends;
         let name = beam_name(edge.ends);
         let (a, b) = (node_name(a), node_name(b));
         // Several on a side only where more than two panels meet, or the surface has one side.
-        let ascends = |&f: &&u32| {
-            polygon_sides(build.surface.faces.row(*f as usize)).any(|side| side == edge.ends)
-        };
         let panels = |is_left: bool| {
-            let own = build.surface.panels.row(e).iter().filter(|f| ascends(f) == is_left);
+            let own = build.surface.panels.row(e).iter();
+            let own = own.filter(|f| ascending[e].contains(f) == is_left);
             own.map(|&f| &*build.names[f as usize]).collect::<Vec<_>>().join("/")
         };
         let [left, right] = [panels(true), panels(false)];

@@ -5,6 +5,7 @@
 //! outline is a face: whole cells stay squares, and no face is a sliver.
 
 use super::declaration::PlanError;
+use super::kept::{boundary, is_kept};
 use super::outline::{Ground, Loop, along, closest};
 use crate::generate::quads::check_face_count;
 use crate::math::plane::{Point2, area, bounds, cross, dot, is_inside, minus, rotated};
@@ -77,8 +78,10 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     if faces.iter().any(|face| cells.area(face) <= 0.0) {
         return Err(PlanError::TooCoarse(None));
     }
-    for l in 0..loops.len() {
-        if faces.is_empty() || !cells.lies.contains(&Lies::On(l)) {
+    let boundary = boundary(&faces);
+    for (l, polygon) in cells.polygons.iter().enumerate() {
+        let on_it = boundary.iter().filter(|&&v| cells.lies[v as usize] == Lies::On(l));
+        if !is_kept(polygon, on_it.map(|&v| cells.places[v as usize])) {
             return Err(PlanError::TooCoarse(l.checked_sub(1)));
         }
     }

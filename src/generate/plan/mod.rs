@@ -5,6 +5,7 @@ mod cut;
 mod declaration;
 mod drawing;
 mod follow;
+mod kept;
 mod outline;
 
 pub use declaration::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, Support};

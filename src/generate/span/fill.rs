@@ -63,12 +63,13 @@ fn four_sides(curve: &SpanCurve) -> [(Vec<Vec3<f64>>, Vec<usize>); 4] {
     }
     ends.sort_unstable();
     let n = points.len();
+    let mut is_corner = vec![false; n];
+    corners.iter().for_each(|&k| is_corner[k] = true);
     [0, 1, 2, 3].map(|k| {
         let (from, to) = (ends[k], ends[(k + 1) % 4]);
         let steps = (to + n - from) % n;
         let side = (0..=steps).map(|step| points[(from + step) % n]).collect();
-        let is_corner = |step: &usize| corners.contains(&((from + step) % n));
-        (side, (1..steps).filter(is_corner).collect())
+        (side, (1..steps).filter(|step| is_corner[(from + step) % n]).collect())
     })
 }
 

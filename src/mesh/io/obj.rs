@@ -156,6 +156,11 @@ pub fn write_obj(mesh: &Mesh, positions: &[Point]) -> String {
     write(mesh, positions, &[])
 }
 
+/// As [`write_obj`], with lines of comments first.
+pub fn write_obj_with_comments(mesh: &Mesh, positions: &[Point], comments: &[String]) -> String {
+    header(comments) + &write_obj(mesh, positions)
+}
+
 /// As [`write_obj`], with a flat map `uv` (`#V by 2`) as texture coordinates, one `vt` per vertex,
 /// and with lines of comments first.
 pub fn write_obj_with_uv(
@@ -169,7 +174,7 @@ pub fn write_obj_with_uv(
 }
 
 /// Lines of comments.
-pub(super) fn header(comments: &[String]) -> String {
+fn header(comments: &[String]) -> String {
     comments.iter().map(|line| format!("# {line}\n")).collect()
 }
 

@@ -5,18 +5,21 @@
 //! | `settings` | scale, sheet, joint, distance, and their checks |
 //! | `presets` | common materials, machines and sheets |
 //! | `choice` | the choices among them, such as products and kinds of offsets |
+//! | `page` | the pages of a PDF, and how many of them a sheet is printed on |
 //! | `declarations` | the declaration of every setting: name, unit, range, products |
 //! | `declared` | what is declared of a setting, and the checks that follow from it |
 
 mod choice;
 mod declarations;
 mod declared;
+mod page;
 mod presets;
 mod settings;
 
-pub(crate) use choice::page_counts;
-pub use choice::{Dxf, Names, OffsetKind, Order, Page, Pieces, Product};
+pub use choice::{Dxf, Names, OffsetKind, Order, Pieces, Product};
 pub use declarations::BUILD_SETTINGS;
 pub use declared::{BuildForm, BuildGroup, BuildOption, BuildSetting, BuildUnit};
+pub use page::Page;
+pub(crate) use page::Tiling;
 pub use presets::{BUILD_PRESETS, BuildPreset, PresetOf, PresetValues};
 pub use settings::{BuildSettings, CheckLimits};

@@ -1,6 +1,7 @@
 //! The settings of a build: scale, sheet, joint, distance.
 
-use super::choice::{Dxf, Names, OffsetKind, Order, Page, Pieces, Product};
+use super::choice::{Dxf, Names, OffsetKind, Order, Pieces, Product};
+use super::page::{Page, Tiling};
 use crate::json::{fixed, object, word, word_or_null};
 use serde::{Deserialize, Serialize};
 
@@ -148,7 +149,7 @@ impl BuildSettings {
             );
             return Err(("margin", message));
         }
-        let pages = self.page.count(self.sheet);
+        let pages = Tiling::of(self.sheet, self.page.size()).count();
         if pages > MOST_PAGES {
             let [width, height] = self.sheet;
             let message = format!(

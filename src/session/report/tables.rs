@@ -4,6 +4,7 @@
 
 use super::face_measure::{FACE_MEASURES, face_values};
 use super::measuring::{Measuring, Shape};
+use crate::fabricate::file::text_field;
 use crate::mesh::Decimal;
 use crate::session::run::TraceEntry;
 use crate::words::MeasureUnit;
@@ -44,7 +45,7 @@ pub(crate) fn errors_csv(model: &mut Measuring<'_>) -> String {
     }
     text.push('\n');
     for (face, corners) in mesh.faces.iter().enumerate() {
-        let words = [face.to_string(), corners.len().to_string(), quoted(&groups[face])];
+        let words = [face.to_string(), corners.len().to_string(), text_field(&groups[face])];
         let values: Vec<f64> = columns.iter().map(|column| column[face]).collect();
         row(&mut text, &words, &values);
     }
@@ -85,13 +86,4 @@ fn bracketed(unit: &str) -> String {
 /// Replaces the characters that would end a field, for text inside one.
 fn quoted_part(text: &str) -> String {
     text.replace(['"', ',', '\n', '\r'], " ")
-}
-
-/// Quotes a field if its text requires it.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
 }

@@ -1,0 +1,91 @@
+//! Panels that face the wrong side: those of a closed part that face inwards, and those that are folded
+//! over.
+
+use super::surface::PanelSurface;
+use crate::math::{Vec3, angle_between};
+use crate::mesh::components;
+
+impl PanelSurface {
+    /// Whether the panels of a closed part face inwards: it encloses a negative volume, and does not
+    /// lie in a larger part, whose hollow it would be.
+    pub fn is_inside_out(&self) -> bool {
+        if self.one_sided.is_some() {
+            return false;
+        }
+        let shells = self.closed_shells();
+        let contains = |outer: &Shell, inner: &Shell| {
+            outer.volume > inner.volume.abs()
+                && (0..3).all(|k| outer.low[k] <= inner.low[k] && inner.high[k] <= outer.high[k])
+        };
+        let is_hollow = |own: &Shell| shells.iter().any(|outer| contains(outer, own));
+        shells.iter().any(|own| own.volume < 0.0 && !is_hollow(own))
+    }
+
+    /// The connected parts that have no rim.
+    fn closed_shells(&self) -> Vec<Shell> {
+        let labels = components(self.positions.len(), self.faces.iter());
+        let count = labels.iter().max().map_or(0, |last| *last as usize + 1);
+        let mut shells = vec![Shell::default(); count];
+        for (face, area) in self.faces.iter().zip(&self.areas) {
+            let shell = &mut shells[labels[face[0] as usize] as usize];
+            let sum = face.iter().fold(Vec3::zero(), |sum, &v| sum + self.at(v));
+            shell.volume += sum.dot(*area) / (3 * face.len()) as f64;
+            for point in face.iter().map(|&v| <[f64; 3]>::from(self.at(v))) {
+                (0..3).for_each(|k| shell.low[k] = shell.low[k].min(point[k]));
+                (0..3).for_each(|k| shell.high[k] = shell.high[k].max(point[k]));
+            }
+        }
+        let mut is_open = vec![false; count];
+        for edge in self.edges.iter().filter(|edge| edge.is_rim()) {
+            is_open[labels[edge.ends[0] as usize] as usize] = true;
+        }
+        shells
+            .into_iter()
+            .zip(is_open)
+            .filter(|(_, is_open)| !is_open)
+            .map(|(own, _)| own)
+            .collect()
+    }
+
+    /// The panels that are folded over: the normals of the panel and of one of its vertices point
+    /// to opposite sides, so that no offset is meaningful there.
+    pub fn folded_over(&self) -> Vec<u32> {
+        let normals = self.normals_by_angle();
+        let over = |f: &u32| {
+            let area = self.areas[*f as usize];
+            self.faces.row(*f as usize).iter().any(|&v| area.dot(normals[v as usize]) < 0.0)
+        };
+        (0..self.faces.len() as u32).filter(over).collect()
+    }
+
+    /// The sum of the unit normals of the panels at each vertex, weighted by the angles of their
+    /// corners. Weighted by area, a small panel beyond a sharp ridge would count as folded over.
+    fn normals_by_angle(&self) -> Vec<Vec3<f64>> {
+        let mut normals = vec![Vec3::zero(); self.positions.len()];
+        for (face, f) in self.faces.iter().zip(0..) {
+            let (n, normal) = (face.len(), self.normal(f));
+            for (k, &v) in face.iter().enumerate() {
+                let along = |other: usize| self.at(face[other % n]) - self.at(v);
+                let angle = angle_between(along(k + 1), along(k + n - 1)).unwrap_or(0.0);
+                normals[v as usize] += normal * angle;
+            }
+        }
+        normals
+    }
+}
+
+/// A connected part without a rim.
+#[derive(Clone, Debug)]
+struct Shell {
+    /// The volume that it encloses; negative if its panels face inwards.
+    volume: f64,
+    /// Its bounding box.
+    low: [f64; 3],
+    high: [f64; 3],
+}
+
+impl Default for Shell {
+    fn default() -> Shell {
+        Shell { volume: 0.0, low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] }
+    }
+}
