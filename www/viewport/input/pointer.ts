@@ -13,7 +13,7 @@
  * | right, middle | orbit, pan, zoom: see `mouse.ts` | same |
  * | wheel, pinch | zooms to the cursor | same |
  * | right click, on a Mac Ctrl + click, long press | opens the context menu of the element hit | same |
- * | touch | one finger as left, two pan and zoom | same |
+ * | touch | one finger as left, the button that adds as Shift; two pan and zoom | same |
  */
 
 import {
