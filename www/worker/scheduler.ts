@@ -152,13 +152,13 @@ export class Scheduler {
    */
   betweenRuns<T>(edit: () => T, settles?: boolean): T {
     this.#endDrag();
-    if (this.#isRunning) this.#solver.endRun();
     const before = this.#solver.generation();
     let result;
     try {
       result = edit();
     } finally {
-      if (this.#isRunning) this.#solver.beginRun();
+      // What is refused, or has no effect, has not ended the run.
+      if (this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
     }
     // What leaves problem and shape as they were leaves a converged shape converged.
     if (settles !== undefined || this.#solver.generation() !== before)
