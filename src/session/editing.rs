@@ -42,7 +42,7 @@ impl Session {
             self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut unused))?;
             return Ok(false);
         }
-        if self.transaction.is_some() && !self.would_change(&edit)? {
+        if self.is_running() && !self.would_change(&edit)? {
             return Ok(false);
         }
         self.end_transaction();
@@ -51,8 +51,7 @@ impl Session {
         Ok(true)
     }
 
-    /// Whether an edit would have an effect: what has none, or is refused, leaves a run, a drag or a
-    /// variation as it is.
+    /// Whether an edit would have an effect: what has none, or is refused, leaves a run as it is.
     ///
     /// # Errors
     /// Those of [`Session::edit`] that are known before the solver is set up.

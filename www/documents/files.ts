@@ -323,7 +323,7 @@ export class Files extends Emitter<{ opened: void }> {
   }
 
   /**
-   * Reports what of Rhino files was left out, in one message: a second would take its place.
+   * Reports what of Rhino files was left out, in one message.
    * @param given the files themselves
    */
   #reportLeftOut(files: (NamedBytes & Partial<FromRhino>)[], given: NamedBytes[]) {
