@@ -18,7 +18,7 @@ use crate::scene::{BuildSettings, Names, OffsetKind, Page, Product, Tiling};
 const ROUNDING: f64 = 1e-6;
 
 /// Largest number of pages that sheets are tiled to.
-const MOST_PAGES: u64 = 5000;
+const MOST_PAGES_OF_ALL: u64 = 5000;
 
 /// What a limit allows: a limit of 0 is met by rounding errors, and by nothing else.
 pub(super) fn allowed(limit: f64) -> f64 {
@@ -169,7 +169,7 @@ impl Build {
 
     /// The page size of the PDF: that which was asked for, unless nobody would glue so many pages.
     pub(super) fn printed_page(&self) -> Page {
-        if self.pages() > MOST_PAGES { Page::Sheet } else { self.settings.page }
+        if self.pages() > MOST_PAGES_OF_ALL { Page::Sheet } else { self.settings.page }
     }
 
     /// Millimetres of the building per unit of the mesh.

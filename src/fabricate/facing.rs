@@ -6,8 +6,8 @@ use crate::math::{Vec3, angle_between};
 use crate::mesh::components;
 
 impl PanelSurface {
-    /// Whether the panels of a closed part face inwards: it encloses a negative volume, and does not
-    /// lie in a larger part, whose hollow it would be.
+    /// Whether the panels of a closed part face inwards: it encloses a negative volume, and its
+    /// box does not lie in that of a larger part, whose hollow it would be.
     pub fn is_inside_out(&self) -> bool {
         if self.one_sided.is_some() {
             return false;

@@ -107,9 +107,15 @@ impl Session {
         self.transaction.as_ref().is_some_and(Transaction::is_drag)
     }
 
-    /// The names of the steps that undo and redo would apply.
+    /// The names of the steps that undo and redo would apply. A run under way that is no part of the
+    /// step before it is one.
     pub fn undo_and_redo(&self) -> [Option<&str>; 2] {
-        self.history.names()
+        let [undo, redo] = self.history.names();
+        let is_step = |now: &Transaction| now.is_run() && !now.joins_last();
+        match self.transaction.as_ref().is_some_and(is_step) {
+            true => [Some("Run"), redo],
+            false => [undo, redo],
+        }
     }
 
     /// Sets the time that reading the files took, in seconds, for the report.

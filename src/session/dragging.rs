@@ -177,6 +177,8 @@ impl Session {
     /// As [`Session::edit`].
     pub fn edit_and_run(&mut self, edit: Edit) -> Result<(), Error> {
         let made = self.edit(edit)?;
+        // Without effect it has left a run as it is, but a new one is asked for.
+        self.end_transaction();
         self.begin_run();
         if made {
             self.join_last();

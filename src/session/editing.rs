@@ -8,7 +8,9 @@ use super::edit::{
 use super::report::{MeasureCache, check_lesson, check_presentation};
 use super::run::Start;
 use super::state::{Draft, RestMesh, SceneChange, SolvedScene, resolve_rows};
-use super::undo::{Change, SavedState, read_history, read_state, write_history, write_state};
+use super::undo::{
+    Change, SavedState, Transaction, read_history, read_state, write_history, write_state,
+};
 use crate::mesh::{
     Edited, Mesh, MeshOperation, OperationError, Point, Scheme, SubdivideError, SubdividedCounts,
     Subdivision, Task,
@@ -51,13 +53,16 @@ impl Session {
         Ok(true)
     }
 
-    /// Whether an edit would have an effect: what has none, or is refused, leaves a run as it is.
+    /// Whether an edit would have an effect: what has none, or is refused, leaves a run as it is. Of
+    /// edits that bring or make a mesh only the locks are checked: to try them takes as long as they do.
     ///
     /// # Errors
     /// Those of [`Session::edit`] that are known before the solver is set up.
     fn would_change(&mut self, edit: &Edit) -> Result<bool, Error> {
         check_locks(edit, self.document())?;
-        if let Edit::Refine { .. } | Edit::Remesh(_) = edit {
+        if let Edit::Refine { .. } | Edit::Remesh(_) | Edit::FitTo { .. } | Edit::TakePose { .. } =
+            edit
+        {
             return Ok(true);
         }
         let mut unused = IterationState { iteration: self.iteration(), start: None };
@@ -70,6 +75,13 @@ impl Session {
     /// converged shape converged.
     pub fn generation(&self) -> u32 {
         self.scene.generation()
+    }
+
+    /// Whether what was made for this generation may be taken: nothing is dragged, and no variation shown,
+    /// whose end would change the shape.
+    pub(super) fn is_at(&self, generation: u32) -> bool {
+        let is_passing = |now: &Transaction| now.is_drag() || now.is_variation();
+        generation == self.generation() && !self.transaction.as_ref().is_some_and(is_passing)
     }
 
     /// Undoes the last step, and returns its name; none if there is no step. A variation that is

@@ -377,6 +377,7 @@ fn off_and_medit_are_read_however_their_numbers_are_laid_on_lines() {
         // Without references, and with more numbers than the format has.
         rows(head, "\n", "") + "\nTriangles\n2\n1 2 3\n1 3 4\nEnd\n",
         rows(head, "\n", " 0 7") + usual,
+        rows(head, " ", " 0") + &faces.replace('\n', " "),
     ];
     let files = [("a.off", off), ("b.off", apart)].into_iter();
     for (name, text) in files.chain(medit.map(|text| ("c.mesh", text))) {

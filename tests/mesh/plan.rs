@@ -227,6 +227,18 @@ fn a_hole_or_a_notch_too_narrow_for_the_panels_is_refused_and_not_closed() {
     assert_eq!(Topology::new(&wide).boundary_loops().len(), 2);
 }
 
+#[test]
+fn a_tip_thinner_than_any_cell_is_cut_off_and_the_rest_is_made() {
+    // It was refused at every size, since the tip looks the same in cells of any.
+    for size in [1.0, 0.5, 0.25] {
+        let outline = points(&[[0.0, 0.0], [10.0, 0.0], [0.0, 3.0]]);
+        let mesh = Plan { size, ..plan(outline, PlanLayout::Cut) }.mesh().unwrap();
+        assert_sound(&mesh);
+        let area: f64 = areas(&mesh).iter().sum();
+        assert!((14.0..15.0 + 1e-9).contains(&area), "{size} {area}");
+    }
+}
+
 prop_compose! {
     /// A star-shaped outline with straight sides and arcs.
     fn outlines()(

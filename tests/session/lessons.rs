@@ -259,6 +259,8 @@ fn what_a_search_chose_and_made_exact_is_no_change_by_the_student() {
     own.lesson.as_mut().expect("it has one").lock = vec![Lock::Weights];
     own.constraints[0].require = Require::Within(0.01);
     own.closeness.to = ClosenessTo::Rest;
+    // Ten times it is no number that a tenth of it is.
+    own.weights.smooth = 0.11;
     let mut session = Session::open(own.clone(), bumpy(5)).expect("it fits");
     let smoother = ChosenAttempt { smoother: 10.0, on_surface: true, ..ChosenAttempt::default() };
     let mut chosen = session.scene();

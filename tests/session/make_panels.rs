@@ -443,3 +443,31 @@ fn without_anything_to_meet_a_run_ends_after_its_iterations() {
     session.solve_as_pressed(None, 1e-3, false).expect("it stays finite");
     assert!(session.iteration() <= most + 1);
 }
+
+#[test]
+fn a_press_during_a_run_begins_a_search_though_it_asks_for_what_was_asked() {
+    // It left the run, which had none, and its shape became a part of the step before.
+    let mut session = session(bumps(), "");
+    session.make_panels("circle", session.tolerance(), PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    let place = session.positions()[84];
+    session.begin_drag_of_new(vec![84]).expect("it is there");
+    session.drag([(84, [place[0], place[1], place[2] + 0.3])]).expect("it is a handle");
+    session.end_drag(true);
+    session.step().expect("it stays finite");
+    session.make_panels("circle", session.tolerance(), PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    assert!(session.exact().expect("it was met").attempts > 1);
+}
+
+#[test]
+fn a_row_that_leaves_exactness_has_its_own_tolerance_again() {
+    let mut session = wave();
+    session.make_panels("plane", 0.3, PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    let (shape, positions) = exact_trial(&mut session);
+    assert!(session.make_exact(shape, &positions, true).expect("regular"));
+    let within = r#"{ "setConstraint": { "index": 0, "require": { "within": 0.1 } } }"#;
+    session.edit(Edit::from_json(within).expect("it is an edit")).expect("it is valid");
+    assert_eq!(session.tolerance(), 0.1);
+}

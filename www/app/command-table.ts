@@ -18,7 +18,6 @@ import { halfStepTitle } from '../store/half-step.ts';
 import { isMeshLocked } from '../store/panels-card.ts';
 import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
-import { undone } from '../store/undone.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { isTypedInto } from '../ui/keys.ts';
@@ -90,7 +89,7 @@ export function commandTable(
   const opens = (open: () => unknown) => () => actions.reportErrors(prepare(open));
   const prepare = oneAtATime((open: () => unknown) => openPrepared(app, open));
   /**
-   * Opens something once nothing is being opened any longer, as a question about that may take long:
+   * Opens something once what is being opened now is open, as a question about that may take long:
    * until then others can be opened.
    */
   const opensLater = (open: () => unknown) => {
@@ -163,9 +162,10 @@ export function commandTable(
       keys: ['Ctrl+Z'],
       repeats: true,
       action: undo,
-      enabled: (state) => undone(state) !== '' && state.dragged.length === 0,
-      title: (state) => {
-        const what = undone(state);
+      enabled: ({ document, dragged, undoes }) =>
+        Boolean(document?.undo || undoes) && dragged.length === 0,
+      title: ({ document, undoes }) => {
+        const what = document?.undo || undoes;
         return what ? `Undo: ${what}` : 'Nothing to undo';
       },
     },

@@ -33,8 +33,10 @@ scope.addEventListener('message', (event) => {
   if (data === 'take over') void scope.skipWaiting();
   if (data.drawsWith) {
     // Without a network the cached files stay as they are.
-    const wanted = [...views[data.drawsWith], ...(data.picture ? [data.picture] : [])];
-    viewIsKept = keepMissing(wanted).catch(() => {});
+    // By itself: of a new version the picture may have another name, and the view must be kept.
+    const picture = data.picture ? keepMissing([data.picture]).catch(() => {}) : null;
+    const view = keepMissing(views[data.drawsWith]).catch(() => {});
+    viewIsKept = Promise.all([view, picture]).then(() => {});
     event.waitUntil(viewIsKept);
   }
 });

@@ -16,14 +16,8 @@ export function examplesMenu(menu: HTMLElement, app: AppContext) {
   const others = otherItems(menu, app);
   menu.replaceChildren(...others);
   void actions.reportErrors(fill());
-  let isAsked = false;
-  menu.addEventListener('beforetoggle', async (event) => {
-    if (isFilled || isAsked || event.newState !== 'open') return;
-    event.preventDefault();
-    isAsked = true;
-    await actions.reportErrors(fill());
-    if (!menu.matches(':popover-open')) menu.showPopover();
-    isAsked = false;
+  menu.addEventListener('beforetoggle', ({ newState }) => {
+    if (newState === 'open' && !isFilled) void actions.reportErrors(fill());
   });
 }
 

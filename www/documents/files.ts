@@ -17,7 +17,7 @@ import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
-import { hideWithNextModel } from '../store/fitted-shapes.ts';
+import { hideWithNextWork } from './fitted-shapes.ts';
 import { STARTS_LATER } from '../store/press.ts';
 import { untilChanged } from '../store/until-changed.ts';
 import type { Store } from '../store/state.ts';
@@ -174,10 +174,9 @@ export class Files extends Emitter<{ opened: void }> {
       const { saved, first: solved, unwelded } = origin;
       const frame = rememberedFrame(digest);
       const loaded = await this.#actions
-        .open({ files, saved, frame, solved, weld: !unwelded })
+        .open({ files, saved, frame, solved, weld: !unwelded }, cancelled)
         .finally(() => cancelled?.removeEventListener('abort', abandon));
       opening.opened();
-      if (origin.first) hideWithNextModel({ store: this.#store, actions: this.#actions });
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;
       this.#openedText = this.#solver.sceneText;
@@ -200,6 +199,7 @@ export class Files extends Emitter<{ opened: void }> {
       if (loaded.welded) this.#reportWelded(loaded.welded, loaded.units);
       this.#reportLeftOut(files, given);
       this.emit('opened', undefined);
+      if (origin.first) hideWithNextWork(this, this.#actions);
       return loaded;
     } catch (error) {
       if (!(await opening.isWanted())) return null;
@@ -250,6 +250,7 @@ export class Files extends Emitter<{ opened: void }> {
    */
   async asItIs(): Promise<Left | null> {
     if (!this.#store.get().document) return null;
+    await this.#actions.settled();
     const { text } = await this.#actions.rest();
     const state = this.#store.get();
     const { saved, sceneText } = this.#solver;

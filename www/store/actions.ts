@@ -233,9 +233,15 @@ export function createActions(
     /** Registers what the user has begun and the solver does not know of, so that `settled` waits for it. */
     begin: <T>(begun: Promise<T>) => solver.begin(begun),
 
-    /** Opens files; rejects with the error. What waits behind cancelled work is opened after it. */
-    open: (...given: Parameters<typeof solver.change.open>) =>
-      again(() => solver.change.open(...given)),
+    /**
+     * Opens files; rejects with the error. What waits behind cancelled work is opened after it, unless it
+     * has been `cancelled` itself.
+     */
+    open: (given: Parameters<typeof solver.change.open>[0], cancelled?: AbortSignal) =>
+      again(
+        () => solver.change.open(given),
+        () => cancelled?.throwIfAborted(),
+      ),
 
     runOrPause() {
       const { running, refining } = store.get();

@@ -111,6 +111,8 @@ export class Scheduler {
     this.#isSettled = false;
     this.#sliceIsNew = true;
     this.#sendActivity();
+    // The run is what Undo takes back now.
+    this.#sendDocument();
     this.#queueSlice();
   }
 

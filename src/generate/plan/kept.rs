@@ -6,8 +6,11 @@ use crate::math::polygon_sides;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A loop is kept if each of its points is nearer than this to a vertex of the boundary on it, in sides
-/// of a cell. Where it passes through a cell, it has one on the sides of the cell.
+/// of a cell. Where it passes through a cell alone, it has one on the sides of the cell.
 const NEAR: f64 = 1.75;
+/// A corner of less than 30 degrees is a tip: it may be cut off where it is narrower than a cell, since
+/// no cell is small enough for it. This is the cosine.
+const TIP: f64 = 0.866;
 /// Distance of the points of a loop that are tried.
 const STEP: f64 = 0.5;
 
@@ -34,9 +37,79 @@ pub(super) fn is_kept(polygon: &[Point2], on_it: impl Iterator<Item = Point2>) -
             dot(away, away) <= NEAR * NEAR
         })
     };
+    let walk = Walk::new(polygon);
+    let tips = walk.tips();
+    let mut so_far = 0.0;
     polygon_sides(polygon).all(|[a, b]| {
         let by = minus(b, a);
-        let pieces = (dot(by, by).sqrt() / STEP).ceil().max(1.0);
-        (0..pieces as usize).all(|k| has_near(along(a, k as f64 / pieces, by)))
+        let length = dot(by, by).sqrt();
+        let pieces = (length / STEP).ceil().max(1.0);
+        let begins = so_far;
+        so_far += length;
+        (0..pieces as usize).all(|k| {
+            let part = k as f64 / pieces;
+            let is_in_tip = tips.iter().any(|&(tip, reach)| {
+                let away = (begins + part * length - tip).abs();
+                away.min(walk.length - away) < reach
+            });
+            is_in_tip || has_near(along(a, part, by))
+        })
     })
+}
+
+/// A loop, by the length of the way from its first corner.
+struct Walk<'a> {
+    polygon: &'a [Point2],
+    /// The length at each corner.
+    at_corner: Vec<f64>,
+    length: f64,
+}
+
+impl<'a> Walk<'a> {
+    fn new(polygon: &'a [Point2]) -> Walk<'a> {
+        let mut length = 0.0;
+        let at_corner = polygon_sides(polygon)
+            .map(|[a, b]| {
+                let (begins, by) = (length, minus(b, a));
+                length += dot(by, by).sqrt();
+                begins
+            })
+            .collect();
+        Walk { polygon, at_corner, length }
+    }
+
+    /// The point after a length, which may be negative.
+    fn at(&self, length: f64) -> Point2 {
+        let length = length.rem_euclid(self.length);
+        let k = self.at_corner.partition_point(|&at| at <= length).max(1) - 1;
+        let [a, b] = [0, 1].map(|next| self.polygon[(k + next) % self.polygon.len()]);
+        let end = self.at_corner.get(k + 1).copied().unwrap_or(self.length);
+        let side = end - self.at_corner[k];
+        let part = if side > 0.0 { (length - self.at_corner[k]) / side } else { 0.0 };
+        along(a, part, minus(b, a))
+    }
+
+    /// The tips, and how far from each the loop is nearer to itself than a cell is wide.
+    fn tips(&self) -> Vec<(f64, f64)> {
+        let n = self.polygon.len();
+        let is_tip = |&k: &usize| {
+            let corner = self.polygon[k];
+            let [before, after] = [k + n - 1, k + 1].map(|j| minus(self.polygon[j % n], corner));
+            let lengths = (dot(before, before) * dot(after, after)).sqrt();
+            lengths > 0.0 && dot(before, after) > TIP * lengths
+        };
+        let apart = |tip: f64, way: f64| {
+            let between = minus(self.at(tip + way), self.at(tip - way));
+            dot(between, between).sqrt()
+        };
+        let reach = |k: usize| {
+            let tip = self.at_corner[k];
+            let mut way = STEP;
+            while way < 0.5 * self.length && apart(tip, way) < 1.0 {
+                way += STEP;
+            }
+            (tip, way)
+        };
+        (0..n).filter(is_tip).map(reach).collect()
+    }
 }

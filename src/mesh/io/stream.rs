@@ -13,20 +13,24 @@ pub(crate) struct Stream<'a> {
     lines: Lines<'a>,
     words: SplitAsciiWhitespace<'a>,
     line: usize,
+    /// How many numbers were left on a line when they were last counted, with how many words followed
+    /// since: to count those of a long line for each of its rows would take the square of them.
+    counted: Option<(usize, usize)>,
 }
 
 impl<'a> Stream<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
-        Stream { lines: lines(text), words: words(""), line: 0 }
+        Stream { lines: lines(text), words: words(""), line: 0, counted: None }
     }
 
     pub(crate) fn word(&mut self) -> Option<&'a str> {
         loop {
             if let Some(word) = self.words.next() {
+                self.counted = self.counted.map(|(left, taken)| (left, taken + 1));
                 return Some(word);
             }
             let (number, text) = self.lines.next()?;
-            (self.line, self.words) = (number, words(text));
+            (self.line, self.words, self.counted) = (number, words(text), None);
         }
     }
 
@@ -72,14 +76,25 @@ impl<'a> Stream<'a> {
     /// Skips what follows the `width` numbers of a row: the rest of the line or, if `is_packed`, one
     /// number, wherever it is, where rows may share a line. Returns whether there was a rest.
     fn end_row(&mut self, width: usize, is_packed: bool) -> bool {
-        match self.words.clone().count() {
-            0 if is_packed => {
+        match if is_packed { self.numbers_left() } else { 0 } {
+            0 if is_packed && self.words.clone().next().is_none() => {
                 self.drop_lone_number();
                 false
             }
-            rest if is_packed && rest % (width + 1) == 1 => self.words.next().is_some(),
+            rest if rest % (width + 1) == 1 => self.word().is_some(),
             _ => self.drop_line(),
         }
+    }
+
+    /// How many numbers follow on the line, before anything else.
+    fn numbers_left(&mut self) -> usize {
+        let is_number = |word: &&str| word.parse::<f64>().is_ok();
+        let count = || self.words.clone().take_while(is_number).count();
+        // Those after a word are counted anew.
+        let known = self.counted.filter(|(left, taken)| taken <= left);
+        let (left, taken) = known.unwrap_or_else(|| (count(), 0));
+        self.counted = Some((left, taken));
+        left - taken
     }
 
     /// Appends `count` vertices of `dimension` coordinates (two or three), skipping what follows each

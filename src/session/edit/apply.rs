@@ -88,7 +88,11 @@ pub(crate) fn apply(
                 eased: spec.eased.clone().filter(|_| require.is_none()),
                 require: require.unwrap_or(spec.require),
             };
+            let was_exact = spec.require == Require::Exact;
             draft.put(Part::RowValues(index, values));
+            if let (Some(Require::Within(length)), true) = (require, was_exact) {
+                draft.put(Part::Tolerance(tolerance_beside(draft.document(), length)));
+            }
             name
         }
         Edit::DuplicateConstraint { index } => {

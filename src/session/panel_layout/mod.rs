@@ -65,15 +65,11 @@ impl Session {
     /// # Errors
     /// If the lesson locks the mesh, or the system would be singular; nothing has changed then.
     pub fn take_panels(&mut self, generation: u32, panels: &Mesh) -> Result<bool, Error> {
-        if self.is_dragging() || generation != self.generation() {
+        if !self.is_at(generation) {
             return Ok(false);
         }
         check_lock(Lock::Mesh, self.document())?;
         self.end_transaction();
-        // Once more: the panels may cover a variation, which is gone now.
-        if generation != self.generation() {
-            return Ok(false);
-        }
         let edited = Edited::covering(&self.current_mesh(), panels);
         let Mesh { positions, faces, .. } = self.mesh().clone();
         let original = Rc::new(Mesh { positions, faces, ..Mesh::default() });

@@ -104,7 +104,9 @@ impl Settings {
     /// Returns the settings before a search chose an attempt.
     pub(crate) fn before_attempt(mut self) -> Settings {
         let chosen = std::mem::take(&mut self.attempt);
-        self.weights.smooth /= chosen.smoother;
+        if chosen.smoother != 1.0 {
+            self.weights.smooth = in_15_digits(self.weights.smooth / chosen.smoother);
+        }
         if chosen.on_surface {
             self.to = ClosenessTo::Rest;
         }
@@ -326,6 +328,11 @@ impl Part {
         };
         size_of::<Part>() + held
     }
+}
+
+/// A number without the rounding error of a product and its quotient: as many digits as anybody types.
+fn in_15_digits(number: f64) -> f64 {
+    format!("{number:.14e}").parse().unwrap_or(number)
 }
 
 /// Whether rows are equal except for their names.

@@ -132,8 +132,8 @@ impl Session {
     }
 
     /// Accepts the shape of a trial, `#V by 3`, and its requirements, as a step of undo or as a part
-    /// of the last one if that moved the shape. Returns false if the trial began at another shape or with another problem,
-    /// or during a drag.
+    /// of the last one if that moved the shape. Returns false if the trial began at another shape or
+    /// with another problem, during a drag, or while a variation is shown.
     ///
     /// # Errors
     /// If the lesson locks the constraints and some become exact, or the system would be singular;
@@ -144,17 +144,13 @@ impl Session {
         positions: &[Point],
         joins_last: bool,
     ) -> Result<bool, Error> {
-        if self.is_dragging() || shape.generation != self.generation() {
+        if !self.is_at(shape.generation) {
             return Ok(false);
         }
         if !shape.rows.is_empty() {
             check_lock(Lock::Constraints, self.document())?;
         }
         self.end_transaction();
-        // Once more: the trial may have begun at a variation, which is gone now.
-        if shape.generation != self.generation() {
-            return Ok(false);
-        }
         let values = |&row: &usize| {
             let now = RowValues::of(&self.document().constraints[row]);
             Part::RowValues(row, RowValues { require: Require::Exact, eased: None, ..now })

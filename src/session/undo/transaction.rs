@@ -53,6 +53,10 @@ impl Transaction {
         }
     }
 
+    pub(crate) fn is_variation(&self) -> bool {
+        matches!(self.kind, Kind::Variation(_))
+    }
+
     pub(crate) fn is_drag(&self) -> bool {
         matches!(self.kind, Kind::Drag)
     }

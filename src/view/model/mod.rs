@@ -17,7 +17,7 @@ pub use projections::ProjectionMarks;
 
 use crate::math::polygon_sides;
 use glam::{DVec3, Vec3};
-use triangulate::{newell_normal, triangulate};
+use triangulate::{fan, is_whole, newell_normal, triangulate};
 
 /// The mesh as it is drawn.
 #[derive(Clone, Debug, Default)]
@@ -79,17 +79,27 @@ impl RenderMesh {
         Ok(self.renew_triangles())
     }
 
-    /// Cuts the faces anew of which a triangle is turned over, since a corner has passed a diagonal;
-    /// returns whether there were any. A face keeps the number of its triangles.
+    /// Cuts the faces anew of which a triangle is turned over, since a corner has passed a diagonal, or
+    /// which could be a fan again; returns whether there were any. So the triangles depend on the
+    /// positions alone. A face keeps their number.
     fn renew_triangles(&mut self) -> bool {
         let mut renewed = false;
         let mut rest = &mut self.triangles[..];
         for (face, outside) in self.faces.iter().zip(&self.normals.faces) {
             let own;
             (own, rest) = rest.split_at_mut(face.len().saturating_sub(2));
-            let is_turned =
-                |own: &[u32; 3]| newell_normal(&self.positions, own).dot(*outside) < 0.0;
-            if face.len() > 3 && own.iter().any(is_turned) {
+            if face.len() < 4 {
+                continue;
+            }
+            let is_fan = fan(face).eq(own.iter().copied());
+            let stays = match is_fan {
+                true => is_whole(&self.positions, own.iter().copied(), *outside),
+                false => {
+                    !is_whole(&self.positions, fan(face), *outside)
+                        && is_whole(&self.positions, own.iter().copied(), *outside)
+                }
+            };
+            if !stays {
                 let mut cut = Vec::with_capacity(own.len());
                 triangulate(&self.positions, face, &mut cut);
                 renewed |= *own != *cut;
@@ -264,13 +274,16 @@ mod tests {
         // The notch was drawn and picked as if it were filled, until the file was opened again.
         let mut mesh = square(DVec3::ZERO);
         let given = mesh.triangles.clone();
-        let mut notched: Vec<f64> = mesh.exact.iter().flat_map(|p| p.to_array()).collect();
+        let first: Vec<f64> = mesh.exact.iter().flat_map(|p| p.to_array()).collect();
+        let mut notched = first.clone();
         notched[3..6].copy_from_slice(&[0.4, 0.6, 0.0]);
         assert_eq!(mesh.set_positions(&notched), Ok(true));
         let again = RenderMesh::new(mesh.faces.clone(), Lists::default(), &notched).unwrap();
         assert_eq!(mesh.triangles, again.triangles);
         assert_ne!(mesh.triangles, given);
         assert_eq!(mesh.set_positions(&notched), Ok(false));
+        assert_eq!(mesh.set_positions(&first), Ok(true));
+        assert_eq!(mesh.triangles, given);
     }
 
     #[test]

@@ -18,15 +18,28 @@ pub fn newell_normal(positions: &[Vec3], polygon: &[u32]) -> Vec3 {
     sum
 }
 
+/// The triangles of a polygon around its first corner.
+pub fn fan(polygon: &[u32]) -> impl Iterator<Item = [u32; 3]> + Clone + '_ {
+    (2..polygon.len()).map(|k| [polygon[0], polygon[k - 1], polygon[k]])
+}
+
+/// Whether no triangle of a polygon is turned over, as seen along its normal.
+pub fn is_whole(
+    positions: &[Vec3],
+    mut triangles: impl Iterator<Item = [u32; 3]>,
+    outside: Vec3,
+) -> bool {
+    triangles.all(|own| newell_normal(positions, &own).dot(outside) >= 0.0)
+}
+
 /// Appends the triangles of `polygon` (vertex indices into `positions`) to `triangles`: `n - 2` with
 /// the orientation of the polygon. Those of a polygon that crosses itself, or has no area, may
 /// overlap; it does not disappear.
 pub fn triangulate(positions: &[Vec3], polygon: &[u32], triangles: &mut Vec<[u32; 3]>) {
     // Nearly all panels are such a fan, which needs no copy.
-    let fan = || (2..polygon.len()).map(|k| [polygon[0], polygon[k - 1], polygon[k]]);
     let outside = newell_normal(positions, polygon);
-    if fan().all(|own| newell_normal(positions, &own).dot(outside) >= 0.0) {
-        triangles.extend(fan());
+    if is_whole(positions, fan(polygon), outside) {
+        triangles.extend(fan(polygon));
         return;
     }
     let corner = |&v: &u32| math::Vec3::from(positions[v as usize].to_array().map(f64::from));

@@ -36,7 +36,9 @@ export function offsetLayer({ store, actions, viewport }: AppContext) {
     tint = failed.length > 0 ? { faces: failed, vertices: NONE, colour: FAILED } : null;
     const { tint: shown, model } = store.get();
     tinted = model;
-    if (shown === before || shown === null) actions.tint(tint);
+    // What cannot be built is seen before vertices that stand still, whose tint has no faces.
+    const isFree = shown?.faces.length === 0;
+    if (shown === before || shown === null || (tint && isFree)) actions.tint(tint);
   }
 
   viewport.on('ready', draw);

@@ -102,9 +102,11 @@ class FlatMaps {
 
   async #map(weights: MapWeights, norm: MapNorm) {
     const model = await this.#actions.rest();
-    const found = this.#jobs.copy(model).parametrize(weights, norm);
-    const [shape] = await Promise.all([this.#shapeOf(model), found]);
-    return { model, found: await found, shape };
+    const [found, shape] = await Promise.all([
+      this.#jobs.copy(model).parametrize(weights, norm),
+      this.#shapeOf(model),
+    ]);
+    return { model, found, shape };
   }
 
   /** The positions of the model: the frame that has them may come after it. */

@@ -1,7 +1,7 @@
 /** One press for all panels: the run, its transition, and commands for it. */
 
 import { endOfRun } from '../../store/end-of-run.ts';
-import { hideWithNextModel } from '../../store/fitted-shapes.ts';
+import { hideWithNextWork } from '../../documents/fitted-shapes.ts';
 import type { KindInfo, PanelStart } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
@@ -56,7 +56,7 @@ export async function makePanels(
   // Another model is shown as before.
   if (store.get().model !== model) return show(byUser);
   show(true);
-  if (!byUser) hideWithNextModel(app);
+  if (!byUser) hideWithNextWork(app.files, actions);
   await ended;
   settle();
 }

@@ -4,7 +4,6 @@
  */
 
 import { isEnabled, press } from '../../store/press.ts';
-import { undone } from '../../store/undone.ts';
 import { byId, element } from '../../ui/dom.ts';
 import { placeMenu } from '../../ui/controls/navigation.ts';
 import { once } from '../../ui/once.ts';
@@ -82,7 +81,7 @@ function sectionsOf({
 }: AppContext): [heading: string, items: Item[]][] {
   const state = store.get();
   const { document, operations } = state;
-  const what = undone(state);
+  const what = state.document?.undo || state.undoes;
   const vertices = actions.selectedVertices();
   const held = new Map(document?.handles.map((handle) => [handle.vertex, handle.fixed]));
   const some = (as: boolean | undefined) => vertices.some((vertex) => held.get(vertex) === as);

@@ -6,6 +6,7 @@
 import { isInLegend } from '../../store/colours/measures.ts';
 import { isHard } from '../../store/state.ts';
 import { meshActions } from '../../store/mesh-actions.ts';
+import { untilChanged } from '../../store/until-changed.ts';
 import { count, length } from '../../ui/words.ts';
 import { once } from '../../ui/once.ts';
 import { showElements } from '../../viewport/camera.ts';
@@ -68,7 +69,7 @@ class Conditions {
         actions.reportErrors(mesh.remesh({ operation: suggestion.operation }, suggestion.label)),
     };
     const words = `${count(problems.length, 'kind of problem', 'kinds of problem')}, see Open or make: ${message}`;
-    alerts.notice(words, ...(mend ? [mend] : []));
+    untilChanged(store, alerts.notice(words, ...(mend ? [mend] : [])));
   }
 
   async #lookForFlatFaces() {
@@ -79,10 +80,9 @@ class Conditions {
     const flat = (this.#flat = found?.faces.length ?? 0);
     if (!found || flat === 0 || flat === before) return;
     const [have, they] = flat === 1 ? ['has', 'it is'] : ['have', 'they are'];
-    alerts.notice(`${count(flat, 'face')} ${have} zero size; ${they} kept but not coloured.`, {
-      label: 'Select',
-      action: () => showElements(this.#app, found),
-    });
+    const words = `${count(flat, 'face')} ${have} zero size; ${they} kept but not coloured.`;
+    const select = { label: 'Select', action: () => showElements(this.#app, found) };
+    untilChanged(store, alerts.notice(words, select));
   }
 
   /** Reports the result of a run: all within the tolerance, or the worst element and suggestions. */

@@ -57,6 +57,7 @@ export class Alerts {
 
   /** Reports a fatal problem. Errors that it causes do not replace it. */
   stop(message: string, offer: Offer) {
+    if (this.#isFatal) return;
     this.#remove(...this.#place.children);
     this.#show(message, 'error', [offer]);
     this.#isFatal = true;
