@@ -110,9 +110,9 @@ export class Scheduler {
     this.#isRunning = true;
     this.#isSettled = false;
     this.#sliceIsNew = true;
-    this.#sendActivity();
     // The run is what Undo takes back now.
     this.#sendDocument();
+    this.#sendActivity();
     this.#queueSlice();
   }
 

@@ -26,7 +26,7 @@ function page(shown: boolean) {
   };
   const app = {
     ...{ store, solver, actions, viewport: { transition } },
-    files: { openings: { coming: null } },
+    files: { openings: { coming: null }, on: () => () => {} },
   };
   const isShown = () => store.get().display.shapes;
   const press = () => {

@@ -127,6 +127,35 @@ test('a file that is refused during a run leaves the page with the ended run', (
   assert.deepEqual(sent.at(-1), { type: 'activity', running: false, converged: false });
 });
 
+test('an edit that is refused, or changes nothing, does not begin a run anew', (context) => {
+  closeChannel(context);
+  let isRunning = false;
+  let begun = 0;
+  const solver = solverWith({
+    isRunning: () => isRunning,
+    beginRun() {
+      isRunning = true;
+      begun += 1;
+    },
+  });
+  const scheduler = new Scheduler(solver, () => {}, died);
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  scheduler.run();
+  const refuse = () => {
+    throw new Error('expected a number');
+  };
+  assert.throws(() => scheduler.betweenRuns(refuse), /expected a number/);
+  scheduler.betweenRuns(() => false);
+  assert.equal(begun, 1);
+  // The solver ends it for what has an effect.
+  scheduler.betweenRuns(() => {
+    isRunning = false;
+    return true;
+  });
+  assert.equal(begun, 2);
+});
+
 test('steps that may take seconds are announced as work, so that the worker is not given up', async (context) => {
   const time = clock();
   context.mock.method(performance, 'now', time.now);
