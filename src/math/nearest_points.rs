@@ -101,7 +101,7 @@ mod tests {
     fn it_is_that_of_a_search_through_all() {
         let point = |k: usize| {
             let at = |step: usize| f64::from((k * step % 23) as u32);
-            Vec3::new(at(7), at(11), if k % 2 == 0 { 0.0 } else { at(5) })
+            Vec3::new(at(7), at(11), if k.is_multiple_of(2) { 0.0 } else { at(5) })
         };
         for count in [1, 8, 9, 100, 1000] {
             let points: Vec<_> = (0..count).map(point).collect();
