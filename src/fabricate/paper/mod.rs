@@ -41,7 +41,7 @@ impl PaperSize {
     /// The height that is kept free around a piece while it grows: of tabs, unless they are so high
     /// that they would leave little of the sheet.
     fn reserved(self) -> f64 {
-        self.tab.min(0.1 * self.room[0].min(self.room[1]))
+        self.tab.min(0.25 * self.room[0].min(self.room[1]))
     }
 }
 

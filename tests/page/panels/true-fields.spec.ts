@@ -152,10 +152,11 @@ test('parts are not the next step of a model without faces', async ({ page }) =>
 test('the links of an example lead somewhere', async ({ page }) => {
   await openPage(page);
   const links = page.locator('#example-note a');
+  // They come with the note, after the page is ready.
+  await expect.poll(() => links.count()).toBeGreaterThan(1);
   const addresses = await links.evaluateAll((all) =>
     all.map((one) => (one as HTMLAnchorElement).href),
   );
-  expect(addresses.length).toBeGreaterThan(1);
   for (const address of addresses) expect((await page.request.get(address)).status()).toBe(200);
 });
 
