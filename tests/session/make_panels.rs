@@ -323,8 +323,8 @@ fn what_is_asked_exactly_stays_so_and_folds_less_where_it_can() {
     }
 }
 
-#[test]
-fn the_end_of_a_drag_stays_near_to_where_it_was_dragged() {
+/// Circular panels at the end of the drag of a vertex, which begins a run to meet them again.
+fn dragged() -> Session {
     let mut session = session(bumps(), "");
     session.make_panels("circle", session.tolerance(), PanelStart::Now).expect("it has quads");
     run(&mut session);
@@ -332,6 +332,12 @@ fn the_end_of_a_drag_stays_near_to_where_it_was_dragged() {
     session.begin_drag_of_new(vec![84]).expect("it is there");
     session.drag([(84, [place[0], place[1], place[2] + 0.3])]).expect("it is a handle");
     session.end_drag(true);
+    session
+}
+
+#[test]
+fn the_end_of_a_drag_stays_near_to_where_it_was_dragged() {
+    let mut session = dragged();
     run(&mut session);
     assert_eq!(session.exact().expect("it was met").attempts, 1);
 }
@@ -447,13 +453,7 @@ fn without_anything_to_meet_a_run_ends_after_its_iterations() {
 #[test]
 fn a_press_during_a_run_begins_a_search_though_it_asks_for_what_was_asked() {
     // It left the run, which had none, and its shape became a part of the step before.
-    let mut session = session(bumps(), "");
-    session.make_panels("circle", session.tolerance(), PanelStart::Now).expect("it has quads");
-    run(&mut session);
-    let place = session.positions()[84];
-    session.begin_drag_of_new(vec![84]).expect("it is there");
-    session.drag([(84, [place[0], place[1], place[2] + 0.3])]).expect("it is a handle");
-    session.end_drag(true);
+    let mut session = dragged();
     session.step().expect("it stays finite");
     session.make_panels("circle", session.tolerance(), PanelStart::Now).expect("it has quads");
     run(&mut session);
