@@ -205,7 +205,9 @@ test('an edit made before the page has settled after a reload is kept', async ({
   });
   for (let time = 0; time < 2; time++) {
     await page.reload();
-    await expect.poll(async () => (await sceneOf(page))?.weights.shape).toBe(11);
+    // On a busy machine it is asked before the page has begun.
+    const scene = () => sceneOf(page).catch(() => null);
+    await expect.poll(async () => (await scene())?.weights.shape).toBe(11);
   }
 });
 
