@@ -16,8 +16,6 @@ pub(super) fn reversed(face: &[u32]) -> Vec<u32> {
 pub(super) fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Option<Fault>) {
     let mut state: Vec<Option<bool>> = vec![None; faces.len()];
     let mut contradiction = None;
-    let upwards = upwards(faces, topology);
-    let ascends = |f: u32, e: u32| upwards[e as usize].contains(&Some(f));
     let crowded = topology.edge_faces().iter().filter(|faces| faces.len() > 2).count();
     for first in 0..faces.len() as u32 {
         if state[first as usize].is_some() {
@@ -36,7 +34,8 @@ pub(super) fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Op
                 if other == f {
                     continue;
                 }
-                let needed = turned ^ (ascends(f, e) == ascends(other, e));
+                let ascends = topology.edge_ascends(e);
+                let needed = turned ^ (ascends[0] == ascends[1]);
                 match state[other as usize] {
                     None => {
                         state[other as usize] = Some(needed);
@@ -60,17 +59,4 @@ pub(super) fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Op
         (None, edges) => Some(Fault::crowded_edges(edges)),
     };
     (state.into_iter().map(|turned| turned == Some(true)).collect(), fault)
-}
-
-/// For each edge, the faces that traverse it from its lower to its higher vertex, up to two.
-fn upwards(faces: &Ragged, topology: &Topology) -> Vec<[Option<u32>; 2]> {
-    let mut upwards = vec![[None; 2]; topology.edges().len()];
-    for (face, f) in faces.iter().zip(0..) {
-        for [a, b] in polygon_sides(face).filter(|[a, b]| a < b) {
-            let Some(e) = topology.edge(a, b) else { continue };
-            let [first, second] = &mut upwards[e as usize];
-            if first.is_none() { *first = Some(f) } else { *second = Some(f) }
-        }
-    }
-    upwards
 }

@@ -17,7 +17,9 @@ impl Session {
     pub fn results(&mut self, student: &str, time: &str) -> Option<Results> {
         self.document().lesson.as_ref()?;
         let goals = self.goals();
-        let asked = before_attempt(self.scene());
+        // As it was asked for, before a search chose how to solve it.
+        let mut asked = self.scene();
+        Settings::leave_attempt(&mut asked);
         let settings = settings_of(&asked).into_iter();
         let Scene { title, constraints, handles, weights, .. } = asked;
         Some(Results {
@@ -38,12 +40,6 @@ impl Session {
             positions: self.positions(),
         })
     }
-}
-
-/// Returns the scene as it was asked for, before a search chose how to solve it.
-fn before_attempt(mut scene: Scene) -> Scene {
-    Settings::of(&scene).before_attempt().put_in(&mut scene);
-    scene
 }
 
 /// Returns the value as a file has it: whole numbers are written without a decimal point.
@@ -89,7 +85,8 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         return Err(at("scene", message).into());
     }
     // The scene as written if it is handed in unchanged.
-    let given = before_attempt(Session::open(scene.clone(), mesh.clone())?.scene());
+    let mut given = Session::open(scene.clone(), mesh.clone())?.scene();
+    Settings::leave_attempt(&mut given);
     let different = differences(results, &given);
     let (altered, changed) =
         different.into_iter().partition::<Vec<_>, _>(|(part, _)| locks.contains(part));

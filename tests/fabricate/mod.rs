@@ -13,6 +13,7 @@ mod key;
 mod paper;
 mod paper_names;
 mod picture;
+mod printed;
 mod report_page;
 mod sheets;
 mod space;

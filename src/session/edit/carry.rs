@@ -60,7 +60,7 @@ pub(crate) fn carry(
     // No file contains this mesh.
     document.mesh = MeshSource::Inline(Box::default());
     // How the constraints were met says nothing about another mesh: it has the user's settings.
-    Settings::of(&document).before_attempt().put_in(&mut document);
+    Settings::leave_attempt(&mut document);
     if let Some(Pose::Positions(pose)) = &mut document.pose {
         *pose = moved(pose).into();
     }

@@ -237,8 +237,7 @@ impl Attempts {
         }
     }
 
-    /// Whether a shape is within the limits of a good one, or not much farther from the design than
-    /// that of the first attempt.
+    /// Whether a shape is as near as a good one, or not much farther than that of the first attempt.
     fn is_near(&self, of: &Outcome, first: &Outcome) -> bool {
         let far = f64::max(1.0, FAR * first.measure.distance(self.edge));
         !first.met || of.measure.distance(self.edge) <= far
@@ -410,23 +409,20 @@ mod tests {
 
     #[test]
     fn a_shape_without_folds_may_not_be_too_far_away() {
-        let near = Outcome { measure: away(0.3).measure, ..away(0.3) };
-        let mut folded = near.clone();
-        folded.measure.folded = (0..20).collect();
+        let folded_at = |far: f64| {
+            let mut outcome = away(far);
+            outcome.measure.folded = (0..20).collect();
+            outcome
+        };
+        let folded = folded_at(0.3);
         assert_eq!(press(&[folded.clone(), away(0.8)])[1], (true, REST));
         // One that is farther is the last resort: the search goes on for another.
         let found = press(&[folded.clone(), away(1.0), folds(20), folds(20), folded.clone()]);
         assert!(found[1].0 && matches!(found[4], (false, Some(Attempt::Eased(_)))), "{found:?}");
         assert_eq!(press(&[folded, away(1.0), away(0.8)])[2], (true, REST));
-    }
-
-    #[test]
-    fn within_the_limits_of_a_good_shape_none_is_too_far_away() {
-        // The first hardly moves and folds a little: a good shape was then taken for another design,
-        // because it is many times as far from the original, and tolerances were eased.
-        let mut folded = away(1e-4);
-        folded.measure.folded = (0..20).collect();
-        assert_eq!(press(&[folded, away(0.1)]), [(true, SMOOTHER[0].clone()), (true, None)]);
+        // Within the limits of a good shape none is, though it is many times as far as the first.
+        let found = press(&[folded_at(1e-4), away(0.1)]);
+        assert_eq!(found, [(true, SMOOTHER[0].clone()), (true, None)]);
     }
 
     #[test]

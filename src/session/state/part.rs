@@ -9,6 +9,7 @@ use crate::scene::{
     Target, Up, Variants, Weights,
 };
 use crate::solve::{Problem, Require};
+use crate::words;
 use std::mem::{size_of_val, swap};
 use std::rc::Rc;
 
@@ -105,7 +106,8 @@ impl Settings {
     pub(crate) fn before_attempt(mut self) -> Settings {
         let chosen = std::mem::take(&mut self.attempt);
         if chosen.smoother != 1.0 {
-            self.weights.smooth = in_15_digits(self.weights.smooth / chosen.smoother);
+            // As many digits as anybody types: without the rounding of product and quotient.
+            self.weights.smooth = words::rounded(self.weights.smooth / chosen.smoother, 15);
         }
         if chosen.on_surface {
             self.to = ClosenessTo::Rest;
@@ -114,6 +116,11 @@ impl Settings {
             self.boundary = None;
         }
         self
+    }
+
+    /// Gives a scene the settings before a search chose an attempt.
+    pub(crate) fn leave_attempt(scene: &mut Scene) {
+        Settings::of(scene).before_attempt().put_in(scene);
     }
 
     /// Returns the attempt that the settings `now` name: what the user has changed is not the search's.
@@ -328,11 +335,6 @@ impl Part {
         };
         size_of::<Part>() + held
     }
-}
-
-/// A number without the rounding error of a product and its quotient: as many digits as anybody types.
-fn in_15_digits(number: f64) -> f64 {
-    format!("{number:.14e}").parse().unwrap_or(number)
 }
 
 /// Whether rows are equal except for their names.
