@@ -1,8 +1,10 @@
-// In any state of the page axe finds no violations, in either theme, and each value is shown once.
+// In any state of the page axe finds no violations, in either theme, each value is shown once, and no
+// text is hidden.
 
 import type { Page, ViewportSize } from '@playwright/test';
 import AxeBuilder from '@axe-core/playwright';
 import { openText } from '../actions.ts';
+import { hiddenTexts } from '../hidden-texts.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
 import { repeatedValues } from '../repeated-values.ts';
 import { expect, LONG, openPage, state, test, visit, waitForState } from '../support.ts';
@@ -63,6 +65,7 @@ async function expectNothing(page: Page, name = '') {
     if (windows.length > 1) await page.setViewportSize(size);
     expect(await openParts(page), `${name} stays as it is in another window`).toEqual(isOpen);
     expect.soft(await repeatedValues(page), `${name}: each value once`).toEqual([]);
+    expect.soft(await hiddenTexts(page), `${name}: each text in sight`).toEqual([]);
     await expectNothingInThemes(page, `${name}, ${size.width} by ${size.height}`, LONG || !isPhone);
   }
   if (windows.length > 1) await page.setViewportSize(own);

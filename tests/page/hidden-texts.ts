@@ -1,0 +1,54 @@
+// Texts that a person cannot read: under another element, or cut off without an ellipsis.
+
+import type { Page } from '@playwright/test';
+
+/**
+ * The texts of labels, buttons, headings and terms in view whose last letter lies under something
+ * else or outside of what their box shows, each with its reason.
+ */
+export const hiddenTexts = (page: Page) =>
+  page.evaluate(() => {
+    const found: string[] = [];
+    const isShown = (own: Element) =>
+      own.checkVisibility({ opacityProperty: true, visibilityProperty: true }) &&
+      !own.closest('.visually-hidden, [inert], svg');
+    /** Whether the text ends in an ellipsis, or scrolls with what it is in. */
+    const isShortened = (own: Element) => {
+      for (let outer: Element | null = own; outer; outer = outer.parentElement) {
+        const { textOverflow, overflowX, overflowY } = getComputedStyle(outer);
+        if (textOverflow === 'ellipsis') return true;
+        if (/auto|scroll/.test(overflowX + overflowY)) {
+          const { left, right, top, bottom } = outer.getBoundingClientRect();
+          const { x, y } = end;
+          if (x < left || x > right || y < top || y > bottom) return true;
+        }
+      }
+      return false;
+    };
+    let end = { x: 0, y: 0 };
+    for (const own of document.querySelectorAll('label, button, summary, dt, th, legend, h2, h3')) {
+      if (!isShown(own) || !(document.fullscreenElement ?? document).contains(own)) continue;
+      const texts = document.createTreeWalker(own, NodeFilter.SHOW_TEXT);
+      for (let text = texts.nextNode(); text; text = texts.nextNode()) {
+        const parent = text.parentElement;
+        if (!parent || !text.textContent?.trim() || !isShown(parent)) continue;
+        const range = document.createRange();
+        range.selectNodeContents(text);
+        const last = [...range.getClientRects()].filter(({ width }) => width > 3).pop();
+        if (!last) continue;
+        end = { x: last.right - 2, y: (last.top + last.bottom) / 2 };
+        const isInWindow = end.x > 0 && end.x < innerWidth && end.y > 0 && end.y < innerHeight;
+        if (!isInWindow || isShortened(parent)) continue;
+        const top = document.elementFromPoint(end.x, end.y);
+        if (!top || own.contains(top) || top.contains(own)) continue;
+        // What is transparent, such as a link over a whole card, hides nothing.
+        const { backgroundColor } = getComputedStyle(top);
+        if (backgroundColor === 'rgba(0, 0, 0, 0)' && !top.matches('canvas, img, input')) continue;
+        // What floats over the page as a whole: a dialog, a menu, a message.
+        const layer = 'dialog, [popover], [role=alert], [role=dialog], [role=tooltip], .docked';
+        if (top.closest(layer) !== own.closest(layer)) continue;
+        found.push(`“${text.textContent.trim()}” is under ${top.outerHTML.slice(0, 80)}`);
+      }
+    }
+    return [...new Set(found)];
+  });
