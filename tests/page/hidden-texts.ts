@@ -11,6 +11,7 @@ export const hiddenTexts = (page: Page) =>
     const found: string[] = [];
     const isShown = (own: Element) =>
       own.checkVisibility({ opacityProperty: true, visibilityProperty: true }) &&
+      getComputedStyle(own).clipPath === 'none' &&
       !own.closest('.visually-hidden, [inert], svg');
     /** Whether the text ends in an ellipsis, or scrolls with what it is in. */
     const isShortened = (own: Element) => {
@@ -35,7 +36,7 @@ export const hiddenTexts = (page: Page) =>
         const range = document.createRange();
         range.selectNodeContents(text);
         const last = [...range.getClientRects()].filter(({ width }) => width > 3).pop();
-        if (!last) continue;
+        if (!last || getComputedStyle(parent).pointerEvents === 'none') continue;
         end = { x: last.right - 2, y: (last.top + last.bottom) / 2 };
         const isInWindow = end.x > 0 && end.x < innerWidth && end.y > 0 && end.y < innerHeight;
         if (!isInWindow || isShortened(parent)) continue;
