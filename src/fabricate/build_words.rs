@@ -1,6 +1,7 @@
 //! The report in words: the sentences of the page's card and panel, of the report as a document,
 //! and of the command line.
 
+use super::advice::Advice;
 use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
@@ -45,15 +46,18 @@ pub struct CardWords {
 }
 
 /// The report in words.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct BuildWords {
     /// One line about the parts on the sheets.
     pub sheets: String,
     /// A sentence for each kind of parts that are missing or hard to read.
     pub warnings: Vec<String>,
-    /// The least joint for panels of this thickness; empty for other products and for no thickness.
+    /// The least joint for panels of this thickness; empty for other products, for no thickness, and
+    /// if it is said by an advice.
     pub joint: String,
+    /// What to set otherwise.
+    pub advice: Vec<Advice>,
     /// The card.
     pub card: CardWords,
 }
@@ -236,7 +240,8 @@ impl BuildReport {
         .collect()
     }
 
-    fn joint(&self, thickness: f64) -> String {
+    /// The least joint for panels of this thickness, as a sentence; empty without thickness.
+    pub(super) fn joint(&self, thickness: f64) -> String {
         if self.product != Product::Panels || thickness == 0.0 {
             return String::new();
         }
@@ -266,10 +271,14 @@ impl Build {
     /// The report of this build in words.
     pub fn words(&self, report: &BuildReport) -> BuildWords {
         let BuildReport { check, offset, tighten, .. } = report;
+        let advice = self.advice(report);
+        let joint = report.joint(self.settings.thickness);
+        let is_advised = advice.iter().any(|advice| advice.words == joint);
         BuildWords {
             sheets: report.sheets_in_words(),
             warnings: report.warnings(&self.settings),
-            joint: report.joint(self.settings.thickness),
+            joint: if is_advised { String::new() } else { joint },
+            advice,
             card: CardWords::new(
                 check,
                 offset.as_ref(),

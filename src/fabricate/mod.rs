@@ -29,6 +29,7 @@
 //! | `holes` | holes along edges and at the ends of fins |
 //! | `check_card` | the build check: five numbers with limits, and the elements that exceed them |
 //! | `build_words` | the report in words |
+//! | `advice` | values of settings with which parts can be cut and joined |
 //! | `card` | the part of the report that is updated while the user moves the shape |
 //! | `layer` | the offset of a moving shape as points, failing sides of parts, for the view |
 //! | `numbers` | the numbers that a lesson can limit |
@@ -41,6 +42,7 @@
 //! | `space` | the shape with its offset and beams in space |
 //! | `output` | all files of a build |
 
+mod advice;
 mod alike;
 pub mod beam;
 mod build;
@@ -70,6 +72,7 @@ mod tables;
 mod tighten;
 mod unit;
 
+pub use advice::{Advice, AdvisedValue};
 pub use alike::Types;
 pub use build::{Build, CutPanel, NotCut};
 pub use build_words::{BuildWords, CardWords, CheckWords};

@@ -3,8 +3,8 @@
 use super::output::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
-    Build, BuildFile, BuildReport, BuildWords, CardWords, CheckRow, CheckWords, FrameReport,
-    LengthInMetres, PRESENTATION, PaperReport, ReportView,
+    Advice, AdvisedValue, Build, BuildFile, BuildReport, BuildWords, CardWords, CheckRow,
+    CheckWords, FrameReport, LengthInMetres, PRESENTATION, PaperReport, ReportView,
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BUILD_SETTINGS, BuildSetting, BuildSettings, Scene, Up};
@@ -112,6 +112,7 @@ fn words(report: &BuildReport, said: &BuildWords, remarks: &[String]) -> String 
     let sentences = [offset, &said.joint].into_iter().filter(|words| !words.is_empty());
     lines.extend(sentences.cloned());
     lines.extend(report.check.iter().zip(check).map(check_line));
+    lines.extend(said.advice.iter().map(advice_line));
     lines.extend(said.warnings.iter().cloned());
     lines.extend(report.problems.iter().map(|problem| format!("problem: {problem}")));
     lines.extend(remarks.iter().map(|remark| format!("note: {remark}")));
@@ -130,6 +131,13 @@ fn frame_line(frame: &FrameReport, report: &BuildReport) -> String {
 
 fn paper_line(paper: &PaperReport) -> String {
     format!("ridges {}, valleys {}", paper.ridges, paper.valleys)
+}
+
+/// An advice, with the options that follow it.
+fn advice_line(Advice { words, choices }: &Advice) -> String {
+    let option = |choice: &AdvisedValue| format!("--{} {}", choice.setting, choice.value);
+    let options: Vec<String> = choices.iter().map(option).collect();
+    format!("{words} Try {}.", options.join(" or "))
 }
 
 fn check_line((row, CheckWords { value, limit, state }): (&CheckRow, &CheckWords)) -> String {

@@ -82,6 +82,16 @@ function Panel({ makePanels }: { makePanels: MakePanels }) {
         <div class="docked-columns parts-columns">
           <Settings parts={parts} offers={offers} />
           <div class="parts-check">
+            {built?.words.advice.map(({ words, choices }) => (
+              <div key={words} class="notice advice">
+                <p>{words}</p>
+                {choices.map(({ label, setting, value }) => (
+                  <Button key={label} onClick={() => parts.change({ [setting]: value })}>
+                    {label}
+                  </Button>
+                ))}
+              </div>
+            ))}
             <Thickness parts={parts} declared={offers.settings} />
             <CheckCard parts={parts} makePanels={makePanels} />
             <TypesCurve parts={parts} />

@@ -1,0 +1,164 @@
+//! Advice: other values of settings with which parts can be cut and joined.
+
+use super::build::Build;
+use super::panel::smallest_box_within;
+use super::report::BuildReport;
+use crate::scene::Product;
+use crate::words;
+use serde::Serialize;
+
+/// Usual scales of models, by their denominators.
+const SCALES: [f64; 13] =
+    [1.0, 2.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0, 200.0, 250.0, 500.0, 1000.0, 2000.0];
+/// Mean edge in mm on the sheet below which parts are too small for hands and letters.
+const SMALL: f64 = 10.0;
+/// The mean edge in mm on the sheet that is proposed instead, at least.
+const HANDY: f64 = 25.0;
+/// Smaller differences of joints, in mm, are less than the accuracy of cutting.
+const STEP: f64 = 0.1;
+
+/// A remark with the values of a setting that help.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Advice {
+    /// What is wrong, as a sentence.
+    pub words: String,
+    /// Each of them helps.
+    pub choices: Vec<AdvisedValue>,
+}
+
+/// A value of a setting.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct AdvisedValue {
+    /// The name of a button that sets it.
+    pub label: String,
+    /// The setting, by its id among those of Build.
+    pub setting: &'static str,
+    /// The value, in the unit of the setting.
+    pub value: f64,
+}
+
+impl AdvisedValue {
+    fn scale(denominator: f64) -> AdvisedValue {
+        let label = format!("Scale 1:{denominator}");
+        AdvisedValue { label, setting: "scale", value: denominator }
+    }
+}
+
+impl Build {
+    /// The advice for this build.
+    pub(super) fn advice(&self, report: &BuildReport) -> Vec<Advice> {
+        self.advice_on_scale(report).into_iter().chain(self.advice_on_joint(report)).collect()
+    }
+
+    /// The joints that keep panels of this thickness apart outside and inside the surface, if they
+    /// are wider than the present one.
+    fn advice_on_joint(&self, report: &BuildReport) -> Option<Advice> {
+        let words = report.joint(self.settings.thickness);
+        let mut choices: Vec<AdvisedValue> = Vec::new();
+        for least in report.least_joint_mm.into_iter().flatten() {
+            if words.is_empty() || least - report.joint_mm < STEP {
+                continue;
+            }
+            let joint = (least / STEP - 1e-9).ceil() * STEP;
+            let label = format!("Joint {}", words::millimetres_limit(joint));
+            let value = words::rounded(joint / self.mm_of_sheet(), 6);
+            if choices.iter().all(|other| other.label != label) {
+                choices.push(AdvisedValue { label, setting: "joint", value });
+            }
+        }
+        choices.sort_by(|a, b| a.value.total_cmp(&b.value));
+        (!choices.is_empty()).then_some(Advice { words, choices })
+    }
+
+    /// The scale at which parts fit on a sheet, or are large enough for hands.
+    fn advice_on_scale(&self, report: &BuildReport) -> Option<Advice> {
+        let now = self.settings.scale;
+        let parts = report.parts.max(1);
+        let mean_edge = report.mean_edge_mm;
+        if !report.too_large.is_empty() {
+            let fits = *SCALES.iter().find(|&&scale| scale >= now * self.beyond_the_sheet())?;
+            let words = format!("At a scale of 1:{fits} every part fits on a sheet.");
+            return Some(Advice { words, choices: vec![AdvisedValue::scale(fits)] });
+        }
+        if mean_edge / now >= SMALL || parts < 2 {
+            return None;
+        }
+        let handy = SCALES.iter().rev().find(|&&scale| mean_edge / scale >= HANDY);
+        let handy = *handy.unwrap_or(&SCALES[0]);
+        // Pieces of paper are made for the sheet.
+        let least = match self.settings.product {
+            Product::Paper => 0.0,
+            Product::Panels | Product::Fins => now * self.beyond_the_sheet(),
+        };
+        let fits = SCALES.iter().find(|&&scale| scale >= handy.max(least));
+        let scale = *fits.filter(|&&scale| scale < now)?;
+        let words = format!(
+            "On the sheet, edges are {} long on average.",
+            words::millimetres(mean_edge / now)
+        );
+        Some(Advice { words, choices: vec![AdvisedValue::scale(scale)] })
+    }
+
+    /// How many times as large as the room on a sheet the largest part is.
+    fn beyond_the_sheet(&self) -> f64 {
+        let room = self.settings.sheet.map(|side| side - 2.0 * self.settings.margin);
+        let most = [room[0].max(room[1]), room[0].min(room[1])];
+        let beyond = |part: &super::sheet::CutPart| {
+            let (_, size) = smallest_box_within(&part.outline, most);
+            (size[0] / most[0]).max(size[1] / most[1])
+        };
+        self.parts.iter().map(beyond).fold(0.0, f64::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fabricate::LengthInMetres;
+    use crate::mesh::Mesh;
+    use crate::scene::BuildSettings;
+
+    /// A ridge of two panels with sides of this length, 90 degrees from each other.
+    fn ridge(side: f64) -> Mesh {
+        let at = |x: f64, y: f64, z: f64| [x * side, y * side, z * side];
+        let positions = vec![
+            at(0.0, 0.0, 1.0),
+            at(0.0, 1.0, 1.0),
+            at(1.0, 0.0, 0.0),
+            at(1.0, 1.0, 0.0),
+            at(-1.0, 0.0, 0.0),
+            at(-1.0, 1.0, 0.0),
+        ];
+        let faces = [[0, 2, 3, 1], [4, 0, 1, 5]].into_iter().collect();
+        Mesh { positions, faces, ..Mesh::default() }
+    }
+
+    fn advice(side: f64, settings: &BuildSettings) -> Vec<Advice> {
+        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+        let build = Build::new(&ridge(side), settings, unit).expect("panels");
+        let report = build.report();
+        build.words(&report).advice
+    }
+
+    #[test]
+    fn advice_that_is_followed_is_not_given_again() {
+        let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
+        // Far too large, right, and far too small for a sheet at 1:50.
+        for side in [50.0, 5.0, 0.1, 0.004] {
+            let mut own = settings.clone();
+            let mut given = 0;
+            while let Some(first) = advice(side, &own).first().cloned() {
+                let AdvisedValue { setting, value, .. } = first.choices.last().expect("a choice");
+                match *setting {
+                    "joint" => own.joint = *value,
+                    _ => own.scale = *value,
+                }
+                given += 1;
+                assert!(given <= 2, "{side}: {first:?}");
+            }
+            assert!(given > 0, "{side}: panels of 3 mm meet inside");
+        }
+    }
+}
