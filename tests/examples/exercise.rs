@@ -2,7 +2,7 @@
 
 use shape_up::generate::example::{EXAMPLES, Example};
 use shape_up::scene::{Results, Weights};
-use shape_up::session::{Edit, Session, check_results};
+use shape_up::session::{Edit, LayoutSettings, Session, check_results};
 use shape_up::solve::Require;
 
 fn lessons() -> impl Iterator<Item = &'static Example> {
@@ -19,16 +19,45 @@ fn run(session: &mut Session) -> Vec<f64> {
 #[test]
 fn there_are_lessons_among_the_examples() {
     let ids: Vec<_> = lessons().map(|example| example.id).collect();
-    let expected =
-        ["glass-roof", "circles-and-offsets", "curvature-and-panels", "stiffness-of-hexagons"];
+    let expected = [
+        "what-a-projection-is",
+        "glass-roof",
+        "circles-and-offsets",
+        "curvature-and-panels",
+        "from-any-surface",
+        "stiffness-of-hexagons",
+        "paper-model",
+    ];
     assert_eq!(ids, expected.map(|id| format!("lesson-{id}")));
+}
+
+/// The lesson with this id, opened.
+fn opened(id: &str) -> Session {
+    let example = lessons().find(|example| example.id == id).expect("it is a lesson");
+    let (scene, mesh) = example.build();
+    Session::open(scene, mesh).expect("it can be solved")
+}
+
+/// Whether each goal is met now.
+fn met(session: &Session) -> Vec<bool> {
+    session.goals().iter().map(|goal| goal.met).collect()
+}
+
+/// What sets the requirement of the first row.
+fn requires(require: Require) -> Edit {
+    Edit::SetConstraint {
+        index: 0,
+        weight: None,
+        enabled: None,
+        require: Some(require),
+        params: Default::default(),
+    }
 }
 
 #[test]
 fn the_glass_roof_pulls_both_ways_and_can_be_met() {
-    let example = lessons().next().expect("there is one");
-    let (scene, mesh) = example.build();
-    let mut session = Session::open(scene, mesh).expect("it can be solved");
+    let example = lessons().find(|example| example.id == "lesson-glass-roof").expect("it is there");
+    let mut session = opened(example.id);
     let [flat, near] = run(&mut session)[..] else { panic!("it has two goals") };
     assert!(flat > 0.001 && (0.05..0.06).contains(&near), "{flat} {near}");
 
@@ -53,29 +82,63 @@ fn the_glass_roof_pulls_both_ways_and_can_be_met() {
 
 /// Which goals are met after the row of a lesson gets this requirement, before or after a run.
 fn required(id: &str, require: Require, runs_first: bool) -> Vec<bool> {
-    let example = lessons().find(|example| example.id == id).expect("it is a lesson");
-    let (scene, mesh) = example.build();
-    let mut session = Session::open(scene, mesh).expect("it can be solved");
-    let met = |session: &mut Session| -> Vec<bool> {
-        session.goals().iter().map(|goal| goal.met).collect()
-    };
-    assert_eq!(met(&mut session), [false, true], "{id} starts unsolved");
+    let mut session = opened(id);
+    assert_eq!(met(&session), [false, true], "{id} starts unsolved");
     if runs_first {
         session.solve(false).expect("positions stay finite");
-        assert!(!met(&mut session)[0], "{id} is not met by Run alone");
+        assert!(!met(&session)[0], "{id} is not met by Run alone");
     }
-    let edit = Edit::SetConstraint {
-        index: 0,
-        weight: None,
-        enabled: None,
-        require: Some(require),
-        params: Default::default(),
-    };
-    session.edit(edit).expect("it is not locked");
+    session.edit(requires(require)).expect("it is not locked");
     session.solve(false).expect("positions stay finite");
     let weights = Weights { shape: 1e5, close: 0.0, smooth: 0.0 };
     session.edit(Edit::SetWeights(weights.into())).expect_err("it is locked");
-    met(&mut session)
+    met(&session)
+}
+
+#[test]
+fn closeness_decides_how_far_projections_get() {
+    let mut session = opened("lesson-what-a-projection-is");
+    let mut with = |close: f64| {
+        let weights = Weights { shape: 1.0, close, smooth: 0.0 };
+        session.edit(Edit::SetWeights(weights.into())).expect("weights are not locked");
+        session.solve(false).expect("positions stay finite");
+        met(&session)
+    };
+    assert_eq!([1.0, 0.01, 0.0].map(&mut with), [[false, true], [true, true], [true, false]]);
+}
+
+#[test]
+fn new_panels_along_the_curvature_keep_the_surface_when_they_become_circular() {
+    let mut session = opened("lesson-from-any-surface");
+    assert_eq!(met(&session), [false, true]);
+    session.edit(requires(Require::Within(0.001))).expect("it is not locked");
+    session.solve(false).expect("positions stay finite");
+    assert_eq!(met(&session), [true, false]);
+    while session.undo().expect("it was solvable").is_some() {}
+    let settings = LayoutSettings::default();
+    let layout = session.lay_out_panels(&settings, &mut |_, _| true).expect("a surface");
+    let generation = session.generation();
+    assert!(session.take_panels(generation, &layout.mesh).expect("the mesh is not locked"));
+    session.edit(requires(Require::Within(0.001))).expect("it is not locked");
+    session.solve(false).expect("positions stay finite");
+    assert_eq!(met(&session), [true, true]);
+    let results = session.results("Ada", "").expect("it is a lesson");
+    let (scene, mesh) = lessons().find(|own| own.id.ends_with("surface")).expect("it").build();
+    let checked = check_results(&results, scene, mesh).expect("they are of this lesson");
+    assert!(checked.goals.iter().all(|goal| goal.met), "{:?}", checked.goals);
+}
+
+#[test]
+fn a_model_of_flat_panels_fits_on_two_sheets_at_the_right_scale() {
+    let mut session = opened("lesson-paper-model");
+    assert_eq!(met(&session), [false, false]);
+    session.edit(requires(Require::Within(0.001))).expect("it is not locked");
+    session.solve(false).expect("positions stay finite");
+    assert_eq!(met(&session), [true, false]);
+    let mut build = session.document().build.clone().expect("the lesson has settings");
+    build.scale = 100.0;
+    session.edit(Edit::SetBuild { build }).expect("settings are not locked");
+    assert_eq!(met(&session), [true, true]);
 }
 
 #[test]

@@ -375,6 +375,14 @@ const STATEMENTS: &[Statement] = &[
         let [before, after] = run.worst_of_all();
         vec![("points before", before, 0.34..0.355), ("points", after, 0.0..0.005)]
     }),
+    ("lesson-what-a-projection-is", |run| {
+        let [before, after] = run.worst_of_all();
+        vec![
+            ("tiles before", before, 0.3..0.5),
+            ("tiles", after, 0.1..0.15),
+            ("goals met", run.goals_met as f64, 1.0..1.5),
+        ]
+    }),
     ("lesson-glass-roof", |run| {
         vec![
             ("worst pane before", run.before.planarity.max_distance, 0.009..0.0095),
@@ -398,11 +406,26 @@ const STATEMENTS: &[Statement] = &[
             ("goals met", run.goals_met as f64, 1.0..1.5),
         ]
     }),
+    ("lesson-from-any-surface", |run| {
+        let [before, after] = run.worst_of_all();
+        vec![
+            ("corners before", before, 0.2..0.5),
+            ("corners", after, 0.001..0.01),
+            ("goals met", run.goals_met as f64, 0.0..1.5),
+        ]
+    }),
     ("lesson-stiffness-of-hexagons", |run| {
         vec![
             ("plates before", run.before.planarity.max_distance, 0.0076..0.0077),
             ("plates", run.after.planarity.max_distance, 1e-5..0.001),
             ("goals met", run.goals_met as f64, 1.0..1.5),
+        ]
+    }),
+    ("lesson-paper-model", |run| {
+        vec![
+            ("worst panel before", run.before.planarity.max_distance, 0.01..0.05),
+            ("worst panel", run.after.planarity.max_distance, 0.001..0.006),
+            ("goals met", run.goals_met as f64, 0.0..0.5),
         ]
     }),
     ("limits-choice", |run| {

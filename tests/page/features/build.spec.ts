@@ -153,6 +153,28 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
   await expect(partsPanel(page).getByRole('button', { name: 'Tighten' })).toBeDisabled();
 });
 
+test('what would be too small or would collide is said, with a button that sets it right', async ({
+  page,
+}) => {
+  await openPage(page);
+  // Sides of about a foot, 6 mm at 1:50.
+  await openText(page, 'roof.obj', `# units: ft\n${wavyGrid(6)}`, 49);
+  await openParts(page);
+  const panel = partsPanel(page);
+  const advised = panel.getByRole('button', { name: /^Scale 1:/ });
+  await expect(panel.getByText('edges are')).toContainText('long on average');
+  const name = (await advised.textContent()) ?? '';
+  await advised.click();
+  await expect(advised).toBeHidden();
+  await expect(panel.getByLabel('Scale 1 :')).toHaveValue(name.replace('Scale 1:', ''));
+  await setField(page, 'Thickness, mm', 4);
+  const joint = panel.getByRole('button', { name: /^Joint .* mm$/ });
+  await expect(panel.getByText('Panels of 4 mm need a joint')).toBeVisible();
+  await joint.last().click();
+  await expect(joint).toHaveCount(0);
+  await waitForState(page, (now) => (now.build?.joint_mm ?? 0) > 0);
+});
+
 test('settings are saved in the scene and can be undone; parts and panels are selected together', async ({
   page,
 }) => {
