@@ -70,8 +70,8 @@ impl PaperNet {
     }
 
     /// Takes the sides of a folded joint out of the outline of its two pieces, which becomes one, and
-    /// then those of folded joints which meet at its ends. Returns them in order; none if nothing of the
-    /// outline would be left.
+    /// then those of folded joints which meet at its ends. Returns them in order, without the last if
+    /// nothing of the outline would be left.
     fn close_outline(&mut self, joint: u32) -> Vec<[OutlineSide; 2]> {
         let of = |(facet, side): (u32, u32)| OutlineSide { facet, side };
         let first = self.joints[joint as usize].sides.map(of);
