@@ -113,7 +113,8 @@ impl Build {
         let values = |checked: Checked| checked.values.into_iter().flatten().collect();
         let checks = self.offset.iter().flat_map(|(_, check)| &check.nodes);
         // Only inner nodes are checked.
-        let lean = checks.filter(|node| node.is_inner).map(|node| node.lean_deg).collect();
+        let lean =
+            checks.flatten().filter(|node| node.is_inner).map(|node| node.lean_deg).collect();
         [
             values(self.warp()),
             values(self.distance_error()),
@@ -137,7 +138,7 @@ impl Build {
 
     fn of_nodes(&self, limit: f64, value: impl Fn(&NodeCheck) -> f64) -> Checked {
         let nodes = self.offset.iter().flat_map(|(_, check)| &check.nodes);
-        Checked { values: nodes.map(|node| Some(value(node))).collect(), limit }
+        Checked { values: nodes.map(|node| node.as_ref().map(&value)).collect(), limit }
     }
 
     fn warp(&self) -> Checked {

@@ -18,6 +18,7 @@
 //! | `orientation` | which panels to reverse so that all face the same side |
 //! | `facing` | panels that face inwards or are folded over |
 //! | `alike` | sorting of items into types |
+//! | `boxes` | which boxes in the plane meet another one |
 //! | `panel` | panels laid flat, the joint, names, types |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
 //! | `beam` | beams along the edges: nodes, fins, prisms |
@@ -45,6 +46,7 @@
 mod advice;
 mod alike;
 pub mod beam;
+mod boxes;
 mod build;
 mod build_words;
 mod card;

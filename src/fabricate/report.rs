@@ -291,11 +291,12 @@ impl Build {
         let fins = || frame.fins.iter().flatten();
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
         let (step, node_step_vertex) = frame.largest_step().unwrap_or_default();
+        let nodes = frame.nodes.iter().flatten().count();
         Some(FrameReport {
-            nodes: frame.nodes.iter().flatten().count(),
+            nodes,
             node_types: frame.types.leaders.len(),
             alike_deg: self.settings.alike_deg,
-            node_types_curve: curve(&ALIKE_DEG, frame.nodes.len(), |tolerance| {
+            node_types_curve: curve(&ALIKE_DEG, nodes, |tolerance| {
                 node_types(&frame.nodes, tolerance, self.settings.mirror)
             }),
             cut_back_mm: largest(&mut fins().flat_map(|fin| fin.cut_back)) * self.mm_of_sheet(),

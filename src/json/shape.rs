@@ -42,6 +42,15 @@ pub(crate) fn objects<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     Ok(items.into_iter().map(|Object(value)| value).collect())
 }
 
+/// Reads an array of arrays of objects.
+pub(crate) fn lists_of_objects<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
+    from: D,
+) -> Result<Vec<Vec<T>>, D::Error> {
+    let lists: Vec<Vec<Object<T>>> = Vec::deserialize(from)?;
+    let values = |list: Vec<Object<T>>| list.into_iter().map(|Object(value)| value).collect();
+    Ok(lists.into_iter().map(values).collect())
+}
+
 /// A value that is an object, never an array of its values.
 pub(crate) struct Object<T>(pub(crate) T);
 

@@ -69,6 +69,15 @@ impl UnitsAndUp {
         units.into_iter().chain(up).collect()
     }
 
+    /// Returns those of unit and axis that would be guessed otherwise of a file of this mesh.
+    pub fn unlike_guesses(&self, mesh: &Mesh) -> UnitsAndUp {
+        let is_lost = |units: &String| !units.is_empty() && *units != UnitsAndUp::guess_units(mesh);
+        UnitsAndUp {
+            units: self.units.clone().filter(is_lost),
+            up: self.up.filter(|up| *up != UnitsAndUp::guess_up(mesh)),
+        }
+    }
+
     /// Guesses the unit of a mesh from its size; empty if it is not clear.
     pub fn guess_units(mesh: &Mesh) -> &'static str {
         let size = diagonal(&mesh.used_positions());

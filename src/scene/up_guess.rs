@@ -5,8 +5,9 @@
 
 use super::frame::Extent;
 use super::{UnitsAndUp, Up};
-use crate::math::{Vec3, twice_vector_area};
+use crate::math::{Vec3, marked, twice_vector_area};
 use crate::mesh::{Mesh, Point};
+use std::borrow::Cow;
 
 /// Least area that a roof covers along the up axis, as a fraction of its own area.
 const COVERS: f64 = 0.05;
@@ -30,7 +31,8 @@ const ACROSS: f64 = 0.8;
 impl UnitsAndUp {
     /// Guesses the axis that points up: z, unless the mesh suggests otherwise.
     pub fn guess_up(mesh: &Mesh) -> Up {
-        let [x, y, z] = [0, 1, 2].map(|axis| Extent::of(points(mesh), axis));
+        let points = points(mesh);
+        let [x, y, z] = [0, 1, 2].map(|axis| Extent::of(points.iter().copied(), axis));
         let surface = Areas::of(mesh, [&y, &z]);
         let [covers_y, covers_z] = surface.net.map(f64::abs);
         if covers_y.max(covers_z) > COVERS * surface.total {
@@ -60,7 +62,7 @@ impl UnitsAndUp {
             let figure = within(ACROSS, z, [x, y]);
             return if on_z < BUILT * surface.total && (stands || figure) { Up::Y } else { Up::Z };
         }
-        let [touch_y, touch_z] = [1, 2].map(|axis| touching(mesh, axis));
+        let [touch_y, touch_z] = [1, 2].map(|axis| touching(&points, axis));
         if touch_y >= 2 * touch_z { Up::Y } else { Up::Z }
     }
 }
@@ -96,18 +98,21 @@ impl Areas {
     }
 }
 
-/// Returns the corners of faces; all vertices if there are no faces.
-fn points(mesh: &Mesh) -> impl Iterator<Item = Point> {
-    let alone = if mesh.faces.is_empty() { &mesh.positions[..] } else { &[] };
-    let corners = mesh.faces.indices().iter().map(|&v| mesh.positions[v as usize]);
-    corners.chain(alone.iter().copied())
+/// Returns the vertices of faces; all vertices if there are no faces.
+fn points(mesh: &Mesh) -> Cow<'_, [Point]> {
+    if mesh.faces.is_empty() {
+        return Cow::Borrowed(&mesh.positions);
+    }
+    let is_corner = marked(mesh.positions.len(), mesh.faces.indices());
+    let all = mesh.positions.iter().zip(is_corner);
+    all.filter_map(|(&point, is_corner)| is_corner.then_some(point)).collect()
 }
 
-/// Counts the vertices on the ground if this axis points up.
-fn touching(mesh: &Mesh, axis: usize) -> usize {
-    let extent = Extent::of(points(mesh), axis);
+/// Counts the points on the ground if this axis points up.
+fn touching(points: &[Point], axis: usize) -> usize {
+    let extent = Extent::of(points.iter().copied(), axis);
     let limit = extent.low + TOUCHES * extent.length();
-    mesh.positions.iter().filter(|point| point[axis] <= limit).count()
+    points.iter().filter(|point| point[axis] <= limit).count()
 }
 
 #[cfg(test)]
@@ -138,6 +143,17 @@ mod tests {
         tower.push([2.0, 30.0, 2.0]);
         assert_eq!(UnitsAndUp::guess_up(&points(tower)), Up::Y);
         assert_eq!(UnitsAndUp::guess_up(&points(Vec::new())), Up::Z);
+    }
+
+    /// Below it, they decided between the axes, though its extent did not count them.
+    #[test]
+    fn points_beside_a_surface_do_not_turn_it() {
+        // A roof at 45 degrees, whose areas and extents are the same along both axes.
+        let roof = vec![[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [9.0, 6.0, 6.0], [0.0, 6.0, 6.0]];
+        let mut roof = Mesh { faces: [[0, 1, 2, 3]].into_iter().collect(), ..points(roof) };
+        assert_eq!(UnitsAndUp::guess_up(&roof), Up::Z);
+        roof.positions.extend((0..5).map(|k| [f64::from(k), -1.0, 3.0]));
+        assert_eq!(UnitsAndUp::guess_up(&roof), Up::Z);
     }
 
     #[test]

@@ -74,20 +74,25 @@ impl FileReader {
             });
         }
         let stated = UnitsAndUp::stated(bytes).or(std::mem::take(&mut self.default_frame));
-        let guessed = Guessed { units: stated.units.is_none(), up: stated.up.is_none() };
-        let mut source = read(name, bytes)?;
-        let mut scene = Scene::opened(name);
-        let units = || UnitsAndUp::guess_units(&source.mesh).to_owned();
-        scene.units = stated.units.unwrap_or_else(units);
-        scene.up = stated.up.unwrap_or_else(|| UnitsAndUp::guess_up(&source.mesh));
         let unwelded = std::mem::take(&mut self.keeps_unwelded);
-        let weld = if unwelded { None } else { source.weld() };
-        let mesh = std::mem::take(&mut source.mesh);
-        Ok(OpenedFile { scene, mesh, weld, diagnostics: source, guessed })
+        Ok(OpenedFile::of_mesh(name, read(name, bytes)?, stated, unwelded))
     }
 }
 
 impl OpenedFile {
+    /// Makes the scene of a mesh file that was read; `stated` are the unit and axis that are known. Its
+    /// mesh is welded, unless it shall stay `unwelded`.
+    pub fn of_mesh(name: &str, mut source: Read, stated: UnitsAndUp, unwelded: bool) -> OpenedFile {
+        let guessed = Guessed { units: stated.units.is_none(), up: stated.up.is_none() };
+        let mut scene = Scene::opened(name);
+        let units = || UnitsAndUp::guess_units(&source.mesh).to_owned();
+        scene.units = stated.units.unwrap_or_else(units);
+        scene.up = stated.up.unwrap_or_else(|| UnitsAndUp::guess_up(&source.mesh));
+        let weld = if unwelded { None } else { source.weld() };
+        let mesh = std::mem::take(&mut source.mesh);
+        OpenedFile { scene, mesh, weld, diagnostics: source, guessed }
+    }
+
     /// Parses a scene.
     ///
     /// # Errors

@@ -71,3 +71,22 @@ fn any_scene_can_be_compared() {
     assert!(svg.contains(">iterations<") && svg.contains(">seconds<"), "{svg}");
     folder.run(&["experiment", "hypar.obj"]).refused(&["hypar.obj", "no constraints"]);
 }
+
+/// It was left out, as if it were not one of the six.
+#[test]
+fn a_method_that_is_not_run_is_in_the_table_with_the_reason() {
+    let folder = Folder::new("too-large");
+    let mut text = String::from("# units: m\n");
+    (0..26 * 26).for_each(|k| text += &format!("v {} {} {}\n", k % 26, k / 26, k * k % 7));
+    for k in (0..26 * 25).filter(|k| k % 26 < 25) {
+        text += &format!("f {} {} {} {}\n", k + 1, k + 2, k + 28, k + 27);
+    }
+    folder.write("large.obj", text);
+    let scene = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "large.obj" },
+        "constraints": [ { "kind": "plane", "on": "faces" } ] }"#;
+    folder.write("large.json", scene);
+    let table = folder.run(&["experiment", "large.json", "--iterations", "0"]).done();
+    assert_eq!(table.lines().count(), 1 + 6, "{table}");
+    let bfgs = table.lines().find(|line| line.contains("not run: mesh too large"));
+    assert!(bfgs.is_some_and(|line| line.starts_with("BFGS")), "{table}");
+}

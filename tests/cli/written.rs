@@ -170,3 +170,42 @@ fn no_file_that_is_read_is_replaced() {
         assert_eq!(folder.read("roof.shapeup.json"), scene, "{asked}");
     }
 }
+
+/// `new` said nothing of the faces that Medit lost; units and points were lost without a word in all
+/// commands.
+#[test]
+fn whatever_a_format_cannot_store_is_said_by_every_command() {
+    let folder = Folder::new("lost");
+    let said = |arguments: &[&str]| folder.run(arguments).done();
+    let out = said(&["new", "hexagons", "--out", "h.mesh"]);
+    assert!(out.contains("note: h.mesh is Medit, which cannot store "), "{out}");
+    assert!(out.contains(" faces of more than four corners"), "{out}");
+    let out = said(&["new", "barrel", "--units", "in", "--out", "b.stl"]);
+    assert!(out.ends_with("note: b.stl is STL, which cannot store its unit (in)\n"), "{out}");
+    // What would be guessed anyway is not lost.
+    let out = said(&["new", "barrel", "--out", "b.stl"]);
+    assert!(!out.contains("note"), "{out}");
+
+    folder.write("wall.obj", format!("# units: ft\n# up: y\n{ROOF}"));
+    let out = said(&["refine", "wall.obj", "--scheme", "linear", "--out", "w.mesh"]);
+    assert!(out.contains(", its unit (ft), its up axis (y)\n"), "{out}");
+
+    folder.write("points.obj", "# units: m\n# up: z\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n");
+    let out = said(&["solve", "points.obj", "--out", "p.stl"]);
+    assert!(out.contains("p.stl is STL, which cannot store 4 vertices without a face"), "{out}");
+    folder.write("block.mesh", TETS);
+    let out = said(&["parametrize", "block.mesh", "--out", "uv.obj"]);
+    assert!(out.contains("note: uv.obj is OBJ, which cannot store 2 tetrahedra\n"), "{out}");
+}
+
+#[test]
+fn two_files_of_one_name_are_refused_before_any_is_written() {
+    let folder = Folder::new("twice");
+    folder.write("roof.obj", ROOF);
+    let report = ["--units", "m", "--scale", "50", "--report", "./parts/summary.csv"];
+    let ended = folder.run(&[&["build", "roof.obj", "--out", "parts"][..], &report].concat());
+    ended.misused("parts/summary.csv would replace another file that is written, expected another");
+    assert_eq!(folder.files(), ["roof.obj"]);
+    let twice = ["experiment", "fig-11-strip", "--csv", "a", "--svg", "a"];
+    folder.run(&twice).misused("--csv and --svg name the same file");
+}

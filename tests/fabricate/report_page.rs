@@ -142,3 +142,22 @@ fn nothing_leaves_its_picture_whatever_is_made_of_whatever_mesh() {
         }
     }
 }
+
+/// Each counted as a node of offset error 0, and thousands hid the others.
+#[test]
+fn vertices_without_a_panel_are_no_nodes() {
+    let mesh = revolution(9, 7);
+    let with = |alone: usize| {
+        let mut mesh = mesh.clone();
+        mesh.positions.extend((0..alone).map(|k| [0.0, 0.0, 1e-3 * k as f64]));
+        let settings = BuildSettings { product: Product::Fins, ..BuildSettings::default() };
+        let made = build(&mesh, &settings);
+        let curve = made.report().frame.expect("there are beams").node_types_curve;
+        let page = made.report_page(&view());
+        let labels = |node: Node<'_, '_>| node.attribute("aria-label").map(str::to_owned);
+        (curve, parsed(&page).descendants().filter_map(labels).collect::<Vec<_>>())
+    };
+    let (plain, with_points) = (with(0), with(6000));
+    assert!(!plain.0.is_empty() && plain.1.iter().any(|label| label.contains(" values from 0")));
+    assert_eq!(plain, with_points);
+}

@@ -201,6 +201,10 @@ fn what_is_wrong_is_said() {
     let text = r#"{"outline":[{"at":[0,0],"bulge":"x"}],"layout":"cut","size":1,"height":1,"stands":"outline"}"#;
     let error = Plan::from_json(text).unwrap_err().to_string();
     assert!(error.starts_with("outline[0].bulge: found \"x\", expected a number"), "{error}");
+    // A point is an object everywhere.
+    let text = r#"{"outline":[],"holes":[[[[0,0],0,false]]],"layout":"cut","size":1,"height":1,"stands":"outline"}"#;
+    let error = Plan::from_json(text).unwrap_err().to_string();
+    assert!(error.starts_with("holes[0][0]: ") && error.contains("expected an object"), "{error}");
 }
 
 #[test]
@@ -225,6 +229,30 @@ fn a_hole_or_a_notch_too_narrow_for_the_panels_is_refused_and_not_closed() {
     assert_eq!(notch, Err(PlanError::TooCoarse(None)));
     let wide = cut(Plan { holes: vec![circle([10.0, 6.0], 2.5)], ..rectangle() }).unwrap();
     assert_eq!(Topology::new(&wide).boundary_loops().len(), 2);
+}
+
+/// A tip that is narrower than a cell up to its other end was taken as cut off, though all was closed.
+#[test]
+fn a_needle_and_a_pointed_notch_are_kept_by_small_panels_and_else_refused() {
+    let cut = |plan: Plan, size: f64| Plan { size, layout: PlanLayout::Cut, ..plan }.mesh();
+    let needle = points(&[[5.0, 5.0], [15.0, 5.2], [5.0, 5.4]]);
+    let needle = Plan { holes: vec![needle], ..plan(points(&RECTANGLE), PlanLayout::Cut) };
+    assert_eq!(cut(needle.clone(), 1.0), Err(PlanError::TooCoarse(Some(0))));
+    let open = cut(needle, 0.1).unwrap();
+    assert_eq!(Topology::new(&open).boundary_loops().len(), 2);
+
+    let with_notch = |half: f64| {
+        let mouth = [[10.0 - half, 0.0], [10.0, 8.0], [10.0 + half, 0.0]];
+        let around = [[20.0, 0.0], [20.0, 12.0], [0.0, 12.0], [0.0, 0.0]];
+        plan(points(&[&mouth[..], &around].concat()), PlanLayout::Cut)
+    };
+    assert_eq!(cut(with_notch(0.1), 1.0), Err(PlanError::TooCoarse(None)));
+    // Where it is wider than a panel it stays; so does a thorn.
+    let area = |half: f64| areas(&cut(with_notch(half), 1.0).unwrap()).iter().sum::<f64>();
+    assert!((area(1.5) - (240.0 - 12.0)).abs() < 3.0, "{}", area(1.5));
+    let thorn = [[20.0, 4.0], [26.0, 4.2], [20.0, 4.4], [20.0, 12.0], [0.0, 12.0], [0.0, 0.0]];
+    let thorn = points(&[&thorn[..], &[[20.0, 0.0]]].concat());
+    assert_eq!(cut(plan(thorn, PlanLayout::Cut), 1.0), Err(PlanError::TooCoarse(None)));
 }
 
 #[test]

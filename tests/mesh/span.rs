@@ -102,6 +102,36 @@ fn corners_of_a_curve_stay_corners() {
     }
 }
 
+/// The first point of a frame, a corner, was there twice, and the first column of panels had no width.
+#[test]
+fn a_closed_curve_that_begins_on_a_corner_has_each_of_its_points_once() {
+    let frame = [[-2.0, -2.0, 0.0], [2.0, -2.0, 0.0], [2.0, 2.0, 0.0], [-2.0, 2.0, 0.0]];
+    let curves = curves(&[(frame.to_vec(), true), (circle(32, 2.0, 3.0, 0.0), true)]);
+    let mesh = loft(&curves[0], &curves[1], 1.0, UP).unwrap();
+    assert_sound(&mesh);
+    assert!(frame.iter().all(|corner| mesh.positions.contains(corner)));
+    for (k, &p) in mesh.positions.iter().enumerate() {
+        let is_far = |&q: &Point| (Vec3::from(q) - Vec3::from(p)).length() > 0.3;
+        assert!(mesh.positions[k + 1..].iter().all(is_far), "{p:?}");
+    }
+}
+
+/// With fewer than four corners, all but the first were cut off.
+#[test]
+fn the_corners_of_a_half_disc_are_vertices() {
+    for (steps, size) in [(12, 0.5), (17, 0.37), (24, 0.7)] {
+        let half: Vec<Point> = (0..=steps)
+            .map(|k| 0.5 * f64::from(k) / f64::from(steps))
+            .map(|turn| [5.0 * cosine(turn), 5.0 * sine(turn), 0.0])
+            .collect();
+        let mesh = fill(&curves(&[(half.clone(), true)])[0], size, UP).unwrap();
+        assert_sound(&mesh);
+        for corner in [half[0], half[steps as usize]] {
+            assert!(mesh.positions.contains(&corner), "{steps} {corner:?}");
+        }
+    }
+}
+
 #[test]
 fn closed_curves_are_joined_where_they_are_nearest() {
     // Frustums: the second circle begins elsewhere, runs the other way, and has other points.
@@ -260,6 +290,8 @@ fn what_cannot_be_is_refused_with_the_reason() {
     assert!(matches!(fill(&known[2], 1e-4, UP), Err(SpanError::TooManyFaces(_))));
     assert_eq!(SpanCurve::of(&known, 3), Err(SpanError::NoLength));
     assert_eq!(SpanCurve::of(&known, 9), Err(SpanError::Missing { asked: 9, found: 4 }));
+    let one = SpanCurve::of(&known[..1], 1).unwrap_err().to_string();
+    assert_eq!(one, "there is no curve 1: the file has 1 curve or boundary, counted from 0");
     // A star whose arms overlap in a Coons patch.
     let star: Vec<Point> = (0..16)
         .map(|k| {

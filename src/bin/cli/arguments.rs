@@ -84,8 +84,10 @@ pub(super) struct Solve {
 pub(super) struct Build {
     /// A scene or a mesh.
     pub(super) input: PathBuf,
-    /// The ids of declared settings, with values as in a scene; the others are those of the scene.
+    /// The ids of declared settings, with values as in a scene; the others are those of `presets`.
     pub(super) settings: Settings,
+    /// Those of presets, as of a machine or a sheet; the others are those of the scene.
+    pub(super) presets: Settings,
     /// The symbol of the unit of the mesh.
     pub(super) units: Option<&'static str>,
     /// A folder.
@@ -223,6 +225,8 @@ fn experiment(mut words: Words) -> Result<Command, String> {
             _ => return Err(unknown(&Word::Option(name), "experiment")),
         }
     }
+    let Experiment { csv, svg, .. } = &experiment;
+    apart(on.as_deref().unwrap_or(Path::new("")), &[("--csv", csv), ("--svg", svg)])?;
     match on {
         Some(on) => Ok(Command::Experiment(Experiment { on, ..experiment })),
         None if experiment == Experiment::default() => Ok(Command::Experiments),
@@ -270,16 +274,16 @@ fn solve(mut words: Words, command: &str) -> Result<Solve, String> {
 }
 
 fn build(mut words: Words) -> Result<Command, String> {
-    let (mut build, mut input, mut single) = (Build::default(), None, Vec::new());
+    let (mut build, mut input) = (Build::default(), None);
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
             "--units" => {
                 let symbols = UNITS.map(|unit| unit.symbol);
                 build.units = Some(words.word_of(&name, symbols, |symbol| symbol)?);
             }
-            "--machine" => build.settings.extend(words.preset(&name, PresetOf::Machine)?),
-            "--sheet" => build.settings.extend(words.sheet(&name)?),
-            "--material" => build.settings.extend(words.material(&name)?),
+            "--machine" => build.presets.extend(words.preset(&name, PresetOf::Machine)?),
+            "--sheet" => build.presets.extend(words.sheet(&name)?),
+            "--material" => build.presets.extend(words.material(&name)?),
             "--out" => build.out = Some(words.file(&name)?),
             "--report" => build.report = Some(words.file(&name)?),
             "--report-page" => build.report_page = Some(words.page(&name)?),
@@ -290,12 +294,10 @@ fn build(mut words: Words) -> Result<Command, String> {
                 let Some(setting) = BUILD_SETTINGS.iter().find(is_named) else {
                     return Err(unknown(&Word::Option(name), "build"));
                 };
-                single.push((setting.id, words.setting(&name, setting)?));
+                build.settings.push((setting.id, words.setting(&name, setting)?));
             }
         }
     }
-    // What is asked for by itself holds, wherever a preset stands that sets it too.
-    build.settings.extend(single);
     build.input = input.ok_or("build needs a scene or a mesh file")?;
     let Build { input, out, report, report_page, .. } = &build;
     apart(input, &[("--out", out), ("--report", report), ("--report-page", report_page)])?;

@@ -88,14 +88,17 @@ fn declared(id: &str) -> Option<&'static BuildSetting> {
     BUILD_SETTINGS.iter().find(|setting| setting.id == id)
 }
 
-/// Returns the settings of the scene, overridden by the options.
+/// Returns the settings of the scene, overridden by presets, and these by what is asked for by itself,
+/// wherever it stands.
 fn settings(asked: &arguments::Build, scene: &Scene) -> Result<BuildSettings, String> {
     let own = scene.build.as_deref().cloned().unwrap_or_default();
-    asked.settings.iter().try_fold(own, |own, (id, value)| match declared(id) {
-        Some(setting) => {
-            own.with(setting, value.clone()).map_err(|fault| format!("build.{id}: {fault}"))
+    asked.presets.iter().chain(&asked.settings).try_fold(own, |own, (id, value)| {
+        match declared(id) {
+            Some(setting) => {
+                own.with(setting, value.clone()).map_err(|fault| format!("build.{id}: {fault}"))
+            }
+            None => Ok(own),
         }
-        None => Ok(own),
     })
 }
 

@@ -62,16 +62,13 @@ fn table(run: &Run) -> String {
         vec![vec!["method".to_owned(), "ended by".into(), "iterations".into(), "seconds".into()]];
     rows[0].extend(experiment.quantities.iter().map(|quantity| quantity.label.to_lowercase()));
     for (method, series) in experiment.methods.iter().zip(run.series()) {
-        let Some(last) = series.samples.last() else { continue };
         let ended = series.ended_by.map_or("", |ended| ended.words());
-        let iterations = (series.samples.len() - 1).to_string();
-        let mut row = vec![
-            method.label.to_owned(),
-            ended.to_owned(),
-            iterations,
-            words::number(last.seconds),
-        ];
-        row.extend(last.values.iter().map(|&value| words::number(value)));
+        let mut row = vec![method.label.to_owned(), ended.to_owned()];
+        if let Some((last, before)) = series.samples.split_last() {
+            row.extend([before.len().to_string(), words::number(last.seconds)]);
+            row.extend(last.values.iter().map(|&value| words::number(value)));
+        }
+        row.resize(rows[0].len(), String::new());
         rows.push(row);
     }
     output::table(&rows)

@@ -3,6 +3,7 @@
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
 use shape_up::scene::{MeshSource, Pose, Scene, Target, UnitsAndUp, Up};
+use shape_up::session::OpenedFile;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -31,23 +32,19 @@ pub(super) fn is_scene(path: &Path) -> bool {
 pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     if !is_scene(path) {
         let bytes = bytes(path)?;
-        let mut read = mesh::read(&path.to_string_lossy(), &bytes)
+        let source = mesh::read(&path.to_string_lossy(), &bytes)
             .map_err(|error| Failure::Input(error.to_string()))?;
-        let guessed = UnitsAndUp::guess_units(&read.mesh);
-        let weld = read.weld();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let frame = UnitsAndUp::stated(&bytes);
-        let mut scene = Scene::opened(&name);
-        let mut remarks = remarks(&read);
-        if frame.units.is_none() && !guessed.is_empty() {
-            remarks.push(format!("the file has no unit: taken as {guessed} by its size"));
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let opened = OpenedFile::of_mesh(&name, source, UnitsAndUp::stated(&bytes), false);
+        let OpenedFile { scene, mesh, weld, diagnostics, guessed } = opened;
+        let mut remarks = remarks(&diagnostics);
+        if guessed.units && !scene.units.is_empty() {
+            remarks.push(format!("the file has no unit: taken as {} by its size", scene.units));
         }
-        scene.units = frame.units.unwrap_or_else(|| guessed.to_owned());
-        scene.up = frame.up.unwrap_or_else(|| UnitsAndUp::guess_up(&read.mesh));
-        if frame.up.is_none() && scene.up != Up::default() {
+        if guessed.up && scene.up != Up::default() {
             remarks.push("the file has no up axis: taken as y by its shape".to_owned());
         }
-        return Ok(Input { remarks, scene, mesh: read.mesh, weld });
+        return Ok(Input { scene, mesh, weld, remarks });
     }
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let text = String::from_utf8(bytes(path)?)

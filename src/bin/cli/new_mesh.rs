@@ -3,10 +3,10 @@
 use crate::cli::words::{MESHES, Word, Words};
 use crate::cli::{Failure, input, output};
 use shape_up::generate::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
-use shape_up::mesh::{Mesh, write_with_ending};
+use shape_up::mesh::Mesh;
 use shape_up::scene::{UnitsAndUp, Up};
 use shape_up::words;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// `shape-up new`.
 #[derive(Debug, PartialEq)]
@@ -126,17 +126,17 @@ fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String>
 /// Makes the mesh and writes it to the file, or to standard output.
 pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     let (mesh, frame) = mesh(&command.from)?;
-    let units = command.units.clone().or(frame.units).unwrap_or_default();
-    let comments = UnitsAndUp::comments(&units, frame.up, &mesh);
-    let ending = command.out.as_deref().map(output::ending).unwrap_or_default();
-    let file = write_with_ending(&ending, &mesh, &mesh.positions, &comments);
-    let Some(path) = &command.out else {
+    let frame = UnitsAndUp { units: command.units.clone(), up: None }.or(frame);
+    let path = command.out.as_deref();
+    let (file, remark) = output::mesh_file(path.unwrap_or(Path::new("")), &mesh, &frame);
+    let Some(path) = path else {
         return output::print(&String::from_utf8_lossy(&file));
     };
     output::write(&[(path, file)])?;
     let vertices = words::count(mesh.positions.len(), "vertex", "vertices");
     let faces = words::count(mesh.faces.len(), "face", "faces");
-    output::print(&format!("{}: {vertices}, {faces}\n", path.display()))
+    let note = remark.map_or_else(String::new, |remark| format!("note: {remark}\n"));
+    output::print(&format!("{}: {vertices}, {faces}\n{note}", path.display()))
 }
 
 /// The mesh, and its unit and up axis: those of the file of its curves, if it has one.

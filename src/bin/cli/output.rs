@@ -1,12 +1,14 @@
-//! Output: atomic writing of files, mesh files of sessions with the format by extension, an output folder that is removed if it stays empty, text on standard output, and the
-//! form of tables.
+//! Output: atomic writing of files, mesh files with the format by extension and what it cannot store, an
+//! output folder that is removed if it stays empty, text on standard output, and the form of tables.
 
-use super::Failure;
+use super::{Failure, arguments};
 use crate::cli::input;
 use serde::Serialize;
-use shape_up::mesh::{Circularity, Mesh, Planarity, Weld};
+use shape_up::mesh::{Circularity, Mesh, Planarity, Weld, write_with_ending};
+use shape_up::scene::{NamedEnum, UnitsAndUp};
 use shape_up::session::Session;
 use shape_up::words;
+use std::collections::BTreeSet;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -16,15 +18,19 @@ use std::{fs, io};
 /// destination, and all are renamed once all are complete.
 ///
 /// # Errors
-/// If one would replace a file that was read, or cannot be written.
+/// If one would replace a file that was read or another of these, or cannot be written.
 pub(super) fn write(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> Result<(), Failure> {
+    let mut places = BTreeSet::new();
     for (path, _) in files {
-        if let Place::File { place, .. } = Place::of(path.as_ref())?
-            && input::was_read(&place)
-        {
+        if let Place::File { place, .. } = Place::of(path.as_ref())? {
+            let what = match input::was_read(&place) {
+                true => "a file that is read",
+                false if places.insert(arguments::place(&place)) => continue,
+                false => "another file that is written",
+            };
             let path = path.as_ref().display();
             return Err(Failure::Usage(format!(
-                "{path} would replace a file that is read, expected another file"
+                "{path} would replace {what}, expected another file"
             )));
         }
     }
@@ -172,9 +178,24 @@ pub(super) fn circularity(circularity: &Circularity, units: &str, tolerance: f64
     )
 }
 
-/// Returns the content of the file `path`, with the original vertices and faces of a welded mesh.
-pub(super) fn mesh_file(path: &Path, session: &Session, weld: Option<&Weld>) -> Vec<u8> {
-    session.mesh_file(&ending(path), weld)
+/// A mesh file to be written, and a remark on what its format cannot store, if anything.
+pub(super) type MeshFile = (Vec<u8>, Option<String>);
+
+/// Returns the file `path` of a mesh with this unit and axis.
+pub(super) fn mesh_file(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> MeshFile {
+    let units = frame.units.as_deref().unwrap_or_default();
+    let comments = UnitsAndUp::comments(units, frame.up, mesh);
+    let bytes = write_with_ending(&ending(path), mesh, &mesh.positions, &comments);
+    (bytes, left_out(path, mesh, frame))
+}
+
+/// Returns the file `path` of the shape of a session, with the original vertices and faces of a welded
+/// mesh.
+pub(super) fn session_file(path: &Path, session: &Session, weld: Option<&Weld>) -> MeshFile {
+    let document = session.document();
+    let frame = UnitsAndUp { units: Some(document.units.clone()), up: Some(document.up) };
+    let shape = Mesh { positions: session.positions(), ..session.mesh().clone() };
+    (session.mesh_file(&ending(path), weld), left_out(path, &shape, &frame))
 }
 
 /// The ending of a name in lower case; empty without one.
@@ -193,26 +214,36 @@ pub(super) fn write_changed<'a>(
         files.push((path, session.scene_with_mesh().into_bytes()));
         return None;
     }
-    files.push((path, mesh_file(path, session, None)));
-    left_out(path, session.mesh())
+    let (bytes, remark) = session_file(path, session, None);
+    files.push((path, bytes));
+    remark
 }
 
-/// Returns a remark on the parts of the mesh that the format of `path` cannot represent, if any.
-pub(super) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
+/// Returns a remark on what the format of `path` cannot store of the mesh, or of its unit and axis.
+pub(super) fn left_out(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> Option<String> {
     let larger = mesh.faces.iter().filter(|face| face.len() > 4).count();
     let faces = (larger, "face of more than four corners", "faces of more than four corners");
     let curves = (mesh.curves.len(), "curve", "curves");
     let groups = (mesh.groups.len(), "group", "groups");
     let tets = (mesh.tets.len(), "tetrahedron", "tetrahedra");
     let untouched = (mesh.untouched.len(), "face with a hole", "faces with holes");
-    let (format, parts) = match ending(path).as_str() {
-        "mesh" => ("Medit", vec![faces, curves, groups, untouched]),
-        "ply" => ("PLY", vec![groups, tets]),
-        "stl" => ("STL", vec![curves, groups, tets]),
-        _ => ("OBJ", vec![tets]),
+    let corners = mesh.faces.indices().iter().chain(mesh.untouched.indices());
+    let alone = mesh.positions.len() - corners.collect::<BTreeSet<_>>().len();
+    let alone = (alone, "vertex without a face", "vertices without a face");
+    let (format, parts, has_comments) = match ending(path).as_str() {
+        "mesh" => ("Medit", vec![faces, curves, groups, untouched], false),
+        "ply" => ("PLY", vec![groups, tets], true),
+        "stl" => ("STL", vec![alone, curves, groups, tets], false),
+        _ => ("OBJ", vec![tets], true),
     };
     let parts = parts.into_iter().filter(|(count, ..)| *count > 0);
-    let parts: Vec<_> = parts.map(|(count, one, many)| words::count(count, one, many)).collect();
+    let mut parts: Vec<_> =
+        parts.map(|(count, one, many)| words::count(count, one, many)).collect();
+    if !has_comments {
+        let lost = frame.unlike_guesses(mesh);
+        parts.extend(lost.units.map(|units| format!("its unit ({units})")));
+        parts.extend(lost.up.map(|up| format!("its up axis ({})", up.word())));
+    }
     let parts = (!parts.is_empty()).then(|| parts.join(", "))?;
     Some(format!("{} is {format}, which cannot store {parts}", path.display()))
 }

@@ -59,6 +59,7 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
         },
     };
     let mut files: Vec<(&Path, String)> = Vec::new();
+    let mut remark = None;
     if let Some(out) = &asked.out {
         let (original, uv) = match &weld {
             None => (mesh, map.uv),
@@ -66,9 +67,10 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
                 (original, to.iter().map(|&vertex| map.uv[vertex as usize]).collect())
             }
         };
-        let units = stated.units.unwrap_or_default();
-        let comments = UnitsAndUp::comments(&units, stated.up, original);
+        let units = stated.units.as_deref().unwrap_or_default();
+        let comments = UnitsAndUp::comments(units, stated.up, original);
         files.push((out, write_obj_with_uv(original, &original.positions, &uv, &comments)));
+        remark = output::left_out(out, original, &stated);
     }
     if let Some(to) = &asked.report {
         files.push((to, output::json(&report)));
@@ -104,7 +106,7 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
         ));
     }
     lines.extend(read.problems.iter().map(|problem| format!("problem: {problem}")));
-    lines.extend(read.notes.iter().map(|note| format!("note: {note}")));
+    lines.extend(read.notes.iter().chain(&remark).map(|note| format!("note: {note}")));
     if map.closed_parts > 0 && asked.norm == ConformalNorm::Boundary {
         let closed = match (map.closed_parts, map.parts) {
             (1, 1) => "the mesh has no boundary: the norm uses all its vertices".to_owned(),

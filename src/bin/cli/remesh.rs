@@ -4,7 +4,7 @@ use crate::cli::arguments::{apart, unknown};
 use crate::cli::words::{MESHES, Word, Words};
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::{Edited, write_with_ending};
+use shape_up::mesh::Edited;
 use shape_up::quads::{
     Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, RemeshStage, Remeshed,
     direction_weight, follow_weight, remesh,
@@ -127,10 +127,10 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
         // With the groups, curves and faces with holes of the input, as in the page.
         let Edited { mesh: mut made, origins } = Edited::covering(&mesh, &found.mesh);
         origins.carry(&mesh, &mut made);
-        let comments = UnitsAndUp::comments(&scene.units, Some(scene.up), &made);
-        let file = write_with_ending(&output::ending(out), &made, &made.positions, &comments);
+        let frame = UnitsAndUp { units: Some(scene.units.clone()), up: Some(scene.up) };
+        let (file, remark) = output::mesh_file(out, &made, &frame);
         files.push((out, file));
-        remarks.extend(output::left_out(out, &made));
+        remarks.extend(remark);
     }
     let mut text = format!("{path}: {}\n", summary(&found, &scene.units));
     found.notes.iter().for_each(|note| text += &format!("note: {}\n", note.words));

@@ -84,8 +84,9 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
 
     let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(path) = &command.out {
-        files.push((path, output::mesh_file(path, &session, weld.as_ref())));
-        remarks.extend(output::left_out(path, session.mesh()));
+        let (file, remark) = output::session_file(path, &session, weld.as_ref());
+        files.push((path, file));
+        remarks.extend(remark);
     }
     if let Some(path) = &command.report {
         let is_asked = command.panels.is_some() || press.is_some();

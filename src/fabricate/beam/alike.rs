@@ -37,8 +37,8 @@ impl Alike for Angles {
         self.gaps.len()
     }
 
-    fn sum(&self) -> f64 {
-        self.elevations.iter().sum()
+    fn key(&self) -> [f64; 2] {
+        [&self.elevations, &self.gaps].map(|own| own.iter().copied().fold(-90.0, f64::max))
     }
 
     /// The largest difference of an angle, minimised over all first beams.
@@ -75,8 +75,8 @@ impl Alike for Length {
         1
     }
 
-    fn sum(&self) -> f64 {
-        self.0
+    fn key(&self) -> [f64; 2] {
+        [self.0; 2]
     }
 
     fn difference(&self, other: &Length, _: bool, _: f64) -> f64 {

@@ -57,6 +57,7 @@ impl Build {
         let count = chosen.len();
         let hidden = match missing.len() {
             0 => String::new(),
+            1 => ", WITHOUT 1 NAME THAT NO VIEW SHOWS".to_owned(),
             hidden => format!(", WITHOUT {hidden} NAMES THAT NO VIEW SHOWS"),
         };
         let drawings = chosen.iter().zip(1..).map(|((view, spots, page), number)| {

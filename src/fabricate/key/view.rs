@@ -1,11 +1,12 @@
 //! The shape seen in one direction: where its panels, edges and vertices are in the picture, and which
 //! of them no panel hides.
 
+use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{direction_of, roomiest_point};
 use crate::fabricate::sheet::{text_width, upright};
 use crate::fabricate::sight::Sight;
 use crate::fabricate::surface::{Edge, PanelSurface};
-use crate::math::plane::{Point2, distance, is_inside};
+use crate::math::plane::{Point2, bounds, distance, is_inside};
 
 /// Something that has a name.
 #[derive(Clone, Copy, Debug)]
@@ -47,13 +48,8 @@ pub(super) struct View<'a> {
     depths: Vec<f64>,
     pub(super) low: Point2,
     pub(super) size: [f64; 2],
-    /// The panels over each cell of a grid, row by row.
-    cells: Vec<Vec<u32>>,
-    /// The lowest and the highest corner of each panel in the picture, `#F`. Where all panels are in a
-    /// few cells, beside a part far away, most are passed over by them.
-    boxes: Vec<[Point2; 2]>,
-    /// The number of columns and rows.
-    counts: [usize; 2],
+    /// The box of each panel in the picture.
+    panels: Boxes,
 }
 
 impl View<'_> {
@@ -62,47 +58,11 @@ impl View<'_> {
         let points: Vec<Point2> =
             surface.positions.iter().map(|p| [p.dot(right), p.dot(up)]).collect();
         let depths = surface.positions.iter().map(|p| p.dot(away)).collect();
-        let used = || surface.faces.indices().iter().map(|&v| points[v as usize]);
-        let bound = |pick: fn(f64, f64) -> f64| {
-            used().reduce(|a, b| [pick(a[0], b[0]), pick(a[1], b[1])]).unwrap_or_default()
-        };
-        let (low, high) = (bound(f64::min), bound(f64::max));
+        let around = |row: &[u32]| bounds(row.iter().map(|&v| points[v as usize]));
+        let [low, high] = around(surface.faces.indices());
         let size = [high[0] - low[0], high[1] - low[1]];
-        let count = (surface.faces.len() as f64).sqrt().ceil().max(1.0) as usize;
-        let mut view = View {
-            surface,
-            sight,
-            points,
-            depths,
-            low,
-            size,
-            cells: vec![Vec::new(); count * count],
-            boxes: Vec::with_capacity(surface.faces.len()),
-            counts: [count; 2],
-        };
-        for face in 0..surface.faces.len() as u32 {
-            let corners = view.corners(face);
-            let bound = |pick: fn(f64, f64) -> f64| {
-                corners.iter().copied().reduce(|a, b| [pick(a[0], b[0]), pick(a[1], b[1])])
-            };
-            let box_of = [bound(f64::min), bound(f64::max)].map(Option::unwrap_or_default);
-            view.boxes.push(box_of);
-            let [from, to] = box_of.map(|at| view.cell(at));
-            for row in from[1]..=to[1] {
-                for column in from[0]..=to[0] {
-                    view.cells[row * count + column].push(face);
-                }
-            }
-        }
-        view
-    }
-
-    /// The column and row of a point.
-    fn cell(&self, point: Point2) -> [usize; 2] {
-        std::array::from_fn(|k| {
-            let part = (point[k] - self.low[k]) / self.size[k].max(f64::MIN_POSITIVE);
-            ((part * self.counts[k] as f64) as usize).min(self.counts[k] - 1)
-        })
+        let panels = Boxes::of(surface.faces.iter().map(around));
+        View { surface, sight, points, depths, low, size, panels }
     }
 
     fn corners(&self, face: u32) -> Vec<Point2> {
@@ -125,11 +85,8 @@ impl View<'_> {
     /// Whether a panel other than these hides a point at a depth.
     fn is_hidden(&self, point: Point2, depth: f64, own: &[u32]) -> bool {
         let least = depth - NEARER * self.size[0].max(self.size[1]);
-        let [column, row] = self.cell(point);
-        self.cells[row * self.counts[0] + column].iter().any(|&face| {
-            let [low, high] = self.boxes[face as usize];
+        self.panels.meeting([point; 2]).any(|face| {
             !own.contains(&face)
-                && (0..2).all(|k| low[k] <= point[k] && point[k] <= high[k])
                 && is_inside(&self.corners(face), point)
                 && self.depth(face, point).is_some_and(|depth| depth < least)
         })

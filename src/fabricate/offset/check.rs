@@ -26,16 +26,10 @@ pub struct BeamCheck {
 pub struct NodeCheck {
     /// Largest absolute value of its distance errors.
     pub distance_error: f64,
-    /// The angle between its axis and `N_i`; zero at a vertex of no panel.
+    /// The angle between its axis and `N_i`; zero if its panels have no area.
     pub lean_deg: f64,
     /// Whether its lean is checked. At the rim of a coarse mesh it is large and harmless.
     pub is_inner: bool,
-}
-
-impl NodeCheck {
-    fn add_error(&mut self, error: f64) {
-        self.distance_error = self.distance_error.max(error.abs());
-    }
 }
 
 /// The numbers of an offset by the distance `d`, lengths in the unit of the mesh.
@@ -67,8 +61,16 @@ pub struct OffsetCheck {
     pub safe_distance: [Option<f64>; 2],
     /// The numbers of every beam, by edge.
     pub beams: Vec<BeamCheck>,
-    /// The numbers of every node, by vertex.
-    pub nodes: Vec<NodeCheck>,
+    /// The numbers of every node, by vertex; none at a vertex of no panel.
+    pub nodes: Vec<Option<NodeCheck>>,
+}
+
+impl OffsetCheck {
+    fn add_error(&mut self, v: u32, error: f64) {
+        if let Some(node) = &mut self.nodes[v as usize] {
+            node.distance_error = node.distance_error.max(error.abs());
+        }
+    }
 }
 
 /// Checks the offset by `distance` with these axes (`#V`).
@@ -83,11 +85,17 @@ pub fn check(
         corner_distance: empty,
         face_distance: empty,
         edge_distance: empty,
-        nodes: vec![NodeCheck { is_inner: true, ..NodeCheck::default() }; axes.len()],
+        nodes: vec![None; axes.len()],
         ..OffsetCheck::default()
     };
-    for edge in surface.edges.iter().filter(|edge| edge.is_rim()) {
-        edge.ends.iter().for_each(|&v| found.nodes[v as usize].is_inner = false);
+    for &v in surface.faces.indices() {
+        found.nodes[v as usize] = Some(NodeCheck { is_inner: true, ..NodeCheck::default() });
+    }
+    let rim = surface.edges.iter().filter(|edge| edge.is_rim());
+    for v in rim.flat_map(|edge| edge.ends) {
+        if let Some(node) = &mut found.nodes[v as usize] {
+            node.is_inner = false;
+        }
     }
     let widen = |range: &mut [f64; 2], value: f64| {
         *range = [range[0].min(value), range[1].max(value)];
@@ -101,7 +109,7 @@ pub fn check(
         for (height, v) in heights.into_iter().zip(edge.ends) {
             widen(&mut found.edge_distance, height);
             if kind == OffsetKind::Edge {
-                found.nodes[v as usize].add_error(height - distance.abs());
+                found.add_error(v, height - distance.abs());
             }
         }
         let twist = libm::atan2(p.cross(q).length(), p.dot(q)).to_degrees();
@@ -124,12 +132,12 @@ pub fn check(
             let height = distance * normal.dot(axes[v as usize]);
             widen(&mut found.face_distance, height);
             if kind == OffsetKind::Face {
-                found.nodes[v as usize].add_error(height - distance);
+                found.add_error(v, height - distance);
             }
         }
     }
     let mut used = 0;
-    for ((axis, normal), node) in axes.iter().zip(&surface.normals).zip(&mut found.nodes) {
+    for ((axis, normal), v) in axes.iter().zip(&surface.normals).zip(0..) {
         if *normal == Vec3::zero() {
             continue;
         }
@@ -137,18 +145,20 @@ pub fn check(
         let length = distance.abs() * axis.length();
         widen(&mut found.corner_distance, length);
         if kind == OffsetKind::Corner {
-            node.add_error(length - distance.abs());
+            found.add_error(v, length - distance.abs());
         }
         let angle = lean(*axis, *normal);
         found.mean_lean_deg += angle;
-        node.lean_deg = angle;
         found.lean_deg = found.lean_deg.max(angle);
-        if node.is_inner {
-            found.inner_lean_deg = found.inner_lean_deg.max(angle);
+        if let Some(node) = &mut found.nodes[v as usize] {
+            node.lean_deg = angle;
+            if node.is_inner {
+                found.inner_lean_deg = found.inner_lean_deg.max(angle);
+            }
         }
     }
     found.mean_lean_deg /= f64::from(used.max(1));
-    let errors = found.nodes.iter().map(|node| node.distance_error);
+    let errors = found.nodes.iter().flatten().map(|node| node.distance_error);
     found.distance_error = errors.fold(0.0, f64::max);
     // Larger limits are due to rounding in `k`: there is none.
     let far = 1e6 * surface.mean_edge();

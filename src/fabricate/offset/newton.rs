@@ -129,7 +129,7 @@ fn assemble(
     match kind {
         OffsetKind::Corner => {
             for v in 0..axes.len() {
-                if !system.is_excluded(v) {
+                if surface.normals[v] != Vec3::zero() {
                     let (u, c) = (unit(axes[v]), across_axis(axes[v].length()));
                     system.add(v as u32, identity_and_outer(c, 1.0 - c, u));
                     system.add_rhs(v as u32, u);

@@ -48,11 +48,6 @@ impl System {
         system
     }
 
-    /// Whether a vertex belongs to no panel.
-    pub(super) fn is_excluded(&self, v: usize) -> bool {
-        self.excluded[v]
-    }
-
     /// Resets to `A = mu I` and `b` as `mu` times the vectors `near` (`#V`).
     pub(super) fn reset(&mut self, mu: f64, near: &[Vec3<f64>]) {
         self.matrix.clear();

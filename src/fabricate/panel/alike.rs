@@ -10,12 +10,15 @@ use crate::math::plane::{length, minus};
 /// The most distances between corners of a panel: of one with more, every so many offsets are taken.
 const MOST_DISTANCES: usize = 1_000_000;
 
-/// Distances between the corners of a panel, and its perimeter.
+/// Distances between the corners of a panel.
 struct Shape {
     corners: usize,
     /// `distances[i * corners + k]`: from corner `k` to corner `k + s + 1`, with `s` the i-th offset.
     distances: Vec<f64>,
-    perimeter: f64,
+    /// The mean length of its sides.
+    mean: f64,
+    /// The largest of the distances.
+    longest: f64,
 }
 
 impl Shape {
@@ -23,8 +26,10 @@ impl Shape {
         let n = panel.corners.len();
         let distance =
             |s: usize, k: usize| length(minus(panel.corners[(k + s + 1) % n], panel.corners[k]));
-        let distances = offsets(n).flat_map(|s| (0..n).map(move |k| distance(s, k))).collect();
-        Shape { corners: n, distances, perimeter: perimeter(&panel.corners) }
+        let distances: Vec<f64> =
+            offsets(n).flat_map(|s| (0..n).map(move |k| distance(s, k))).collect();
+        let longest = distances.iter().copied().fold(0.0, f64::max);
+        Shape { corners: n, distances, mean: perimeter(&panel.corners) / n as f64, longest }
     }
 }
 
@@ -41,8 +46,8 @@ impl Alike for Shape {
         self.corners
     }
 
-    fn sum(&self) -> f64 {
-        self.perimeter
+    fn key(&self) -> [f64; 2] {
+        [self.mean, self.longest]
     }
 
     /// The difference `delta`.

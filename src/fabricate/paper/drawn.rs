@@ -35,7 +35,7 @@ impl Put {
 fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
     let unrotated = Put { inside, turn: [1.0, 0.0] };
     let mut points: Vec<Point2> = Vec::new();
-    for side in model.net.outline(piece).unwrap_or_default() {
+    for side in model.net.outline(piece) {
         let side = (side.facet, side.side);
         let [p, _] = model.net.ends(side);
         points.push(unrotated.put(p));

@@ -2,11 +2,10 @@
 //! overlap, and leave room for the tabs of the edges that stay open between them.
 
 use super::net::{OutlineSide, PaperNet};
-use super::plane::{Motion, is_near, is_same_corner, overlaps};
+use super::plane::{Motion, is_same_corner, overlaps, reach};
 use super::tab::tab;
 use crate::fabricate::panel::{hull, smallest_box};
 use crate::math::plane::{Point2, bounds, distance};
-use std::cell::LazyCell;
 
 /// The least length of an edge that holds two pieces together, in mm: a shorter one tears.
 const LEAST_HINGE: f64 = 0.5;
@@ -34,32 +33,64 @@ impl PaperNet {
         let moved = self.pieces[b as usize].clone();
         let before: Vec<Motion> = moved.iter().map(|&f| self.places[f as usize]).collect();
         for &f in &moved {
-            self.put(f, motion.after(&self.places[f as usize]));
+            self.places[f as usize] = motion.after(&self.places[f as usize]);
         }
         let welded = self.welded(joint, &moved, a);
         let corners = moved.iter().flat_map(|&f| self.corners(f));
         let both = hull(&self.hulls[a as usize].iter().copied().chain(corners).collect::<Vec<_>>());
-        let mut is_good = fits(&both, room) && !self.overlap([a, b]);
+        let mut is_good = fits(&both, room) && !self.overlap(a, &moved);
         if is_good {
             welded.iter().for_each(|&j| self.folded[j as usize] = true);
-            moved.iter().for_each(|&f| self.piece_of[f as usize] = a);
-            self.pieces[a as usize].extend(&moved);
-            self.pieces[b as usize].clear();
-            is_good = self.has_room_for_tabs(a, &moved, tab_height);
+            let unlinked = self.close_outline(joint);
+            for &f in &moved {
+                self.piece_of[f as usize] = a;
+                let around = bounds(self.corners(f));
+                self.boxes[a as usize].insert(f, around);
+            }
+            // What is folded elsewhere leaves a hole in the piece.
+            is_good = unlinked.len() == welded.len() && self.has_room_for_tabs(&moved, tab_height);
             if is_good {
                 self.hulls[a as usize] = both;
+                self.pieces[a as usize].extend(&moved);
+                self.pieces[b as usize].clear();
             } else {
-                let kept = self.pieces[a as usize].len() - moved.len();
-                self.pieces[a as usize].truncate(kept);
-                self.pieces[b as usize].clone_from(&moved);
-                moved.iter().for_each(|&f| self.piece_of[f as usize] = b);
+                unlinked.into_iter().rev().for_each(|sides| self.relink(sides));
+                for &f in &moved {
+                    self.piece_of[f as usize] = b;
+                    let around = bounds(self.corners(f));
+                    self.boxes[a as usize].remove(f, around);
+                }
                 welded.iter().for_each(|&j| self.folded[j as usize] = false);
             }
         }
         if !is_good {
-            moved.iter().zip(before).for_each(|(&f, place)| self.put(f, place));
+            moved.iter().zip(before).for_each(|(&f, place)| self.places[f as usize] = place);
         }
         is_good
+    }
+
+    /// Takes the sides of a folded joint out of the outline of its two pieces, which becomes one, and
+    /// then those of folded joints which meet at its ends. Returns them in order, without the last if
+    /// nothing of the outline would be left.
+    fn close_outline(&mut self, joint: u32) -> Vec<[OutlineSide; 2]> {
+        let of = |(facet, side): (u32, u32)| OutlineSide { facet, side };
+        let first = self.joints[joint as usize].sides.map(of);
+        let mut closed = vec![first];
+        self.unlink(first);
+        for [a, b] in [first, [first[1], first[0]]] {
+            let (mut before, mut after) = (self.beside(a)[1], self.beside(b)[0]);
+            while let Some((joint, there)) = self.across((before.facet, before.side))
+                && of(there) == after
+                && self.folded[joint as usize]
+                && self.beside(before)[1] != after
+            {
+                closed.push([before, after]);
+                let next = (self.beside(before)[1], self.beside(after)[0]);
+                self.unlink([before, after]);
+                (before, after) = next;
+            }
+        }
+        closed
     }
 
     /// The joint, and all others between the moved facets and the piece whose two sides coincide.
@@ -80,37 +111,29 @@ impl PaperNet {
         found
     }
 
-    /// Whether two pieces overlap; `b` is the smaller one.
-    fn overlap(&self, [a, b]: [u32; 2]) -> bool {
-        let other = self.convex(b);
-        let around = bounds(other.iter().flatten().copied());
-        let near = |f: &&u32| is_near(self.boxes[**f as usize], around);
-        let own = self.convex_of(self.pieces[a as usize].iter().filter(near));
-        own.iter().any(|p| other.iter().any(|q| overlaps(p, q)))
+    /// Whether moved facets overlap a piece.
+    fn overlap(&self, piece: u32, moved: &[u32]) -> bool {
+        moved.iter().any(|&f| {
+            let near = self.near(piece, reach(bounds(self.corners(f)), 0.0));
+            !near.is_empty() && self.convex(f).any(|own| near.iter().any(|p| overlaps(p, &own)))
+        })
     }
 
-    /// Whether the outline of a piece is one closed line, and every cut edge with both sides on the
-    /// piece has room for a tab on one of them.
-    fn has_room_for_tabs(&self, piece: u32, moved: &[u32], tab_height: f64) -> bool {
-        let Some(outline) = self.outline(piece) else { return false };
-        // Few joints need them.
-        let convex = LazyCell::new(|| self.convex(piece));
-        outline.iter().all(|own| {
-            if tab_height <= 0.0 || !moved.contains(&own.facet) {
-                return true;
-            }
-            let Some((_, there)) = self.across((own.facet, own.side)) else { return true };
-            if self.piece_of[there.0 as usize] != piece {
-                return true;
-            }
-            let at = |(facet, side): (u32, u32)| {
-                outline.iter().position(|other| *other == OutlineSide { facet, side })
-            };
-            [(own.facet, own.side), there]
-                .into_iter()
-                .filter_map(at)
-                .any(|k| tab(self, &outline, k, &convex, tab_height).is_some())
-        })
+    /// Whether every cut edge of moved facets with both sides on their piece has room for a tab on one
+    /// of them.
+    fn has_room_for_tabs(&self, moved: &[u32], tab_height: f64) -> bool {
+        let sides =
+            |&f: &u32| (0..self.facets[f as usize].corners.len() as u32).map(move |k| (f, k));
+        tab_height <= 0.0
+            || moved.iter().flat_map(sides).all(|own| {
+                let Some((joint, there)) = self.across(own) else { return true };
+                let is_cut = !self.folded[joint as usize]
+                    && self.piece_of[there.0 as usize] == self.piece_of[own.0 as usize];
+                !is_cut
+                    || [own, there].into_iter().any(|(facet, side)| {
+                        tab(self, OutlineSide { facet, side }, &[], tab_height).is_some()
+                    })
+            })
     }
 }
 

@@ -16,15 +16,16 @@ pub use net::{OutlineSide, PaperNet};
 pub use plane::Motion;
 pub use tab::Tab;
 
+use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{FlatPanel, smallest_box_within};
 use crate::fabricate::surface::PanelSurface;
-use crate::math::plane::Point2;
+use crate::math::plane::{Point2, bounds};
 use crate::math::sort_by_number;
 use crate::scene::Pieces;
 use facet::facets;
 use std::collections::BTreeMap;
 use strip::{Foldable, foldable};
-use tab::tab;
+use tab::{around, tab};
 
 /// Sizes in mm.
 #[derive(Clone, Copy, Debug)]
@@ -170,13 +171,8 @@ fn folded(unfolded: &PaperNet, order: &Foldable, size: PaperSize) -> PaperNet {
 fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind> {
     let mut place = vec![0; net.pieces.len()];
     pieces.iter().enumerate().for_each(|(k, &piece)| place[piece as usize] = k);
-    let outlines: Vec<_> =
-        pieces.iter().map(|&piece| net.outline(piece).unwrap_or_default()).collect();
-    let mut at: BTreeMap<(u32, u32), usize> = BTreeMap::new();
-    for outline in &outlines {
-        at.extend(outline.iter().zip(0..).map(|(own, k)| ((own.facet, own.side), k)));
-    }
-    let mut taken: Vec<Vec<Vec<Point2>>> = pieces.iter().map(|&piece| net.convex(piece)).collect();
+    // The boxes of the tabs on each piece, by joint.
+    let mut tabs = vec![Boxes::default(); pieces.len()];
     // The corners of pieces that fit, but need not with tabs.
     let with_tabs = size.room.map(|side| side - 2.0 * size.tab);
     let tight = |&piece: &u32| {
@@ -184,8 +180,8 @@ fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind
         (!lies_on(corners, with_tabs) && lies_on(corners, size.room)).then(|| corners.clone())
     };
     let mut tight: Vec<Option<Vec<Point2>>> = pieces.iter().map(tight).collect();
-    let mut found = Vec::new();
-    for (joint, &folded) in net.joints.iter().zip(&net.folded) {
+    let mut found: Vec<JointKind> = Vec::new();
+    for ((joint, &folded), number) in net.joints.iter().zip(&net.folded).zip(0..) {
         if folded {
             found.push(JointKind::Folded);
             continue;
@@ -198,15 +194,21 @@ fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind
         }
         let own =
             sides.into_iter().filter(|_| size.tab > 0.0).find_map(|(piece, (facet, side))| {
-                let outline = &outlines[piece];
-                let k = *at.get(&(facet, side))?;
-                let tab = tab(net, outline, k, &taken[piece], size.tab)?;
+                let side = OutlineSide { facet, side };
+                let near = tabs[piece].meeting(around(net, side, size.tab));
+                let taken: Vec<_> = near
+                    .filter_map(|joint| match found[joint as usize] {
+                        JointKind::Tab(tab) => Some(tab.corners),
+                        _ => None,
+                    })
+                    .collect();
+                let tab = tab(net, side, &taken, size.tab)?;
                 let whole = tight[piece].as_ref().map(|own| [&own[..], &tab.corners].concat());
                 whole.is_none_or(|whole| lies_on(&whole, size.room)).then_some((piece, tab))
             });
         found.push(match own {
             Some((piece, tab)) => {
-                taken[piece].push(tab.corners.into());
+                tabs[piece].insert(number, bounds(tab.corners));
                 tight[piece].iter_mut().for_each(|own| own.extend(tab.corners));
                 JointKind::Tab(tab)
             }

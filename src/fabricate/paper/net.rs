@@ -2,6 +2,7 @@
 
 use super::facet::{Facet, Joint};
 use super::plane::Motion;
+use crate::fabricate::boxes::{Boxes, Corners};
 use crate::math::plane::{Point2, bounds};
 
 /// A side of the outline of a piece.
@@ -24,8 +25,11 @@ pub struct PaperNet {
     pub folded: Vec<bool>,
     /// The position of each facet in the plane of its piece.
     pub places: Vec<Motion>,
-    /// The box of each facet in the plane of its piece.
-    pub(super) boxes: Vec<[Point2; 2]>,
+    /// The boxes of the facets of each piece, in its plane.
+    pub(super) boxes: Vec<Boxes>,
+    /// For each side of each facet the next one along the outline of its piece, counterclockwise, and the
+    /// one before it. Those of folded sides are where they were in the outline when they left it.
+    around: Vec<Vec<[OutlineSide; 2]>>,
     /// Points of each piece that span its convex hull.
     pub(super) hulls: Vec<Vec<Point2>>,
     /// The piece of each facet.
@@ -38,9 +42,20 @@ impl PaperNet {
     /// Makes each facet a piece of its own.
     pub(super) fn new(facets: Vec<Facet>, joints: Vec<Joint>) -> PaperNet {
         let n = facets.len();
+        let around = facets.iter().zip(0..).map(|(own, facet)| {
+            let n = own.corners.len() as u32;
+            let side = |side: u32| OutlineSide { facet, side: side % n };
+            (0..n).map(|k| [side(k + 1), side(k + n - 1)]).collect()
+        });
+        let only = |(own, f): (&Facet, u32)| {
+            let mut boxes = Boxes::default();
+            boxes.insert(f, bounds(own.corners.iter().copied()));
+            boxes
+        };
         PaperNet {
             folded: vec![false; joints.len()],
-            boxes: facets.iter().map(|facet| bounds(facet.corners.iter().copied())).collect(),
+            boxes: facets.iter().zip(0..).map(only).collect(),
+            around: around.collect(),
             hulls: facets.iter().map(|facet| facet.corners.clone()).collect(),
             places: vec![Motion { turn: [1.0, 0.0], shift: [0.0; 2] }; n],
             piece_of: (0..n as u32).collect(),
@@ -48,12 +63,6 @@ impl PaperNet {
             facets,
             joints,
         }
-    }
-
-    /// Moves a facet to another place.
-    pub(super) fn put(&mut self, f: u32, place: Motion) {
-        self.places[f as usize] = place;
-        self.boxes[f as usize] = bounds(self.corners(f));
     }
 
     /// The corners of a facet in its piece.
@@ -69,22 +78,16 @@ impl PaperNet {
         [k as usize, (k as usize + 1) % own.len()].map(|k| place.put(own[k]))
     }
 
-    /// The convex polygons of a piece.
-    pub(super) fn convex(&self, piece: u32) -> Vec<Vec<Point2>> {
-        self.convex_of(&self.pieces[piece as usize])
+    /// The convex polygons of a facet in its piece.
+    pub(super) fn convex(&self, f: u32) -> impl Iterator<Item = Vec<Point2>> {
+        let place = self.places[f as usize];
+        let convex = self.facets[f as usize].convex.iter();
+        convex.map(move |own| own.iter().map(|&p| place.put(p)).collect())
     }
 
-    /// The convex polygons of some facets.
-    pub(super) fn convex_of<'a>(
-        &self,
-        facets: impl IntoIterator<Item = &'a u32>,
-    ) -> Vec<Vec<Point2>> {
-        let of_facet = |&f: &u32| {
-            let place = self.places[f as usize];
-            let convex = self.facets[f as usize].convex.iter();
-            convex.map(move |own| own.iter().map(|&p| place.put(p)).collect())
-        };
-        facets.into_iter().flat_map(of_facet).collect()
+    /// The convex polygons of the facets of a piece whose boxes meet this one.
+    pub(super) fn near(&self, piece: u32, place: Corners) -> Vec<Vec<Point2>> {
+        self.boxes[piece as usize].meeting(place).flat_map(|f| self.convex(f)).collect()
     }
 
     /// The joint of a side, and the side beyond it.
@@ -94,32 +97,46 @@ impl PaperNet {
         Some((joint, if a == own { b } else { a }))
     }
 
-    /// The outline of a piece, counterclockwise; none if it is not one closed line.
-    pub fn outline(&self, piece: u32) -> Option<Vec<OutlineSide>> {
-        let is_open = |f: u32, k: u32| {
-            self.facets[f as usize].joints[k as usize].is_none_or(|j| !self.folded[j as usize])
-        };
-        let sides = |f: u32| self.facets[f as usize].corners.len() as u32;
-        let own = &self.pieces[piece as usize];
-        let count: usize =
-            own.iter().map(|&f| (0..sides(f)).filter(|&k| is_open(f, k)).count()).sum();
-        let first = own.iter().find_map(|&f| Some((f, (0..sides(f)).find(|&k| is_open(f, k))?)))?;
-        let (mut f, mut k) = first;
-        let mut outline = Vec::with_capacity(count);
-        loop {
-            outline.push(OutlineSide { facet: f, side: k });
-            k = (k + 1) % sides(f);
-            while !is_open(f, k) {
-                let (_, (g, i)) = self.across((f, k))?;
-                (f, k) = (g, (i + 1) % sides(g));
-            }
-            if (f, k) == first {
-                break;
-            }
-            if outline.len() == count {
-                return None;
-            }
+    /// The sides after and before a side on the outline of its piece, counterclockwise.
+    pub(super) fn beside(&self, OutlineSide { facet, side }: OutlineSide) -> [OutlineSide; 2] {
+        self.around[facet as usize][side as usize]
+    }
+
+    /// Takes the two sides of a folded joint out of the outline. What was before each is then before
+    /// what was after the other.
+    pub(super) fn unlink(&mut self, [a, b]: [OutlineSide; 2]) {
+        let ([after_a, before_a], [after_b, before_b]) = (self.beside(a), self.beside(b));
+        self.link(before_a, after_b);
+        self.link(before_b, after_a);
+    }
+
+    /// Undoes [`PaperNet::unlink`], if nothing that came later is left.
+    pub(super) fn relink(&mut self, [a, b]: [OutlineSide; 2]) {
+        for own in [a, b] {
+            let [after, before] = self.beside(own);
+            self.link(before, own);
+            self.link(own, after);
         }
-        (outline.len() == count).then_some(outline)
+    }
+
+    fn link(&mut self, before: OutlineSide, after: OutlineSide) {
+        self.around[before.facet as usize][before.side as usize][0] = after;
+        self.around[after.facet as usize][after.side as usize][1] = before;
+    }
+
+    /// The outline of a piece, counterclockwise: one closed line.
+    pub fn outline(&self, piece: u32) -> Vec<OutlineSide> {
+        let is_open = |side: &OutlineSide| {
+            let joint = self.facets[side.facet as usize].joints[side.side as usize];
+            joint.is_none_or(|joint| !self.folded[joint as usize])
+        };
+        let sides = |&facet: &u32| {
+            let count = self.facets[facet as usize].corners.len() as u32;
+            (0..count).map(move |side| OutlineSide { facet, side })
+        };
+        let first = self.pieces[piece as usize].iter().flat_map(sides).find(is_open);
+        let after =
+            |own: &OutlineSide| Some(self.beside(*own)[0]).filter(|next| Some(*next) != first);
+        std::iter::successors(first, after).collect()
     }
 }

@@ -1,6 +1,7 @@
 //! Geometry of the plane: rigid motions, and an intersection test of convex polygons, by separating
 //! axes.
 
+use crate::fabricate::boxes::{Corners, meet};
 use crate::fabricate::panel::direction_of;
 use crate::math::plane::{Point2, bounds, minus, rotated};
 
@@ -46,15 +47,16 @@ pub(super) fn is_same_corner(p: Point2, q: Point2) -> bool {
     minus(p, q).iter().all(|x| x.abs() < SAME)
 }
 
-/// Whether parts in these boxes may overlap or be too close.
-pub(super) fn is_near([low, high]: [Point2; 2], [least, most]: [Point2; 2]) -> bool {
-    (0..2).all(|k| high[k] + CLEARANCE >= least[k] && most[k] + CLEARANCE >= low[k])
+/// The box of what may overlap parts of a box that is `by` larger on all sides, or be too close.
+pub(super) fn reach([low, high]: Corners, by: f64) -> Corners {
+    let by = by + CLEARANCE;
+    [low.map(|x| x - by), high.map(|x| x + by)]
 }
 
 /// Whether two convex counterclockwise polygons overlap, or are too close without a common corner.
 pub(super) fn overlaps(a: &[Point2], b: &[Point2]) -> bool {
     let [one, other] = [a, b].map(|polygon| bounds(polygon.iter().copied()));
-    if !is_near(one, other) {
+    if !meet(reach(one, 0.0), other) {
         return false;
     }
     let share = a.iter().any(|&p| b.iter().any(|&q| is_same_corner(p, q)));

@@ -2,10 +2,11 @@
 //! neighbour, where they are hidden, and overlap nothing else on the piece.
 
 use super::net::{OutlineSide, PaperNet};
-use super::plane::{Motion, overlaps};
+use super::plane::{Motion, overlaps, reach};
+use crate::fabricate::boxes::Corners;
 use crate::fabricate::panel::{direction_of, distance_to_outline};
 use crate::math::cosine_and_sine_of_degrees;
-use crate::math::plane::{Point2, distance, is_inside};
+use crate::math::plane::{Point2, bounds, distance, is_inside};
 
 /// Smallest useful height of a tab, in mm.
 const LEAST: f64 = 2.0;
@@ -29,16 +30,14 @@ pub struct Tab {
 }
 
 /// The highest tab of at most `most` mm on a side of an outline that keeps clear of the convex
-/// counterclockwise polygons `taken`. None at the rim, or if it would be lower than [`LEAST`].
+/// counterclockwise polygons `taken`, and of all of its piece. None at the rim, or if it would be lower
+/// than [`LEAST`].
 pub(super) fn tab(
     net: &PaperNet,
-    outline: &[OutlineSide],
-    k: usize,
-    taken: &[Vec<Point2>],
+    side: OutlineSide,
+    taken: &[[Point2; 4]],
     most: f64,
 ) -> Option<Tab> {
-    let n = outline.len();
-    let side = outline[k];
     let (joint, there) = net.across((side.facet, side.side))?;
     let ends = |side: OutlineSide| net.ends((side.facet, side.side));
     let [p, q] = ends(side);
@@ -57,7 +56,7 @@ pub(super) fn tab(
         let same = net.across((other.facet, other.side)).is_some_and(|(own, _)| own == joint);
         if same { 0.9 } else { 0.48 }
     };
-    let (before, after) = (outline[(k + n - 1) % n], outline[(k + 1) % n]);
+    let [after, before] = net.beside(side);
     let free_p = share(before) * (360.0 - angle(p, q, ends(before)[0]));
     let free_q = share(after) * (360.0 - angle(q, ends(after)[1], p));
     let base = [inside_p.min(2.0 * free_p), inside_q.min(2.0 * free_q)]
@@ -71,6 +70,7 @@ pub(super) fn tab(
         let [cosine, sine] = cosine_and_sine_of_degrees(angle);
         cosine / sine
     });
+    let of_piece = net.near(net.piece_of[side.facet as usize], around(net, side, most));
     let mut height = most.min((1.0 - TOP) * length / (slopes[0] + slopes[1]));
     while height >= LEAST {
         let top = |from: Point2, shift: f64| {
@@ -81,12 +81,22 @@ pub(super) fn tab(
             is_inside(&neighbour, corner) && distance_to_outline(&neighbour, corner) >= HIDDEN
         });
         let is_whole = !(0..m).any(|c| c != i && c != j && is_inside(&corners, neighbour[c]));
-        if is_hidden && is_whole && !taken.iter().any(|other| overlaps(&corners, other)) {
+        let is_free = || {
+            let mut all =
+                taken.iter().map(|own| &own[..]).chain(of_piece.iter().map(|own| &own[..]));
+            !all.any(|other| overlaps(&corners, other))
+        };
+        if is_hidden && is_whole && is_free() {
             return Some(Tab { side, corners, height });
         }
         height *= 0.85;
     }
     None
+}
+
+/// The box of what may be in the way of a tab of at most `most` mm on a side.
+pub(super) fn around(net: &PaperNet, side: OutlineSide, most: f64) -> Corners {
+    reach(bounds(net.ends((side.facet, side.side))), most)
 }
 
 /// The angle at a point, counterclockwise from one other point to a second, in degrees from 0 to

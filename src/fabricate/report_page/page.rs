@@ -80,8 +80,10 @@ impl Build {
         let scale = round_up(building / plan.scale_in([narrow, high]));
         let [across, along] = plan.size.map(|size| words::millimetres(size * building));
         let caption = format!("Plan 1:{}, {across} by {along}", words::brief(scale));
+        let shown = if view.camera.is_some() { "Current view" } else { "The shape" };
+        let shown = format!("{shown}; red panels and edges exceed a limit");
         let figures = [
-            (seen.shaded([wide, high], &self.failed()), "Current view; red exceeds a limit"),
+            (seen.shaded([wide, high], &self.failed()), &*shown),
             (plan.plan(narrow, building / scale), &*caption),
         ];
         let figures = figures.map(|(picture, caption)| {

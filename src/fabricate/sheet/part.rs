@@ -138,7 +138,7 @@ pub struct SheetSize {
     pub size: [f64; 2],
     /// Free margin at the edges.
     pub margin: f64,
-    /// Free gap between parts, at least the kerf.
+    /// Free gap between parts.
     pub gap: f64,
 }
 

@@ -1,6 +1,7 @@
 //! Names beside parts that have no room for them: on the waste, next to the outline.
 
 use super::lettering::text_width;
+use crate::fabricate::boxes::{Boxes, Corners};
 use crate::fabricate::panel::{direction_of, sides};
 use crate::math::plane::{Point2, bounds, is_inside};
 
@@ -13,34 +14,30 @@ const FAR: f64 = 1.0;
 /// Positions tried along a side.
 const SHARES: [f64; 3] = [0.5, 0.2, 0.8];
 
-/// The lower left and the upper right corner of an axis-parallel rectangle.
-type Corners = [Point2; 2];
-
 /// A sheet with parts, and the names written beside them.
 pub struct Waste {
     /// The area that may be written on.
     room: Corners,
-    /// The outline of each part on the sheet, and its bounding box.
-    outlines: Vec<(Vec<Point2>, Corners)>,
+    /// The outline of each part on the sheet.
+    outlines: Vec<Vec<Point2>>,
+    /// The boxes of the outlines.
+    parts: Boxes,
     /// The names so far.
-    names: Vec<Corners>,
+    names: Boxes,
 }
 
 impl Waste {
     /// Makes a sheet of this size with the outlines of its parts, all in mm.
     pub fn new(size: [f64; 2], margin: f64, outlines: Vec<Vec<Point2>>) -> Waste {
-        let within = |outline: Vec<Point2>| {
-            let within = bounds(outline.iter().copied());
-            (outline, within)
-        };
         let room = [[margin; 2], size.map(|size| size - margin)];
-        Waste { room, outlines: outlines.into_iter().map(within).collect(), names: Vec::new() }
+        let parts = Boxes::of(outlines.iter().map(|outline| bounds(outline.iter().copied())));
+        Waste { room, outlines, parts, names: Boxes::default() }
     }
 
     /// The height and the centre of a name beside the outline `own`, along the sheet, as high as
     /// there is room; none without room. Its area is then reserved.
     pub fn write(&mut self, own: usize, name: &str) -> Option<(f64, Point2)> {
-        let outline = &self.outlines.get(own)?.0;
+        let outline = self.outlines.get(own)?;
         for height in HEIGHTS {
             let half = [0.5 * text_width(name, height), 0.5 * height];
             let grown = |centre: Point2, by: f64| {
@@ -60,7 +57,7 @@ impl Waste {
                         grown(centre, 0.5 * NEAR * height),
                         grown(centre, FAR * height),
                     ) {
-                        self.names.push(grown(centre, FAR * height));
+                        self.names.insert(own as u32, grown(centre, FAR * height));
                         return Some((height, centre));
                     }
                 }
@@ -73,18 +70,14 @@ impl Waste {
     fn is_free(&self, own: usize, near: Corners, far: Corners) -> bool {
         let [low, high] = self.room;
         let is_on_sheet = (0..2).all(|x| near[0][x] >= low[x] && near[1][x] <= high[x]);
-        let meets = |(k, (outline, within)): (usize, &(Vec<Point2>, Corners))| {
-            let own = if k == own { near } else { far };
-            overlap(*within, own) && covers(outline, own)
+        let meets = |k: u32| {
+            let k = k as usize;
+            covers(&self.outlines[k], if k == own { near } else { far })
         };
         is_on_sheet
-            && !self.names.iter().any(|name| overlap(*name, near))
-            && !self.outlines.iter().enumerate().any(meets)
+            && self.names.meeting(near).next().is_none()
+            && !self.parts.meeting(far).any(meets)
     }
-}
-
-fn overlap([low, high]: Corners, [under, over]: Corners) -> bool {
-    (0..2).all(|x| low[x] < over[x] && under[x] < high[x])
 }
 
 /// Whether a part covers some of a rectangle.
@@ -103,6 +96,7 @@ fn covers(outline: &[Point2], [low, high]: Corners) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fabricate::boxes::meet;
 
     #[test]
     fn a_name_is_on_the_sheet_beside_its_own_part_and_away_from_others_and_their_names() {
@@ -118,9 +112,9 @@ mod tests {
             for (k, y) in [10.0, 22.0, 25.0].into_iter().enumerate() {
                 let by = if k == own { 0.0 } else { 0.9 * height };
                 let near = [[20.0 - by, y - by], [80.0 + by, y + 1.5 + by]];
-                assert!(!overlap(near, text), "{own} {k}");
+                assert!(!meet(near, text), "{own} {k}");
             }
-            assert!(!names.iter().any(|other| overlap(*other, text)));
+            assert!(!names.iter().any(|other| meet(*other, text)));
             names.push(text);
         }
     }

@@ -1,7 +1,7 @@
 //! The description of a plan, and its errors.
 
 use crate::generate::quads::TooManyFaces;
-use crate::json::{fixed, objects, word};
+use crate::json::{fixed, lists_of_objects, objects, word};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -17,7 +17,7 @@ pub struct Plan {
     #[serde(deserialize_with = "objects")]
     pub outline: Vec<PlanPoint>,
     /// The points of each hole.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "lists_of_objects")]
     pub holes: Vec<Vec<PlanPoint>>,
     /// How it is divided into panels.
     #[serde(deserialize_with = "word")]

@@ -58,7 +58,8 @@ fn piece(outline: &Loop, from: usize, to: usize) -> Vec<Side> {
 fn places(sides: &[Side], n: usize) -> Vec<Point2> {
     let mut ends = vec![0.0];
     sides.iter().for_each(|side| ends.push(ends[ends.len() - 1] + side.length()));
-    even_steps(&ends, 1..sides.len(), n).map(|(k, part)| sides[k].at(part)).collect()
+    let (steps, _) = even_steps(&ends, 1..sides.len(), n);
+    steps.into_iter().map(|(k, part)| sides[k].at(part)).collect()
 }
 
 /// Winslow's smoothing (1966): a map from the square whose inverse is harmonic, so that it does not

@@ -8,8 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A loop is kept if each of its points is nearer than this to a vertex of the boundary on it, in sides
 /// of a cell. Where it passes through a cell alone, it has one on the sides of the cell.
 const NEAR: f64 = 1.75;
-/// A corner of less than 30 degrees is a tip: it may be cut off where it is narrower than a cell, since
-/// no cell is small enough for it. This is the cosine.
+/// A corner of less than 30 degrees, between flanks that turn by less than that until they are a cell
+/// apart, is a tip: it may be cut off, or filled, so far, since no cell is small enough for it. This is
+/// the cosine.
 const TIP: f64 = 0.866;
 /// Distance of the points of a loop that are tried.
 const STEP: f64 = 0.5;
@@ -89,7 +90,8 @@ impl<'a> Walk<'a> {
         along(a, part, minus(b, a))
     }
 
-    /// The tips, and how far from each the loop is nearer to itself than a cell is wide.
+    /// The tips, and how far from each the loop is nearer to itself than a cell is wide. What is so
+    /// narrow up to where its flanks end is no tip: smaller cells would keep it.
     fn tips(&self) -> Vec<(f64, f64)> {
         let n = self.polygon.len();
         let is_tip = |&k: &usize| {
@@ -98,18 +100,27 @@ impl<'a> Walk<'a> {
             let lengths = (dot(before, before) * dot(after, after)).sqrt();
             lengths > 0.0 && dot(before, after) > TIP * lengths
         };
-        let apart = |tip: f64, way: f64| {
-            let between = minus(self.at(tip + way), self.at(tip - way));
-            dot(between, between).sqrt()
-        };
         let reach = |k: usize| {
             let tip = self.at_corner[k];
-            let mut way = STEP;
-            while way < 0.5 * self.length && apart(tip, way) < 1.0 {
+            let step = |way: f64, by: f64| minus(self.at(tip + way + by), self.at(tip + way));
+            let has_turned = |way: f64, by: f64| {
+                let (first, last) = (step(0.0, by), step(way, by));
+                dot(first, last) < TIP * (dot(first, first) * dot(last, last)).sqrt()
+            };
+            let mut way = 0.0;
+            loop {
+                let is_over =
+                    way > 0.5 * self.length || has_turned(way, STEP) || has_turned(-way, -STEP);
+                if is_over {
+                    return None;
+                }
                 way += STEP;
+                let between = minus(self.at(tip + way), self.at(tip - way));
+                if dot(between, between) >= 1.0 {
+                    return Some((tip, way));
+                }
             }
-            (tip, way)
         };
-        (0..n).filter(is_tip).map(reach).collect()
+        (0..n).filter(is_tip).filter_map(reach).collect()
     }
 }

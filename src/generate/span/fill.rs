@@ -28,7 +28,7 @@ pub fn fill(curve: &SpanCurve, size: f64, up: Point) -> Result<Mesh, SpanError> 
     let counts = [along as usize, across as usize];
     let [south, east, north, west] = [0, 1, 2, 3].map(|k| {
         let (points, corners) = &sides[k];
-        let points = evenly(points, corners, counts[k % 2]);
+        let (points, _) = evenly(points, corners, counts[k % 2]);
         points.into_iter().map(Point::from).collect::<Vec<_>>()
     });
     let positions = coons_patch(&south, &east, &north, &west);
@@ -55,10 +55,8 @@ fn four_sides(curve: &SpanCurve) -> [(Vec<Vec3<f64>>, Vec<usize>); 4] {
         corners.sort_unstable();
         // At least as many points as before, with the quarters among them.
         let quarter = n.div_ceil(4);
-        let inner: Vec<usize> = corners.iter().copied().filter(|&k| k > 0).collect();
-        points = evenly(&ring, &inner, 4 * quarter);
+        (points, corners) = evenly(&ring, &corners, 4 * quarter);
         points.pop();
-        corners.clear();
         ends = (0..4).map(|k| k * quarter).collect();
     }
     ends.sort_unstable();

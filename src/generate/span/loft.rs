@@ -42,7 +42,7 @@ pub fn loft(
     check_face_count(along as f64).map_err(SpanError::TooManyFaces)?;
     let sides = [(first, &rings[0]), (second, &rings[1])].map(|(curve, ring)| {
         let corners: Vec<usize> = curve.corners().into_iter().map(|(k, _)| k).collect();
-        let mut points = if same { ring.clone() } else { evenly(ring, &corners, along) };
+        let mut points = if same { ring.clone() } else { evenly(ring, &corners, along).0 };
         points.truncate(along + usize::from(!closed));
         points
     });

@@ -14,6 +14,7 @@ use crate::generate::quads::TooManyFaces;
 use crate::generate::sides::even_steps;
 use crate::math::{Vec3, angle_between};
 use crate::mesh::{Mesh, Topology};
+use crate::words;
 use serde::Serialize;
 use std::fmt;
 
@@ -49,10 +50,10 @@ pub enum SpanError {
 impl fmt::Display for SpanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            SpanError::Missing { asked, found } => write!(
-                f,
-                "there is no curve {asked}: the file has {found} curves and boundaries, counted from 0"
-            ),
+            SpanError::Missing { asked, found } => {
+                let has = words::count(found, "curve or boundary", "curves and boundaries");
+                write!(f, "there is no curve {asked}: the file has {has}, counted from 0")
+            }
             SpanError::NoLength => f.write_str("the curve has no length"),
             SpanError::OneClosed => f.write_str(
                 "one curve is closed and the other is open: expected both closed or both open",
@@ -183,8 +184,8 @@ fn length_of(points: &[Vec3<f64>]) -> f64 {
 }
 
 /// `n + 1` points in equal steps along a polyline from end to end. The points in `corners` replace
-/// the nearest of them, as far as there are enough.
-fn evenly(points: &[Vec3<f64>], corners: &[usize], n: usize) -> Vec<Vec3<f64>> {
+/// the nearest of them, as far as there are enough: the indices of these are second.
+fn evenly(points: &[Vec3<f64>], corners: &[usize], n: usize) -> (Vec<Vec3<f64>>, Vec<usize>) {
     let mut ends = vec![0.0];
     for pair in points.windows(2) {
         ends.push(ends[ends.len() - 1] + (pair[1] - pair[0]).length());
@@ -194,5 +195,6 @@ fn evenly(points: &[Vec3<f64>], corners: &[usize], n: usize) -> Vec<Vec3<f64>> {
         1.0 => points[k + 1],
         _ => points[k] + (points[k + 1] - points[k]) * part,
     };
-    even_steps(&ends, corners.iter().copied(), n).map(point).collect()
+    let (steps, kept) = even_steps(&ends, corners.iter().copied(), n);
+    (steps.into_iter().map(point).collect(), kept)
 }
