@@ -19,6 +19,9 @@ const ROWS: f64 = 4e5;
 /// Parts that fill more of their boxes than this are as well laid in rows.
 const FULL: f64 = 0.75;
 
+/// The weight of the height of the middle where two stances are equally high.
+const TIE: f64 = 1e-6;
+
 /// A rotation of a part in which it fits on a sheet.
 struct Stance {
     /// The rotation, as cosine and sine.
@@ -27,6 +30,9 @@ struct Stance {
     moved: Point2,
     /// Width and height of the box.
     size: [f64; 2],
+    /// The height by which stances are compared: that of the box and, where two are equally high but
+    /// for rounding, of the middle, so that a bow lies with its notch upwards.
+    height: f64,
     /// What it covers.
     runs: Vec<Run>,
 }
@@ -47,7 +53,7 @@ struct Position<'a> {
     stance: &'a Stance,
     /// Column and row of its lower left cell.
     at: [usize; 2],
-    /// How high it reaches, and how far to the right.
+    /// How high it reaches by that height, and how far to the right.
     reach: [f64; 2],
 }
 
@@ -117,7 +123,7 @@ impl Nester {
                 let has_room = own.cells <= sheet.free;
                 has_room.then(|| self.position(own, sheet, room, tests)).flatten().map(|at| (s, at))
             });
-            let (s, Position { stance, at, reach: [high, _] }) = match found {
+            let (s, Position { stance, at, .. }) = match found {
                 Some(found) => found,
                 None => {
                     let sheet = Bitmap::new(grid);
@@ -136,7 +142,7 @@ impl Nester {
             let offset = [0, 1].map(|k| corner[k] + stance.moved[k]);
             places.push(Place { part: own.part, turn: stance.turn, offset });
             if s + 1 == sheets.len() {
-                top = top.max(high);
+                top = top.max(corner[1] + stance.size[1]);
             }
         }
         Some((sheets.into_iter().map(|(_, places)| places).collect(), top))
@@ -159,7 +165,7 @@ impl Nester {
             let [columns, rows] = most.map(|most| most as usize);
             let mut in_the_way = 0;
             for row in 0..=rows {
-                let high = row as f64 * self.cell + stance.size[1];
+                let high = row as f64 * self.cell + stance.height;
                 if best.as_ref().is_some_and(|best| high > best.reach[0]) {
                     break;
                 }
@@ -184,11 +190,13 @@ impl Stance {
         let reach = 0.5 * gap;
         let to_cells = |point: &Point2| [0, 1].map(|k| (point[k] - low[k] + reach) / cell);
         let in_cells: Vec<Point2> = turned.iter().map(to_cells).collect();
-        Stance {
-            turn,
-            moved: low.map(|x| -x),
-            size: [high[0] - low[0], high[1] - low[1]],
-            runs: cells(&in_cells, reach / cell),
-        }
+        let runs = cells(&in_cells, reach / cell);
+        let sum = |of: fn(f64) -> f64| {
+            let of_run = |run: &Run| f64::from(run.to - run.from) * of(f64::from(run.row));
+            runs.iter().map(of_run).sum::<f64>()
+        };
+        let middle = cell * sum(|row| row) / sum(|_| 1.0);
+        let size = [high[0] - low[0], high[1] - low[1]];
+        Stance { turn, moved: low.map(|x| -x), size, height: size[1] + TIE * middle, runs }
     }
 }
