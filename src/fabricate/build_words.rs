@@ -191,12 +191,15 @@ impl BuildReport {
         let unnamed = parts(self.unnamed.len(), self.product);
         let has = if self.unnamed.len() == 1 { "has" } else { "have" };
         let (large, uncut) = (some(&self.too_large), some(&self.not_cut));
+        let larger = self.larger_sheet_mm.map_or_else(String::new, |[width, height]| {
+            format!(" A sheet of {width} x {height} mm has room for each of them.")
+        });
         let without_prism = self.frame.as_ref().map_or(0, |frame| frame.without_prism);
         [
             named(
                 &self.too_large,
                 format!(
-                    "Larger than the sheet within its margins: {large}. They are left out, not scaled."
+                    "Larger than the sheet within its margins: {large}. They are left out, not scaled.{larger}"
                 ),
             ),
             named(&self.not_cut, format!("Not cut: {uncut}.")),

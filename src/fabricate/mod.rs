@@ -83,7 +83,7 @@ pub use check_card::{CheckRow, Failed, Worst};
 pub use fault::Fault;
 pub use numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 pub use offset::Choice;
-pub use output::BuildFile;
+pub use output::{BuildFile, PARTS};
 pub use report::{BuildReport, FrameReport, PaperReport};
 pub use report_page::ReportView;
 pub use space::{PRESENTATION, SpatialPart};

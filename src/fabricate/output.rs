@@ -1,23 +1,28 @@
 //! The files of a build: drawings of the sheets, the key to their parts, tables, solids.
 
 use super::build::Build;
-use super::file::{dxf, pdf, svg};
+use super::file::{Drawing, dxf, pdf, svg};
+use super::sheet::{CutPart, Place};
 use super::space::solids;
 use super::tables;
 use crate::mesh::write_obj_with_comments;
-use crate::scene::{UnitsAndUp, Up};
+use crate::scene::{BuildSettings, UnitsAndUp, Up};
+
+/// The folder of the files of single parts.
+pub const PARTS: &str = "parts";
 
 /// A file to be saved.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BuildFile {
-    /// Its name, without folders.
+    /// Its name; those of single parts begin with the folder [`PARTS`] and a slash.
     pub name: String,
     /// Its content: ASCII, except for the names of units and materials in tables.
     pub text: String,
 }
 
 impl BuildFile {
-    /// Whether a file of this name may be of a build, of any product and number of sheets.
+    /// Whether a file of this name may be of a build, of any product and number of sheets, without
+    /// those of single parts.
     pub fn is_name_of_one(name: &str) -> bool {
         let of_sheet = name.strip_prefix("sheet-").and_then(|rest| rest.split_once('.'));
         let is_sheet = of_sheet.is_some_and(|(number, kind)| {
@@ -34,14 +39,15 @@ impl BuildFile {
 }
 
 impl Build {
-    /// All files: a drawing of each sheet in two formats, all sheets as PDF, the key, the tables, the
-    /// beams.
+    /// All files: a drawing of each sheet and, if asked, of each part in two formats, all sheets as PDF,
+    /// the key, the tables, the beams.
     /// `z_up` is whether z is up in the mesh; else y is.
     pub fn files(&self, z_up: bool) -> Vec<BuildFile> {
         let drawings = self.drawings();
         let mut files = Vec::new();
         let mut add = |name: String, text: String| files.push(BuildFile { name, text });
-        for drawing in &drawings {
+        let single = self.drawings_of_parts();
+        for drawing in drawings.iter().chain(&single) {
             let layers = !self.settings.outlines_only;
             add(format!("{}.svg", drawing.name), svg(drawing));
             let text = dxf(drawing, self.settings.dxf, layers);
@@ -63,5 +69,19 @@ impl Build {
             add("beams.obj".to_owned(), text);
         }
         files
+    }
+
+    /// Each part alone, rotated as on its sheet; none unless they are asked for.
+    fn drawings_of_parts(&self) -> Vec<Drawing> {
+        let BuildSettings { one_file_each, outlines_only, .. } = self.settings;
+        if !one_file_each {
+            return Vec::new();
+        }
+        let places = self.layout.places(self.parts.len());
+        let drawn = |(part, place): (&CutPart, &Option<(usize, Place)>)| {
+            let turn = place.map_or([1.0, 0.0], |(_, place)| place.turn);
+            Drawing::of_part(format!("{PARTS}/{}", part.name), part, turn, outlines_only)
+        };
+        self.parts.iter().zip(&places).map(drawn).collect()
     }
 }

@@ -6,7 +6,7 @@ use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::{Choice, OffsetCheck};
-use super::panel::{panel_types, perimeter};
+use super::panel::{panel_types, perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, NamePlace};
 use super::surface::distinct;
@@ -91,6 +91,8 @@ pub struct BuildReport {
     pub used: f64,
     /// The names of parts that are larger than a sheet.
     pub too_large: Vec<String>,
+    /// Width and height of a sheet with room for each of them within the same margin.
+    pub larger_sheet_mm: Option<[f64; 2]>,
     /// Parts that cannot be cut, each with the reason.
     pub not_cut: Vec<String>,
     /// Area of all parts on sheets.
@@ -215,6 +217,7 @@ impl Build {
                 .iter()
                 .map(|&part| self.parts[part].name.clone())
                 .collect(),
+            larger_sheet_mm: self.larger_sheet(),
             not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
             cut_area_mm2,
             cut_length_mm: sum(perimeter) + around_holes,
@@ -246,6 +249,14 @@ impl Build {
             offset,
             problems,
         }
+    }
+
+    /// Width and height, in whole mm, of a sheet for the parts that are too large; none if all fit.
+    fn larger_sheet(&self) -> Option<[f64; 2]> {
+        let box_of = |&part: &usize| smallest_box(&self.parts[part].outline).1;
+        let boxes = self.layout.too_large.iter().map(box_of);
+        let size = boxes.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)])?;
+        Some(size.map(|side| (side + 2.0 * self.settings.margin - 1e-6).ceil()))
     }
 
     /// The errors of every kind of offset; empty if offsets are not available.

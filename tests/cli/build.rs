@@ -351,6 +351,28 @@ fn settings_of_the_workshop_are_used_and_listed_in_the_summary() {
 }
 
 #[test]
+fn parts_alone_are_in_a_folder_of_their_own_and_those_of_an_earlier_build_are_named() {
+    let folder = Folder::new("build-each");
+    folder.write("roof.obj", ROOF);
+    let asked = ["build", "roof.obj", "--one-file-each", "--out", "made"];
+    let words = folder.run(&asked).done();
+    assert!(words.contains("made/parts/P0.svg\n") && !words.contains("earlier one"), "{words}");
+    assert!(folder.read("made/parts/P0.dxf").contains("CUT"));
+    let words = folder.run(&[&asked[..], &["--product", "fins", "--thickness=1"]].concat()).done();
+    assert!(
+        words.contains("made/parts: not of this build, but of an earlier one: P0.dxf"),
+        "{words}"
+    );
+    // The folder is not left behind if nothing can be written.
+    folder.write("busy", "");
+    folder.run(&["build", "roof.obj", "--one-file-each", "--out", "busy"]).refused(&["cannot be"]);
+    folder
+        .run(&["build", "roof.obj", "--one-file-each", "--out", "new", "--report", "gone/r.json"])
+        .refused(&["cannot be"]);
+    assert_eq!(folder.files(), ["busy", "made", "roof.obj"]);
+}
+
+#[test]
 fn what_cannot_be_written_leaves_every_file_as_it_was_and_no_folder_behind() {
     let folder = Folder::new("build-half");
     folder.write("roof.obj", ROOF).write("busy", "");

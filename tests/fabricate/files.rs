@@ -455,6 +455,11 @@ fn a_panel_that_is_larger_than_the_sheet_is_named_and_not_scaled() {
     assert_eq!(report.too_large, ["P1"]);
     assert_eq!((report.placed, report.panels), (1, 2));
     assert!((report.cut_area_mm2 - 1e4).abs() < 1e-6);
+    // Nothing of it is left out on the sheet that is said to be needed.
+    let sheet = report.larger_sheet_mm.expect("it is too large");
+    assert_eq!(sheet, [510.0, 110.0]);
+    let report = build(&mesh, &BuildSettings { sheet, ..own }).report();
+    assert_eq!((report.placed, report.larger_sheet_mm), (2, None));
 }
 
 #[test]

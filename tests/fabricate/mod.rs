@@ -10,6 +10,7 @@ mod files;
 mod glb;
 mod identities;
 mod key;
+mod nesting;
 mod paper;
 mod paper_names;
 mod picture;

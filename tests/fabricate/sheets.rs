@@ -1,10 +1,12 @@
 //! Parts on sheets: which of them fit, and the holes cut out of them.
 
-use super::build;
 use super::files::settings;
+use super::{build, dxf};
 use crate::support::grid::grid;
+use shape_up::fabricate::BuildFile;
+use shape_up::math::plane::area;
 use shape_up::mesh::{Mesh, Ragged};
-use shape_up::scene::{BuildSettings, Names, Order};
+use shape_up::scene::{BuildSettings, Names, Order, Product};
 
 #[test]
 fn a_part_that_fits_only_along_another_side_than_that_of_its_smallest_box_is_laid() {
@@ -127,10 +129,42 @@ fn a_panel_with_an_edge_shorter_than_the_joint_is_cut_without_it() {
     assert_eq!(made.not_cut, []);
     let outline = &made.parts[0].outline;
     assert_eq!(outline.len(), 4);
-    let found = shape_up::math::plane::area(outline);
+    let found = area(outline);
     assert!((found - 990.0 * 990.0).abs() < 1e-6, "{found}");
     // The name of the neighbour is written, and holes are opposite each other.
     assert_eq!(made.dropped_names, 0);
     let with_holes = build(&mesh, &BuildSettings { hole: 8.0, ..own });
     assert!(with_holes.parts.iter().all(|part| part.holes.len() == 2));
+}
+
+#[test]
+fn each_part_is_a_drawing_of_its_own_too_if_asked_and_nothing_else_changes() {
+    let mesh = grid(3, 2, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
+    for product in [Product::Panels, Product::Fins, Product::Paper] {
+        // A sheet too small for all but a few.
+        let plain = BuildSettings { product, sheet: [110.0, 80.0], ..settings() };
+        let made = build(&mesh, &BuildSettings { one_file_each: true, ..plain.clone() });
+        let (single, others): (Vec<BuildFile>, Vec<BuildFile>) =
+            made.files(true).into_iter().partition(|file| file.name.starts_with("parts/"));
+        let before = build(&mesh, &plain).files(true);
+        let is_same = |(a, b): (&BuildFile, &BuildFile)| a == b || a.name == "summary.csv";
+        assert!(others.len() == before.len() && others.iter().zip(&before).all(is_same));
+        assert_eq!(single.len(), 2 * made.parts.len());
+        for part in &made.parts {
+            let text = |kind: &str| {
+                let name = format!("parts/{}.{kind}", part.name);
+                &single.iter().find(|file| file.name == name).expect("it is there").text
+            };
+            let lines = dxf::polylines(text("dxf"));
+            assert!(lines.iter().all(|line| line.layer != "SHEET"));
+            let outline: Vec<_> = lines.iter().filter(|line| line.layer == "CUT").collect();
+            let [outline] = outline[..] else { panic!("one outline") };
+            let low = [0, 1]
+                .map(|k| outline.points.iter().map(|point| point[k]).fold(f64::INFINITY, f64::min));
+            assert!(low.iter().all(|x| x.abs() < 1e-6), "{low:?}");
+            let [own, found] = [&part.outline, &outline.points].map(|points| area(points));
+            assert!((own - found).abs() < 1e-4 * own, "{own} {found}");
+            assert!(text("svg").contains(&format!("<path id=\"{}\"", part.name)));
+        }
+    }
 }

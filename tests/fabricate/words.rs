@@ -21,10 +21,16 @@ fn parts_on_sheets_are_counted_with_what_is_left_out() {
     assert!(words.starts_with("16 panels on 1 sheet, "), "{words}");
     assert!(words.ends_with(&format!(" % covered, {} {types} of panels", report.types)), "{words}");
     let names = |all: usize| (0..all).map(|k| format!("P{k}")).collect::<Vec<_>>();
-    let bad = BuildReport { placed: 15, too_large: names(8), unnamed: names(1), ..report };
+    let bad = BuildReport {
+        placed: 15,
+        too_large: names(8),
+        larger_sheet_mm: Some([470.0, 330.0]),
+        unnamed: names(1),
+        ..report
+    };
     let words = made.words(&bad);
     assert!(words.sheets.starts_with("15 of 16 panels on 1 sheet, "), "{}", words.sheets);
-    let large = "Larger than the sheet within its margins: P0, P1, P2, P3, P4, P5 and 2 more. They are left out, not scaled.";
+    let large = "Larger than the sheet within its margins: P0, P1, P2, P3, P4, P5 and 2 more. They are left out, not scaled. A sheet of 470 x 330 mm has room for each of them.";
     assert_eq!(words.warnings[0], large);
     assert!(
         words.warnings.contains(&"1 panel has no room for a name: P0.".to_owned()),

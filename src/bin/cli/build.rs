@@ -4,7 +4,7 @@ use super::output::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
     Advice, AdvisedValue, Build, BuildFile, BuildReport, BuildWords, CardWords, CheckRow,
-    CheckWords, FrameReport, LengthInMetres, PRESENTATION, PaperReport, ReportView,
+    CheckWords, FrameReport, LengthInMetres, PARTS, PRESENTATION, PaperReport, ReportView,
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BUILD_SETTINGS, BuildSetting, BuildSettings, Scene, Up};
@@ -33,6 +33,8 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
         return Err(at(format!("nothing can be cut: {}", why.join(" "))));
     }
     let _made = asked.out.as_deref().map(MadeFolders::make).transpose()?;
+    let of_parts = asked.out.as_ref().filter(|_| settings.one_file_each);
+    let _made_in_it = of_parts.map(|out| MadeFolders::make(&out.join(PARTS))).transpose()?;
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     if let Some(folder) = &asked.out {
         let drawn = build.files(scene.up == Up::Z).into_iter();
@@ -53,19 +55,27 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
         files.push((path.clone(), build.report_page(&view).into_bytes()));
     }
     output::write(&files)?;
-    remarks.extend(asked.out.as_deref().and_then(|folder| left_over(folder, &files)));
+    let left_over =
+        |folder: &Path, is_of_build: fn(&str) -> bool| left_over(folder, &files, is_of_build);
+    let is_drawing = |name: &str| name.ends_with(".svg") || name.ends_with(".dxf");
+    remarks.extend(asked.out.as_ref().and_then(|out| left_over(out, BuildFile::is_name_of_one)));
+    remarks.extend(of_parts.and_then(|out| left_over(&out.join(PARTS), is_drawing)));
     let names = files.iter().map(|(path, _)| format!("{}\n", path.display()));
     output::print(&(words(&report, &said, &remarks) + &names.collect::<String>()))
 }
 
-/// Names the files in a folder that an earlier build wrote and this one did not: they are kept, but
-/// must not be cut with the new ones.
-fn left_over(folder: &Path, written: &[(PathBuf, Vec<u8>)]) -> Option<String> {
+/// Names the files in a folder that an earlier build wrote, as their names say, and this one did not:
+/// they are kept, but must not be cut with the new ones.
+fn left_over(
+    folder: &Path,
+    written: &[(PathBuf, Vec<u8>)],
+    is_of_build: fn(&str) -> bool,
+) -> Option<String> {
     const MOST: usize = 8;
     let found = std::fs::read_dir(folder).ok()?;
     let mut names: Vec<String> = found
         .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
-        .filter(|name| BuildFile::is_name_of_one(name))
+        .filter(|name| is_of_build(name))
         .filter(|name| !written.iter().any(|(path, _)| *path == folder.join(name)))
         .collect();
     names.sort();

@@ -1,7 +1,9 @@
 //! A sheet as lines with roles: the input of all file formats.
 
-use crate::fabricate::sheet::{CutPart, Hole, Role, Sheet, height_within, strokes, text_width};
-use crate::math::plane::Point2;
+use crate::fabricate::sheet::{
+    CutPart, Hole, Place, Role, Sheet, height_within, strokes, text_width,
+};
+use crate::math::plane::{Point2, bounds, minus, rotated};
 use crate::scene::Page;
 
 /// A polyline of a sheet.
@@ -81,6 +83,30 @@ impl Drawing {
         if !outlines_only {
             drawing.frame(margin, &legend);
         }
+        drawing.add_parts(sheet, parts, outlines_only);
+        drawing
+    }
+
+    /// Draws a part alone: the lower left corner of its outline is the origin. A name beside it is left
+    /// out, since that of the file says it.
+    pub fn of_part(name: String, part: &CutPart, turn: Point2, outlines_only: bool) -> Drawing {
+        let [low, high] = bounds(part.outline.iter().map(|&point| rotated(point, turn)));
+        let place = Place { part: 0, turn, offset: low.map(|x| -x) };
+        let (title, size) = (part.name.clone(), minus(high, low));
+        let mut drawing =
+            Drawing { name, title, size, pen: PEN, lines: Vec::new(), free: Vec::new() };
+        let sheet = Sheet { places: vec![place] };
+        drawing.add_parts(&sheet, std::slice::from_ref(part), outlines_only);
+        let is_within = |line: &DrawnLine| {
+            (line.points.iter())
+                .all(|point| (0..2).all(|k| point[k] > -PEN && point[k] < size[k] + PEN))
+        };
+        drawing.lines.retain(is_within);
+        drawing
+    }
+
+    /// Adds the lines of the parts on a sheet.
+    fn add_parts(&mut self, sheet: &Sheet, parts: &[CutPart], outlines_only: bool) {
         for role in Role::ALL {
             for place in &sheet.places {
                 let part = &parts[place.part];
@@ -96,7 +122,7 @@ impl Drawing {
                     Role::Valley => (&part.valleys, false),
                     Role::Sheet => continue,
                 };
-                drawing.lines.extend(lines.iter().map(|points| DrawnLine {
+                self.lines.extend(lines.iter().map(|points| DrawnLine {
                     role,
                     points: put(points),
                     closed,
@@ -105,7 +131,6 @@ impl Drawing {
                 }));
             }
         }
-        drawing
     }
 
     /// Adds the border of the sheet, and its title and legend in the margin.

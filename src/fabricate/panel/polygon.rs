@@ -68,7 +68,8 @@ fn overlap([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
 pub fn hull(points: &[Point2]) -> Vec<Point2> {
     let mut sorted = points.to_vec();
     for axis in [1, 0] {
-        sort_by_number(&mut sorted, |point| key_of_number(point[axis]));
+        // Of -0 and 0 the other coordinate must decide: they are one place.
+        sort_by_number(&mut sorted, |point| key_of_number(point[axis] + 0.0));
     }
     sorted.dedup();
     if sorted.len() < 3 {
@@ -214,6 +215,14 @@ mod tests {
         assert_eq!(hull(&NOTCHED).len(), 4);
         assert!(is_simple(&NOTCHED));
         assert!(!is_simple(&[[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]]));
+    }
+
+    #[test]
+    fn a_hull_has_all_corners_although_some_are_at_minus_zero() {
+        let points =
+            [[-0.0, 0.0], [-6.0, -6.0], [-6.0, -85.0], [0.0, -85.0], [-7.0, 0.0], [-0.0, -85.0]];
+        let hull = hull(&points);
+        assert!(hull.len() == 4 && hull.contains(&[0.0, 0.0]), "{hull:?}");
     }
 
     #[test]

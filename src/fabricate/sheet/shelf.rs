@@ -20,7 +20,7 @@ pub(super) struct Resting {
     /// The index of the part.
     pub part: usize,
     /// Cosine and sine of its rotation.
-    turn: Point2,
+    pub turn: Point2,
     /// Convex polygons that cover the rotated part; the lower left corner of its box is at the
     /// origin.
     cover: Vec<Vec<Point2>>,

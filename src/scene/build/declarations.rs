@@ -241,6 +241,13 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "Writes only outlines, on layer 0, as some workshops ask.",
     ),
     setting(
+        Files,
+        "one_file_each",
+        "One file per part",
+        BuildForm::Switch,
+        "Also writes each part alone, without frame, into the folder parts.",
+    ),
+    setting(
         Limits,
         "limits.warp",
         "Beam twist",

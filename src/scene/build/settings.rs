@@ -54,6 +54,8 @@ pub struct BuildSettings {
     pub mirror: bool,
     /// Whether to write only outlines, on layer 0 and without names, as some shops require.
     pub outlines_only: bool,
+    /// Whether to write each part as files of its own too, without the sheet.
+    pub one_file_each: bool,
     /// Width of prisms; null for a twentieth of the mean edge.
     pub beam_width: Option<f64>,
     /// Tolerance of node types: difference of angles, in degrees.
@@ -119,6 +121,7 @@ impl Default for BuildSettings {
             alike: 1.0,
             mirror: false,
             outlines_only: false,
+            one_file_each: false,
             beam_width: None,
             alike_deg: 0.5,
             pieces: Pieces::Nets,
