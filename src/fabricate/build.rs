@@ -2,6 +2,7 @@
 
 use super::alike::Types;
 use super::beam::Frame;
+use super::discs::CutDisc;
 use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
@@ -83,6 +84,8 @@ pub struct Build {
     pub types: Types,
     /// The beams, if fins are made and the surface has an outside.
     pub frame: Option<Frame>,
+    /// The node discs among the parts, in the order of the parts, of which they are the last.
+    pub discs: Vec<CutDisc>,
     /// The paper model, if one is made.
     pub paper: Option<PaperModel>,
     /// The node axes of the offset and their check; none if the surface has no outside.
@@ -138,6 +141,7 @@ impl Build {
             layout: Layout::default(),
             types,
             frame: None,
+            discs: Vec::new(),
             paper: None,
             offset: None,
             tried: Vec::new(),
@@ -276,13 +280,15 @@ impl Build {
     fn legend(&self) -> String {
         let side = match self.settings.product {
             _ if self.surface.one_sided.is_some() => "",
-            Product::Fins => "",
+            Product::Fins if self.discs.is_empty() => "",
+            Product::Fins => "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT",
             Product::Paper if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };
         let arrow = match self.settings.product {
             Product::Panels => "ARROW: TO ITS FIRST EDGE IN THE MODEL",
-            Product::Fins => "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
+            Product::Fins if self.discs.is_empty() => "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
+            Product::Fins => "ARROW OF A FIN: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Paper => "",
         };
         let words: Vec<&str> =

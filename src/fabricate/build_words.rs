@@ -5,7 +5,7 @@ use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::Choice;
-use super::report::BuildReport;
+use super::report::{BuildReport, FrameReport};
 use super::tighten::PanelSuggestion;
 use crate::scene::{BuildSettings, OffsetKind, Product, panel_adjective};
 use crate::words;
@@ -157,7 +157,7 @@ impl Choice {
 
 impl BuildReport {
     fn sheets_in_words(&self) -> String {
-        let all = parts(self.parts, self.product);
+        let all = self.parts_in_words(false);
         let all = match self.placed == self.parts {
             true => all,
             false => format!("{} of {all}", words::group_digits(self.placed)),
@@ -178,13 +178,30 @@ impl BuildReport {
         line.join(", ")
     }
 
+    /// Formats the number of parts, or of those on sheets; fins and node discs by themselves.
+    pub(super) fn parts_in_words(&self, on_sheets: bool) -> String {
+        let of_frame = |frame: &FrameReport| [frame.discs, frame.placed_discs];
+        let discs = self.frame.as_ref().map_or([0; 2], of_frame);
+        let (all, discs) = match on_sheets {
+            true => (self.placed, discs[1]),
+            false => (self.parts, discs[0]),
+        };
+        match discs {
+            0 => parts(all, self.product),
+            _ => format!("{} and {}", parts(all - discs, self.product), count(discs, "node disc")),
+        }
+    }
+
     fn warnings(&self, settings: &BuildSettings) -> Vec<String> {
         let bare = self.paper.as_ref().map_or(&[][..], |paper| &paper.without_tab);
         let creased = self.paper.as_ref().map_or(0, |paper| paper.creased);
         let some = |names: &[String]| words::and_more(names, NAMED);
         let named = |names: &[String], sentence: String| (!names.is_empty()).then_some(sentence);
         let counted = |number: usize, sentence: String| (number > 0).then_some(sentence);
-        let unnamed = parts(self.unnamed.len(), self.product);
+        let unnamed = match self.frame.as_ref().is_some_and(|frame| frame.discs > 0) {
+            true => count(self.unnamed.len(), "part"),
+            false => parts(self.unnamed.len(), self.product),
+        };
         let has = if self.unnamed.len() == 1 { "has" } else { "have" };
         let (large, uncut) = (some(&self.too_large), some(&self.not_cut));
         let without_prism = self.frame.as_ref().map_or(0, |frame| frame.without_prism);
@@ -287,7 +304,7 @@ impl Build {
 }
 
 /// Formats a number of parts of a product.
-pub(super) fn parts(number: usize, product: Product) -> String {
+fn parts(number: usize, product: Product) -> String {
     count(
         number,
         match product {

@@ -10,10 +10,10 @@ use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point,
 use crate::math::plane::{Point2, distance, rotated};
 
 /// Largest height of neighbours' names, in mm.
-const TALLEST: f64 = 8.0;
+pub(super) const TALLEST: f64 = 8.0;
 /// Smallest height of names, in mm, and that of a part's own name if there is no room for more.
-const LEAST: f64 = 2.0;
-const LEAST_OWN: f64 = 1.0;
+pub(super) const LEAST: f64 = 2.0;
+pub(super) const LEAST_OWN: f64 = 1.0;
 /// Height of neighbours' names relative to the radius of the largest circle in the outline.
 const OF_RADIUS: f64 = 0.25;
 /// Height of the own name relative to neighbours' names; smaller if that leaves room for more.
@@ -176,11 +176,7 @@ fn beside_edge(
     let length = distance(p, q);
     let along = direction_of(p, q);
     let inwards = [-along[1], along[0]];
-    let depth_of = |hole: &Hole| {
-        let [x, y] = [0, 1].map(|x| hole.centre[x] - p[x]);
-        x * inwards[0] + y * inwards[1] + hole.radius
-    };
-    let beyond = holes.iter().map(depth_of).reduce(f64::min);
+    let beyond = holes.iter().map(|hole| hole.reach(p, inwards)).reduce(f64::min);
     let mut height = tallest;
     loop {
         let width = text_width(name, height);
@@ -407,7 +403,7 @@ mod tests {
     fn the_name_of_a_slender_part_keeps_away_from_the_holes_at_its_ends() {
         // A little wider at its end, as a fin is: without the hole there is most room.
         let outline = [[0.0, 0.0], [80.0, 0.0], [80.0, 10.2], [0.0, 10.0]];
-        let holes = [4.0, 76.0].map(|x| Hole { centre: [x, 5.0], radius: 1.0 });
+        let holes = [4.0, 76.0].map(|x| Hole::Round { centre: [x, 5.0], radius: 1.0 });
         let (outline, name, neighbours, turn) = (&outline[..], "B10-11", &[][..], AS_IT_IS);
         let height = |holes: &[Hole]| {
             let own = Inscription {

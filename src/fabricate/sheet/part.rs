@@ -1,6 +1,7 @@
 //! A part to be cut from a sheet, and its position there.
 
-use crate::math::plane::{Point2, rotated};
+use crate::fabricate::panel::perimeter;
+use crate::math::plane::{Point2, bounds, dot, minus, rotated};
 use crate::math::{cosine, sine};
 
 /// The purpose of a line: its layer and its colour in every file.
@@ -62,27 +63,69 @@ impl Role {
     }
 }
 
-/// A round hole, in mm of the sheet.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hole {
-    /// Its centre.
-    pub centre: Point2,
-    /// Its radius.
-    pub radius: f64,
+/// What is cut out inside a part, in mm of the sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Hole {
+    /// A round hole.
+    Round {
+        /// Its centre.
+        centre: Point2,
+        /// Its radius.
+        radius: f64,
+    },
+    /// A slot: a closed outline, counterclockwise, whose first side is along it.
+    Slot(Vec<Point2>),
 }
 
 impl Hole {
-    /// A closed polygon on the circle: machines that sort by closed outlines then find only
+    /// A closed polygon, also for a circle: machines that sort by closed outlines then find only
     /// polylines.
     pub fn outline(&self) -> Vec<Point2> {
         const CORNERS: u32 = 32;
-        let corner = |k: u32| {
-            let turns = f64::from(k) / f64::from(CORNERS);
-            let [x, y] = self.centre;
-            [x + self.radius * cosine(turns), y + self.radius * sine(turns)]
-        };
-        (0..CORNERS).map(corner).collect()
+        match self {
+            Hole::Round { centre, radius } => circle(*centre, *radius, CORNERS),
+            Hole::Slot(outline) => outline.clone(),
+        }
     }
+
+    /// Its centre; of a slot, that of its box along the sheet.
+    pub fn centre(&self) -> Point2 {
+        match self {
+            Hole::Round { centre, .. } => *centre,
+            Hole::Slot(outline) => {
+                let [low, high] = bounds(outline.iter().copied());
+                [0, 1].map(|x| 0.5 * (low[x] + high[x]))
+            }
+        }
+    }
+
+    /// The length of its outline.
+    pub fn perimeter(&self) -> f64 {
+        match self {
+            Hole::Round { radius, .. } => std::f64::consts::TAU * radius,
+            Hole::Slot(outline) => perimeter(outline),
+        }
+    }
+
+    /// How far it reaches from a point in the direction of a unit vector.
+    pub fn reach(&self, from: Point2, along: Point2) -> f64 {
+        let to = |point: Point2| dot(minus(point, from), along);
+        match self {
+            Hole::Round { centre, radius } => to(*centre) + radius,
+            Hole::Slot(outline) => {
+                outline.iter().map(|&point| to(point)).fold(f64::NEG_INFINITY, f64::max)
+            }
+        }
+    }
+}
+
+/// A polygon with so many corners on a circle, counterclockwise; the first is to the right.
+pub fn circle(centre: Point2, radius: f64, corners: u32) -> Vec<Point2> {
+    let corner = |k: u32| {
+        let turns = f64::from(k) / f64::from(corners);
+        [centre[0] + radius * cosine(turns), centre[1] + radius * sine(turns)]
+    };
+    (0..corners).map(corner).collect()
 }
 
 /// Where the name of a part is written.
