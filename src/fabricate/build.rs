@@ -78,6 +78,8 @@ pub struct Build {
     pub small_names: usize,
     /// Holes without room.
     pub dropped_holes: usize,
+    /// Inner corners without room for a relief.
+    pub dropped_reliefs: usize,
     /// Where the parts are on the sheets.
     pub layout: Layout,
     /// Types of panels.
@@ -138,6 +140,7 @@ impl Build {
             dropped_names: 0,
             small_names: 0,
             dropped_holes: 0,
+            dropped_reliefs: 0,
             layout: Layout::default(),
             types,
             frame: None,

@@ -237,6 +237,11 @@ impl BuildReport {
                 },
             ),
             counted(
+                self.dropped_reliefs,
+                words::count(self.dropped_reliefs, "inner corner has", "inner corners have")
+                    + " no room for a relief: the tool leaves material there.",
+            ),
+            counted(
                 without_prism,
                 words::count(without_prism, "beam has", "beams have")
                     + " no solid: the cuts at its ends leave nothing of it.",

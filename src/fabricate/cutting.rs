@@ -29,13 +29,14 @@ type Beside = Vec<Option<String>>;
 impl Build {
     /// Cuts all parts, lays them out, and names them.
     pub(super) fn cut(&mut self) {
-        let beside = match self.settings.product {
+        let mut beside = match self.settings.product {
             Product::Panels => self.cut_panels(),
             Product::Fins => self.cut_fins(),
             Product::Paper => self.cut_paper(),
         };
         self.drill();
         self.cut_discs();
+        self.relieve(&mut beside);
         let BuildSettings { sheet, margin, gap, order, outlines_only, .. } = self.settings;
         self.layout = lay_out(&self.parts, SheetSize { size: sheet, margin, gap }, order);
         if !outlines_only {

@@ -1,7 +1,7 @@
 //! Node discs as parts: their outlines and slots on the sheet, and their names. The geometry is in
 //! `beam/disc`.
 
-use super::beam::{Disc, DiscSize};
+use super::beam::{Disc, DiscSize, Slot};
 use super::build::{Build, NotCut, beam_name, node_name};
 use super::fault::Fault;
 use super::panel::inset;
@@ -87,17 +87,15 @@ impl Build {
 
     /// The names on a disc that is a part.
     pub(super) fn label_disc(&self, disc: &Disc, part: &CutPart, turn: Point2) -> Labels {
-        let slots: Vec<SlotName> = disc
-            .slots
-            .iter()
-            .zip(&part.holes)
-            .map(|(slot, hole)| {
-                let ends = self.surface.edges[slot.edge as usize].ends;
-                let other = if ends[0] == disc.vertex { ends[1] } else { ends[0] };
-                SlotName { outline: hole.outline(), names: [beam_name(ends), node_name(other)] }
-            })
-            .collect();
-        label_disc(&part.outline, &part.name, &slots, turn)
+        let model = self.mm_of_sheet();
+        let of_slot = |slot: &Slot| {
+            let ends = self.surface.edges[slot.edge as usize].ends;
+            let other = if ends[0] == disc.vertex { ends[1] } else { ends[0] };
+            let corners = slot.corners.map(|corner| corner.map(|x| x * model));
+            SlotName { corners, names: [beam_name(ends), node_name(other)] }
+        };
+        let slots: Vec<SlotName> = disc.slots.iter().map(of_slot).collect();
+        label_disc((&part.outline, &part.holes), &part.name, &slots, turn)
     }
 }
 
@@ -107,7 +105,7 @@ fn cut(disc: &Disc, model: f64, half: f64) -> Result<(Vec<Point2>, Vec<Hole>), &
     let slots = disc.slots.iter().map(|slot| {
         let scaled = slot.corners.map(|corner| corner.map(|x| x * model));
         let narrowed = if half > 0.0 { inset(&scaled, half) } else { Some(scaled.into()) };
-        narrowed.map(Hole::Slot).ok_or("a slot is no wider than the kerf")
+        narrowed.map(Hole::slot).ok_or("a slot is no wider than the kerf")
     });
     Ok((outline, slots.collect::<Result<_, _>>()?))
 }

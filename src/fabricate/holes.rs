@@ -64,7 +64,7 @@ impl Build {
                     |&(part, centre): &_| has_room(&self.parts[part], centre, (diameter, outside));
                 match radius > 0.0 && both.iter().all(has_room) {
                     true => both.iter().for_each(|&(part, centre)| {
-                        self.parts[part].holes.push(Hole::Round { centre, radius });
+                        self.parts[part].holes.push(Hole::round(centre, radius));
                     }),
                     false => self.dropped_holes += 2,
                 }
@@ -82,7 +82,7 @@ impl Build {
                 let ends = [part.outline[side % n], part.outline[(side + 1) % n]];
                 let centre = beside(ends, 0.5, FROM_EDGE * diameter + outside);
                 match radius > 0.0 && has_room(part, centre, (diameter, outside)) {
-                    true => part.holes.push(Hole::Round { centre, radius }),
+                    true => part.holes.push(Hole::round(centre, radius)),
                     false => self.dropped_holes += 1,
                 }
             }
@@ -99,7 +99,7 @@ fn beside([p, q]: [Point2; 2], share: f64, away: f64) -> Point2 {
 
 /// Whether a hole leaves enough of a part, which is smaller than what is cut by `outside` on each side.
 fn has_room(part: &CutPart, centre: Point2, (diameter, outside): (f64, f64)) -> bool {
-    let apart = |hole: &Hole| distance(centre, hole.centre()) >= 2.0 * LEAST * diameter;
+    let apart = |hole: &Hole| distance(centre, hole.centre) >= 2.0 * LEAST * diameter;
     is_inside(&part.outline, centre)
         && distance_to_outline(&part.outline, centre) >= LEAST * diameter + outside
         && part.holes.iter().all(apart)

@@ -28,6 +28,7 @@
 //! | `cutting` | cuts, lays out and names the parts |
 //! | `discs` | node discs as parts |
 //! | `holes` | holes along edges and at the ends of fins |
+//! | `relief` | reliefs in inner corners, for milling tools |
 //! | `check_card` | the build check: five numbers with limits, and the elements that exceed them |
 //! | `build_words` | the report in words |
 //! | `card` | the part of the report that is updated while the user moves the shape |
@@ -64,6 +65,7 @@ mod output;
 pub mod panel;
 pub mod paper;
 mod plates;
+mod relief;
 mod report;
 mod report_page;
 pub mod sheet;

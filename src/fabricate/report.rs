@@ -118,6 +118,8 @@ pub struct BuildReport {
     pub holes: usize,
     /// Holes left out for lack of room.
     pub dropped_holes: usize,
+    /// Inner corners that are cut without a relief for lack of room.
+    pub dropped_reliefs: usize,
     /// Types of panels.
     pub types: usize,
     /// Pairs of a tolerance in mm of the building and the number of types of panels.
@@ -230,8 +232,9 @@ impl Build {
                 .filter(|(place, part)| place.is_some() && is_nameless(part))
                 .map(|(_, part)| part.name.clone())
                 .collect(),
-            holes: holes().filter(|hole| matches!(hole, Hole::Round { .. })).count(),
+            holes: holes().filter(|hole| hole.slot.is_none()).count(),
             dropped_holes: self.dropped_holes,
+            dropped_reliefs: self.dropped_reliefs,
             types: self.types.leaders.len(),
             types_curve: curve(&ALIKE_MM, self.flat.len(), |tolerance| {
                 panel_types(&self.flat, tolerance / building, self.settings.mirror)

@@ -377,10 +377,10 @@ fn fins_and_discs_of_a_free_form_surface_go_together_although_its_beams_are_warp
 fn fins_and_discs_of_a_new_dome_go_together() {
     let kind = NewKind::of("dome").unwrap();
     let mut sizes = kind.defaults();
-    println!("{:?} {sizes:?}", kind.sizes.iter().map(|size| size.id).collect::<Vec<_>>());
-    sizes[0] = 8.0;
-    let mesh = kind.mesh(&kind.defaults()).unwrap();
-    let own = BuildSettings { kind: Some(OffsetKind::Corner), scale: 20.0, ..settings() };
+    // Panels around and rows.
+    (sizes[3], sizes[4]) = (12.0, 5.0);
+    let mesh = kind.mesh(&sizes).unwrap();
+    let own = BuildSettings { kind: Some(OffsetKind::Corner), ..settings() };
     let made = Build::new(&mesh, &own, metres()).unwrap();
     assert_fits(&made, "dome");
 }

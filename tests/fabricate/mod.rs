@@ -5,6 +5,7 @@ mod assembly;
 mod bad_input;
 mod beams;
 mod check;
+mod discs;
 mod dxf;
 mod expected;
 mod files;

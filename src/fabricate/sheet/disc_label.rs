@@ -1,17 +1,17 @@
 //! Names on a node disc: its own between two slots or in the middle, an arrow on the rim at the first
-//! slot, and beside each slot the name of its fin or, if that is too long, of the node that the fin
-//! leads to. Names that do not fit are made smaller down to a readable height, then left out and
+//! slot, and beside the slots the names of the fins or, if these are too long, of the nodes that the fins
+//! lead to. Names that do not fit are made smaller down to a readable height, then left out and
 //! counted.
 
-use super::label::{LEAST, LEAST_OWN, Labels, TALLEST, upright};
-use super::lettering::strokes;
+use super::label::{ALIKE, LEAST, LEAST_OWN, Labels, TALLEST, underline, upright};
+use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use super::text_box::{Box2, ROOM};
 use crate::fabricate::panel::{direction_of, distance_to_outline};
 use crate::math::plane::{Point2, distance, dot, length, rotated};
 
-/// Largest height of the own name relative to the radius.
-const OF_RADIUS: f64 = 0.4;
+/// Largest height of the own name relative to the radius; smaller if that leaves room for more.
+const OF_RADIUS: [f64; 3] = [0.4, 0.28, 0.2];
 /// Height of the names of fins relative to the own name.
 const OF_OWN: f64 = 0.7;
 /// By this names are made smaller until there is room.
@@ -24,43 +24,76 @@ const BESIDE_ARROW: f64 = 0.2;
 /// A slot and its names.
 #[derive(Clone, Debug)]
 pub struct SlotName {
-    /// Its outline, whose first side leads from the axis outwards.
-    pub outline: Vec<Point2>,
-    /// What may be written beside it, the best first.
+    /// Its corners; its first side leads from the axis outwards.
+    pub corners: [Point2; 4],
+    /// What may be written beside it: the name of the fin or, if that is too long on a slot of the disc,
+    /// of the node that the fin leads to.
     pub names: [String; 2],
 }
 
-/// Writes the labels of a disc about the origin that have room; `turn` is its rotation on the sheet.
-pub fn label_disc(outline: &[Point2], name: &str, slots: &[SlotName], turn: Point2) -> Labels {
+/// Writes the labels of a disc about the origin that have room beside its slots, which are cut as
+/// `holes`; `turn` is its rotation on the sheet. All slots have names of one sort.
+pub fn label_disc(
+    (outline, holes): (&[Point2], &[Hole]),
+    name: &str,
+    slots: &[SlotName],
+    turn: Point2,
+) -> Labels {
+    let mut best: Option<Labels> = None;
+    for sort in 0..2 {
+        for tallest in OF_RADIUS {
+            let labels = labels_of(((outline, holes), (name, tallest), (slots, sort)), turn);
+            let missing = |labels: &Labels| labels.dropped + usize::from(labels.small);
+            if best.as_ref().is_none_or(|best| missing(&labels) < missing(best)) {
+                best = Some(labels);
+            }
+        }
+    }
+    best.unwrap_or_default()
+}
+
+/// The disc, its name with the largest height relative to the radius, the slots and which of their names
+/// is written.
+type Asked<'a> = ((&'a [Point2], &'a [Hole]), (&'a str, f64), (&'a [SlotName], usize));
+
+fn labels_of(
+    ((outline, holes), (name, tallest), (slots, sort)): Asked<'_>,
+    turn: Point2,
+) -> Labels {
     let radius = outline.first().map_or(0.0, |&corner| length(corner));
+    // A circle within the outline.
+    let room = distance_to_outline(outline, [0.0; 2]);
     let mut labels = Labels::default();
-    let mut taken: Vec<Box2> =
-        slots.iter().map(|slot| Box2::of_hole(&Hole::Slot(slot.outline.clone()))).collect();
+    let mut taken: Vec<Box2> = holes.iter().map(Box2::of_hole).collect();
     if let Some(first) = slots.first() {
         let (lines, own) = arrow(first, radius);
         labels.lines.extend(lines);
         taken.push(own);
     }
-    let found = own_name(outline, name, slots, (radius, turn), &taken);
-    let tallest = match found {
-        Some((height, own)) => {
-            labels.lines.extend(strokes(name, height, own.centre, own.along));
-            labels.texts.push(name.to_owned());
-            taken.push(own);
-            OF_OWN * height
-        }
-        None => 0.0,
-    };
-    labels.small = found.is_none_or(|(height, _)| height < LEAST);
+    let found = own_name((name, tallest * radius), slots, (room, turn), &taken);
+    let height = found.map_or(0.0, |(height, _)| height);
+    if let Some((height, own)) = found {
+        labels.lines.extend(strokes(name, height, own.centre, own.along));
+        labels.texts.push(name.to_owned());
+        taken.push(own);
+    }
+    labels.small = height < LEAST;
+    let mut highest: f64 = 0.0;
     for k in 0..slots.len() {
-        match beside_slot(outline, slots, k, tallest.clamp(LEAST, TALLEST), turn, &taken) {
-            Some((name, height, own)) => {
-                labels.lines.extend(strokes(&name, height, own.centre, own.along));
-                labels.texts.push(name);
+        let tallest = (OF_OWN * height).clamp(LEAST, TALLEST);
+        match beside_slot((slots, room), (k, sort), tallest, turn, &taken) {
+            Some((height, own)) => {
+                let name = &slots[k].names[sort];
+                highest = highest.max(height);
+                labels.lines.extend(strokes(name, height, own.centre, own.along));
+                labels.texts.push(name.clone());
                 taken.push(own);
             }
             None => labels.dropped += 1,
         }
+    }
+    if let Some((_, own)) = found.filter(|(height, _)| highest > ALIKE * height) {
+        labels.lines.push(underline(own, text_width(name, height), height));
     }
     labels
 }
@@ -72,14 +105,13 @@ fn shares() -> impl Iterator<Item = f64> {
 
 /// The height and the box of the own name: in the middle, or else half way between two slots.
 fn own_name(
-    outline: &[Point2],
-    name: &str,
+    (name, tallest): (&str, f64),
     slots: &[SlotName],
-    (radius, turn): (f64, Point2),
+    (room, turn): (f64, Point2),
     taken: &[Box2],
 ) -> Option<(f64, Box2)> {
     let n = slots.len();
-    let outwards = |k: usize| direction_of(slots[k % n].outline[0], slots[k % n].outline[1]);
+    let outwards = |k: usize| direction_of(slots[k % n].corners[0], slots[k % n].corners[1]);
     let between = |k: usize| {
         let ([a, b], [c, d]) = (outwards(k), outwards(k + 1));
         // Opposite slots, or a single one, leave the side to the left of the first.
@@ -89,16 +121,16 @@ fn own_name(
             false => [-b, a],
         }
     };
-    let mut height = (OF_RADIUS * radius).min(TALLEST);
+    let mut height = tallest.min(TALLEST);
     while height >= LEAST_OWN {
         for share in shares() {
             for k in 0..n {
                 let away = between(k);
-                let centre = away.map(|x| x * share * radius);
+                let centre = away.map(|x| x * share * room);
                 let level = [turn[0], -turn[1]];
                 for along in [level, upright([-away[1], away[0]], turn), upright(away, turn)] {
                     let own = Box2::of_text(name, height, centre, along);
-                    if own.is_in(outline) && taken.iter().all(|other| own.is_apart(other)) {
+                    if own.reach() < room && taken.iter().all(|other| own.is_apart(other)) {
                         return Some((height, own));
                     }
                 }
@@ -109,54 +141,51 @@ fn own_name(
     None
 }
 
-/// The name beside a slot, its height and its box, along the slot on either side of it, nearer to it
-/// than to other slots.
+/// The height and the box of a name beside a slot, along it on either side, nearer to it than to
+/// other slots.
 fn beside_slot(
-    outline: &[Point2],
-    slots: &[SlotName],
-    k: usize,
+    (slots, room): (&[SlotName], f64),
+    (k, sort): (usize, usize),
     tallest: f64,
     turn: Point2,
     taken: &[Box2],
-) -> Option<(String, f64, Box2)> {
-    let SlotName { outline: own, names } = &slots[k];
-    let [from, to, across] = [own[0], own[1], own[2]];
+) -> Option<(f64, Box2)> {
+    let [from, to, across, _] = slots[k].corners;
+    let name = &slots[k].names[sort];
     let along = direction_of(from, to);
     let left = rotated(along, [0.0, 1.0]);
     let middle = [0, 1].map(|x| 0.5 * (to[x] + across[x]));
     let half = 0.5 * distance(to, across);
     let is_nearest = |point: Point2| {
-        let far = |slot: &SlotName| distance_to_outline(&slot.outline, point);
+        let far = |slot: &SlotName| distance_to_outline(&slot.corners, point);
         slots.iter().all(|slot| far(slot) >= far(&slots[k]) * (1.0 - 1e-9))
     };
     let radius = dot(to, along);
-    for name in names {
-        let mut height = tallest;
-        while height >= LEAST {
-            let aside = half + (0.5 + 1.01 * ROOM) * height;
-            // As far out as there is room.
-            for share in shares() {
-                for side in [aside, -aside] {
-                    let back = share * radius;
-                    let centre = [0, 1].map(|x| middle[x] + side * left[x] - back * along[x]);
-                    let found = Box2::of_text(name, height, centre, upright(along, turn));
-                    if found.is_in(outline)
-                        && taken.iter().all(|other| found.is_apart(other))
-                        && is_nearest(centre)
-                    {
-                        return Some((name.clone(), height, found));
-                    }
+    let mut height = tallest;
+    while height >= LEAST {
+        let aside = half + (0.5 + 1.01 * ROOM) * height;
+        // As far out as there is room.
+        for share in shares() {
+            for side in [aside, -aside] {
+                let back = share * radius;
+                let centre = [0, 1].map(|x| middle[x] + side * left[x] - back * along[x]);
+                let found = Box2::of_text(name, height, centre, upright(along, turn));
+                if found.reach() < room
+                    && taken.iter().all(|other| found.is_apart(other))
+                    && is_nearest(centre)
+                {
+                    return Some((height, found));
                 }
             }
-            height = if height > LEAST { (SMALLER * height).max(LEAST) } else { 0.0 };
         }
+        height = if height > LEAST { (SMALLER * height).max(LEAST) } else { 0.0 };
     }
     None
 }
 
 /// An arrow from the rim to a slot, and its box.
 fn arrow(slot: &SlotName, radius: f64) -> (Vec<Vec<Point2>>, Box2) {
-    let [from, to, across] = [slot.outline[0], slot.outline[1], slot.outline[2]];
+    let [from, to, across, _] = slot.corners;
     let along = direction_of(from, to);
     let left = rotated(along, [0.0, 1.0]);
     let foot = [0, 1].map(|x| 0.5 * (to[x] + across[x]));
@@ -187,11 +216,12 @@ mod tests {
             let turn = crate::math::cosine_and_sine_of_degrees(*degrees);
             let stop = radius - 4.0;
             let corners = [[8.0, -1.5], [stop, -1.5], [stop, 1.5], [8.0, 1.5]];
-            let outline = corners.map(|corner| rotated(corner, turn)).to_vec();
-            SlotName { outline, names: ["B12-13".to_owned(), "N13".to_owned()] }
+            let corners = corners.map(|corner| rotated(corner, turn));
+            SlotName { corners, names: ["B12-13".to_owned(), "N13".to_owned()] }
         };
         let slots: Vec<SlotName> = degrees.iter().map(slot).collect();
-        label_disc(&circle([0.0; 2], radius, 64), "N12", &slots, [1.0, 0.0])
+        let holes: Vec<Hole> = slots.iter().map(|slot| Hole::slot(slot.corners.into())).collect();
+        label_disc((&circle([0.0; 2], radius, 64), &holes), "N12", &slots, [1.0, 0.0])
     }
 
     #[test]

@@ -28,7 +28,7 @@ const SMALL: f64 = 0.7;
 /// Positions along an edge at which a neighbour's name is tried.
 const SHARES: [f64; 9] = [0.5, 0.38, 0.62, 0.28, 0.72, 0.24, 0.76, 0.14, 0.86];
 /// The own name is underlined if a neighbour's is higher than this fraction of it.
-const ALIKE: f64 = 0.85;
+pub(super) const ALIKE: f64 = 0.85;
 /// Distance of the underline, relative to the height of the name.
 const BELOW: f64 = 0.2;
 
@@ -154,7 +154,11 @@ fn label_of_height(
 }
 
 /// A line below the text of a box.
-fn underline(Box2 { centre, along: [c, s], .. }: Box2, width: f64, height: f64) -> Vec<Point2> {
+pub(super) fn underline(
+    Box2 { centre, along: [c, s], .. }: Box2,
+    width: f64,
+    height: f64,
+) -> Vec<Point2> {
     let down = (0.5 + BELOW) * height;
     let at = |x: f64| [centre[0] + c * x + s * down, centre[1] + s * x - c * down];
     vec![at(-0.5 * width), at(0.5 * width)]
@@ -403,7 +407,7 @@ mod tests {
     fn the_name_of_a_slender_part_keeps_away_from_the_holes_at_its_ends() {
         // A little wider at its end, as a fin is: without the hole there is most room.
         let outline = [[0.0, 0.0], [80.0, 0.0], [80.0, 10.2], [0.0, 10.0]];
-        let holes = [4.0, 76.0].map(|x| Hole::Round { centre: [x, 5.0], radius: 1.0 });
+        let holes = [4.0, 76.0].map(|x| Hole::round([x, 5.0], 1.0));
         let (outline, name, neighbours, turn) = (&outline[..], "B10-11", &[][..], AS_IT_IS);
         let height = |holes: &[Hole]| {
             let own = Inscription {

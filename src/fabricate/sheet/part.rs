@@ -1,7 +1,7 @@
 //! A part to be cut from a sheet, and its position there.
 
 use crate::fabricate::panel::perimeter;
-use crate::math::plane::{Point2, bounds, dot, minus, rotated};
+use crate::math::plane::{Point2, bounds, distance, dot, minus, rotated};
 use crate::math::{cosine, sine};
 
 /// The purpose of a line: its layer and its colour in every file.
@@ -65,54 +65,48 @@ impl Role {
 
 /// What is cut out inside a part, in mm of the sheet.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Hole {
-    /// A round hole.
-    Round {
-        /// Its centre.
-        centre: Point2,
-        /// Its radius.
-        radius: f64,
-    },
-    /// A slot: a closed outline, counterclockwise, whose first side is along it.
-    Slot(Vec<Point2>),
+pub struct Hole {
+    /// Its centre; of a slot, that of its box along the axes.
+    pub centre: Point2,
+    /// Its radius; of a slot, the distance of its farthest corner from its centre.
+    pub radius: f64,
+    /// The outline of a slot, counterclockwise, whose first side is along it; none of a round hole.
+    pub slot: Option<Vec<Point2>>,
 }
 
 impl Hole {
+    /// A round hole.
+    pub fn round(centre: Point2, radius: f64) -> Hole {
+        Hole { centre, radius, slot: None }
+    }
+
+    /// A slot with this outline.
+    pub fn slot(outline: Vec<Point2>) -> Hole {
+        let [low, high] = bounds(outline.iter().copied());
+        let centre = [0, 1].map(|x| 0.5 * (low[x] + high[x]));
+        let radius = outline.iter().map(|&corner| distance(centre, corner)).fold(0.0, f64::max);
+        Hole { centre, radius, slot: Some(outline) }
+    }
+
     /// A closed polygon, also for a circle: machines that sort by closed outlines then find only
     /// polylines.
     pub fn outline(&self) -> Vec<Point2> {
         const CORNERS: u32 = 32;
-        match self {
-            Hole::Round { centre, radius } => circle(*centre, *radius, CORNERS),
-            Hole::Slot(outline) => outline.clone(),
-        }
-    }
-
-    /// Its centre; of a slot, that of its box along the sheet.
-    pub fn centre(&self) -> Point2 {
-        match self {
-            Hole::Round { centre, .. } => *centre,
-            Hole::Slot(outline) => {
-                let [low, high] = bounds(outline.iter().copied());
-                [0, 1].map(|x| 0.5 * (low[x] + high[x]))
-            }
-        }
+        self.slot.clone().unwrap_or_else(|| circle(self.centre, self.radius, CORNERS))
     }
 
     /// The length of its outline.
     pub fn perimeter(&self) -> f64 {
-        match self {
-            Hole::Round { radius, .. } => std::f64::consts::TAU * radius,
-            Hole::Slot(outline) => perimeter(outline),
-        }
+        let round = || std::f64::consts::TAU * self.radius;
+        self.slot.as_ref().map_or_else(round, |outline| perimeter(outline))
     }
 
     /// How far it reaches from a point in the direction of a unit vector.
     pub fn reach(&self, from: Point2, along: Point2) -> f64 {
         let to = |point: Point2| dot(minus(point, from), along);
-        match self {
-            Hole::Round { centre, radius } => to(*centre) + radius,
-            Hole::Slot(outline) => {
+        match &self.slot {
+            None => to(self.centre) + self.radius,
+            Some(outline) => {
                 outline.iter().map(|&point| to(point)).fold(f64::NEG_INFINITY, f64::max)
             }
         }

@@ -3,7 +3,7 @@
 use super::lettering::text_width;
 use super::part::Hole;
 use crate::fabricate::panel::{direction_of, sides};
-use crate::math::plane::{Point2, bounds, is_inside, minus, rotated};
+use crate::math::plane::{Point2, bounds, is_inside, length, minus, rotated};
 
 /// Room around a text, relative to its height.
 pub(super) const ROOM: f64 = 0.35;
@@ -24,11 +24,9 @@ impl Box2 {
     }
 
     pub(super) fn of_hole(hole: &Hole) -> Box2 {
-        match hole {
-            Hole::Round { centre, radius } => {
-                Box2 { centre: *centre, along: [1.0, 0.0], half: [*radius; 2] }
-            }
-            Hole::Slot(outline) => Box2::of_slot(outline),
+        match &hole.slot {
+            None => Box2 { centre: hole.centre, along: [1.0, 0.0], half: [hole.radius; 2] },
+            Some(outline) => Box2::of_slot(outline),
         }
     }
 
@@ -50,6 +48,11 @@ impl Box2 {
             let [x, y] = [i * self.half[0], j * self.half[1]];
             [self.centre[0] + c * x - s * y, self.centre[1] + s * x + c * y]
         })
+    }
+
+    /// The distance of its farthest corner from the origin.
+    pub(super) fn reach(&self) -> f64 {
+        self.corners().into_iter().map(length).fold(0.0, f64::max)
     }
 
     /// Whether two are disjoint, by their separating axes.

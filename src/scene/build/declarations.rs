@@ -194,6 +194,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     .of(FLAT),
     setting(
         Cutting,
+        "tool",
+        "Tool",
+        number(Mm, ON_SHEET, |own| Some(own.tool)),
+        "Diameter of a milling tool: inner corners get reliefs that it reaches; 0 for none.",
+    )
+    .of(FLAT),
+    setting(
+        Cutting,
         "gap",
         "Gap",
         number(Mm, ON_SHEET, |own| Some(own.gap)),
