@@ -347,7 +347,7 @@ fn assert_fits(made: &Build, name: &str) {
 
 /// A free-form surface on which no offset is exact.
 fn free_form() -> Mesh {
-    let mut mesh = revolution(7, 5);
+    let mut mesh = revolution(4, 3);
     for [x, y, z] in &mut mesh.positions {
         *z += 0.02 * shape_up::math::sine(0.4 * *x * *y);
         *x += 0.01 * shape_up::math::sine(0.3 * *z);
@@ -359,7 +359,7 @@ fn free_form() -> Mesh {
 fn fins_and_discs_of_an_exactly_circular_grid_go_together() {
     for distance in [0.25, -0.2] {
         let own = BuildSettings { distance: Some(distance), ..settings() };
-        let made = build(&revolution(7, 5), &own);
+        let made = build(&revolution(4, 3), &own);
         assert!(made.offset.as_ref().unwrap().0.exact);
         assert_fits(&made, "circular grid");
     }
@@ -378,7 +378,7 @@ fn fins_and_discs_of_a_new_dome_go_together() {
     let kind = NewKind::of("dome").unwrap();
     let mut sizes = kind.defaults();
     // Panels around and rows.
-    (sizes[3], sizes[4]) = (12.0, 5.0);
+    (sizes[3], sizes[4]) = (12.0, 3.0);
     let mesh = kind.mesh(&sizes).unwrap();
     let own = BuildSettings { kind: Some(OffsetKind::Corner), ..settings() };
     let made = Build::new(&mesh, &own, metres()).unwrap();
