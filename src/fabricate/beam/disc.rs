@@ -28,7 +28,7 @@ use super::seat::{FinEnd, Seat, seated};
 use crate::fabricate::panel::is_simple;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
-use crate::math::plane::{Point2, dot};
+use crate::math::plane::Point2;
 
 /// Least height of a fin below its seat, relative to its height at the node.
 const LEAST_NECK: f64 = 1.0 / 3.0;
@@ -246,8 +246,7 @@ fn planned(
 }
 
 impl Disc {
-    /// A point of its plane, at a height above its inner side, in space. The inner side is that of
-    /// the lower position along the axis.
+    /// A point over its plane, at a height along the axis of the node, in space.
     pub fn in_space(
         &self,
         surface: &PanelSurface,
@@ -257,13 +256,5 @@ impl Disc {
     ) -> Vec3<f64> {
         let left = node.axis.cross(node.across);
         surface.at(self.vertex) + node.axis * height + node.across * x + left * y
-    }
-
-    /// The unit vector along a slot away from the node, in the plane of the disc, and how far the slot
-    /// reaches along it.
-    pub fn along(slot: &Slot) -> (Point2, [f64; 2]) {
-        let [p, q, ..] = slot.corners;
-        let along = crate::fabricate::panel::direction_of(p, q);
-        (along, [dot(p, along), dot(q, along)])
     }
 }

@@ -1,6 +1,6 @@
 //! What is near a node disc: whether it keeps clear of other discs, and of fins that do not end at its
-//! node. A disc counts as the ball around it, so that no clear disc is missed, and one that barely
-//! clears a neighbour may be refused.
+//! node. A disc counts as the ball around it: nothing that it meets is missed, and one that barely clears
+//! a neighbour may be refused.
 
 use super::FrameSize;
 use super::disc::Disc;
