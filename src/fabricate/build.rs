@@ -2,6 +2,7 @@
 
 use super::alike::Types;
 use super::beam::Frame;
+use super::discs::CutDisc;
 use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
@@ -77,12 +78,16 @@ pub struct Build {
     pub small_names: usize,
     /// Holes without room.
     pub dropped_holes: usize,
+    /// Inner corners without room for a relief.
+    pub dropped_reliefs: usize,
     /// Where the parts are on the sheets.
     pub layout: Layout,
     /// Types of panels.
     pub types: Types,
     /// The beams, if fins are made and the surface has an outside.
     pub frame: Option<Frame>,
+    /// The node discs among the parts, in the order of the parts, of which they are the last.
+    pub discs: Vec<CutDisc>,
     /// The paper model, if one is made.
     pub paper: Option<PaperModel>,
     /// The node axes of the offset and their check; none if the surface has no outside.
@@ -135,9 +140,11 @@ impl Build {
             dropped_names: 0,
             small_names: 0,
             dropped_holes: 0,
+            dropped_reliefs: 0,
             layout: Layout::default(),
             types,
             frame: None,
+            discs: Vec::new(),
             paper: None,
             offset: None,
             tried: Vec::new(),
@@ -276,13 +283,15 @@ impl Build {
     fn legend(&self) -> String {
         let side = match self.settings.product {
             _ if self.surface.one_sided.is_some() => "",
-            Product::Fins => "",
+            Product::Fins if self.discs.is_empty() => "",
+            Product::Fins => "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT",
             Product::Paper if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };
         let arrow = match self.settings.product {
             Product::Panels => "ARROW: TO ITS FIRST EDGE IN THE MODEL",
-            Product::Fins => "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
+            Product::Fins if self.discs.is_empty() => "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
+            Product::Fins => "ARROW OF A FIN: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Paper => "",
         };
         let words: Vec<&str> =

@@ -6,7 +6,7 @@ use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::Choice;
-use super::report::BuildReport;
+use super::report::{BuildReport, FrameReport};
 use super::tighten::PanelSuggestion;
 use crate::scene::{BuildSettings, OffsetKind, Product, panel_adjective};
 use crate::words;
@@ -161,7 +161,7 @@ impl Choice {
 
 impl BuildReport {
     fn sheets_in_words(&self) -> String {
-        let all = parts(self.parts, self.product);
+        let all = self.parts_in_words(false);
         let all = match self.placed == self.parts {
             true => all,
             false => format!("{} of {all}", words::group_digits(self.placed)),
@@ -182,13 +182,30 @@ impl BuildReport {
         line.join(", ")
     }
 
+    /// Formats the number of parts, or of those on sheets; fins and node discs by themselves.
+    pub(super) fn parts_in_words(&self, on_sheets: bool) -> String {
+        let of_frame = |frame: &FrameReport| [frame.discs, frame.placed_discs];
+        let discs = self.frame.as_ref().map_or([0; 2], of_frame);
+        let (all, discs) = match on_sheets {
+            true => (self.placed, discs[1]),
+            false => (self.parts, discs[0]),
+        };
+        match discs {
+            0 => parts(all, self.product),
+            _ => format!("{} and {}", parts(all - discs, self.product), count(discs, "node disc")),
+        }
+    }
+
     fn warnings(&self, settings: &BuildSettings) -> Vec<String> {
         let bare = self.paper.as_ref().map_or(&[][..], |paper| &paper.without_tab);
         let creased = self.paper.as_ref().map_or(0, |paper| paper.creased);
         let some = |names: &[String]| words::and_more(names, NAMED);
         let named = |names: &[String], sentence: String| (!names.is_empty()).then_some(sentence);
         let counted = |number: usize, sentence: String| (number > 0).then_some(sentence);
-        let unnamed = parts(self.unnamed.len(), self.product);
+        let unnamed = match self.frame.as_ref().is_some_and(|frame| frame.discs > 0) {
+            true => count(self.unnamed.len(), "part"),
+            false => parts(self.unnamed.len(), self.product),
+        };
         let has = if self.unnamed.len() == 1 { "has" } else { "have" };
         let (large, uncut) = (some(&self.too_large), some(&self.not_cut));
         let larger = self.larger_sheet_mm.map_or_else(String::new, |[width, height]| {
@@ -225,6 +242,11 @@ impl BuildReport {
                         format!("{holes} left out: no wider than the kerf.")
                     }
                 },
+            ),
+            counted(
+                self.dropped_reliefs,
+                words::count(self.dropped_reliefs, "inner corner has", "inner corners have")
+                    + " no room for a relief: the tool leaves material there.",
             ),
             counted(
                 without_prism,
@@ -299,7 +321,7 @@ impl Build {
 }
 
 /// Formats a number of parts of a product.
-pub(super) fn parts(number: usize, product: Product) -> String {
+fn parts(number: usize, product: Product) -> String {
     count(
         number,
         match product {

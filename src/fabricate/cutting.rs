@@ -29,12 +29,14 @@ type Beside = Vec<Option<String>>;
 impl Build {
     /// Cuts all parts, lays them out, and names them.
     pub(super) fn cut(&mut self) {
-        let beside = match self.settings.product {
+        let mut beside = match self.settings.product {
             Product::Panels => self.cut_panels(),
             Product::Fins => self.cut_fins(),
             Product::Paper => self.cut_paper(),
         };
         self.drill();
+        self.cut_discs();
+        self.relieve(&mut beside);
         let BuildSettings { sheet, margin, gap, order, outlines_only, .. } = self.settings;
         self.layout = lay_out(&self.parts, SheetSize { size: sheet, margin, gap }, order);
         if !outlines_only {
@@ -100,12 +102,17 @@ impl Build {
     }
 
     fn cut_fins(&mut self) -> Vec<Beside> {
+        if self.offset.is_none() {
+            return Vec::new();
+        }
+        let discs = self.disc_size();
         let Some((axes, _)) = &self.offset else { return Vec::new() };
         let model = self.mm_of_sheet();
         let size = FrameSize {
             height: self.distance(),
             width: self.beam_width(),
             thickness: self.settings.thickness / model,
+            discs,
         };
         let BuildSettings { alike_deg, mirror, kerf, .. } = self.settings;
         let frame = Frame::new(&self.surface, &axes.axes, size, alike_deg, mirror);
@@ -114,9 +121,9 @@ impl Build {
             let edge = &self.surface.edges[e];
             let name = beam_name(edge.ends);
             let fin = fin.as_ref().map_err(|why| *why).and_then(|fin| {
-                let scaled = fin.outline.map(|corner| corner.map(|x| x * model));
-                let outline =
-                    if kerf > 0.0 { inset(&scaled, -0.5 * kerf) } else { Some(scaled.into()) };
+                let scaled: Vec<Point2> =
+                    fin.cut.iter().map(|corner| corner.map(|x| x * model)).collect();
+                let outline = if kerf > 0.0 { inset(&scaled, -0.5 * kerf) } else { Some(scaled) };
                 let outline = outline.ok_or("it is too small for the kerf")?;
                 check_size(&outline)?;
                 Ok((fin, outline))
@@ -133,7 +140,10 @@ impl Build {
                         has_first_side,
                         ..CutPart::default()
                     });
-                    all.push(vec![None, one, None, other]);
+                    // The ends are the second and the last side.
+                    let mut beside = vec![None; fin.cut.len()];
+                    (beside[1], beside[fin.cut.len() - 1]) = (one, other);
+                    all.push(beside);
                 }
                 Err(why) => self.not_cut.push(NotCut { part: name, why }),
             }
@@ -162,7 +172,8 @@ impl Build {
     /// Engraves each part on a sheet with its name and the names of its neighbours `beside` its edges.
     fn write_names(&mut self, beside: &[Beside]) {
         let places = self.layout.places(self.parts.len());
-        for (k, part) in self.parts.iter_mut().enumerate() {
+        let mut parts = std::mem::take(&mut self.parts);
+        for (k, part) in parts.iter_mut().enumerate() {
             let Some((_, Place { turn, .. })) = places[k] else { continue };
             let missing = match &self.paper {
                 Some(model) => {
@@ -170,20 +181,19 @@ impl Build {
                     write_names(part, (model, k), &self.names, inside, turn)
                 }
                 None => {
-                    let (outline, name) = (&part.outline[..], &*part.name);
-                    let (neighbours, with_arrow) = (&beside[k][..], part.has_first_side);
-                    let holes = &part.holes[..];
-                    let free_sides = self.settings.product == Product::Panels;
-                    let own = Inscription {
-                        outline,
-                        name,
-                        neighbours,
-                        free_sides,
-                        with_arrow,
-                        turn,
-                        holes,
+                    let labels = match self.disc_of(k) {
+                        Some(disc) => self.label_disc(disc, part, turn),
+                        None => label(Inscription {
+                            outline: &part.outline,
+                            name: &part.name,
+                            neighbours: &beside[k],
+                            free_sides: self.settings.product == Product::Panels,
+                            with_arrow: part.has_first_side,
+                            turn,
+                            holes: &part.holes,
+                        }),
                     };
-                    let Labels { lines, texts, dropped, small } = label(own);
+                    let Labels { lines, texts, dropped, small } = labels;
                     part.engraved = lines;
                     // Without room there is no small name either.
                     let small = usize::from(small && !texts.is_empty());
@@ -194,6 +204,7 @@ impl Build {
             self.dropped_names += missing.dropped;
             self.small_names += missing.small;
         }
+        self.parts = parts;
         self.write_on_waste();
     }
 

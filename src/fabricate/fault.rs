@@ -96,6 +96,17 @@ impl Fault {
         ))
     }
 
+    /// Material of which no slots can be cut: without thickness, or thinner than the cut is wide.
+    pub(super) fn no_slots(has_thickness: bool) -> Fault {
+        let why = match has_thickness {
+            true => "the kerf is at least as wide as its thickness with the clearance",
+            false => "its thickness is 0",
+        };
+        Fault(format!(
+            "the slots of node discs cannot be cut of this material: {why}, so there are no discs"
+        ))
+    }
+
     /// There are no quads for strips to follow.
     pub(super) fn no_strips() -> Fault {
         Fault(

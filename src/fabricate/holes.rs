@@ -4,7 +4,7 @@
 use super::build::Build;
 use super::panel::{direction_of, distance_to_outline};
 use super::sheet::{CutPart, Hole};
-use crate::math::plane::{Point2, is_inside};
+use crate::math::plane::{Point2, distance, is_inside};
 use crate::scene::Product;
 
 /// Distance of the centre of a hole from its edge, in diameters.
@@ -64,7 +64,7 @@ impl Build {
                     |&(part, centre): &_| has_room(&self.parts[part], centre, (diameter, outside));
                 match radius > 0.0 && both.iter().all(has_room) {
                     true => both.iter().for_each(|&(part, centre)| {
-                        self.parts[part].holes.push(Hole { centre, radius });
+                        self.parts[part].holes.push(Hole::round(centre, radius));
                     }),
                     false => self.dropped_holes += 2,
                 }
@@ -77,12 +77,12 @@ impl Build {
         let outside = 0.5 * self.settings.kerf;
         for part in &mut self.parts {
             // The sides at its nodes.
-            for side in [1, 3] {
-                let n = part.outline.len();
+            let n = part.outline.len();
+            for side in [1, n.saturating_sub(1)] {
                 let ends = [part.outline[side % n], part.outline[(side + 1) % n]];
                 let centre = beside(ends, 0.5, FROM_EDGE * diameter + outside);
                 match radius > 0.0 && has_room(part, centre, (diameter, outside)) {
-                    true => part.holes.push(Hole { centre, radius }),
+                    true => part.holes.push(Hole::round(centre, radius)),
                     false => self.dropped_holes += 1,
                 }
             }
@@ -99,10 +99,7 @@ fn beside([p, q]: [Point2; 2], share: f64, away: f64) -> Point2 {
 
 /// Whether a hole leaves enough of a part, which is smaller than what is cut by `outside` on each side.
 fn has_room(part: &CutPart, centre: Point2, (diameter, outside): (f64, f64)) -> bool {
-    let apart = |hole: &Hole| {
-        let [x, y] = [hole.centre[0] - centre[0], hole.centre[1] - centre[1]];
-        (x * x + y * y).sqrt() >= 2.0 * LEAST * diameter
-    };
+    let apart = |hole: &Hole| distance(centre, hole.centre) >= 2.0 * LEAST * diameter;
     is_inside(&part.outline, centre)
         && distance_to_outline(&part.outline, centre) >= LEAST * diameter + outside
         && part.holes.iter().all(apart)

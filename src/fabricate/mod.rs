@@ -21,13 +21,15 @@
 //! | `boxes` | which boxes in the plane meet another one |
 //! | `panel` | panels laid flat, the joint, names, types |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
-//! | `beam` | beams along the edges: nodes, fins, prisms |
+//! | `beam` | beams along the edges: nodes, fins, node discs, prisms |
 //! | `paper` | paper models: nets and strips with folds and tabs |
 //! | `sheet` | parts, letters, labels, the layout on sheets |
 //! | `file` | SVG, DXF, PDF, CSV |
 //! | `build` | everything for one shape |
 //! | `cutting` | cuts, lays out and names the parts |
+//! | `discs` | node discs as parts |
 //! | `holes` | holes along edges and at the ends of fins |
+//! | `relief` | reliefs in inner corners, for milling tools |
 //! | `check_card` | the build check: five numbers with limits, and the elements that exceed them |
 //! | `build_words` | the report in words |
 //! | `advice` | values of settings with which parts can be cut and joined |
@@ -41,6 +43,7 @@
 //! | `key` | drawings that say where each part goes |
 //! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
 //! | `space` | the shape with its offset and beams in space |
+//! | `plates` | fins and node discs as plates in space |
 //! | `output` | all files of a build |
 
 mod advice;
@@ -52,6 +55,7 @@ mod build_words;
 mod card;
 mod check_card;
 mod cutting;
+mod discs;
 mod facing;
 mod fault;
 pub mod file;
@@ -64,6 +68,8 @@ mod orientation;
 mod output;
 pub mod panel;
 pub mod paper;
+mod plates;
+mod relief;
 mod report;
 mod report_page;
 pub mod sheet;
@@ -80,6 +86,7 @@ pub use build::{Build, CutPanel, NotCut};
 pub use build_words::{BuildWords, CardWords, CheckWords};
 pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};
+pub use discs::CutDisc;
 pub use fault::Fault;
 pub use numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 pub use offset::Choice;

@@ -3,7 +3,7 @@
 use super::build::Build;
 use super::file::{Drawing, dxf, pdf, svg};
 use super::sheet::{CutPart, Place};
-use super::space::solids;
+use super::space::{assembled, solids};
 use super::tables;
 use crate::mesh::write_obj_with_comments;
 use crate::scene::{BuildSettings, UnitsAndUp, Up};
@@ -33,14 +33,14 @@ impl BuildFile {
         let is_key = name.strip_prefix("key-").and_then(|rest| rest.strip_suffix(".svg"));
         is_sheet
             || is_key.is_some_and(|number| number.parse::<u8>().is_ok())
-            || ["sheets.pdf", "key.pdf", "beams.obj"].contains(&name)
+            || ["sheets.pdf", "key.pdf", "beams.obj", "plates.obj"].contains(&name)
             || tables::NAMES.contains(&name)
     }
 }
 
 impl Build {
     /// All files: a drawing of each sheet and, if asked, of each part in two formats, all sheets as PDF,
-    /// the key, the tables, the beams.
+    /// the key, the tables, the beams, and with node discs all plates as they are assembled.
     /// `z_up` is whether z is up in the mesh; else y is.
     pub fn files(&self, z_up: bool) -> Vec<BuildFile> {
         let drawings = self.drawings();
@@ -62,11 +62,12 @@ impl Build {
         for (name, text) in tables::all(self) {
             add(name.to_owned(), text);
         }
-        if let Some(solids) = solids(self) {
+        let meshes = [("beams.obj", solids(self)), ("plates.obj", assembled(self))];
+        for (name, mesh) in meshes {
+            let Some(mesh) = mesh else { continue };
             let up = if z_up { Up::Z } else { Up::Y };
-            let comments = UnitsAndUp::comments(&self.unit.symbol, Some(up), &solids);
-            let text = write_obj_with_comments(&solids, &solids.positions, &comments);
-            add("beams.obj".to_owned(), text);
+            let comments = UnitsAndUp::comments(&self.unit.symbol, Some(up), &mesh);
+            add(name.to_owned(), write_obj_with_comments(&mesh, &mesh.positions, &comments));
         }
         files
     }

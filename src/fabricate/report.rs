@@ -8,7 +8,7 @@ use super::check_card::CheckRow;
 use super::offset::{Choice, OffsetCheck};
 use super::panel::{panel_types, perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
-use super::sheet::{CutPart, NamePlace};
+use super::sheet::{CutPart, Hole, NamePlace};
 use super::surface::distinct;
 use super::tighten::Tighten;
 use crate::math::plane::area;
@@ -35,6 +35,10 @@ pub struct FrameReport {
     pub node_step_mm: f64,
     /// The vertex of `node_step_mm`.
     pub node_step_vertex: u32,
+    /// Node discs that are asked for: one of each node where fins end.
+    pub discs: usize,
+    /// Node discs that are on a sheet.
+    pub placed_discs: usize,
     /// Beams whose mitres leave nothing of a prism.
     pub without_prism: usize,
 }
@@ -112,10 +116,12 @@ pub struct BuildReport {
     pub small_names: usize,
     /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
-    /// Holes in parts on sheets.
+    /// Round holes in parts on sheets.
     pub holes: usize,
     /// Holes left out for lack of room.
     pub dropped_holes: usize,
+    /// Inner corners that are cut without a relief for lack of room.
+    pub dropped_reliefs: usize,
     /// Types of panels.
     pub types: usize,
     /// Pairs of a tolerance in mm of the building and the number of types of panels.
@@ -180,8 +186,7 @@ impl Build {
             |part: &&CutPart| part.named == NamePlace::Nowhere && !self.settings.outlines_only;
         let cut_area_mm2 = sum(area);
         let holes = || on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
-        let around_holes =
-            holes().map(|hole| std::f64::consts::TAU * hole.radius).fold(0.0, |a, b| a + b);
+        let around_holes = holes().map(Hole::perimeter).fold(0.0, |a, b| a + b);
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
         let folds = || self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
@@ -230,8 +235,9 @@ impl Build {
                 .filter(|(place, part)| place.is_some() && is_nameless(part))
                 .map(|(_, part)| part.name.clone())
                 .collect(),
-            holes: holes().count(),
+            holes: holes().filter(|hole| hole.slot.is_none()).count(),
             dropped_holes: self.dropped_holes,
+            dropped_reliefs: self.dropped_reliefs,
             types: self.types.leaders.len(),
             types_curve: curve(&ALIKE_MM, self.flat.len(), |tolerance| {
                 panel_types(&self.flat, tolerance / building, self.settings.mirror)
@@ -300,6 +306,7 @@ impl Build {
     fn frame_report(&self) -> Option<FrameReport> {
         let frame = self.frame.as_ref()?;
         let fins = || frame.fins.iter().flatten();
+        let places = self.layout.places(self.parts.len());
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
         let (step, node_step_vertex) = frame.largest_step().unwrap_or_default();
         let nodes = frame.nodes.iter().flatten().count();
@@ -315,6 +322,8 @@ impl Build {
                 * self.mm_of_building(),
             node_step_mm: step * self.mm_of_building(),
             node_step_vertex,
+            discs: frame.discs.iter().flatten().count(),
+            placed_discs: self.discs.iter().filter(|disc| places[disc.part].is_some()).count(),
             without_prism: frame.prisms.iter().filter(|prism| prism.is_none()).count(),
         })
     }

@@ -7,6 +7,7 @@ use crate::fabricate::beam::Prism;
 use crate::fabricate::build::{Build, beam_name, node_name};
 use crate::fabricate::file::{GlbLayer, GlbPart, glb};
 use crate::fabricate::panel::triangles_in_space;
+use crate::fabricate::plates::Plate;
 use crate::fabricate::sheet::Role;
 use crate::fabricate::surface::{PanelSurface, distinct};
 use crate::math::{Vec3, twice_vector_area};
@@ -113,6 +114,12 @@ impl Build {
                 parts.push(SpatialPart { faces, ..own });
             }
         }
+        for (layer, plates) in ["Fins", "Discs"].into_iter().zip(self.plates()) {
+            parts.extend(plates.into_iter().map(|own| {
+                let placed = on(layer, brown, &own.name, &own.points);
+                SpatialPart { faces: own.faces, ..placed }
+            }));
+        }
         let beside = parts.iter().flat_map(|part| &part.points);
         let (mut right, mut front) = (f64::NEG_INFINITY, f64::INFINITY);
         for [x, y, _] in beside {
@@ -151,6 +158,10 @@ impl Build {
 /// The name of the file.
 pub const PRESENTATION: &str = "model.glb";
 
+/// The colours of fins and of node discs in a presentation: red, green, blue and opacity, linear.
+const BROWN: [f32; 4] = [0.45, 0.30, 0.18, 1.0];
+const LIGHT: [f32; 4] = [0.70, 0.55, 0.36, 1.0];
+
 /// Of more panels, each layer of a presentation is one part: viewers, also those of telephones, draw part
 /// by part.
 const NAMED_PANELS: usize = 2000;
@@ -187,7 +198,24 @@ impl Build {
             let beams = surface.edges.iter().map(|edge| edge.ends);
             let beams = beams
                 .map(|[i, j]| (beam_name([i, j]), vec![below(i), below(j), above(j), above(i)]));
-            layers.push(layer("beams", [0.45, 0.30, 0.18, 1.0], beams.collect()));
+            let plates = self.plates();
+            // Plates have the beams within them.
+            if plates.iter().all(Vec::is_empty) {
+                layers.push(layer("beams", BROWN, beams.collect()));
+            }
+            for ((name, colour), own) in [("fins", BROWN), ("discs", LIGHT)].into_iter().zip(plates)
+            {
+                let of_plate = |plate: Plate| {
+                    let corners = |face: &Vec<u32>| -> Vec<Vec3<f64>> {
+                        face.iter().map(|&v| plate.points[v as usize] * metres).collect()
+                    };
+                    // Only the first face of a part has its name.
+                    let names =
+                        std::iter::once(plate.name.clone()).chain(std::iter::repeat(String::new()));
+                    names.zip(plate.faces.iter().map(corners)).collect::<Vec<_>>()
+                };
+                layers.push(layer(name, colour, own.into_iter().flat_map(of_plate).collect()));
+            }
         }
         glb(&layers, z_up)
     }
@@ -215,6 +243,15 @@ pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
         }
     }
     Some(mesh)
+}
+
+/// All fins and node discs as plates; none without discs.
+pub(in crate::fabricate) fn assembled(build: &Build) -> Option<Mesh> {
+    let mut mesh = Mesh::default();
+    for Plate { name, points, faces } in build.plates().into_iter().flatten() {
+        add(&mut mesh, &name, &points, build.surface.centre, faces);
+    }
+    (!mesh.faces.is_empty()).then_some(mesh)
 }
 
 fn add(

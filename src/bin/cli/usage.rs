@@ -64,13 +64,14 @@ the shape of what it saved.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 of where each part goes (key-*.svg, key.pdf), tables (CSV) and, with fins, the beams as solids (OBJ).
+--disc makes a plate for each node that the fins there are pushed into, on tenons.
 Settings that are not given are those of `build` in the scene. Lengths are in MM on the sheet or, where
 it says so, at full size; a LENGTH is in the unit of the mesh (--units; else that of the file, or
 guessed from its size). Settings of build:
 {}
 --sheet is the width and height of a sheet in mm, or one of
 {}.
---machine sets kerf and gap. --material also sets the thickness if it is one of
+--machine sets kerf, tool and gap. --material also sets the thickness if it is one of
 {}.
 --report-page writes a report as a web page that prints on A4: picture, plan, build check, bill of
 materials, and the --link.

@@ -24,6 +24,17 @@ pub struct Fin {
     pub end_deg: [f64; 2],
     /// Largest change of a distance between corners when the fin is laid flat.
     pub flattening_error: f64,
+    /// The outline with the seats of node discs; that without them, if there are none.
+    pub cut: Vec<Point2>,
+}
+
+/// The room that the end of a fin leaves at a node, in the unit of the mesh.
+#[derive(Clone, Copy, Debug)]
+pub struct EndRoom {
+    /// Plates of this thickness do not overlap there.
+    pub thickness: f64,
+    /// The end is further from the axis by this.
+    pub play: f64,
 }
 
 /// Distance from the axis at which the plate of beam `k` ends so that plates of this thickness do
@@ -40,8 +51,7 @@ pub fn cut_back(node: &Node, k: usize, thickness: f64) -> f64 {
     if sine > 0.0 { 0.5 * thickness * cosine / sine } else { f64::INFINITY }
 }
 
-/// The fin of an edge between its two nodes; `height` (negative inwards) and `thickness` are in the
-/// unit of the mesh.
+/// The fin of an edge between its two nodes; `height` (negative inwards) is in the unit of the mesh.
 ///
 /// # Errors
 /// The reason in words if there is no fin.
@@ -51,7 +61,7 @@ pub fn fin(
     nodes: [&Node; 2],
     edge: u32,
     height: f64,
-    thickness: f64,
+    room: [EndRoom; 2],
 ) -> Result<Fin, &'static str> {
     let own = &surface.edges[edge as usize];
     let (t, length) = (surface.direction(own), surface.length(own));
@@ -73,7 +83,7 @@ pub fn fin(
         if sine <= 1e-3 {
             return Err("the axis of a node lies along it");
         }
-        back[k] = cut_back(nodes[k], place, thickness) / sine;
+        back[k] = (cut_back(nodes[k], place, room[k].thickness) + room[k].play) / sine;
     }
     let base = [[back[0], 0.0], [length - back[1], 0.0]];
     let top = [0, 1].map(|k| [base[k][0] + height * flat[k][0], height * flat[k][1]]);
@@ -107,5 +117,5 @@ pub fn fin(
         libm::atan2(flat[0][1], side * flat[0][0]).to_degrees(),
         libm::atan2(flat[1][1], -side * flat[1][0]).to_degrees(),
     ];
-    Ok(Fin { outline, ends, cut_back: back, end_deg, flattening_error })
+    Ok(Fin { outline, ends, cut_back: back, end_deg, flattening_error, cut: outline.to_vec() })
 }

@@ -26,6 +26,8 @@ pub struct Node {
     pub vertex: u32,
     /// The unit vector along its axis, outwards.
     pub axis: Vec3<f64>,
+    /// The unit vector perpendicular to the axis from which azimuths count.
+    pub across: Vec3<f64>,
     /// Its beams, counterclockwise seen from outside. At the rim the first has no panel on its
     /// right; at an inner node it leads to the vertex with the lowest index.
     pub spokes: Vec<Spoke>,
@@ -101,7 +103,7 @@ fn node(surface: &PanelSurface, axis: Vec3<f64>, v: u32, edges: &[u32]) -> Optio
     sort_by_number(&mut spokes, |spoke| u64::from(spoke.to));
     sort_by_number(&mut spokes, |spoke| key_of_number(spoke.azimuth_deg));
     sort_by_number(&mut spokes, |spoke| u64::from(spoke.edge != first_edge));
-    Some(Node { vertex: v, axis, spokes })
+    Some(Node { vertex: v, axis, across: x, spokes })
 }
 
 /// The angle between two unit vectors, in degrees; 0 if one is zero.

@@ -1,7 +1,6 @@
 //! The bill of materials.
 
 use crate::fabricate::build::Build;
-use crate::fabricate::build_words::parts;
 use crate::fabricate::report::BuildReport;
 use crate::math::plane::Point2;
 use crate::scene::Product;
@@ -28,7 +27,7 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
         ("Sheets", format!("{} of {} x {} mm", report.sheets, brief(width), brief(height))),
         ("Area of the sheets", area(of_sheets)),
         ("Covered by parts", format!("{} ({})", area(report.cut_area_mm2), part(report.used))),
-        ("Parts on sheets", parts(report.placed, report.product)),
+        ("Parts on sheets", report.parts_in_words(true)),
         ("Length of cuts", millimetres(report.cut_length_mm)),
     ];
     let placed = build.layout.sheets.iter().flat_map(|sheet| &sheet.places);

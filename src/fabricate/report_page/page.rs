@@ -4,7 +4,7 @@ use super::bill::{Line, bill};
 use super::histogram::histogram;
 use super::picture::Picture;
 use crate::fabricate::build::Build;
-use crate::fabricate::build_words::{CheckWords, parts};
+use crate::fabricate::build_words::CheckWords;
 use crate::fabricate::check_card::CheckRow;
 use crate::fabricate::file::escaped;
 use crate::fabricate::report::BuildReport;
@@ -64,7 +64,7 @@ impl Build {
             "{} at 1:{}, {} on {}. Model in {}; lengths of the building in mm.",
             self.settings.material,
             words::brief(report.scale),
-            parts(report.placed, report.product),
+            report.parts_in_words(true),
             words::count(report.sheets, "sheet", "sheets"),
             report.unit
         );

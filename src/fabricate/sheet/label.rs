@@ -10,10 +10,10 @@ use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point,
 use crate::math::plane::{Point2, distance, rotated};
 
 /// Largest height of neighbours' names, in mm.
-const TALLEST: f64 = 8.0;
+pub(super) const TALLEST: f64 = 8.0;
 /// Smallest height of names, in mm, and that of a part's own name if there is no room for more.
-const LEAST: f64 = 2.0;
-const LEAST_OWN: f64 = 1.0;
+pub(super) const LEAST: f64 = 2.0;
+pub(super) const LEAST_OWN: f64 = 1.0;
 /// Height of neighbours' names relative to the radius of the largest circle in the outline.
 const OF_RADIUS: f64 = 0.25;
 /// Height of the own name relative to neighbours' names; smaller if that leaves room for more.
@@ -28,7 +28,7 @@ const SMALL: f64 = 0.7;
 /// Positions along an edge at which a neighbour's name is tried.
 const SHARES: [f64; 9] = [0.5, 0.38, 0.62, 0.28, 0.72, 0.24, 0.76, 0.14, 0.86];
 /// The own name is underlined if a neighbour's is higher than this fraction of it.
-const ALIKE: f64 = 0.85;
+pub(super) const ALIKE: f64 = 0.85;
 /// Distance of the underline, relative to the height of the name.
 const BELOW: f64 = 0.2;
 
@@ -154,7 +154,11 @@ fn label_of_height(
 }
 
 /// A line below the text of a box.
-fn underline(Box2 { centre, along: [c, s], .. }: Box2, width: f64, height: f64) -> Vec<Point2> {
+pub(super) fn underline(
+    Box2 { centre, along: [c, s], .. }: Box2,
+    width: f64,
+    height: f64,
+) -> Vec<Point2> {
     let down = (0.5 + BELOW) * height;
     let at = |x: f64| [centre[0] + c * x + s * down, centre[1] + s * x - c * down];
     vec![at(-0.5 * width), at(0.5 * width)]
@@ -176,11 +180,7 @@ fn beside_edge(
     let length = distance(p, q);
     let along = direction_of(p, q);
     let inwards = [-along[1], along[0]];
-    let depth_of = |hole: &Hole| {
-        let [x, y] = [0, 1].map(|x| hole.centre[x] - p[x]);
-        x * inwards[0] + y * inwards[1] + hole.radius
-    };
-    let beyond = holes.iter().map(depth_of).reduce(f64::min);
+    let beyond = holes.iter().map(|hole| hole.reach(p, inwards)).reduce(f64::min);
     let mut height = tallest;
     loop {
         let width = text_width(name, height);
@@ -407,7 +407,7 @@ mod tests {
     fn the_name_of_a_slender_part_keeps_away_from_the_holes_at_its_ends() {
         // A little wider at its end, as a fin is: without the hole there is most room.
         let outline = [[0.0, 0.0], [80.0, 0.0], [80.0, 10.2], [0.0, 10.0]];
-        let holes = [4.0, 76.0].map(|x| Hole { centre: [x, 5.0], radius: 1.0 });
+        let holes = [4.0, 76.0].map(|x| Hole::round([x, 5.0], 1.0));
         let (outline, name, neighbours, turn) = (&outline[..], "B10-11", &[][..], AS_IT_IS);
         let height = |holes: &[Hole]| {
             let own = Inscription {

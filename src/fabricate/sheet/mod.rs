@@ -3,6 +3,7 @@
 mod bitmap;
 mod cells;
 mod clearance;
+mod disc_label;
 mod label;
 mod layout;
 mod lettering;
@@ -13,10 +14,11 @@ mod text_box;
 mod tiles;
 mod waste;
 
+pub use disc_label::{SlotName, label_disc};
 pub(super) use label::upright;
 pub use label::{Inscription, Labels, label};
 pub use layout::{Layout, Sheet, lay_out};
 pub use lettering::{height_within, strokes, text_width};
-pub use part::{CutPart, Hole, NamePlace, Place, Role, SheetSize};
+pub use part::{CutPart, Hole, NamePlace, Place, Role, SheetSize, circle};
 pub(super) use tiles::{Tile, tiles};
 pub use waste::Waste;

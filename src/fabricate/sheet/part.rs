@@ -1,6 +1,7 @@
 //! A part to be cut from a sheet, and its position there.
 
-use crate::math::plane::{Point2, rotated};
+use crate::fabricate::panel::perimeter;
+use crate::math::plane::{Point2, bounds, distance, dot, minus, rotated};
 use crate::math::{cosine, sine};
 
 /// The purpose of a line: its layer and its colour in every file.
@@ -62,27 +63,63 @@ impl Role {
     }
 }
 
-/// A round hole, in mm of the sheet.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// What is cut out inside a part, in mm of the sheet.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Hole {
-    /// Its centre.
+    /// Its centre; of a slot, that of its box along the axes.
     pub centre: Point2,
-    /// Its radius.
+    /// Its radius; of a slot, the distance of its farthest corner from its centre.
     pub radius: f64,
+    /// The outline of a slot, counterclockwise, whose first side is along it; none of a round hole.
+    pub slot: Option<Vec<Point2>>,
 }
 
 impl Hole {
-    /// A closed polygon on the circle: machines that sort by closed outlines then find only
+    /// A round hole.
+    pub fn round(centre: Point2, radius: f64) -> Hole {
+        Hole { centre, radius, slot: None }
+    }
+
+    /// A slot with this outline.
+    pub fn slot(outline: Vec<Point2>) -> Hole {
+        let [low, high] = bounds(outline.iter().copied());
+        let centre = [0, 1].map(|x| 0.5 * (low[x] + high[x]));
+        let radius = outline.iter().map(|&corner| distance(centre, corner)).fold(0.0, f64::max);
+        Hole { centre, radius, slot: Some(outline) }
+    }
+
+    /// A closed polygon, also for a circle: machines that sort by closed outlines then find only
     /// polylines.
     pub fn outline(&self) -> Vec<Point2> {
         const CORNERS: u32 = 32;
-        let corner = |k: u32| {
-            let turns = f64::from(k) / f64::from(CORNERS);
-            let [x, y] = self.centre;
-            [x + self.radius * cosine(turns), y + self.radius * sine(turns)]
-        };
-        (0..CORNERS).map(corner).collect()
+        self.slot.clone().unwrap_or_else(|| circle(self.centre, self.radius, CORNERS))
     }
+
+    /// The length of its outline.
+    pub fn perimeter(&self) -> f64 {
+        let round = || std::f64::consts::TAU * self.radius;
+        self.slot.as_ref().map_or_else(round, |outline| perimeter(outline))
+    }
+
+    /// How far it reaches from a point in the direction of a unit vector.
+    pub fn reach(&self, from: Point2, along: Point2) -> f64 {
+        let to = |point: Point2| dot(minus(point, from), along);
+        match &self.slot {
+            None => to(self.centre) + self.radius,
+            Some(outline) => {
+                outline.iter().map(|&point| to(point)).fold(f64::NEG_INFINITY, f64::max)
+            }
+        }
+    }
+}
+
+/// A polygon with so many corners on a circle, counterclockwise; the first is to the right.
+pub fn circle(centre: Point2, radius: f64, corners: u32) -> Vec<Point2> {
+    let corner = |k: u32| {
+        let turns = f64::from(k) / f64::from(corners);
+        [centre[0] + radius * cosine(turns), centre[1] + radius * sine(turns)]
+    };
+    (0..corners).map(corner).collect()
 }
 
 /// Where the name of a part is written.

@@ -2,8 +2,8 @@
 
 use super::lettering::text_width;
 use super::part::Hole;
-use crate::fabricate::panel::sides;
-use crate::math::plane::{Point2, is_inside, minus};
+use crate::fabricate::panel::{direction_of, sides};
+use crate::math::plane::{Point2, bounds, is_inside, length, minus, rotated};
 
 /// Room around a text, relative to its height.
 pub(super) const ROOM: f64 = 0.35;
@@ -24,7 +24,22 @@ impl Box2 {
     }
 
     pub(super) fn of_hole(hole: &Hole) -> Box2 {
-        Box2 { centre: hole.centre, along: [1.0, 0.0], half: [hole.radius; 2] }
+        match &hole.slot {
+            None => Box2 { centre: hole.centre, along: [1.0, 0.0], half: [hole.radius; 2] },
+            Some(outline) => Box2::of_slot(outline),
+        }
+    }
+
+    /// Along the first side of an outline.
+    fn of_slot(outline: &[Point2]) -> Box2 {
+        let along = match outline {
+            [p, q, ..] => direction_of(*p, *q),
+            _ => [1.0, 0.0],
+        };
+        let [c, s] = along;
+        let [low, high] = bounds(outline.iter().map(|&point| rotated(point, [c, -s])));
+        let centre = rotated([0, 1].map(|k| 0.5 * (low[k] + high[k])), along);
+        Box2 { centre, along, half: [0, 1].map(|k| 0.5 * (high[k] - low[k])) }
     }
 
     fn corners(&self) -> [Point2; 4] {
@@ -33,6 +48,11 @@ impl Box2 {
             let [x, y] = [i * self.half[0], j * self.half[1]];
             [self.centre[0] + c * x - s * y, self.centre[1] + s * x + c * y]
         })
+    }
+
+    /// The distance of its farthest corner from the origin.
+    pub(super) fn reach(&self) -> f64 {
+        self.corners().into_iter().map(length).fold(0.0, f64::max)
     }
 
     /// Whether two are disjoint, by their separating axes.

@@ -2,6 +2,7 @@
 //! the scale of the model, and `_mm` of the building. Settings in the summary are as they are set.
 
 mod beams;
+mod discs;
 mod panels;
 mod paper;
 mod shape;
@@ -12,13 +13,14 @@ use crate::scene::{BUILD_SETTINGS, BuildForm, BuildSetting, BuildSettings, Build
 use serde_json::Value;
 
 /// The names of the files of all tables of all products.
-pub(super) const NAMES: [&str; 11] = [
+pub(super) const NAMES: [&str; 12] = [
     "panels.csv",
     "types.csv",
     "fins.csv",
     "beams.csv",
     "node-beams.csv",
     "node-types.csv",
+    "discs.csv",
     "pieces.csv",
     "joins.csv",
     "edges.csv",
@@ -32,7 +34,13 @@ pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
         (Product::Panels, _) => {
             vec![("panels.csv", panels::panels(build)), ("types.csv", panels::types(build))]
         }
-        (Product::Fins, Some(frame)) => beams::all(build, frame),
+        (Product::Fins, Some(frame)) => {
+            let mut tables = beams::all(build, frame);
+            if !build.discs.is_empty() {
+                tables.push(("discs.csv", discs::discs(build, frame)));
+            }
+            tables
+        }
         (Product::Paper, _) => paper::all(build),
         (Product::Fins, None) => Vec::new(),
     };
@@ -55,6 +63,9 @@ fn summary(build: &Build) -> String {
     row("panels", Cell::from(report.panels), "");
     row("product", Cell::from(report.product.id()), "");
     row("parts on sheets", Cell::from(report.placed), "");
+    if !build.discs.is_empty() {
+        row("node discs", Cell::from(build.discs.len()), "");
+    }
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");
     row("area of parts", Cell::from(report.cut_area_mm2), "sheet mm2");

@@ -150,6 +150,23 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "Diameter of holes along edges and at the ends of fins; 0 for none.",
     )
     .of(FLAT),
+    setting(
+        Parts,
+        "disc",
+        "Node discs",
+        number(Mm, ON_SHEET, |own| own.disc),
+        "Diameter of the discs that the fins of a node are joined by; 0 for none.",
+    )
+    .of(&[Fins])
+    .or("the smallest that has room at each node"),
+    setting(
+        Parts,
+        "clearance",
+        "Clearance",
+        number(Mm, ON_SHEET, |own| Some(own.clearance)),
+        "Play between a node disc and a fin, on each side.",
+    )
+    .of(&[Fins]),
     setting(Offset, "kind", "Measured at", KINDS, "What keeps its distance in the offset.")
         .or("the kind that is within the limits, or has the smallest errors"),
     setting(
@@ -173,6 +190,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "Kerf",
         number(Mm, ON_SHEET, |own| Some(own.kerf)),
         "Width of the cut: outlines are moved outwards by half of it.",
+    )
+    .of(FLAT),
+    setting(
+        Cutting,
+        "tool",
+        "Tool",
+        number(Mm, ON_SHEET, |own| Some(own.tool)),
+        "Diameter of a milling tool: inner corners get reliefs that it reaches; 0 for none.",
     )
     .of(FLAT),
     setting(

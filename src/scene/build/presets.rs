@@ -9,7 +9,7 @@ use serde_json::Value;
 pub enum PresetOf {
     /// The material and its thickness.
     Material,
-    /// How parts are cut: the kerf, and the gap that it needs.
+    /// How parts are cut: the kerf, the tool of a mill, and the gap that they need.
     Machine,
     /// The size of sheets.
     #[serde(rename = "Sheet size")]
@@ -42,6 +42,8 @@ pub struct PresetValues {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kerf: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub tool: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub gap: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sheet: Option<[f64; 2]>,
@@ -55,11 +57,12 @@ impl BuildPreset {
 
     /// The values of the declared settings that it sets, by their paths.
     pub fn settings(&self) -> Vec<(&'static str, Value)> {
-        let PresetValues { material, thickness, kerf, gap, sheet } = self.values;
+        let PresetValues { material, thickness, kerf, tool, gap, sheet } = self.values;
         let [width, height] = [0, 1].map(|side| sheet.map(|size| size[side]));
         let numbers = [
             ("thickness", thickness),
             ("kerf", kerf),
+            ("tool", tool),
             ("gap", gap),
             ("sheet[0]", width),
             ("sheet[1]", height),
@@ -69,8 +72,14 @@ impl BuildPreset {
     }
 }
 
-const NONE: PresetValues =
-    PresetValues { material: None, thickness: None, kerf: None, gap: None, sheet: None };
+const NONE: PresetValues = PresetValues {
+    material: None,
+    thickness: None,
+    kerf: None,
+    tool: None,
+    gap: None,
+    sheet: None,
+};
 
 const fn material(
     id: &'static str,
@@ -83,7 +92,13 @@ const fn material(
 }
 
 const fn machine(id: &'static str, label: &'static str, kerf: f64, gap: f64) -> BuildPreset {
-    let values = PresetValues { kerf: Some(kerf), gap: Some(gap), ..NONE };
+    let values = PresetValues { kerf: Some(kerf), tool: Some(0.0), gap: Some(gap), ..NONE };
+    BuildPreset { of: PresetOf::Machine, id, label, values }
+}
+
+/// A mill, whose tool is as wide as its kerf.
+const fn mill(id: &'static str, label: &'static str, tool: f64, gap: f64) -> BuildPreset {
+    let values = PresetValues { kerf: Some(tool), tool: Some(tool), gap: Some(gap), ..NONE };
     BuildPreset { of: PresetOf::Machine, id, label, values }
 }
 
@@ -111,8 +126,8 @@ pub const BUILD_PRESETS: [BuildPreset; 25] = [
     machine("hand", "By hand", 0.0, 3.0),
     machine("plotter", "Knife plotter", 0.0, 1.0),
     machine("laser", "Laser", 0.15, 1.0),
-    machine("mill", "CNC mill, 3 mm", 3.0, 6.0),
-    machine("mill-6", "CNC mill, 6 mm", 6.0, 10.0),
+    mill("mill", "CNC mill, 3 mm", 3.0, 6.0),
+    mill("mill-6", "CNC mill, 6 mm", 6.0, 10.0),
     sheet("a4", "A4", [297.0, 210.0]),
     sheet("a3", "A3", [420.0, 297.0]),
     sheet("a2", "A2", [594.0, 420.0]),

@@ -40,8 +40,15 @@ pub struct BuildSettings {
     pub gap: f64,
     /// Width of the cut: outlines are moved outwards by half of it.
     pub kerf: f64,
+    /// Diameter of a milling tool, for which inner corners get reliefs; 0 for none.
+    pub tool: f64,
     /// Diameter of holes along the edges between panels, and at the ends of fins; 0 for none.
     pub hole: f64,
+    /// Diameter of the node discs that fins are joined by; 0 for none, null for the smallest that has
+    /// room at each node.
+    pub disc: Option<f64>,
+    /// Play between a node disc and a fin, on each side.
+    pub clearance: f64,
     /// The order in which parts are laid out.
     #[serde(deserialize_with = "word")]
     pub order: Order,
@@ -115,7 +122,10 @@ impl Default for BuildSettings {
             margin: 5.0,
             gap: 3.0,
             kerf: 0.0,
+            tool: 0.0,
             hole: 0.0,
+            disc: Some(0.0),
+            clearance: 0.1,
             order: Order::Size,
             names: Names::Index,
             alike: 1.0,

@@ -1,0 +1,91 @@
+//! Fins and node discs as plates in space, as they are assembled: of the thickness of the material at
+//! the scale of the building.
+
+use super::beam::{Disc, Frame};
+use super::build::{Build, beam_name, node_name};
+use super::discs::as_one_polygon;
+use super::offset::across_edge;
+use super::panel::triangles;
+use super::surface::unit;
+use crate::math::Vec3;
+use crate::math::plane::Point2;
+
+/// A plate: the faces over the points, counterclockwise seen from outside.
+#[derive(Clone, Debug)]
+pub(super) struct Plate {
+    /// The name of the part.
+    pub name: String,
+    /// About the centre of the surface, in the unit of the mesh.
+    pub points: Vec<Vec3<f64>>,
+    /// Its two sides as triangles, then its edges.
+    pub faces: Vec<Vec<u32>>,
+}
+
+impl Plate {
+    /// A plate of an outline, of which `put` places a point on the lower side and on the upper. Corners
+    /// that coincide are one point.
+    fn new(name: String, outline: &[Point2], put: impl Fn(Point2) -> [Vec3<f64>; 2]) -> Plate {
+        let mut corners: Vec<Point2> = Vec::new();
+        let number = |corner: &Point2| {
+            corners.iter().position(|own| own == corner).unwrap_or_else(|| {
+                corners.push(*corner);
+                corners.len() - 1
+            }) as u32
+        };
+        let around: Vec<u32> = outline.iter().map(number).collect();
+        let n = corners.len() as u32;
+        let both: Vec<[Vec3<f64>; 2]> = corners.iter().map(|&corner| put(corner)).collect();
+        let points = [0, 1].into_iter().flat_map(|side| both.iter().map(move |own| own[side]));
+        let mut faces = Vec::new();
+        for [a, b, c] in triangles(outline).into_iter().map(|own| own.map(|k| around[k])) {
+            faces.extend([vec![n + a, n + b, n + c], vec![c, b, a]]);
+        }
+        for (k, &a) in around.iter().enumerate() {
+            let b = around[(k + 1) % around.len()];
+            // A cut without width is passed in both directions.
+            let is_cut =
+                (0..around.len()).any(|j| around[j] == b && around[(j + 1) % around.len()] == a);
+            if !is_cut {
+                faces.push(vec![a, b, n + b, n + a]);
+            }
+        }
+        Plate { name, points: points.collect(), faces }
+    }
+}
+
+impl Build {
+    /// The fins and the discs, as assembled; empty without discs.
+    pub(super) fn plates(&self) -> [Vec<Plate>; 2] {
+        let (Some(frame), Some((axes, _))) = (&self.frame, &self.offset) else {
+            return [Vec::new(), Vec::new()];
+        };
+        if self.discs.is_empty() {
+            return [Vec::new(), Vec::new()];
+        }
+        let thickness = self.settings.thickness / self.mm_of_sheet();
+        let fins = self.surface.edges.iter().zip(&frame.fins).filter_map(|(edge, fin)| {
+            let fin = fin.as_ref().ok()?;
+            let t = self.surface.direction(edge);
+            let [n, m] = edge.ends.map(|v| axes.axes[v as usize]);
+            let b = unit(across_edge(n + m, t));
+            let (origin, aside) = (self.surface.at(edge.ends[0]), t.cross(b) * (0.5 * thickness));
+            let put = |[x, y]: Point2| {
+                let point = origin + t * x + b * y;
+                [point - aside, point + aside]
+            };
+            Some(Plate::new(beam_name(edge.ends), &fin.cut, put))
+        });
+        let discs = self.discs.iter().filter_map(|own| self.placed(frame, own.vertex, thickness));
+        [fins.collect(), discs.collect()]
+    }
+
+    fn placed(&self, frame: &Frame, vertex: u32, thickness: f64) -> Option<Plate> {
+        let node = frame.nodes[vertex as usize].as_ref()?;
+        let disc: &Disc = frame.discs[vertex as usize].as_ref()?.as_ref().ok()?;
+        let other = disc.seat + self.distance().signum() * thickness;
+        let heights = [disc.seat.min(other), disc.seat.max(other)];
+        let put =
+            |point: Point2| heights.map(|height| disc.in_space(&self.surface, node, point, height));
+        Some(Plate::new(node_name(vertex), &as_one_polygon(disc), put))
+    }
+}
