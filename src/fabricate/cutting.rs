@@ -131,6 +131,7 @@ impl Build {
                         panels,
                         outline,
                         has_first_side,
+                        is_oriented: true,
                         ..CutPart::default()
                     });
                     all.push(vec![None, one, None, other]);
@@ -164,6 +165,8 @@ impl Build {
         let places = self.layout.places(self.parts.len());
         for (k, part) in self.parts.iter_mut().enumerate() {
             let Some((_, Place { turn, .. })) = places[k] else { continue };
+            // Upright in its own frame, where letters say how it lies.
+            let turn = if part.is_oriented { [1.0, 0.0] } else { turn };
             let missing = match &self.paper {
                 Some(model) => {
                     let inside = self.settings.print_inside;
@@ -173,12 +176,12 @@ impl Build {
                     let (outline, name) = (&part.outline[..], &*part.name);
                     let (neighbours, with_arrow) = (&beside[k][..], part.has_first_side);
                     let holes = &part.holes[..];
-                    let free_sides = self.settings.product == Product::Panels;
+                    let is_oriented = part.is_oriented;
                     let own = Inscription {
                         outline,
                         name,
                         neighbours,
-                        free_sides,
+                        is_oriented,
                         with_arrow,
                         turn,
                         holes,
@@ -187,6 +190,8 @@ impl Build {
                     part.engraved = lines;
                     // Without room there is no small name either.
                     let small = usize::from(small && !texts.is_empty());
+                    // Its own name says which neighbour is where.
+                    let dropped = if part.is_oriented { 0 } else { dropped };
                     MissingNames { dropped, small, piece: texts.is_empty() }
                 }
             };
@@ -213,11 +218,12 @@ impl Build {
             let mut waste = Waste::new(size, margin, sheet.places.iter().map(outline).collect());
             for (k, place) in sheet.places.iter().enumerate().filter(|(_, place)| asks(place)) {
                 let part = &mut self.parts[place.part];
-                let Some((height, centre)) = waste.write(k, &part.name) else { continue };
+                let along = if part.is_oriented { place.axis_along_part() } else { [1.0, 0.0] };
+                let Some((height, centre)) = waste.write(k, &part.name, along) else { continue };
                 let on_part = |line: Vec<Point2>| {
                     line.into_iter().map(|point| place.to_part(point)).collect()
                 };
-                let lines = strokes(&part.name, height, centre, [1.0, 0.0]);
+                let lines = strokes(&part.name, height, centre, along);
                 part.engraved.extend(lines.into_iter().map(on_part));
                 part.named = NamePlace::BesidePart;
             }

@@ -79,6 +79,7 @@ pub use fault::Fault;
 pub use numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 pub use offset::Choice;
 pub use output::BuildFile;
+pub use panel::Stand;
 pub use report::{BuildReport, FrameReport, PaperReport};
 pub use report_page::ReportView;
 pub use space::{PRESENTATION, SpatialPart};

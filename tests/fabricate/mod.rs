@@ -18,6 +18,7 @@ mod report_page;
 mod sheets;
 mod space;
 mod words;
+mod workshop;
 
 use shape_up::fabricate::{Build, LengthInMetres};
 use shape_up::mesh::Mesh;

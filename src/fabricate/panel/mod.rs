@@ -2,12 +2,14 @@
 //! the joint subtracted, named, sorted into types.
 
 mod alike;
+mod assembly;
 mod inset;
 mod name;
 mod polygon;
 
 pub(super) use crate::math::{ears as triangles, triangles_in_space, turn};
 pub use alike::panel_types;
+pub use assembly::{Stand, assembly_rows};
 pub use inset::inset;
 pub use name::panel_names;
 pub(super) use polygon::{

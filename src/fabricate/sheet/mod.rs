@@ -17,7 +17,7 @@ pub use part::{CutPart, Hole, NamePlace, Place, Role, SheetSize};
 pub(super) use tiles::{Tile, tiles};
 pub use waste::Waste;
 
-use crate::math::plane::rotated;
+use crate::math::plane::{Point2, rotated};
 use crate::math::{key_of_number, sort_by_number};
 use crate::scene::Order;
 use shelf::{Resting, Shelves, resting};
@@ -61,7 +61,7 @@ pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
         found.sort_by_cached_key(|own| name_key(&parts[own.part].name));
     }
     let tried = if order == Order::Names || parts.len() > MOST_TRIED { 1 } else { WAYS.len() };
-    let all = WAYS[..tried].iter().map(|way| way.lay_out(&found, (sheet, room), order));
+    let all = WAYS[..tried].iter().map(|way| way.lay_out((parts, &found), (sheet, room), order));
     let best = all.reduce(|best, other| {
         let taken = |laid: &Laid| (laid.layout.too_large.len(), laid.layout.sheets.len());
         let is_less = taken(&other) < taken(&best)
@@ -92,6 +92,9 @@ const WAYS: [Way; 4] = [
     Way { in_columns: true, along: false },
 ];
 
+/// Cosine and sine of the rotation from rows to columns.
+const CLOCKWISE: Point2 = [0.0, -1.0];
+
 /// A layout, and the used fraction of its last sheet.
 struct Laid {
     layout: Layout,
@@ -101,15 +104,24 @@ struct Laid {
 impl Way {
     fn lay_out(
         &self,
-        parts: &[Resting],
+        (parts, resting): (&[CutPart], &[Resting]),
         (sheet, [width, height]): (SheetSize, [f64; 2]),
         order: Order,
     ) -> Laid {
         let mut layout = Layout::default();
         let room = if self.in_columns { [height, width] } else { [width, height] };
         let mut boxes: Vec<Resting> = Vec::new();
-        for resting in parts {
-            let stances = [resting.clone(), resting.quarter_turned()];
+        // As its letters are upright, if they say how a part lies.
+        let readable = |own: Resting| {
+            let on_sheet = if self.in_columns { rotated(own.turn, CLOCKWISE) } else { own.turn };
+            let is_upright = upright([1.0, 0.0], on_sheet) == [1.0, 0.0];
+            match parts[own.part].is_oriented && !is_upright {
+                true => own.turned([-1.0, 0.0]),
+                false => own,
+            }
+        };
+        for resting in resting {
+            let stances = [resting.clone(), resting.quarter_turned()].map(readable);
             let fits = |own: &&Resting| own.size[0] <= room[0] && own.size[1] <= room[1];
             let mut own = stances.iter().filter(fits);
             match if self.along { own.next() } else { own.next_back() } {
@@ -125,8 +137,7 @@ impl Way {
         for own in boxes {
             let (number, Place { part, mut turn, offset: [mut x, mut y] }) = shelves.lay(own);
             if self.in_columns {
-                // Rotated clockwise by a right angle.
-                turn = rotated(turn, [0.0, -1.0]);
+                turn = rotated(turn, CLOCKWISE);
                 [x, y] = [y, sheet.size[1] - 2.0 * sheet.margin - x];
             }
             layout.sheets.resize_with(layout.sheets.len().max(number + 1), Sheet::default);

@@ -20,7 +20,7 @@ pub(super) struct Resting {
     /// The index of the part.
     pub part: usize,
     /// Cosine and sine of its rotation.
-    turn: Point2,
+    pub turn: Point2,
     /// Convex polygons that cover the rotated part; the lower left corner of its box is at the
     /// origin.
     cover: Vec<Vec<Point2>>,
@@ -40,7 +40,7 @@ impl Resting {
     }
 
     /// Rotated further.
-    fn turned(&self, by: Point2) -> Resting {
+    pub(super) fn turned(&self, by: Point2) -> Resting {
         let put = |polygon: &Vec<Point2>| {
             let back = polygon.iter().map(|&[x, y]| [x - self.moved[0], y - self.moved[1]]);
             back.map(|point| rotated(point, by)).collect()
