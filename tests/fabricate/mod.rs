@@ -1,6 +1,7 @@
 //! From a shape to parts: an independent implementation, identities of offsets and panels, files
 //! that are read back by other readers, and meshes that cannot be built.
 
+mod assembly;
 mod bad_input;
 mod beams;
 mod check;

@@ -5,7 +5,7 @@ use crate::scene::Product::{self, Fins, Panels, Paper};
 const ALL: &[Product] = &Product::ALL;
 
 /// What is explained, for which products, and in which words.
-const READING: [(&[Product], &str, &str); 11] = [
+const READING: [(&[Product], &str, &str); 13] = [
     (ALL, "edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     (ALL, "edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (&[Panels], "outlines", "each side moved inwards by half the joint, outwards by half the kerf"),
@@ -14,6 +14,8 @@ const READING: [(&[Product], &str, &str); 11] = [
         "panels.csv nodes",
         "counterclockwise seen from outside, from the edge at the arrow",
     ),
+    (&[Panels], "panels.csv turn_deg", "direction of the edge at the arrow, on the sheet"),
+    (&[Fins], "fins.csv turn_deg", "direction of its name on the sheet"),
     (&[Fins], "names of fins", "from their first node to their second, tops of letters outwards"),
     (
         &[Fins],

@@ -84,31 +84,38 @@ fn fins(files: &Files) -> BTreeMap<String, Fin> {
     let legend = &*legend.expect("the sheet says how fins lie").text;
     let is_below = legend.contains("EDGE OF THE MODEL BELOW IT");
     assert!(is_below || legend.contains("EDGE OF THE MODEL ABOVE IT"));
-    let cut_backs: BTreeMap<String, [f64; 2]> = files
-        .table("fins.csv")
+    let table = files.table("fins.csv");
+    let cut_backs: BTreeMap<String, [f64; 2]> = table
         .rows()
         .map(|row| {
             let backs = ["cut_back_a_sheet_mm", "cut_back_b_sheet_mm"];
             (row.text("name").to_owned(), backs.map(|column| row.number(column)))
         })
         .collect();
+    let turns: BTreeMap<String, f64> =
+        table.rows().map(|row| (row.text("name").to_owned(), row.number("turn_deg"))).collect();
     let (scale, kerf) = (files.number("Scale 1 : (scale)"), files.number("Kerf (kerf)"));
     let fin = |part: &Part| {
         let all = part.texts.iter().chain(&beside);
         let own: Vec<&Text> = all.filter(|text| text.text == part.name).collect();
-        let [text] = own[..] else { panic!("{} is named {} times", part.name, own.len()) };
+        assert!(own.len() < 2, "{} is named twice", part.name);
+        // Without room anywhere, the table has the direction of its name.
+        let turn = turns[&part.name].to_radians();
+        let by_table = [libm::cos(turn), libm::sin(turn)];
+        let along = own.first().map_or(by_table, |text| text.along);
+        assert!(dot(along, by_table) > 0.9, "{} lies otherwise than it says", part.name);
         let outline = widened(&part.outline, -0.5 * kerf);
         let sides = [0, 1, 2, 3].map(|k| [outline[k], outline[(k + 1) % 4]]);
         // Below a text is to its right, on the outline from its first end to its last.
         let downwards = |[p, q]: [Point2; 2]| {
-            let way = dot(minus(q, p), text.along) / distance(p, q);
+            let way = dot(minus(q, p), along) / distance(p, q);
             if is_below { way } else { -way }
         };
         let at_edge = (0..4).max_by(|&a, &b| downwards(sides[a]).total_cmp(&downwards(sides[b])));
         let at_edge = at_edge.unwrap();
         let [mut a, mut b] = sides[at_edge];
         let [mut top_b, mut top_a] = sides[(at_edge + 2) % 4];
-        if dot(minus(b, a), text.along) < 0.0 {
+        if dot(minus(b, a), along) < 0.0 {
             ((a, b), (top_a, top_b)) = ((b, a), (top_b, top_a));
         }
         // Outwards at the ends, whichever side the edge is on.
@@ -116,8 +123,8 @@ fn fins(files: &Files) -> BTreeMap<String, Fin> {
             true => way,
             false => way.map(|x| -x),
         });
-        let angle = |along: Point2, way: Point2| {
-            libm::atan2(cross(along, way).abs(), dot(along, way)).to_degrees()
+        let angle = |edge: Point2, way: Point2| {
+            libm::atan2(cross(edge, way).abs(), dot(edge, way)).to_degrees()
         };
         let axis = [angle(minus(b, a), ways[0]), angle(minus(a, b), ways[1])];
         let [back_a, back_b] = cut_backs[&part.name];

@@ -61,8 +61,8 @@ fn files(made: &Build) -> Files {
 
 #[test]
 fn panels_with_a_joint_and_a_kerf_make_the_dome_again() {
-    for (names, scale) in [(Names::Index, 10.0), (Names::Assembly, 25.0)] {
-        let own = BuildSettings { joint: 0.03, kerf: 0.2, names, scale, ..of(Product::Panels) };
+    for (names, scale) in [(Names::Index, 10.0), (Names::Assembly, 25.0), (Names::Index, 100.0)] {
+        let own = BuildSettings { joint: 0.01, kerf: 0.2, names, scale, ..of(Product::Panels) };
         panels::assemble(&files(&build(&dome(), &own))).assert_is(&dome());
     }
 }
@@ -71,7 +71,8 @@ fn panels_with_a_joint_and_a_kerf_make_the_dome_again() {
 fn pieces_of_paper_make_the_dome_again() {
     for pieces in [Pieces::Nets, Pieces::Strips, Pieces::Across] {
         for print_inside in [false, true] {
-            let own = BuildSettings { pieces, print_inside, ..of(Product::Paper) };
+            let (scale, sheet) = (5.0, [1000.0, 700.0]);
+            let own = BuildSettings { pieces, print_inside, scale, sheet, ..of(Product::Paper) };
             paper::assemble(&files(&build(&dome(), &own))).assert_is(&dome());
         }
     }

@@ -8,6 +8,9 @@ use super::shape::{Flat, Found, assembled, matching, sides_of_panels};
 use shape_up::math::plane::{Point2, area, cross, distance, dot, is_inside, minus};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// Corners at which lines end are the same within this, in mm.
+const EXACT: f64 = 0.1;
+
 /// What a side of a region of a piece is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Line {
@@ -95,7 +98,9 @@ pub(super) fn assemble(files: &Files) -> Found {
                 region.corners.iter().map(|corner| corner.map(|x| scale * x)).collect();
             let measured: Vec<_> = lengths(&corners).into_iter().zip(written).collect();
             let mut own = sides[name].clone();
-            let first = matching(name, &own, &measured);
+            let [first] = matching(&own, &measured, EXACT * scale)[..] else {
+                panic!("{name}: {own:?} {measured:?}")
+            };
             own.rotate_left(first);
             for (k, side) in own.iter().enumerate() {
                 // A fold is made the way in which its line is drawn.
@@ -145,7 +150,7 @@ fn own_name(part: &Part, region: &Region) -> String {
 fn regions(part: &Part) -> Vec<Region> {
     let mut points: Vec<Point2> = Vec::new();
     let mut number = |at: Point2| {
-        let known = points.iter().position(|&other| distance(other, at) < 1e-3);
+        let known = points.iter().position(|&other| distance(other, at) < EXACT);
         known.unwrap_or_else(|| {
             points.push(at);
             points.len() - 1

@@ -45,23 +45,24 @@ pub(super) fn sides_of_panels(files: &Files) -> BTreeMap<String, Vec<Side>> {
     found
 }
 
-/// The way to lay the sides of a panel along those of an outline, as a rotation of the list, so that
-/// each side has the length in mm of the building that is measured, and leads to the panel that is
-/// written there. Several only if it does not matter.
-pub(super) fn matching(name: &str, sides: &[Side], outline: &[(f64, Option<String>)]) -> usize {
+/// The ways to lay the sides of a panel along those of an outline, as rotations of the list, so that each
+/// side has the length in mm of the building that is measured, and leads to the panel that is written
+/// there.
+pub(super) fn matching(
+    sides: &[Side],
+    outline: &[(f64, Option<String>)],
+    tolerance: f64,
+) -> Vec<usize> {
     let n = sides.len();
-    assert_eq!(n, outline.len(), "{name} has other sides on the sheet");
-    let side = |shift: usize, k: usize| &sides[(k + shift) % n];
+    assert_eq!(n, outline.len(), "{sides:?} has other sides on the sheet");
     let fits = |shift: &usize| {
         outline.iter().enumerate().all(|(k, (length, written))| {
-            let own = side(*shift, k);
-            (own.length - length).abs() < 0.01
+            let own = &sides[(k + shift) % n];
+            (own.length - length).abs() < tolerance
                 && written.as_ref().is_none_or(|written| own.beyond == *written)
         })
     };
-    let found: Vec<usize> = (0..n).filter(fits).collect();
-    assert_eq!(found.len(), 1, "{name} fits in other than one way: {found:?}, {outline:?}");
-    found[0]
+    (0..n).filter(fits).collect()
 }
 
 /// A panel laid flat, with the names of its corners.
