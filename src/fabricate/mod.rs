@@ -18,7 +18,7 @@
 //! | `orientation` | which panels to reverse so that all face the same side |
 //! | `facing` | panels that face inwards or are folded over |
 //! | `alike` | sorting of items into types |
-//! | `panel` | panels laid flat, the joint, names, types |
+//! | `panel` | panels laid flat, the joint, names, types, the order of assembly |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
 //! | `beam` | beams along the edges: nodes, fins, prisms |
 //! | `paper` | paper models: nets and strips with folds and tabs |

@@ -117,13 +117,13 @@ fn a_closed_surface_begins_at_its_lowest_panel_and_a_strip_at_an_end() {
         height(by_name[0].1) < height(by_name[1].1) && height(by_name[5].1) > height(by_name[4].1)
     );
     // A wall of panels beside each other, and a tower of 28 above each other.
-    let wall =
-        names(&grid(5, 1, |i, j| [f64::from(i), 0.1 * f64::from(i * i), 2.0 * f64::from(j)]));
+    let stand = Stand { up: Up::Z, held: Vec::new() };
+    let wall = grid(5, 1, |i, j| [f64::from(i), 0.1 * f64::from(i * i), 2.0 * f64::from(j)]);
+    let wall = named(&wall, Some(&stand)).names;
     let mut either = [wall.clone(), wall.into_iter().rev().collect()];
     either.sort();
     assert_eq!(either[0], ["A1", "A2", "A3", "A4", "A5"]);
     let tower = grid(1, 28, |i, j| [f64::from(i), 0.0, f64::from(j)]);
-    let stand = Stand { up: Up::Z, held: Vec::new() };
     let tower = named(&tower, Some(&stand));
     assert_eq!([0, 1, 25, 26, 27].map(|f| &*tower.names[f]), ["A1", "B1", "Z1", "AA1", "AB1"]);
     assert_eq!(tower.order, (1..=28).collect::<Vec<_>>());
@@ -160,7 +160,7 @@ fn every_component_stands_by_itself_and_what_is_held_is_where_it_begins() {
 
 #[test]
 fn the_names_of_real_meshes_are_short_and_no_two_are_the_same() {
-    for file in ["igloo.obj", "halftunnel.off", "gc_dodecahedron_poly.obj", "inspired_mesh.obj"] {
+    for file in ["halftunnel.off", "gc_dodecahedron_poly.obj"] {
         let Some(mesh) = shared::mesh(file) else { continue };
         let made = named(&mesh, None);
         let distinct: BTreeSet<&String> = made.names.iter().collect();

@@ -1,5 +1,5 @@
 //! Single panels: laid flat in their least-squares plane, counterclockwise seen from outside; with
-//! the joint subtracted, named, sorted into types.
+//! the joint subtracted, named, sorted into types, and the order in which they are assembled.
 
 mod alike;
 mod assembly;
