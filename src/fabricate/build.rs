@@ -6,14 +6,14 @@ use super::discs::CutDisc;
 use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
-use super::panel::{FlatPanel, lay_flat, panel_names, panel_types};
+use super::panel::{FlatPanel, Stand, assembly_rows, lay_flat, panel_names, panel_types};
 use super::paper::PaperModel;
 use super::sheet::{CutPart, Layout};
 use super::surface::PanelSurface;
 use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
-use crate::scene::{BuildSettings, Names, OffsetKind, Page, Product, Tiling};
+use crate::scene::{BuildSettings, OffsetKind, Page, Product, Tiling};
 
 /// Numbers below this, in mm of the building or degrees, are rounding errors.
 const ROUNDING: f64 = 1e-6;
@@ -64,6 +64,8 @@ pub struct Build {
     pub surface: PanelSurface,
     /// The name of each panel.
     pub names: Vec<String>,
+    /// The number of each panel in the order of assembly, from 1.
+    pub order: Vec<u32>,
     /// Each panel in its plane, in the unit of the mesh; none if it has no area.
     pub flat: Vec<Option<FlatPanel>>,
     /// Each panel as it is cut; none if it is not cut.
@@ -114,7 +116,7 @@ pub(super) fn beam_name([a, b]: [u32; 2]) -> String {
 }
 
 impl Build {
-    /// All parts of a mesh at its `positions`.
+    /// All parts of a mesh at its `positions`, which stands on the ground.
     ///
     /// # Errors
     /// If the mesh has no faces, or a setting is out of its range.
@@ -123,9 +125,25 @@ impl Build {
         settings: &BuildSettings,
         unit: LengthInMetres,
     ) -> Result<Build, Fault> {
+        Build::standing(mesh, settings, unit, &Stand::guessed(mesh))
+    }
+
+    /// As [`Build::new`], of a shape that stands as is known.
+    ///
+    /// # Errors
+    /// As [`Build::new`].
+    pub fn standing(
+        mesh: &Mesh,
+        settings: &BuildSettings,
+        unit: LengthInMetres,
+        stand: &Stand,
+    ) -> Result<Build, Fault> {
         settings.check().map_err(|(key, message)| Fault(format!("build.{key}: {message}")))?;
         let surface = PanelSurface::new(mesh)?;
-        let (names, are_rows) = panel_names(&surface, settings.names);
+        let rows = assembly_rows(&surface, stand);
+        let (names, are_as_asked) = panel_names(&surface, settings.names, &rows);
+        let mut order = vec![0; names.len()];
+        rows.iter().flatten().zip(1..).for_each(|(&f, number)| order[f as usize] = number);
         let flat = all_flat(&surface);
         let to_building = 1000.0 * unit.metres;
         let types = panel_types(&flat, settings.alike / to_building, settings.mirror);
@@ -133,6 +151,7 @@ impl Build {
             settings: settings.clone(),
             surface,
             names,
+            order,
             flat,
             cut: Vec::new(),
             not_cut: Vec::new(),
@@ -158,7 +177,7 @@ impl Build {
         if build.surface.is_inside_out() {
             build.faults.push(Fault::inside_out(build.surface.parts));
         }
-        if build.settings.names == Names::Rows && !are_rows {
+        if !are_as_asked {
             build.faults.push(Fault::no_rows());
         }
         build.cut();
@@ -279,12 +298,16 @@ impl Build {
             .collect()
     }
 
-    /// What the lines on a sheet mean: which side is seen, and where the arrow of a part points.
+    /// What the lines on a sheet mean: which side is seen, or how the letters of a part lie in the
+    /// model, and where its arrow points.
     fn legend(&self) -> String {
         let side = match self.settings.product {
             _ if self.surface.one_sided.is_some() => "",
-            Product::Fins if self.discs.is_empty() => "",
-            Product::Fins => "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT",
+            // Above and below as the letters stand, which is outwards.
+            Product::Fins if self.distance() > 0.0 => {
+                "NAME: FROM ITS FIRST NODE, TOP OUTWARDS, EDGE OF THE MODEL BELOW IT"
+            }
+            Product::Fins => "NAME: FROM ITS FIRST NODE, TOP OUTWARDS, EDGE OF THE MODEL ABOVE IT",
             Product::Paper if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };
@@ -294,8 +317,12 @@ impl Build {
             Product::Fins => "ARROW OF A FIN: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Paper => "",
         };
+        let discs = match self.discs.is_empty() {
+            true => "",
+            false => "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT",
+        };
         let words: Vec<&str> =
-            [side, arrow].into_iter().filter(|words| !words.is_empty()).collect();
+            [side, arrow, discs].into_iter().filter(|words| !words.is_empty()).collect();
         words.join(", ")
     }
 

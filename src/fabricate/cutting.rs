@@ -138,6 +138,7 @@ impl Build {
                         panels,
                         outline,
                         has_first_side,
+                        is_oriented: true,
                         ..CutPart::default()
                     });
                     // The ends are the second and the last side.
@@ -175,6 +176,8 @@ impl Build {
         let mut parts = std::mem::take(&mut self.parts);
         for (k, part) in parts.iter_mut().enumerate() {
             let Some((_, Place { turn, .. })) = places[k] else { continue };
+            // Upright in its own frame, where letters say how it lies.
+            let turn = if part.is_oriented { [1.0, 0.0] } else { turn };
             let missing = match &self.paper {
                 Some(model) => {
                     let inside = self.settings.print_inside;
@@ -187,7 +190,7 @@ impl Build {
                             outline: &part.outline,
                             name: &part.name,
                             neighbours: &beside[k],
-                            free_sides: self.settings.product == Product::Panels,
+                            is_oriented: part.is_oriented,
                             with_arrow: part.has_first_side,
                             turn,
                             holes: &part.holes,
@@ -197,6 +200,8 @@ impl Build {
                     part.engraved = lines;
                     // Without room there is no small name either.
                     let small = usize::from(small && !texts.is_empty());
+                    // Its own name says which neighbour is where.
+                    let dropped = if part.is_oriented { 0 } else { dropped };
                     MissingNames { dropped, small, piece: texts.is_empty() }
                 }
             };
@@ -224,11 +229,12 @@ impl Build {
             let mut waste = Waste::new(size, margin, sheet.places.iter().map(outline).collect());
             for (k, place) in sheet.places.iter().enumerate().filter(|(_, place)| asks(place)) {
                 let part = &mut self.parts[place.part];
-                let Some((height, centre)) = waste.write(k, &part.name) else { continue };
+                let along = if part.is_oriented { place.axis_along_part() } else { [1.0, 0.0] };
+                let Some((height, centre)) = waste.write(k, &part.name, along) else { continue };
                 let on_part = |line: Vec<Point2>| {
                     line.into_iter().map(|point| place.to_part(point)).collect()
                 };
-                let lines = strokes(&part.name, height, centre, [1.0, 0.0]);
+                let lines = strokes(&part.name, height, centre, along);
                 part.engraved.extend(lines.into_iter().map(on_part));
                 part.named = NamePlace::BesidePart;
             }

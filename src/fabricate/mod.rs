@@ -19,7 +19,7 @@
 //! | `facing` | panels that face inwards or are folded over |
 //! | `alike` | sorting of items into types |
 //! | `boxes` | which boxes in the plane meet another one |
-//! | `panel` | panels laid flat, the joint, names, types |
+//! | `panel` | panels laid flat, the joint, names, types, the order of assembly |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
 //! | `beam` | beams along the edges: nodes, fins, node discs, prisms |
 //! | `paper` | paper models: nets and strips with folds and tabs |
@@ -91,6 +91,7 @@ pub use fault::Fault;
 pub use numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 pub use offset::Choice;
 pub use output::{BuildFile, PARTS};
+pub use panel::Stand;
 pub use report::{BuildReport, FrameReport, PaperReport};
 pub use report_page::ReportView;
 pub use space::{PRESENTATION, SpatialPart};

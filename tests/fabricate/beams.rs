@@ -1,10 +1,10 @@
 //! Fins, prisms and nodes.
 
 use super::identities::revolution;
-use super::{build, dxf};
+use super::{build, dxf, length};
 use crate::support::grid::grid;
 use shape_up::fabricate::beam::{cut_back, node_types};
-use shape_up::fabricate::sheet::{Inscription, label};
+use shape_up::fabricate::sheet::{Inscription, NamePlace, label, strokes};
 use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildFile, LengthInMetres};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
@@ -242,7 +242,7 @@ fn fins_have_a_hole_at_each_end_where_there_is_room() {
     for part in &made.parts {
         let [p, q] = [part.holes[0].centre, part.holes[1].centre];
         // More than half a metre apart at 1:10, on the middle line of the fin.
-        assert!(crate::fabricate::length([p[0] - q[0], p[1] - q[1]]) > 50.0, "{}", part.name);
+        assert!(length([p[0] - q[0], p[1] - q[1]]) > 50.0, "{}", part.name);
     }
     // One and a half diameters from the finished end, which is inside of what is cut.
     for kerf in [0.0, 2.0] {
@@ -252,7 +252,7 @@ fn fins_have_a_hole_at_each_end_where_there_is_room() {
             let [p, q] = [side, side + 1].map(|k| part.outline[k % 4]);
             let along = [q[0] - p[0], q[1] - p[1]];
             let to = [hole.centre[0] - p[0], hole.centre[1] - p[1]];
-            let away = (along[0] * to[1] - along[1] * to[0]) / crate::fabricate::length(along);
+            let away = (along[0] * to[1] - along[1] * to[0]) / length(along);
             assert!((away - 7.5 - 0.5 * kerf).abs() < 1e-9, "{kerf}: {away}");
         }
     }
@@ -279,7 +279,7 @@ fn names_that_nobody_could_read_are_not_on_the_part() {
             outline: &[[0.0, 0.0], [width, 0.0], [width, 2.5], [0.0, 2.5]],
             name: "B192-193",
             neighbours: &[None, Some("N193".to_owned()), None, Some("N192".to_owned())],
-            free_sides: false,
+            is_oriented: true,
             with_arrow: false,
             turn: [1.0, 0.0],
             holes: &[],
@@ -302,7 +302,7 @@ fn a_short_fin_names_both_of_its_nodes_beside_its_long_name() {
             outline,
             name,
             neighbours,
-            free_sides: false,
+            is_oriented: true,
             with_arrow,
             turn,
             holes,
@@ -322,4 +322,33 @@ fn sheets_are_counted_only_if_there_are_parts() {
     let mut folded = grid(2, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
     folded.positions[4] = [3.0, 3.0, 0.0];
     assert_eq!(sheets(&folded), None);
+}
+
+#[test]
+fn the_name_of_a_fin_says_how_it_lies_and_what_it_makes_needless_is_not_missed() {
+    // Most are too narrow for the names of their nodes.
+    let made = build(
+        &revolution(9, 7),
+        &BuildSettings { scale: 60.0, thickness: 0.5, distance: Some(0.12), ..settings() },
+    );
+    assert!(made.parts.len() > 100 && made.not_cut.is_empty());
+    assert_eq!(made.dropped_names, 0);
+    for part in made.parts.iter().filter(|part| part.named == NamePlace::OnPart) {
+        let letters = strokes(&part.name, 1.0, [0.0; 2], [1.0, 0.0]);
+        let [p, q] = [&part.engraved, &letters].map(|lines| {
+            let last = &lines[letters.len() - 1];
+            let [a, b] = [lines[0][0], last[last.len() - 1]];
+            [b[0] - a[0], b[1] - a[1]]
+        });
+        // From the first node along the edge, which is the first side of the outline.
+        let along = (p[0] * q[0] + p[1] * q[1]) / (length(p) * length(q));
+        assert!(along > 0.9, "{}: {along}", part.name);
+        let [a, b] = [part.outline[0], part.outline[1]];
+        assert!(b[0] - a[0] > 0.99 * length([b[0] - a[0], b[1] - a[1]]), "{}", part.name);
+    }
+    // Rectangles, which may lie either way, are readable on their sheets.
+    let made = build(&grid(5, 4, |i, j| [f64::from(i), 1.3 * f64::from(j), 0.0]), &settings());
+    for place in made.layout.sheets.iter().flat_map(|sheet| &sheet.places) {
+        assert!(place.turn[0] > 0.5 || place.turn[1] > 0.5, "{place:?}");
+    }
 }

@@ -28,7 +28,7 @@ fn moved(mesh: &Mesh, map: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
 }
 
 /// An inversion preserves circles but no symmetry.
-fn inverted(mesh: &Mesh) -> Mesh {
+pub(crate) fn inverted(mesh: &Mesh) -> Mesh {
     moved(mesh, |[x, y, z]| {
         let [x, y, z] = [x + 4.0, y + 1.0, z + 2.5];
         let scale = 10.0 / (x * x + y * y + z * z);

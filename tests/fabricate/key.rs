@@ -184,6 +184,11 @@ fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
     let mesh = grid(3, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
     for (product, print_inside, words) in [
         (Product::Panels, false, "SEEN FROM OUTSIDE, ARROW: TO ITS FIRST EDGE IN THE MODEL"),
+        (
+            Product::Fins,
+            false,
+            "NAME: FROM ITS FIRST NODE, TOP OUTWARDS, EDGE OF THE MODEL BELOW IT, ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
+        ),
         (Product::Paper, false, "SEEN FROM OUTSIDE"),
         (Product::Paper, true, "SEEN FROM INSIDE, MIRRORED"),
     ] {

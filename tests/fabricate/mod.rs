@@ -2,6 +2,7 @@
 //! that are read back by other readers, and meshes that cannot be built.
 
 mod assembly;
+mod assembly_order;
 mod bad_input;
 mod beams;
 mod check;
@@ -21,6 +22,7 @@ mod report_page;
 mod sheets;
 mod space;
 mod words;
+mod workshop;
 
 use shape_up::fabricate::{Build, LengthInMetres};
 use shape_up::mesh::Mesh;

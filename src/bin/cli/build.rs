@@ -4,7 +4,7 @@ use super::output::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
     Advice, AdvisedValue, Build, BuildFile, BuildReport, BuildWords, CardWords, CheckRow,
-    CheckWords, FrameReport, LengthInMetres, PARTS, PRESENTATION, PaperReport, ReportView,
+    CheckWords, FrameReport, LengthInMetres, PARTS, PRESENTATION, PaperReport, ReportView, Stand,
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BUILD_SETTINGS, BuildSetting, BuildSettings, Scene, Up};
@@ -25,7 +25,8 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     if scene.units.is_empty() {
         remarks.push(format!("the file has no unit: lengths are read as {}", unit.symbol));
     }
-    let build = Build::new(&mesh, &settings, unit).map_err(|fault| at(fault.to_string()))?;
+    let build = Build::standing(&mesh, &settings, unit, &Stand::of_scene(&scene))
+        .map_err(|fault| at(fault.to_string()))?;
     let report = build.report();
     let said = build.words(&report);
     if asked.out.is_some() && report.placed == 0 {

@@ -1,13 +1,15 @@
 //! Single panels: laid flat in their least-squares plane, counterclockwise seen from outside; with
-//! the joint subtracted, named, sorted into types.
+//! the joint subtracted, named, sorted into types, and the order in which they are assembled.
 
 mod alike;
+mod assembly;
 mod inset;
 mod name;
 mod polygon;
 
 pub(super) use crate::math::{ears as triangles, triangles_in_space, turn};
 pub use alike::panel_types;
+pub use assembly::{Stand, assembly_rows};
 pub use inset::inset;
 pub use name::panel_names;
 pub(super) use polygon::{

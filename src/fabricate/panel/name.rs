@@ -2,17 +2,32 @@
 //!
 //! `P12` is face 12 of the mesh, counted from 0 as everywhere; faces of the file that are left as they
 //! are, [`crate::mesh::Mesh::untouched`], do not count. On a mesh that is one grid of quads,
-//! names by row and column (`C-07`) are an option, because builders work in rows.
+//! names by row and column (`C-07`) are an option, because builders work in rows. On every mesh they may
+//! be numbered in the order of assembly: `A1` to `A12` stand on the ground, `B1` is above.
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{argsort, key_of_pair};
 use crate::scene::Names;
 
-/// The names of all panels, and whether they are by row and column.
-pub fn panel_names(surface: &PanelSurface, names: Names) -> (Vec<String>, bool) {
+/// The names of all panels, which are assembled in these rows, and whether they are as asked for: names
+/// by row and column need a grid.
+pub fn panel_names(
+    surface: &PanelSurface,
+    names: Names,
+    assembly: &[Vec<u32>],
+) -> (Vec<String>, bool) {
     let grid = match names {
         Names::Rows => grid_places(surface),
         Names::Index => None,
+        Names::Assembly => {
+            let mut found = vec![String::new(); surface.faces.len()];
+            for (own, row) in assembly.iter().zip(0..) {
+                for (&f, number) in own.iter().zip(1..) {
+                    found[f as usize] = format!("{}{number}", letters(row));
+                }
+            }
+            return (found, true);
+        }
     };
     match grid {
         Some(places) => {
@@ -22,7 +37,10 @@ pub fn panel_names(surface: &PanelSurface, names: Names) -> (Vec<String>, bool) 
                 |&[row, column]: &[u32; 2]| format!("{}-{:0digits$}", letters(row), column + 1);
             (places.iter().map(name).collect(), true)
         }
-        None => ((0..surface.faces.len()).map(|f| format!("P{f}")).collect(), false),
+        None => {
+            let numbered = (0..surface.faces.len()).map(|f| format!("P{f}")).collect();
+            (numbered, names == Names::Index)
+        }
     }
 }
 

@@ -127,7 +127,7 @@ pub fn write_names(
                     outline,
                     name,
                     neighbours,
-                    free_sides: true,
+                    is_oriented: false,
                     with_arrow,
                     turn,
                     holes,

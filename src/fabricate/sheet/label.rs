@@ -7,7 +7,7 @@ use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use super::text_box::{Box2, ROOM};
 use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
-use crate::math::plane::{Point2, distance, rotated};
+use crate::math::plane::{Point2, distance, dot, rotated};
 
 /// Largest height of neighbours' names, in mm.
 pub(super) const TALLEST: f64 = 8.0;
@@ -20,6 +20,9 @@ const OF_RADIUS: f64 = 0.25;
 const OWN: [f64; 3] = [1.7, 1.3, 1.0];
 /// Sine of the angle by which a nearly vertical text may lean backwards and still read upwards.
 const LEANING: f64 = 0.2;
+/// Least cosine of the angle between a name that says how its part lies and the direction that it stands
+/// for.
+const ORIENTED: f64 = 0.9;
 /// Largest length of a neighbour's name relative to its edge.
 const OF_EDGE: f64 = 0.7;
 /// Names are shrunk to this fraction of their largest height before they are written across their
@@ -55,9 +58,10 @@ pub struct Inscription<'a> {
     /// For each edge, the name of the neighbour there, if any. Edge `k` goes from corner `k` to the
     /// next one.
     pub neighbours: &'a [Option<String>],
-    /// Whether a side without a neighbour could be taken for that of a name near it: on a panel, but
-    /// not on a fin, which has names at its ends only.
-    pub free_sides: bool,
+    /// Whether its letters say how it lies, as on a fin: its own name runs in one direction only, that
+    /// of the sheet. It has names at its ends only, so that a side without a neighbour is not taken for
+    /// that of a name near it, as on a panel.
+    pub is_oriented: bool,
     /// Whether an arrow points to edge 0.
     pub with_arrow: bool,
     /// The rotation of the part on its sheet, as cosine and sine.
@@ -85,7 +89,9 @@ pub fn label(own: Inscription<'_>) -> Labels {
 
 /// As `label`, with the relative height `own` of the own name; also whether the arrow is there.
 fn label_of_height(
-    Inscription { outline, name, neighbours, free_sides, with_arrow, turn, holes }: Inscription<'_>,
+    Inscription { outline, name, neighbours, is_oriented, with_arrow, turn, holes }: Inscription<
+        '_,
+    >,
     (centre, radius): (Point2, f64),
     own: f64,
 ) -> (Labels, bool) {
@@ -111,10 +117,13 @@ fn label_of_height(
     // Try the roomiest point (it may be beside a hole at one end of a slender part) and the middle;
     // along the sheet and along the longest edge; with decreasing height until the name is inside.
     let middle = middle(outline);
+    let sheet = [turn[0], -turn[1]];
+    let mut directions = vec![sheet, upright(across, turn)];
+    directions.retain(|&along| !is_oriented || dot(along, sheet) > ORIENTED);
     while own.is_none() && height >= LEAST_OWN {
         own = [centre, middle]
             .into_iter()
-            .flat_map(|centre| [[turn[0], -turn[1]], upright(across, turn)].map(|to| (centre, to)))
+            .flat_map(|centre| directions.iter().map(move |&along| (centre, along)))
             .map(|(centre, along)| Box2::of_text(name, height, centre, along))
             .find(|own| own.is_in(outline) && taken.iter().all(|hole| own.is_apart(hole)));
         if own.is_none() {
@@ -128,7 +137,7 @@ fn label_of_height(
     taken.insert(0, own);
     let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
     let mut highest: f64 = 0.0;
-    let is_rival = |i: usize| free_sides || matches!(neighbours.get(i), Some(Some(_)));
+    let is_rival = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
     let rivals = sides(outline).enumerate().filter(|&(i, _)| is_rival(i));
     let rivals: Vec<[Point2; 2]> = rivals.map(|(_, side)| side).collect();
     for (k, neighbour) in neighbours.iter().enumerate() {
@@ -308,7 +317,7 @@ mod tests {
                 outline: &outline,
                 name,
                 neighbours,
-                free_sides: true,
+                is_oriented: false,
                 with_arrow,
                 turn,
                 holes,
@@ -331,7 +340,7 @@ mod tests {
                 outline,
                 name,
                 neighbours,
-                free_sides: true,
+                is_oriented: false,
                 with_arrow,
                 turn,
                 holes,
@@ -359,7 +368,7 @@ mod tests {
                     outline,
                     name: "P1",
                     neighbours,
-                    free_sides: true,
+                    is_oriented: false,
                     with_arrow,
                     turn,
                     holes,
@@ -394,7 +403,7 @@ mod tests {
             outline,
             name,
             neighbours,
-            free_sides: false,
+            is_oriented: true,
             with_arrow,
             turn,
             holes,
@@ -414,7 +423,7 @@ mod tests {
                 outline,
                 name,
                 neighbours,
-                free_sides: true,
+                is_oriented: false,
                 with_arrow: false,
                 turn,
                 holes,

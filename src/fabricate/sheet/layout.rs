@@ -2,8 +2,9 @@
 
 use super::nest::{First, Nester};
 use super::part::{CutPart, Place, SheetSize};
+use super::label::upright;
 use super::shelf::{Resting, Shelves, resting};
-use crate::math::plane::rotated;
+use crate::math::plane::{Point2, rotated};
 use crate::math::{key_of_number, sort_by_number};
 use crate::scene::Order;
 
@@ -48,7 +49,7 @@ pub fn lay_out(parts: &[CutPart], sheet: SheetSize, order: Order) -> Layout {
     }
     let is_first_only = order == Order::Names || parts.len() > MOST_TRIED;
     let tried = if is_first_only { 1 } else { WAYS.len() };
-    let all = WAYS[..tried].iter().map(|way| way.lay_out(&found, (sheet, room), order));
+    let all = WAYS[..tried].iter().map(|way| way.lay_out((parts, &found), (sheet, room), order));
     let Some(best) = all.reduce(Laid::better) else { return Layout::default() };
     if is_first_only { best.layout } else { nested(best, parts, &found, (sheet, room)).layout }
 }
@@ -109,13 +110,20 @@ impl Direction {
 
     /// The place on the sheet of a part that is placed in the room for rows.
     fn on_sheet(self, sheet: SheetSize, Place { part, turn, offset: [x, y] }: Place) -> Place {
-        let (turn, [x, y]) = match self {
-            Direction::Rows => (turn, [x, y]),
-            Direction::Columns => {
-                (rotated(turn, [0.0, -1.0]), [y, sheet.size[1] - 2.0 * sheet.margin - x])
-            }
+        let [x, y] = match self {
+            Direction::Rows => [x, y],
+            Direction::Columns => [y, sheet.size[1] - 2.0 * sheet.margin - x],
         };
+        let turn = self.turned(turn);
         Place { part, turn, offset: [x + sheet.margin, y + sheet.margin] }
+    }
+
+    /// The rotation on the sheet of a part with this rotation in the room for rows.
+    fn turned(self, turn: Point2) -> Point2 {
+        match self {
+            Direction::Rows => turn,
+            Direction::Columns => rotated(turn, [0.0, -1.0]),
+        }
     }
 }
 
@@ -152,15 +160,23 @@ impl Laid {
 impl Way {
     fn lay_out(
         &self,
-        parts: &[Resting],
+        (parts, resting): (&[CutPart], &[Resting]),
         (sheet, room): (SheetSize, [f64; 2]),
         order: Order,
     ) -> Laid {
         let mut layout = Layout::default();
         let room = self.direction.room(room);
         let mut boxes: Vec<Resting> = Vec::new();
-        for resting in parts {
-            let stances = [resting.clone(), resting.quarter_turned()];
+        // As its letters are upright, if they say how a part lies.
+        let readable = |own: Resting| {
+            let is_upright = upright([1.0, 0.0], self.direction.turned(own.turn)) == [1.0, 0.0];
+            match parts[own.part].is_oriented && !is_upright {
+                true => own.turned([-1.0, 0.0]),
+                false => own,
+            }
+        };
+        for resting in resting {
+            let stances = [resting.clone(), resting.quarter_turned()].map(readable);
             let fits = |own: &&Resting| own.size[0] <= room[0] && own.size[1] <= room[1];
             let mut own = stances.iter().filter(fits);
             match if self.along { own.next() } else { own.next_back() } {

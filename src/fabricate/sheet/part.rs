@@ -158,6 +158,9 @@ pub struct CutPart {
     pub outline: Vec<Point2>,
     /// Whether its first side is the first one in the model, and not eaten by the joint.
     pub has_first_side: bool,
+    /// Whether its letters say how it lies: they run along the x axis of the part, however it is
+    /// rotated on its sheet.
+    pub is_oriented: bool,
     /// Holes in it.
     pub holes: Vec<Hole>,
     /// Engraved polylines.
@@ -201,6 +204,12 @@ impl Place {
     pub fn to_part(&self, [x, y]: Point2) -> Point2 {
         let [c, s] = self.turn;
         rotated([x - self.offset[0], y - self.offset[1]], [c, -s])
+    }
+
+    /// The axis of the sheet, in either direction, that is nearest to the x axis of the part.
+    pub fn axis_along_part(&self) -> Point2 {
+        let [c, s] = self.turn;
+        if c.abs() >= s.abs() { [c.signum(), 0.0] } else { [0.0, s.signum()] }
     }
 
     /// The angle by which the part is rotated, in degrees.

@@ -40,7 +40,7 @@ impl Resting {
     }
 
     /// Rotated further.
-    fn turned(&self, by: Point2) -> Resting {
+    pub(super) fn turned(&self, by: Point2) -> Resting {
         let put = |polygon: &Vec<Point2>| {
             let back = polygon.iter().map(|&[x, y]| [x - self.moved[0], y - self.moved[1]]);
             back.map(|point| rotated(point, by)).collect()

@@ -34,12 +34,15 @@ impl Waste {
         Waste { room, outlines, parts, names: Boxes::default() }
     }
 
-    /// The height and the centre of a name beside the outline `own`, along the sheet, as high as
-    /// there is room; none without room. Its area is then reserved.
-    pub fn write(&mut self, own: usize, name: &str) -> Option<(f64, Point2)> {
+    /// The height and the centre of a name beside the outline `own`, along an axis of the sheet, as
+    /// high as there is room; none without room. Its area is then reserved.
+    pub fn write(&mut self, own: usize, name: &str, along: Point2) -> Option<(f64, Point2)> {
         let outline = self.outlines.get(own)?;
         for height in HEIGHTS {
-            let half = [0.5 * text_width(name, height), 0.5 * height];
+            let mut half = [0.5 * text_width(name, height), 0.5 * height];
+            if along[0] == 0.0 {
+                half.swap(0, 1);
+            }
             let grown = |centre: Point2, by: f64| {
                 [-1.0, 1.0].map(|sign| [0, 1].map(|x| centre[x] + sign * (half[x] + by)))
             };
@@ -105,7 +108,7 @@ mod tests {
         let mut waste = Waste::new([100.0, 40.0], 5.0, vec![strip(10.0), strip(22.0), strip(25.0)]);
         let mut names = Vec::new();
         for own in [0, 1, 2] {
-            let (height, [x, y]) = waste.write(own, "S12").expect("there is room");
+            let (height, [x, y]) = waste.write(own, "S12", [1.0, 0.0]).expect("there is room");
             let half = [0.5 * text_width("S12", height), 0.5 * height];
             let text = [[x - half[0], y - half[1]], [x + half[0], y + half[1]]];
             assert!(height >= 2.0 && text[0].iter().all(|at| *at >= 5.0) && text[1][1] <= 35.0);

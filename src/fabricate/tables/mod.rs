@@ -1,10 +1,12 @@
 //! Lists of the parts, and a summary. Every column name includes its unit: `_sheet_mm` of the parts, at
-//! the scale of the model, and `_mm` of the building. Settings in the summary are as they are set.
+//! the scale of the model, and `_mm` of the building. Settings in the summary are as they are set; its last
+//! rows say how to read the other tables.
 
 mod beams;
 mod discs;
 mod panels;
 mod paper;
+mod reading;
 mod shape;
 
 use super::build::Build;
@@ -100,6 +102,9 @@ fn summary(build: &Build) -> String {
             _ => Cell::None,
         };
         row(&format!("{} ({})", setting.label, setting.id), cell, unit);
+    }
+    for (what, words) in reading::reading(report.product) {
+        row(&format!("how to read {what}"), Cell::from(words), "");
     }
     table.into_text()
 }

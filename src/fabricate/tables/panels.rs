@@ -1,6 +1,6 @@
 //! Panels as cut, and their types.
 
-use crate::fabricate::build::Build;
+use crate::fabricate::build::{Build, node_name};
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::panel::perimeter;
 use crate::math::plane::{area, rotated};
@@ -26,12 +26,15 @@ pub(super) fn panels(build: &Build) -> String {
         "y_sheet_mm",
         "turn_deg",
         "name_written",
+        "order",
+        "nodes",
     ]);
     let places = build.layout.places(build.parts.len());
     let building = build.mm_of_building();
     for (f, name) in build.names.iter().enumerate() {
         let kind = build.types.of[f].map(type_name).unwrap_or_default();
-        let corners = build.surface.faces.row(f).len();
+        let corners = build.surface.faces.row(f);
+        let nodes: Vec<String> = corners.iter().map(|&v| node_name(v)).collect();
         let flat = build.flat[f].as_ref();
         let cut = build.cut[f].as_ref();
         let outline = cut.map(|cut| &build.parts[cut.part].outline[..]);
@@ -44,7 +47,7 @@ pub(super) fn panels(build: &Build) -> String {
         table.row([
             Cell::from(&**name),
             Cell::from(&*kind),
-            Cell::from(corners),
+            Cell::from(corners.len()),
             Cell::from(outline.map(area)),
             Cell::from(outline.map(perimeter)),
             Cell::from(cut.map(|cut| cut.size[0])),
@@ -56,6 +59,8 @@ pub(super) fn panels(build: &Build) -> String {
             Cell::from(place.map(|(_, (_, place))| place.offset[1])),
             Cell::from(turn),
             Cell::from(cut.map_or("", |cut| build.parts[cut.part].named.words())),
+            Cell::from(build.order[f] as usize),
+            Cell::from(&*nodes.join(" ")),
         ]);
     }
     table.into_text()

@@ -23,11 +23,13 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
         "turn_deg",
         "names",
         "name_written",
+        "order",
     ];
     let mut table = Table::new(&columns);
     let places = build.layout.places(build.parts.len());
     for (k, part) in build.parts.iter().enumerate() {
         let place = places[k];
+        let first = part.panels.iter().map(|&panel| build.order[panel as usize]).min();
         let names: Vec<&str> =
             part.panels.iter().map(|&panel| &*build.names[panel as usize]).collect();
         table.row([
@@ -41,6 +43,7 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
             Cell::from(place.map(|(_, place)| place.turn_deg())),
             Cell::from(&*names.join(" ")),
             Cell::from(part.named.words()),
+            first.map_or(Cell::None, |first| Cell::from(first as usize)),
         ]);
     }
     table.into_text()

@@ -68,6 +68,8 @@ pub enum Names {
     Index,
     /// By row and column if the mesh is one grid of quads; else by the index.
     Rows,
+    /// By row from the supports and number along the row.
+    Assembly,
 }
 
 /// The order in which parts are laid out.

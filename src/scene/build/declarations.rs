@@ -78,8 +78,11 @@ const KINDS: BuildForm = choice(&[
 ]);
 const ORDERS: BuildForm =
     choice(&[option("size", "Fewest sheets", ""), option("names", "By name", "")]);
-const NAMES: BuildForm =
-    choice(&[option("index", "P0, P1, P2 ...", ""), option("rows", "Rows and columns", "")]);
+const NAMES: BuildForm = choice(&[
+    option("index", "P0, P1, P2 ...", ""),
+    option("rows", "Rows and columns", "If the mesh is one grid of quads"),
+    option("assembly", "In order of assembly", "A1, A2 ... on the supports, B1 ... above"),
+]);
 const DXF: BuildForm =
     choice(&[option("r2000", "DXF 2000", ""), option("r12", "DXF R12, for old machines", "")]);
 const PAGES: BuildForm =
@@ -255,7 +258,13 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         BuildForm::Text,
         "The name of the material, in the title of the sheets.",
     ),
-    setting(Files, "names", "Names", NAMES, "Rows and columns: if the mesh is one grid of quads."),
+    setting(
+        Files,
+        "names",
+        "Names",
+        NAMES,
+        "The names of panels. Rows and columns: if the mesh is one grid of quads.",
+    ),
     setting(Files, "dxf", "Drawings", DXF, "The version of the DXF files."),
     setting(Files, "page", "PDF pages", PAGES, "Larger sheets are printed on several pages."),
     setting(

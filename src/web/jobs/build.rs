@@ -3,14 +3,14 @@
 use crate::fabricate::file::{SheetPicture, picture};
 use crate::fabricate::{
     BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, Fault,
-    LengthInMetres, ReportView, SpatialPart,
+    LengthInMetres, ReportView, SpatialPart, Stand,
 };
 use crate::mesh::Mesh;
-use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings};
+use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings, Up};
 use crate::web::values::{Js, plain, plains, read};
 use crate::web::{log_panics, mesh_of, thrown};
 use crate::words;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
@@ -50,6 +50,17 @@ pub struct WordedChoice {
 #[derive(Serialize, Tsify)]
 pub struct NumbersById(Vec<(&'static str, f64)>);
 
+/// The unit of a shape, and how it stands.
+#[derive(Deserialize, Tsify)]
+pub struct Site {
+    /// The unit of the mesh, empty if it has none.
+    symbol: String,
+    /// Whether z is up, else y.
+    z_up: bool,
+    /// The vertices that are held where they are.
+    held: Vec<u32>,
+}
+
 /// A file to be saved by the page.
 #[derive(Serialize, Tsify)]
 pub struct NamedFile {
@@ -76,7 +87,7 @@ impl Builder {
     /// Makes the parts of a mesh of `positions`, `#V by 3`, and faces: face `f` has the corners
     /// from `offsets[f]` to `offsets[f + 1]` of `indices`. `unplaced` are the vertices whose positions
     /// are guesses, `untouched` is the number of faces that are left as they are. `settings` are those
-    /// of the key `build` of a scene; `symbol` is the unit of the mesh, empty if it has none.
+    /// of the key `build` of a scene.
     ///
     /// # Errors
     /// A mesh without faces or with guessed corners, a unit that is not known, or a setting out of its
@@ -89,13 +100,16 @@ impl Builder {
         unplaced: Vec<u32>,
         untouched: usize,
         settings: Js<BuildSettings>,
-        symbol: &str,
+        site: Js<Site>,
     ) -> Result<Builder, JsValue> {
         let settings: BuildSettings = read(settings)?;
+        let Site { symbol, z_up, held } = read(site)?;
+        let stand = Stand { up: if z_up { Up::Z } else { Up::Y }, held };
         // Only their number counts.
         let untouched = std::iter::repeat_n([0_u32; 0], untouched).collect();
         let mesh = Mesh { unplaced, untouched, ..mesh_of(positions, offsets, indices) };
-        let build = LengthInMetres::of(symbol).and_then(|unit| Build::new(&mesh, &settings, unit));
+        let build = LengthInMetres::of(&symbol)
+            .and_then(|unit| Build::standing(&mesh, &settings, unit, &stand));
         let said = |fault: Fault| thrown(format!("{}.", words::sentence(&fault.0)));
         Ok(Builder { build: build.map_err(said)? })
     }

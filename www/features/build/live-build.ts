@@ -92,7 +92,9 @@ export class LiveBuild {
     const symbol = document.units ?? '';
     const { connectivity: mesh, generation } = geometry;
     const positions = geometry.positions.slice();
-    const agreed = [symbol, JSON.stringify(settings)].join();
+    const held = document.handles.filter(({ fixed }) => fixed).map(({ vertex }) => vertex);
+    const site = { symbol, z_up: this.#isZUp(), held };
+    const agreed = JSON.stringify([site, settings]);
     const keyNow = () => [jobs.generation, generation, agreed].join();
     const key = keyNow();
     if (key === this.#key) return;
@@ -109,7 +111,7 @@ export class LiveBuild {
       const { faceOffsets: offsets, faceIndices: indices, unplaced } = mesh;
       const untouched = mesh.untouchedOffsets.length - 1;
       const faces = { offsets, indices, unplaced, untouched };
-      const shape = { positions, ...faces, settings, symbol };
+      const shape = { positions, ...faces, settings, site };
       const begun = performance.now();
       const built = await jobs.ask.build(this.#asker, shape, MOST_SHEETS);
       this.#milliseconds = performance.now() - begun;

@@ -1,13 +1,13 @@
 /** Parts of a shape, made in the second worker. */
 
 import { zipSync, type Zippable } from 'fflate';
-import { Builder, buildOffers } from '../../pkg/engine/shape_up.js';
+import { Builder, buildOffers, type Site } from '../../pkg/engine/shape_up.js';
 import type { BuildSettings, OffsetLayer } from '../../solver/types.ts';
 
 /** The file name of the shape with its offset, the same as on the command line. */
 const PRESENTATION = 'model.glb';
 
-/** A shape (positions `#V by 3`) in the unit of a symbol, and what is to be made of it. */
+/** A shape (positions `#V by 3`), and what is to be made of it. */
 export interface Shape {
   positions: Float64Array;
   offsets: Uint32Array;
@@ -17,7 +17,7 @@ export interface Shape {
   /** number of faces that are left as they are */
   untouched: number;
   settings: BuildSettings;
-  symbol: string;
+  site: Site;
 }
 
 /** The parts of one shape; each user has its own, so that none changes those of another. */
@@ -28,10 +28,10 @@ class Parts {
   #isReshaped = false;
 
   renew(shape: Shape) {
-    const { positions, offsets, indices, unplaced, untouched, settings, symbol } = shape;
+    const { positions, offsets, indices, unplaced, untouched, settings, site } = shape;
     this.builder?.free();
     this.builder = this.#shape = null;
-    this.builder = new Builder(positions, offsets, indices, unplaced, untouched, settings, symbol);
+    this.builder = new Builder(positions, offsets, indices, unplaced, untouched, settings, site);
     this.#shape = shape;
     this.#isReshaped = false;
     return this.builder;

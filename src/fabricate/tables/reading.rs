@@ -1,0 +1,40 @@
+//! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
+
+use crate::scene::Product::{self, Fins, Panels, Paper};
+
+const ALL: &[Product] = &Product::ALL;
+
+/// What is explained, for which products, and in which words.
+const READING: [(&[Product], &str, &str); 13] = [
+    (ALL, "edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
+    (ALL, "edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
+    (&[Panels], "outlines", "each side moved inwards by half the joint, outwards by half the kerf"),
+    (
+        &[Panels],
+        "panels.csv nodes",
+        "counterclockwise seen from outside, from the edge at the arrow",
+    ),
+    (&[Panels], "panels.csv turn_deg", "direction of the edge at the arrow, on the sheet"),
+    (&[Fins], "fins.csv turn_deg", "direction of its name on the sheet"),
+    (&[Fins], "names of fins", "from their first node to their second, tops of letters outwards"),
+    (
+        &[Fins],
+        "fins.csv end_a_deg",
+        "in the fin, between its side at the edge and its end at node_a",
+    ),
+    (&[Fins], "fins.csv cut_back_a_sheet_mm", "from node_a to the fin, along the edge"),
+    (&[Fins], "node-beams.csv azimuth_deg", "about the axis, counterclockwise seen from outside"),
+    (
+        &[Fins],
+        "node-beams.csv elevation_deg",
+        "of the edge, outwards from the plane across the axis",
+    ),
+    (&[Paper], "joins.csv fold", "seen from outside; a tab is folded as its edge is"),
+    (&[Paper], "tabs", "glued to the inside of the panel that is named on them"),
+];
+
+/// The rows for a product: what is explained, and the words.
+pub(super) fn reading(product: Product) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let own = READING.iter().filter(move |(products, ..)| products.contains(&product));
+    own.map(|&(_, what, words)| (what, words))
+}

@@ -1,0 +1,160 @@
+//! The files of a build, as a workshop opens them: tables, and sheets with layers.
+
+use super::letters::{Text, read};
+use shape_up::fabricate::Build;
+use shape_up::math::plane::{Point2, is_inside};
+use std::collections::BTreeMap;
+
+/// A table with a header.
+pub(super) struct Table(Vec<BTreeMap<String, String>>);
+
+impl Table {
+    pub(super) fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        self.0.iter().map(Row)
+    }
+}
+
+/// A row of a table.
+#[derive(Clone, Copy)]
+pub(super) struct Row<'a>(&'a BTreeMap<String, String>);
+
+impl<'a> Row<'a> {
+    pub(super) fn text(&self, column: &str) -> &'a str {
+        self.0.get(column).unwrap_or_else(|| panic!("there is no column {column}"))
+    }
+
+    pub(super) fn number(&self, column: &str) -> f64 {
+        self.text(column).parse().unwrap_or_else(|_| panic!("{column}: {}", self.text(column)))
+    }
+}
+
+/// A part on a sheet, in mm of the sheet, y upwards.
+pub(super) struct Part {
+    pub(super) name: String,
+    pub(super) outline: Vec<Point2>,
+    /// What is written on it.
+    pub(super) texts: Vec<Text>,
+    pub(super) folds: Vec<[Point2; 2]>,
+    pub(super) valleys: Vec<[Point2; 2]>,
+}
+
+/// What is left of a build: its tables and its sheets.
+pub(super) struct Files {
+    texts: BTreeMap<String, String>,
+}
+
+impl Files {
+    pub(super) fn of(build: &Build) -> Files {
+        let files = build.files(true).into_iter();
+        let kept = files.filter(|file| file.name.ends_with(".csv") || file.name.ends_with(".svg"));
+        Files { texts: kept.map(|file| (file.name, file.text)).collect() }
+    }
+
+    pub(super) fn table(&self, name: &str) -> Table {
+        let mut lines = self.texts[name].lines();
+        let header: Vec<String> = fields(lines.next().unwrap());
+        let row = |line| header.iter().cloned().zip(fields(line)).collect();
+        Table(lines.map(row).collect())
+    }
+
+    /// A number of the summary.
+    pub(super) fn number(&self, what: &str) -> f64 {
+        let table = self.table("summary.csv");
+        let row = table.rows().find(|row| row.text("what") == what);
+        row.unwrap_or_else(|| panic!("no {what}")).number("value")
+    }
+
+    /// Whether a switch of the summary is on.
+    pub(super) fn is_on(&self, what: &str) -> bool {
+        let table = self.table("summary.csv");
+        table.rows().any(|row| row.text("what") == what && row.text("value") == "on")
+    }
+
+    /// All parts, and what is written beside parts or in the margins.
+    pub(super) fn parts(&self) -> (Vec<Part>, Vec<Text>) {
+        let (mut parts, mut beside) = (Vec::new(), Vec::new());
+        for (_, text) in self.texts.iter().filter(|(name, _)| name.starts_with("sheet-")) {
+            let document = roxmltree::Document::parse(text).expect("it is XML");
+            let root = document.root_element();
+            let view = root.attribute("viewBox").unwrap();
+            let height: f64 = view.rsplit(' ').next().unwrap().parse().unwrap();
+            let layer = |id: &str| -> Vec<(String, Vec<Vec<Point2>>)> {
+                let group = root.children().find(|node| node.attribute("id") == Some(id));
+                let paths = group.into_iter().flat_map(|group| group.children());
+                let paths = paths.filter(|node| node.has_tag_name("path"));
+                let name = |path: &roxmltree::Node<'_, '_>| path.attribute("id").map(str::to_owned);
+                let read = |path: roxmltree::Node<'_, '_>| {
+                    (name(&path).unwrap_or_default(), lines(path.attribute("d").unwrap(), height))
+                };
+                paths.map(read).collect()
+            };
+            let all = |id: &str| layer(id).into_iter().flat_map(|(_, own)| own);
+            let texts: Vec<Text> = read(&all("ENGRAVE").collect::<Vec<_>>());
+            let [folds, valleys] =
+                [all("FOLD").collect(), undashed(all("VALLEY"))].map(|own: Vec<Vec<Point2>>| {
+                    own.into_iter().map(|line| [line[0], line[1]]).collect()
+                });
+            let (folds, valleys): (Vec<[Point2; 2]>, Vec<[Point2; 2]>) = (folds, valleys);
+            let mut is_on_part = vec![false; texts.len()];
+            for (name, outlines) in layer("CUT") {
+                let [outline] = &outlines[..] else { panic!("{name} is one outline") };
+                let middle = |line: &[Point2; 2]| [0, 1].map(|k| 0.5 * (line[0][k] + line[1][k]));
+                let inside = |lines: &[[Point2; 2]]| {
+                    lines.iter().filter(|line| is_inside(outline, middle(line))).copied().collect()
+                };
+                let on_part = (0..texts.len()).filter(|&k| is_inside(outline, texts[k].centre));
+                let on_part: Vec<usize> = on_part.collect();
+                on_part.iter().for_each(|&k| is_on_part[k] = true);
+                parts.push(Part {
+                    texts: on_part.iter().map(|&k| texts[k].clone()).collect(),
+                    folds: inside(&folds),
+                    valleys: inside(&valleys),
+                    outline: outline.clone(),
+                    name,
+                });
+            }
+            let others = texts.into_iter().zip(is_on_part).filter(|(_, is_on_part)| !is_on_part);
+            beside.extend(others.map(|(text, _)| text));
+            beside.extend(read(&all("SHEET").collect::<Vec<_>>()));
+        }
+        (parts, beside)
+    }
+}
+
+/// The fields of a line of CSV.
+fn fields(line: &str) -> Vec<String> {
+    let (mut all, mut is_quoted) = (vec![String::new()], false);
+    for c in line.chars() {
+        match c {
+            '"' => is_quoted = !is_quoted,
+            ',' if !is_quoted => all.push(String::new()),
+            c => all.last_mut().unwrap().push(c),
+        }
+    }
+    all
+}
+
+/// The lines of a path on a sheet of this height.
+fn lines(path: &str, height: f64) -> Vec<Vec<Point2>> {
+    let point = |pair: &str| {
+        let (x, y) = pair.split_once(',').unwrap();
+        [x.parse().unwrap(), height - y.parse::<f64>().unwrap()]
+    };
+    let lines = path.split('M').filter(|line| !line.is_empty());
+    lines.map(|line| line.trim_end_matches('Z').split('L').map(point).collect()).collect()
+}
+
+/// The lines that dashes make: the gap after a dash is six tenths of it.
+fn undashed(dashes: impl Iterator<Item = Vec<Point2>>) -> Vec<Vec<Point2>> {
+    let mut found: Vec<Vec<Point2>> = Vec::new();
+    let mut next = [f64::NAN; 2];
+    for dash in dashes {
+        let [p, q] = dash[..] else { panic!("a dash has two ends") };
+        match found.last_mut().filter(|_| shape_up::math::plane::distance(p, next) < 1e-3) {
+            Some(line) => line[1] = q,
+            None => found.push(dash),
+        }
+        next = [0, 1].map(|k| q[k] + 0.6 * (q[k] - p[k]));
+    }
+    found
+}

@@ -1,0 +1,221 @@
+//! Paper: pieces are folded along their lines, and tabs are glued behind the panels that are written on
+//! them, or that the name at their side tells.
+
+use super::files::{Files, Part};
+use super::letters::Text;
+use super::panels::{lengths, written};
+use super::shape::{Flat, Found, assembled, matching, sides_of_panels};
+use shape_up::math::plane::{Point2, area, cross, distance, dot, is_inside, minus};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Corners at which lines end are the same within this, in mm.
+const EXACT: f64 = 0.1;
+
+/// What a side of a region of a piece is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Line {
+    Cut,
+    Ridge,
+    Valley,
+}
+
+/// A region of a piece between its lines.
+struct Region {
+    corners: Vec<Point2>,
+    lines: Vec<Line>,
+    /// The region beyond each side, on the same piece.
+    beyond: Vec<Option<usize>>,
+    texts: Vec<Text>,
+}
+
+impl Region {
+    /// Whether it is a tab: a trapezium of which only the longer of two parallel sides is folded, with
+    /// angles of at most 45 degrees there.
+    fn is_tab(&self) -> bool {
+        let folded: Vec<usize> =
+            (0..self.lines.len()).filter(|&k| self.lines[k] != Line::Cut).collect();
+        let [k] = folded[..] else { return false };
+        let corner = |i: usize| self.corners[(k + i) % self.corners.len()];
+        let [p, q, a, b] = [0, 1, 2, 3].map(corner);
+        let angle = |u: Point2, v: Point2| libm::atan2(cross(u, v).abs(), dot(u, v)).to_degrees();
+        let base = minus(q, p);
+        self.corners.len() == 4
+            && cross(base, minus(b, a)).abs() < 1e-3 * distance(p, q)
+            && angle(base, minus(b, p)) < 45.01
+            && angle(minus(p, q), minus(a, q)) < 45.01
+    }
+}
+
+/// Folds and glues a paper model.
+pub(super) fn assemble(files: &Files) -> Found {
+    let scale = files.number("Scale 1 : (scale)");
+    let sides = sides_of_panels(files);
+    let (mut parts, _) = files.parts();
+    if files.is_on("Print on the inside (print_inside)") {
+        parts.iter_mut().for_each(turn_over);
+    }
+    let known: BTreeMap<String, BTreeSet<String>> = files
+        .table("pieces.csv")
+        .rows()
+        .map(|row| {
+            let names = row.text("names").split(' ').map(str::to_owned).collect();
+            (row.text("name").to_owned(), names)
+        })
+        .collect();
+    let mut panels = BTreeMap::new();
+    // Tabs, as the panel that each is on and the panel behind which it is glued.
+    let mut glued: Vec<(String, String)> = Vec::new();
+    for part in &parts {
+        let regions = regions(part);
+        let mut names: Vec<Option<String>> = Vec::new();
+        for region in &regions {
+            let own = (!region.is_tab()).then(|| own_name(part, region));
+            assert!(own.as_ref().is_none_or(|own| known[&part.name].contains(own)), "{own:?}");
+            names.push(own);
+        }
+        assert_eq!(names.iter().flatten().count(), known[&part.name].len(), "{}", part.name);
+        for (region, name) in regions.iter().zip(&names) {
+            let Some(name) = name else { continue };
+            let both = [name.clone(), format!("{}: {name}", part.name)];
+            let beside = region.texts.iter().filter(|text| !both.contains(&text.text));
+            let beside: Vec<Text> = beside.cloned().collect();
+            let mut written = written(name, &region.corners, &beside);
+            let (mut is_joined, mut has_tab) = (Vec::new(), Vec::new());
+            for (k, beyond) in region.beyond.iter().enumerate() {
+                let other = beyond.map(|other| (&names[other], &regions[other]));
+                match other {
+                    Some((Some(other), _)) => written[k] = Some(other.clone()),
+                    Some((None, tab)) if !tab.texts.is_empty() => {
+                        assert_eq!(tab.texts.len(), 1, "{}", part.name);
+                        written[k] = Some(tab.texts[0].text.clone());
+                    }
+                    _ => {}
+                }
+                is_joined.push(matches!(other, Some((Some(_), _))));
+                has_tab.push(matches!(other, Some((None, _))));
+            }
+            let corners: Vec<Point2> =
+                region.corners.iter().map(|corner| corner.map(|x| scale * x)).collect();
+            let measured: Vec<_> = lengths(&corners).into_iter().zip(written).collect();
+            let mut own = sides[name].clone();
+            let [first] = matching(&own, &measured, EXACT * scale)[..] else {
+                panic!("{name}: {own:?} {measured:?}")
+            };
+            own.rotate_left(first);
+            for (k, side) in own.iter().enumerate() {
+                // A fold is made the way in which its line is drawn.
+                let expected = if side.fold > 0.0 { Line::Ridge } else { Line::Valley };
+                assert!([Line::Cut, expected].contains(&region.lines[k]), "{name} {side:?}");
+                if has_tab[k] {
+                    glued.push((name.clone(), side.beyond.clone()));
+                }
+            }
+            let before = panels.insert(name.clone(), Flat { corners, sides: own, is_joined });
+            assert!(before.is_none(), "{name} is there twice");
+        }
+    }
+    assert_eq!(panels.len(), sides.len(), "every panel is on a piece");
+    for (on, behind) in glued {
+        for (own, other) in [(&on, &behind), (&behind, &on)] {
+            let panel = panels.get_mut(own).unwrap();
+            let k = panel.sides.iter().position(|side| side.beyond == *other).unwrap();
+            assert!(!std::mem::replace(&mut panel.is_joined[k], true), "{on} {behind}");
+        }
+    }
+    assembled(&panels)
+}
+
+/// Turns a piece over: what was printed on is inside, and its ridges are valleys seen from outside.
+fn turn_over(part: &mut Part) {
+    let over = |point: &mut Point2| point[0] = -point[0];
+    part.outline.iter_mut().for_each(over);
+    part.outline.reverse();
+    std::mem::swap(&mut part.folds, &mut part.valleys);
+    part.folds.iter_mut().chain(&mut part.valleys).flatten().for_each(over);
+    part.texts.iter_mut().for_each(|text| over(&mut text.centre));
+}
+
+/// The name of the panel of a region: the largest one there, or the one that is underlined; without
+/// that of the piece before it.
+fn own_name(part: &Part, region: &Region) -> String {
+    let tallest = region
+        .texts
+        .iter()
+        .max_by(|a, b| a.is_underlined.cmp(&b.is_underlined).then(a.height.total_cmp(&b.height)));
+    let text = &tallest.unwrap_or_else(|| panic!("{} has a panel without name", part.name)).text;
+    text.strip_prefix(&format!("{}: ", part.name)).unwrap_or(text).to_owned()
+}
+
+/// The regions of a piece between its outline and its folds.
+fn regions(part: &Part) -> Vec<Region> {
+    let mut points: Vec<Point2> = Vec::new();
+    let mut number = |at: Point2| {
+        let known = points.iter().position(|&other| distance(other, at) < EXACT);
+        known.unwrap_or_else(|| {
+            points.push(at);
+            points.len() - 1
+        })
+    };
+    let n = part.outline.len();
+    // Ways along lines; the outline is walked with the piece to the left only.
+    let mut ways: Vec<([usize; 2], Line)> = Vec::new();
+    for k in 0..n {
+        let ends = [part.outline[k], part.outline[(k + 1) % n]].map(&mut number);
+        ways.push((ends, Line::Cut));
+    }
+    for (lines, line) in [(&part.folds, Line::Ridge), (&part.valleys, Line::Valley)] {
+        for ends in lines {
+            let [p, q] = ends.map(&mut number);
+            ways.extend([([p, q], line), ([q, p], line)]);
+        }
+    }
+    let index: BTreeMap<[usize; 2], usize> =
+        ways.iter().enumerate().map(|(k, (ends, _))| (*ends, k)).collect();
+    assert_eq!(index.len(), ways.len(), "{} has a line twice", part.name);
+    // At its end, a way goes on along the one that turns most to the left.
+    let next = |way: usize| {
+        let [p, q] = ways[way].0;
+        let back = minus(points[p], points[q]);
+        let angle = |other: &usize| {
+            let along = minus(points[ways[*other].0[1]], points[q]);
+            let angle = libm::atan2(cross(along, back), dot(along, back));
+            if angle <= 1e-9 { angle + std::f64::consts::TAU } else { angle }
+        };
+        let on = (0..ways.len()).filter(|&other| ways[other].0[0] == q);
+        on.min_by(|a, b| angle(a).total_cmp(&angle(b))).unwrap()
+    };
+    let mut region_of: Vec<Option<usize>> = vec![None; ways.len()];
+    let mut walks: Vec<Vec<usize>> = Vec::new();
+    for start in 0..ways.len() {
+        let mut way = start;
+        if region_of[start].is_some() {
+            continue;
+        }
+        let mut walk = Vec::new();
+        while region_of[way].is_none() {
+            region_of[way] = Some(walks.len());
+            walk.push(way);
+            way = next(way);
+        }
+        assert_eq!(way, start, "the lines of {} do not close", part.name);
+        walks.push(walk);
+    }
+    let region = |walk: &Vec<usize>| {
+        let corners: Vec<Point2> = walk.iter().map(|&way| points[ways[way].0[0]]).collect();
+        assert!(area(&corners) > 0.0, "{}", part.name);
+        let beyond = |&way: &usize| {
+            let [p, q] = ways[way].0;
+            index.get(&[q, p]).and_then(|&back| region_of[back])
+        };
+        Region {
+            lines: walk.iter().map(|&way| ways[way].1).collect(),
+            beyond: walk.iter().map(beyond).collect(),
+            texts: (part.texts.iter())
+                .filter(|text| is_inside(&corners, text.centre))
+                .cloned()
+                .collect(),
+            corners,
+        }
+    };
+    walks.iter().map(region).collect()
+}
