@@ -331,9 +331,9 @@ pub enum AttemptStart {
     /// At the soft solution.
     #[default]
     Soft,
-    /// At the rest shape.
+    /// At the rest shape, or at the soft solution where a handle or a variation pulls.
     Rest,
-    /// At the rest shape, with exact panels.
+    /// There, with exact panels.
     Exact,
     /// At the soft solution, and on through larger tolerances.
     Eased,

@@ -4,9 +4,9 @@
 use crate::constraint::{Kind, Selector, Set};
 use crate::mesh::Mesh;
 use crate::scene::{
-    BoundaryCloseness, BoundaryRequire, BuildSettings, ChosenAttempt, ClosenessTo, ClosenessWeight,
-    ConstraintSpec, EasedFaces, Goal, Lesson, Pose, Scene, Slide, Smoothness, SolverSettings,
-    Target, Up, Variants, Weights,
+    AttemptStart, BoundaryCloseness, BoundaryRequire, BuildSettings, ChosenAttempt, ClosenessTo,
+    ClosenessWeight, ConstraintSpec, EasedFaces, Goal, Lesson, Pose, Scene, Slide, Smoothness,
+    SolverSettings, Target, Up, Variants, Weights,
 };
 use crate::solve::{Problem, Require};
 use crate::words;
@@ -126,6 +126,9 @@ impl Settings {
     /// Returns the attempt that the settings `now` name: what the user has changed is not the search's.
     pub(crate) fn attempt_beside(&self, now: &Settings) -> ChosenAttempt {
         let mut attempt = now.attempt;
+        if (self.to, &self.target, &self.pose) != (now.to, &now.target, &now.pose) {
+            attempt.from = AttemptStart::Soft;
+        }
         if self.weights.smooth != now.weights.smooth {
             attempt.smoother = 1.0;
         }
