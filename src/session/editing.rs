@@ -214,7 +214,11 @@ impl Session {
         let mesh = Mesh { positions: shape.to_vec(), ..self.mesh().clone() };
         let refined = how.apply(&mesh, self.topology()).map_err(cannot_be_refined)?;
         let name = format!("Refine to {}", words::count(refined.mesh.faces.len(), "face", "faces"));
-        let (rest, carried) = self.carried_to(&refined, shape, shape);
+        let (rest, mut carried) = self.carried_to(&refined, shape, shape);
+        if adopts {
+            // What the shape is kept close to is the adopted one.
+            carried.document.variants.design = None;
+        }
         Ok((name, self.go_to_mesh(rest, carried)?))
     }
 
