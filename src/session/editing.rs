@@ -58,7 +58,7 @@ impl Session {
     ///
     /// # Errors
     /// Those of [`Session::edit`] that are known before the solver is set up.
-    fn would_change(&mut self, edit: &Edit) -> Result<bool, Error> {
+    pub(super) fn would_change(&mut self, edit: &Edit) -> Result<bool, Error> {
         check_locks(edit, self.document())?;
         if let Edit::Refine { .. } | Edit::Remesh(_) | Edit::FitTo { .. } | Edit::TakePose { .. } =
             edit
