@@ -90,8 +90,10 @@ pub(crate) fn apply(
             };
             let was_exact = spec.require == Require::Exact;
             draft.put(Part::RowValues(index, values));
-            if let (Some(Require::Within(length)), true) = (require, was_exact) {
-                draft.put(Part::Tolerance(tolerance_beside(draft.document(), length)));
+            // By which panels are judged: no other row has to do with it.
+            let is_on_panels = panel_row(draft.document()) == Some(index);
+            if matches!(require, Some(Require::Within(_))) && was_exact && is_on_panels {
+                draft.put(Part::Tolerance(None));
             }
             name
         }
