@@ -99,10 +99,8 @@ impl Attempts {
             _ => Attempt::FromSoft,
         };
         let mut others = Vec::new();
-        // What the scene names was chosen after the others had been tried; that the boundary is held
-        // is no attempt.
-        let holds_boundary = named.holds_boundary;
-        if is_on && named == (ChosenAttempt { holds_boundary, ..ChosenAttempt::default() }) {
+        // What the scene names was chosen after the others had been tried.
+        if is_on && named.is_first() {
             others.extend((asked.is_some() && can_slide).then_some(Attempt::OnSurface));
             others.extend(can_begin_at_rest.then_some(Attempt::FromRest));
             let smoother = SMOOTHER.iter().rev().map(|&times| Attempt::Smoother(times));
