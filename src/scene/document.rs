@@ -291,12 +291,15 @@ pub struct ChosenAttempt {
     pub on_surface: bool,
     /// Whether vertices of the boundary were free to leave it before, and are held on it then.
     pub holds_boundary: bool,
+    /// Whether they were held softly before, and exactly then.
+    pub hardens_boundary: bool,
 }
 
 impl Default for ChosenAttempt {
     fn default() -> ChosenAttempt {
         let from = AttemptStart::Soft;
-        ChosenAttempt { from, smoother: 1.0, on_surface: false, holds_boundary: false }
+        let [on_surface, holds_boundary, hardens_boundary] = [false; 3];
+        ChosenAttempt { from, smoother: 1.0, on_surface, holds_boundary, hardens_boundary }
     }
 }
 
@@ -313,6 +316,12 @@ impl ChosenAttempt {
         }
     }
 
+    /// Whether it is the first one of a search, with the settings of the user; that the boundary is held
+    /// is no attempt.
+    pub(crate) fn is_first(&self) -> bool {
+        self.from == AttemptStart::Soft && self.smoother == 1.0 && !self.on_surface
+    }
+
     /// Returns the attempt `next` with the settings of this one.
     pub(crate) fn then(self, next: ChosenAttempt) -> ChosenAttempt {
         ChosenAttempt {
@@ -320,6 +329,7 @@ impl ChosenAttempt {
             smoother: self.smoother * next.smoother,
             on_surface: self.on_surface || next.on_surface,
             holds_boundary: self.holds_boundary || next.holds_boundary,
+            hardens_boundary: self.hardens_boundary || next.hardens_boundary,
         }
     }
 }
@@ -331,9 +341,9 @@ pub enum AttemptStart {
     /// At the soft solution.
     #[default]
     Soft,
-    /// At the rest shape.
+    /// At the rest shape, or at the soft solution where a handle or a variation pulls.
     Rest,
-    /// At the rest shape, with exact panels.
+    /// There, with exact panels.
     Exact,
     /// At the soft solution, and on through larger tolerances.
     Eased,

@@ -107,14 +107,14 @@ impl Session {
         self.transaction.as_ref().is_some_and(Transaction::is_drag)
     }
 
-    /// The names of the steps that undo and redo would apply. A run under way that is no part of the
-    /// step before it is one.
+    /// The names of the steps that undo and redo would apply. A variation that is shown is one of undo,
+    /// and so is a run under way that is no part of the step before it: nothing is repeated after it.
     pub fn undo_and_redo(&self) -> [Option<&str>; 2] {
         let [undo, redo] = self.history.names();
-        let is_step = |now: &Transaction| now.is_run() && !now.joins_last();
-        match self.transaction.as_ref().is_some_and(is_step) {
-            true => [Some("Run"), redo],
-            false => [undo, redo],
+        match &self.transaction {
+            Some(now) if now.is_variation() => [Some(Transaction::VARIATION), redo],
+            Some(now) if now.is_run() && !now.joins_last() => [Some("Run"), None],
+            _ => [undo, redo],
         }
     }
 

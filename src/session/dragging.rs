@@ -43,6 +43,9 @@ impl Session {
     ) -> Result<(), Error> {
         // Checked before handles are made for them.
         let checked = if targets.is_empty() { Ok(()) } else { check_targets(vertices, targets) };
+        if matches!(phase, DragPhase::Make | DragPhase::Start) {
+            check_lock(Lock::Handles, self.document())?;
+        }
         match phase {
             DragPhase::Move | DragPhase::End | DragPhase::Cancel if !self.is_dragging() => {
                 return Ok(());
@@ -56,7 +59,6 @@ impl Session {
                 self.begin_drag_of_new(vertices.to_vec())?;
             }
             DragPhase::Start => {
-                check_lock(Lock::Handles, self.document())?;
                 checked?;
                 self.begin_drag();
             }
@@ -83,10 +85,13 @@ impl Session {
     /// the drag also removes the handles.
     ///
     /// # Errors
-    /// If a vertex does not exist; nothing has changed then.
+    /// If a vertex does not exist, or the lesson locks the handles; nothing has changed then.
     pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
+        let add = Edit::AddHandles { vertices, fixed: false };
+        // What is refused leaves a run as it is.
+        self.would_change(&add)?;
         self.begin_drag();
-        let made = self.make(Edit::AddHandles { vertices, fixed: false });
+        let made = self.make(add);
         if made.is_err() {
             self.transaction = None;
         }

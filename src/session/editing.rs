@@ -58,7 +58,7 @@ impl Session {
     ///
     /// # Errors
     /// Those of [`Session::edit`] that are known before the solver is set up.
-    fn would_change(&mut self, edit: &Edit) -> Result<bool, Error> {
+    pub(super) fn would_change(&mut self, edit: &Edit) -> Result<bool, Error> {
         check_locks(edit, self.document())?;
         if let Edit::Refine { .. } | Edit::Remesh(_) | Edit::FitTo { .. } | Edit::TakePose { .. } =
             edit
@@ -91,7 +91,7 @@ impl Session {
     /// Never in practice: the state was solvable before.
     pub fn undo(&mut self) -> Result<Option<String>, Error> {
         if self.leave_variation() {
-            return Ok(Some("Variation".to_owned()));
+            return Ok(Some(Transaction::VARIATION.to_owned()));
         }
         self.end_transaction();
         let Some((name, mut change)) = self.history.pop_undo() else { return Ok(None) };
@@ -113,13 +113,15 @@ impl Session {
     }
 
     /// Returns the steps of undo and redo, at most 20 MB, for [`Session::restore`]. They apply to
-    /// the current scene, or during a run or a drag to the scene before it.
+    /// the scene as it is, at any time: a run, a drag or a variation that is under way is the last
+    /// step. While it has changed nothing, they are those before it.
     pub fn saved_history(&self) -> Vec<u8> {
-        let mut now = SavedState::of(&self.scene, self.iteration());
-        if let Some(transaction) = &self.transaction {
-            now.follow(transaction.back());
-        }
-        write_history(self.history.steps(), &now, self.rest.mesh())
+        let now = SavedState::of(&self.scene, self.iteration());
+        let under_way = self.transaction.as_ref().map(|transaction| {
+            let name = transaction.name_of_step(self.scene.handles(), self.iteration());
+            (name, transaction.back())
+        });
+        write_history(self.history.steps(), &now, under_way, self.rest.mesh())
     }
 
     /// Returns the state of the run or the drag under way, for [`Session::restore`].
@@ -128,8 +130,8 @@ impl Session {
     }
 
     /// Restores a saved state in the scene that was just opened. `history` applies to that scene;
-    /// `progress` is of a run or a drag that began with it, which becomes a step of undo. Either
-    /// may be empty.
+    /// `progress` is of a run or a drag that began or was under way with it, which becomes a step of
+    /// undo. Either may be empty.
     ///
     /// # Errors
     /// If bytes are damaged or belong to another scene; the rest is restored.
@@ -214,7 +216,11 @@ impl Session {
         let mesh = Mesh { positions: shape.to_vec(), ..self.mesh().clone() };
         let refined = how.apply(&mesh, self.topology()).map_err(cannot_be_refined)?;
         let name = format!("Refine to {}", words::count(refined.mesh.faces.len(), "face", "faces"));
-        let (rest, carried) = self.carried_to(&refined, shape, shape);
+        let (rest, mut carried) = self.carried_to(&refined, shape, shape);
+        if adopts {
+            // What the shape is kept close to is the adopted one.
+            carried.document.variants.design = None;
+        }
         Ok((name, self.go_to_mesh(rest, carried)?))
     }
 

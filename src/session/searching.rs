@@ -38,18 +38,22 @@ impl Session {
         let closeness = &document.closeness;
         let is_held = closeness.to == ClosenessTo::Rest && closeness.boundary.is_none();
         let is_locked = check_lock(Lock::Weights, document).is_err();
-        let can = [is_smooth, is_held && document.weights.close > 0.0].map(|can| can && !is_locked);
+        let can_slide = is_held && document.weights.close > 0.0 && !is_locked;
+        let can = [!self.is_pulled(), is_smooth && !is_locked, can_slide];
         let (faces, edge) = (self.mesh().faces.len(), self.edge_of_design());
         Attempts::new(self.search, document.attempt, can, faces, [self.rest.mean_edge(), edge])
     }
 
-    /// Whether a handle is to move a vertex from its rest position.
+    /// Whether the shape is to be another than at rest: a handle is elsewhere, or the user goes on from a
+    /// variation.
     fn is_pulled(&self) -> bool {
         let least = self.mesh_tolerance();
-        self.scene.handles().iter().any(|handle| {
-            let rest = self.rest.positions()[handle.vertex as usize];
-            (Vec3::from(handle.target) - Vec3::from(rest)).length() > least
-        })
+        let has_design = self.document().variants.design_positions().is_some();
+        has_design
+            || self.scene.handles().iter().any(|handle| {
+                let rest = self.rest.positions()[handle.vertex as usize];
+                (Vec3::from(handle.target) - Vec3::from(rest)).length() > least
+            })
     }
 
     /// Whether a hard constraint is to be far from the original: a sphere about all vertices, a surface
@@ -70,8 +74,7 @@ impl Session {
     /// be elsewhere than the original.
     pub(super) fn edge_of_design(&self) -> f64 {
         let is_kept =
-            matches!(self.document().closeness.to, ClosenessTo::Rest | ClosenessTo::Surface)
-                && self.document().variants.design_positions().is_none();
+            matches!(self.document().closeness.to, ClosenessTo::Rest | ClosenessTo::Surface);
         if is_kept && !self.is_pulled() && !self.is_asked_elsewhere() {
             self.rest.mean_edge()
         } else {
@@ -83,7 +86,27 @@ impl Session {
     pub(super) fn needs_no_soft_solution(&self) -> bool {
         self.search != Search::Off
             && matches!(self.document().attempt.from, AttemptStart::Rest | AttemptStart::Exact)
+            && !self.is_pulled()
             && self.has_hard_rows()
+    }
+
+    /// Whether a later attempt begins with a soft solution of its own: that of other settings.
+    fn softens(&self, attempt: &Attempt) -> bool {
+        match attempt {
+            Attempt::OnSurface => true,
+            Attempt::Smoother(_) => self.is_pulled(),
+            _ => false,
+        }
+    }
+
+    /// Returns where an attempt begins, or its own soft solution: at the `soft` solution of the scene, or
+    /// at rest. Within their tolerances there, what pulls would not be heard. All `#V by 3`.
+    fn start_of(&self, attempt: &Attempt, soft: Vec<Point>) -> Vec<Point> {
+        let is_soft = match attempt {
+            Attempt::FromSoft => true,
+            _ => self.is_pulled() && !self.softens(attempt),
+        };
+        if is_soft { soft } else { self.rest.positions().to_vec() }
     }
 
     /// Begins the next attempt after one has ended; returns false if there is none.
@@ -114,11 +137,9 @@ impl Session {
         let Some((attempt, start)) = next else { return Ok(false) };
         let start = match start {
             Some(whole) => self.eased_start(&attempt, whole, &positions),
-            // Within their tolerances at rest, handles and closeness would not be heard.
-            None if self.is_pulled() => meeting_start,
-            None => self.rest.positions().to_vec(),
+            None => self.start_of(&attempt, meeting_start),
         };
-        if attempt == Attempt::OnSurface {
+        if self.softens(&attempt) {
             return self.soften(attempt, &start);
         }
         self.turn_to(attempt, &start)
@@ -165,11 +186,7 @@ impl Session {
     /// # Errors
     /// As [`Session::meeting`].
     pub(super) fn first_attempt(&self, attempts: &Attempts) -> Result<Option<Exact>, Error> {
-        let start = match attempts.now() {
-            Attempt::FromSoft => self.positions(),
-            _ => self.rest.positions().to_vec(),
-        };
-        self.attempt(attempts.now(), &start)
+        self.attempt(attempts.now(), &self.start_of(attempts.now(), self.positions()))
     }
 
     /// Returns the exact solver of an attempt that starts at `start` (`#V by 3`).

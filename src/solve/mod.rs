@@ -47,8 +47,8 @@ pub use conformal::{
 pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds};
 pub use error::SolveError;
 pub use exact::{
-    Exact, ExactAnswer, Improved, Moved, Require, Requirements, Stage, Unmet, exact_tolerance,
-    farthest, least_move,
+    Exact, ExactAnswer, Improved, Moved, Require, Requirements, Stage, Unmet, coordinate_rounding,
+    exact_tolerance, farthest, least_move,
 };
 pub use parts::{SetupCache, rest_projections};
 pub use problem::Problem;

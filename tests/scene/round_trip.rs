@@ -122,6 +122,7 @@ prop_compose! {
                 smoother: attempt.1,
                 on_surface: attempt.2,
                 holds_boundary: attempt.3,
+                hardens_boundary: attempt.2 && attempt.3,
             },
             title: texts.0,
             units: texts.1,

@@ -83,3 +83,14 @@ fn a_handle_that_is_made_and_moved_at_once_is_one_step_or_none() {
     session.end_drag(true);
     assert_eq!(everything(&session), before);
 }
+
+#[test]
+fn a_drag_that_is_refused_leaves_a_run_as_it_is() {
+    // It ended the run: a press became two steps of undo.
+    let mut session = open();
+    session.begin_run();
+    session.step().expect("positions stay finite");
+    let error = session.begin_drag_of_new(vec![VERTICES]).expect_err("it does not exist");
+    assert!(error.to_string().contains("out of range"), "{error}");
+    assert!(session.is_running());
+}

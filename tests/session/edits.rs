@@ -2,8 +2,11 @@
 
 use crate::support::grid::grid;
 use serde_json::json;
+use shape_up::constraint::Set;
+use shape_up::mesh::{Group, GroupKeyword};
 use shape_up::scene::{
-    Accelerator, BuildSettings, ClosenessTo, Hold, MeshSource, Scene, Slide, Weights,
+    Accelerator, AttemptStart, BuildSettings, ClosenessTo, Hold, MeshSource, Require, Scene, Slide,
+    Weights,
 };
 use shape_up::session::{Edit, PanelStart, Session};
 
@@ -213,4 +216,69 @@ fn what_is_refused_or_changes_nothing_leaves_a_run_under_way() {
     assert!(session.edit(other).expect("it is valid"));
     assert!(!session.is_running());
     assert_eq!(session.undo_and_redo()[0], Some("Change unit"));
+}
+
+#[test]
+fn a_set_cannot_take_the_name_of_a_group() {
+    // What was on the group was on the set then, also where a lesson locks the constraints.
+    let mut mesh = grid(2, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let (name, keyword) = ("Roof".to_owned(), GroupKeyword::Group);
+    mesh.groups.push(Group { name, keyword, faces: vec![0, 1], curves: Vec::new() });
+    let text = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
+        "constraints": [{ "kind": "plane", "on": { "set": "Roof" } }] }"#;
+    let scene = Scene::from_json(text).expect("the scene is valid");
+    let mut session = Session::open(scene, mesh.clone()).expect("it fits");
+    let roof = Edit::NameSet { name: "Roof".to_owned(), vertices: Vec::new(), faces: vec![3] };
+    let error = session.edit(roof.clone()).expect_err("it is that of a group").to_string();
+    let expected =
+        "sets: found \"Roof\", the name of a group of the mesh, expected one that no group has";
+    assert_eq!(error, expected);
+    // Where the file has both, the set cannot leave its constraints to the group.
+    let mut both = session.scene();
+    let faces = vec![3];
+    both.sets.insert("Roof".to_owned(), Set { vertices: Vec::new(), faces });
+    let mut session = Session::open(both, mesh).expect("it fits");
+    session.edit(roof).expect("it is a set already");
+    session.edit(Edit::RemoveSet { name: "Roof".to_owned() }).expect_err("it is used");
+}
+
+#[test]
+fn panels_are_judged_as_before_where_another_constraint_is_relaxed() {
+    // 50 mm of a sphere became the tolerance of the panels.
+    let mut session = session();
+    let sphere = r#"{ "addConstraint": { "kind": "sphere", "weight": 1, "on": { "vertices": [0, 1, 2, 3, 4, 5] } } }"#;
+    let require = |index: usize, require: &str| {
+        let text =
+            format!(r#"{{ "setConstraint": {{ "index": {index}, "require": {require} }} }}"#);
+        Edit::from_json(&text).expect("it is an edit")
+    };
+    let sphere = Edit::from_json(sphere).expect("it is an edit");
+    for edit in [sphere, require(0, r#"{ "within": 0.001 }"#), require(1, "\"exact\"")] {
+        session.edit(edit).expect("it is valid");
+    }
+    session.edit(require(1, r#"{ "within": 0.05 }"#)).expect("it is valid");
+    assert_eq!(session.tolerance(), 0.001);
+}
+
+#[test]
+fn an_attempt_is_that_of_the_hard_constraints_for_which_it_was_chosen() {
+    // Others were tried from the rest shape alone, and were said to be impossible.
+    let mut scene = session().scene();
+    scene.attempt.from = AttemptStart::Rest;
+    scene.constraints[0].require = Require::Within(0.01);
+    let mut session = Session::open(scene, session().mesh().clone()).expect("it fits");
+    let from = |session: &Session| session.document().attempt.from;
+    let edit = |text: &str| Edit::from_json(text).expect("it is an edit");
+    session.edit(edit(r#"{ "setConstraint": { "index": 0, "weight": 7 } }"#)).expect("valid");
+    assert_eq!(from(&session), AttemptStart::Rest);
+    for other in [
+        r#"{ "setConstraint": { "index": 0, "require": "exact" } }"#,
+        r#"{ "setConstraint": { "index": 0, "enabled": false } }"#,
+        r#"{ "fitTo": { "name": "a.obj", "text": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3" } }"#,
+    ] {
+        session.edit(edit(other)).expect("it is valid");
+        assert_eq!(from(&session), AttemptStart::Soft, "{other}");
+        session.undo().expect("it was solvable");
+        assert_eq!(from(&session), AttemptStart::Rest, "{other}");
+    }
 }

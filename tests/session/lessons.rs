@@ -1,6 +1,6 @@
 //! Lessons: goals are measured on the current shape, and handed-in results are measured again.
 
-use crate::support::grid::bumpy;
+use crate::support::grid::{bumpy, grid};
 use serde_json::json;
 use shape_up::constraint::Kind;
 use shape_up::fabricate::BUILD_NUMBERS;
@@ -468,4 +468,27 @@ fn a_lesson_is_passed_when_all_goals_are_met() {
     assert_eq!(passed.words, "Passed: 3 goals satisfied");
     session.edit(Edit::SetLesson { lesson: None, unsolved: false }).expect("it can be removed");
     assert_eq!(session.lesson_progress(), None);
+}
+
+#[test]
+fn a_signed_measure_is_bounded_on_both_sides() {
+    // A saddle passed "at most 0.01 of Gauss curvature", because it is below 0.
+    let saddle = grid(6, 6, |i, j| {
+        let [x, y] = [i, j].map(|k| f64::from(k) - 3.0);
+        [x, y, 0.3 * x * y]
+    });
+    let text = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
+        "lesson": { "text": "Lay it flat.", "goals": [
+            { "measure": "gauss-curvature", "at_most": 0.01 },
+            { "measure": "gauss-curvature", "beyond": 0.01, "at_most": 0 } ] } }"#;
+    let scene = Scene::from_json(text).expect("the scene is valid");
+    let mut session = Session::open(scene, saddle).expect("it fits");
+    assert_eq!(met(&mut session), [false, false], "{:?}", session.goals());
+    let worst = session.worst_faces("gauss-curvature", 1).expect("it is a measure");
+    assert_eq!(session.goals()[0].value, Some(worst[0].value.abs()));
+    let request = r#"{ "operation": "error", "mode": "faces",
+        "params": { "measure": "gauss-curvature", "tolerance": 0.01 } }"#;
+    let request = serde_json::from_str(request).expect("it is a request");
+    let beyond = session.select(&request).expect("it is a measure").faces.len();
+    assert_eq!(session.goals()[1].value, Some(beyond as f64));
 }

@@ -212,3 +212,25 @@ fn what_was_altered_is_found_by_the_part_that_is_locked() {
 fn session_scene(lock: &str) -> Scene {
     session(lock).scene()
 }
+
+#[test]
+fn what_an_edit_changes_beside_is_locked_too() {
+    // "Make panels" gave default weights, and the teacher's check accused the student.
+    let mut session = session(r#"["weights"]"#);
+    session.edit(Edit::Reset).expect("nothing of it is locked");
+    let before = session.scene();
+    let asked = session.make_panels("plane", 0.1, PanelStart::Now);
+    assert!(refused(asked.map(|()| true)));
+    assert_eq!(session.scene(), before);
+
+    // The set is used by a factor of closeness, and by no constraint.
+    let mut given = scene(r#"["weights"]"#);
+    let text = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
+        "sets": { "eaves": { "vertices": [0, 1] } },
+        "closeness": { "weights": [{ "on": { "set": "eaves" }, "weight": 9 }] } }"#;
+    let other = Scene::from_json(text).expect("the scene is valid");
+    (given.sets, given.closeness) = (other.sets, other.closeness);
+    let mut session = Session::open(given, bumpy(5)).expect("it fits");
+    let other = Edit::NameSet { name: "eaves".to_owned(), vertices: vec![7], faces: Vec::new() };
+    assert!(refused(session.edit(other)));
+}

@@ -276,3 +276,20 @@ fn what_cannot_be_covered_is_refused_with_the_reason() {
     let cancelled = session.lay_out_panels(&USUAL, &mut |_, _| false).expect_err("cancelled");
     assert!(cancelled.to_string().contains("cancelled"), "{cancelled}");
 }
+
+#[test]
+fn panels_on_a_variation_stay_on_its_surface() {
+    // They were kept to the surface of before the variation.
+    let mut session = opened(vault(10, false));
+    let up: Vec<Point> = session.positions().iter().map(|[x, y, z]| [*x, *y, z + 0.5]).collect();
+    let start = session.positions().into();
+    session.edit(Edit::KeepVariant { start }).expect("there is room");
+    let mut scene = session.scene();
+    scene.variants.kept[1].positions = up.clone().into();
+    let mut session = Session::open(scene, session.mesh().clone()).expect("it fits");
+    assert_eq!(session.positions(), up);
+    let panels = laid_out(&session, &USUAL).mesh;
+    assert!(session.take_panels(session.generation(), &panels).expect("nothing is locked"));
+    let target = session.document().closeness.target.as_ref().and_then(Target::mesh);
+    assert_eq!(target.map(|mesh| &mesh.positions), Some(&up));
+}

@@ -261,6 +261,20 @@ fn undo_brings_back_the_original_that_another_shape_replaced() {
 }
 
 #[test]
+fn an_original_that_another_shape_replaced_is_the_design_too() {
+    // Closeness stayed to the variation that was open before.
+    let mut session = open(ALL, bumpy(4));
+    let start = session.positions().into();
+    session.edit(Edit::KeepVariant { start }).expect("there is room");
+    session.solve(false).expect("it can be solved");
+    let adopt = Edit::Refine { scheme: Scheme::Linear, levels: 1, keep: KEPT_TURN, adopt: true };
+    session.edit(adopt).expect("it can be refined");
+    let variants = &session.document().variants;
+    assert_eq!((variants.kept.len(), variants.design), (2, None));
+    assert_eq!(session.scene().current, None);
+}
+
+#[test]
 fn what_refining_makes_is_said_beforehand() {
     let said = |session: &Session, scheme| session.refinements(scheme, KEPT_TURN);
     let mut session = open(ALL, bumpy(4));

@@ -126,6 +126,74 @@ fn the_scene_that_a_press_leaves_gives_the_same_shape_everywhere() {
     }
 }
 
+/// Runs to the end.
+fn run(session: &mut Session) {
+    session.begin_run();
+    while !session.step().expect("it stays finite").ended {}
+    session.end_run();
+}
+
+/// Pulls a new handle at vertex 0 upwards.
+fn pull(session: &mut Session, by: f64) {
+    let [x, y, z] = session.mesh().positions[0];
+    session.begin_drag_of_new(vec![0]).expect("it is there");
+    session.drag([(0, [x, y, z + by])]).expect("nothing is locked");
+    session.end_drag(true);
+    while !session.step().expect("it stays finite").ended {}
+    session.end_run();
+}
+
+#[test]
+fn what_a_scene_is_pulled_by_is_heard_by_the_attempt_that_it_names() {
+    // They began at rest, were within the tolerance there, and ended: the shape jumped back.
+    let named = |start: AttemptStart| {
+        let mut session = opened(sheared(8, saddle, 0.3, 0.2));
+        session.make_panels("plane", 0.5, PanelStart::Now).expect("it has quads");
+        run(&mut session);
+        let mut scene = session.scene();
+        scene.attempt.from = start;
+        Session::open(scene, session.mesh().clone()).expect("it fits")
+    };
+    for start in [AttemptStart::Rest, AttemptStart::Exact] {
+        let mut session = named(start);
+        assert!(session.moved().max < 0.1, "{start:?}");
+        pull(&mut session, 2.0);
+        session.edit(Edit::Reset).expect("nothing is locked");
+        run(&mut session);
+        assert!(session.moved().max > 1.0, "{start:?}: {:?}", session.moved());
+        // The handle was added to a system that was there: other roundings.
+        let pairs = solved_again(&session).into_iter().zip(session.positions());
+        let apart = pairs.flat_map(|(a, b)| [0, 1, 2].map(|i| (a[i] - b[i]).abs()));
+        assert!(apart.fold(0.0, f64::max) < 1e-6, "{start:?}");
+        // So is the variation that the user goes on from.
+        let mut session = named(start);
+        let start_shape = session.positions();
+        let up = |p: &Point| [p[0], p[1], p[2] + 2.0];
+        let higher: Vec<Point> = start_shape.iter().map(up).collect();
+        assert!(session.show_variation(session.generation(), &higher, session.exact()));
+        assert!(session.keep_variation().expect("there is room"));
+        run(&mut session);
+        assert!(session.moved().max > 1.9, "{start:?}: {:?}", session.moved());
+    }
+}
+
+#[test]
+fn a_press_that_handles_pull_leaves_a_scene_that_gives_the_same_shape() {
+    // Smoother attempts began at a soft solution that no other host had.
+    let mut found = Vec::new();
+    for by in [1.0, 2.0, 4.0] {
+        let mut session = opened(sheared(8, saddle, 0.8, 0.3));
+        pull(&mut session, by);
+        session.edit(Edit::Reset).expect("nothing is locked");
+        press(&mut session, "circle");
+        let attempt = session.document().attempt;
+        println!("{by}: {attempt:?} {:?}", session.exact().map(|it| it.met));
+        assert_eq!(solved_again(&session), session.positions(), "{by}: {attempt:?}");
+        found.push(attempt);
+    }
+    assert!(found.iter().any(|it| it.smoother > 1.0), "{found:?}");
+}
+
 #[test]
 fn another_press_begins_with_the_settings_before_the_last_one() {
     let Some(mesh) = shared::mesh("M2_eq_quad2.obj") else { return };

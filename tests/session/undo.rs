@@ -387,13 +387,73 @@ fn a_run_and_a_drag_that_were_cut_off_are_steps_of_undo() {
         for _ in 0..3 {
             session.step().expect("positions stay finite");
         }
-        assert_eq!(session.saved_history(), history, "it belongs to the scene before");
         let mut again = reopened(&text, before.2, &history, &session.saved_progress());
         assert_eq!(everything(&again), everything(&session));
         assert_eq!(again.undo_and_redo(), [Some(name), None]);
         act(&mut again, Deed::Undo);
         assert_eq!(everything(&again), before);
     }
+}
+
+#[test]
+fn what_is_written_while_something_is_under_way_leads_back_to_where_it_began() {
+    // The steps fitted the scene before, and the text was that of the scene as it was: after a reload
+    // Undo led to the shape of half a run, without its constraint.
+    let target = [482_114.0, -65_220.0, 433.0];
+    let begin_new = |session: &mut Session| {
+        session.begin_drag_of_new(vec![7]).expect("it is there");
+        session.drag([(7, target)]).expect("it is near");
+    };
+    let begin_drag = |session: &mut Session| {
+        session.begin_drag();
+        session.drag([(6, target)]).expect("it is near");
+    };
+    let begin_press = |session: &mut Session| {
+        session.edit_and_run(new("circle", "\"faces\"")).expect("faces can be circles");
+    };
+    type Begin<'a> = (&'a dyn Fn(&mut Session), &'a str);
+    let begin: [Begin<'_>; 4] = [
+        (&Session::begin_run, "Run, 3 iterations"),
+        (&begin_drag, "Move handle"),
+        (&begin_new, "Make and move handle"),
+        (&begin_press, "Add circle"),
+    ];
+    for (begin, name) in begin {
+        let mut session = open();
+        session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+        session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
+        act(&mut session, Deed::Run(2));
+        let before = everything(&session);
+        begin(&mut session);
+        for _ in 0..3 {
+            session.step().expect("positions stay finite");
+        }
+        let (text, iteration) = (written(&session), session.iteration());
+        let (history, now) = (session.saved_history(), everything(&session));
+        let mut again = reopened(&text, iteration, &history, &[]);
+        assert_eq!(again.undo_and_redo(), [Some(name), None]);
+        act(&mut again, Deed::Undo);
+        assert_eq!(everything(&again), before, "{name}");
+        act(&mut again, Deed::Redo);
+        assert_eq!(everything(&again), now, "{name}");
+        // It went on after that.
+        session.step().expect("positions stay finite");
+        let mut later = reopened(&text, iteration, &history, &session.saved_progress());
+        assert_eq!(everything(&later), everything(&session), "{name}");
+        act(&mut later, Deed::Undo);
+        assert_eq!(everything(&later), now, "{name}");
+    }
+}
+
+#[test]
+fn nothing_is_repeated_after_a_run_that_is_under_way() {
+    // Redo was offered, and did nothing.
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    act(&mut session, Deed::Undo);
+    assert_eq!(session.undo_and_redo(), [None, Some("Add plane")]);
+    session.begin_run();
+    assert_eq!(session.undo_and_redo(), [Some("Run"), None]);
 }
 
 #[test]

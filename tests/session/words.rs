@@ -62,6 +62,14 @@ fn an_exact_shape_is_said_to_be_so_with_and_without_its_error() {
         ["All required constraints are satisfied within 20 mm.", ""]
     );
     assert!(words.suggestions.is_empty());
+    // Of both, only the tolerance was said.
+    let both = json!([
+        { "kind": "plane", "on": { "vertices": [0, 1, 2, 3] }, "require": "exact" },
+        { "kind": "plane", "on": "faces", "require": { "within": 0.02 } },
+    ]);
+    let words = solved(&both, &json!([])).exact_words().expect("it was met");
+    assert_eq!(words.brief, "All that have to be are exact, the others within 20 mm.");
+    assert_eq!(words.numbers, "The largest error of the exact ones is 0 mm.");
 }
 
 #[test]

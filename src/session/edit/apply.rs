@@ -3,19 +3,20 @@
 use super::closeness_weights::{set_closeness_weight, strengthen_closeness};
 use super::constraint_target::ConstraintTarget;
 use super::edit_list::{Edit, NewConstraint, PanelStart};
+use super::locks::check_changes;
 use super::settings;
 use super::shapes::{
     IterationState, back_to_rest, go_to_variant, keep_variant, remove_variant, renumber_variants,
     reset, set_steps, show_step,
 };
-use crate::constraint::{Kind, KindError, Set};
+use crate::constraint::{Kind, KindError, Selector, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
-    ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, Scene,
-    SceneError, Target, Variants, check_tolerance,
+    AttemptStart, ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose,
+    Scene, SceneError, Target, Variants, check_tolerance,
 };
 use crate::session::report::{check_lesson, check_presentation, panel_row};
-use crate::session::state::{Draft, Part, RowValues, Settings};
+use crate::session::state::{Draft, Part, RowValues, Settings, uses};
 use crate::solve::{Handle, HandleIndex, Require};
 use crate::words;
 use serde_json::{Map, Value};
@@ -31,13 +32,16 @@ fn tolerance_beside(document: &Scene, length: f64) -> Option<f64> {
 /// Applies an edit to a draft, and returns the name of the edit.
 ///
 /// # Errors
-/// If it refers to a row, a vertex or a value that does not exist; the draft may then contain a
-/// part of the edit.
+/// If it refers to a row, a vertex or a value that does not exist, or changes what the lesson locks;
+/// the draft may then contain a part of the edit.
 pub(crate) fn apply(
     edit: Edit,
     draft: &mut Draft<'_>,
     state: &mut IterationState,
 ) -> Result<String, SceneError> {
+    let handles = draft.shared_handles();
+    let is_chosen = draft.document().attempt.from != AttemptStart::Soft;
+    let chosen_for = is_chosen.then(|| HardRow::all(draft.document()));
     let name = match edit {
         Edit::AddConstraint(new) => add(new, draft),
         Edit::MakePanels { kind, within, from } => {
@@ -90,8 +94,10 @@ pub(crate) fn apply(
             };
             let was_exact = spec.require == Require::Exact;
             draft.put(Part::RowValues(index, values));
-            if let (Some(Require::Within(length)), true) = (require, was_exact) {
-                draft.put(Part::Tolerance(tolerance_beside(draft.document(), length)));
+            // By which panels are judged: no other row has to do with it.
+            let is_on_panels = panel_row(draft.document()) == Some(index);
+            if matches!(require, Some(Require::Within(_))) && was_exact && is_on_panels {
+                draft.put(Part::Tolerance(None));
             }
             name
         }
@@ -112,12 +118,18 @@ pub(crate) fn apply(
                 let message = "expected a name and at least one vertex or face".to_owned();
                 return Err(SceneError { path: "sets".to_owned(), message });
             }
+            if !draft.document().sets.contains_key(&name) {
+                check_name_of_group(&name, draft)?;
+            }
             let words = format!("Save set {name}");
             draft.put(Part::Set(name, Some(set)));
             draft.document().check_sets(draft.mesh())?;
             words
         }
         Edit::RemoveSet { name } => {
+            if uses(&name, draft.document()).contains(&true) {
+                check_name_of_group(&name, draft)?;
+            }
             let words = format!("Remove set {name}");
             draft.put(Part::Set(name, None));
             words
@@ -272,10 +284,49 @@ pub(crate) fn apply(
             "Reset".to_owned()
         }
     };
+    if chosen_for.is_some_and(|rows| rows != HardRow::all(draft.document())) {
+        let settings = Settings::of(draft.document());
+        draft.put(Part::Settings(settings.of_other_constraints()));
+    }
+    check_changes(draft, &handles)?;
     // Renaming or removing a row can break these too; the saved scene could not be opened.
     check_lesson(draft.document(), draft.mesh())?;
     check_presentation(draft.document(), draft.mesh())?;
     Ok(name)
+}
+
+/// A hard constraint, as far as an attempt was chosen for it.
+#[derive(PartialEq)]
+struct HardRow {
+    kind: Kind,
+    on: Selector,
+    set: Option<Set>,
+    require: Require,
+}
+
+impl HardRow {
+    /// Those of a scene.
+    fn all(document: &Scene) -> Vec<HardRow> {
+        let hard = document.constraints.iter().filter(|row| row.enabled && row.require.is_hard());
+        let of_row = |row: &ConstraintSpec| HardRow {
+            kind: row.kind.clone(),
+            on: row.on.clone(),
+            set: row.on.named().and_then(|name| document.sets.get(name)).cloned(),
+            require: row.require,
+        };
+        hard.map(of_row).collect()
+    }
+}
+
+/// Refuses that a name stands for the group of the mesh no longer, or from now on: what is on it would
+/// be on other elements.
+fn check_name_of_group(name: &str, draft: &Draft<'_>) -> Result<(), SceneError> {
+    if draft.mesh().groups.iter().all(|group| group.name != name) {
+        return Ok(());
+    }
+    let message =
+        format!("found {name:?}, the name of a group of the mesh, expected one that no group has");
+    Err(SceneError { path: "sets".to_owned(), message })
 }
 
 /// Reads the text of a mesh file that an edit brings.

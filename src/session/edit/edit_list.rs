@@ -70,7 +70,7 @@ pub enum Edit {
     },
     /// Names a set, replacing any set of that name.
     NameSet {
-        /// The name, not empty.
+        /// The name, not empty, and not that of a group of the mesh, for which it would stand then.
         name: String,
         /// Its vertices.
         #[serde(default, deserialize_with = "indices::deserialize")]
@@ -329,9 +329,4 @@ pub enum PanelStart {
 impl PanelStart {
     /// The factor of the smoothness weight.
     pub(super) const SMOOTHER: f64 = 10.0;
-
-    /// Whether it changes weights, closeness or smoothness.
-    pub(crate) fn changes_settings(self) -> bool {
-        matches!(self, PanelStart::Smoother | PanelStart::Surface | PanelStart::Boundary)
-    }
 }

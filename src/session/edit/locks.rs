@@ -1,10 +1,11 @@
-//! Locks of a lesson: the edits that they forbid.
+//! Locks of a lesson: what an edit has changed is refused if it is locked, whichever edit it is.
 
 use super::edit_list::Edit;
-use super::settings::is_of_solver;
-use crate::scene::{Lesson, Lock, Scene, SceneError};
+use crate::scene::{Lesson, Lock, Scene, SceneError, Variant, Variants};
+use crate::session::state::{Draft, Part, Settings, uses};
+use crate::solve::Handle;
 
-/// Refuses `edit` if the lesson of `document` locks a part that it would change.
+/// Refuses `edit` before it is tried, if the lesson of `document` locks what it is sure to change.
 ///
 /// # Errors
 /// With the path `lesson.lock`.
@@ -17,8 +18,29 @@ pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneErro
             "locked by the lesson: only where it was just written, Undo removes it".to_owned();
         return Err(SceneError { path: "lesson.lock".to_owned(), message });
     }
-    let changed = changed_by(edit, document);
-    changed.iter().find(|part| lock.contains(part)).map_or(Ok(()), |part| Err(locked(*part)))
+    // To try these takes as long as they do.
+    let changed: &[Lock] = match edit {
+        Edit::FitTo { .. } => &[Lock::Weights, Lock::Mesh],
+        Edit::Refine { .. } | Edit::Remesh(_) | Edit::TakePose { .. } => &[Lock::Mesh],
+        _ => &[],
+    };
+    changed.iter().try_for_each(|part| check_lock(*part, document))
+}
+
+/// Refuses the changes of an edit that the lesson locks; the `handles` are those before it.
+///
+/// # Errors
+/// As [`check_locks`].
+pub(super) fn check_changes(draft: &Draft<'_>, handles: &[Handle]) -> Result<(), SceneError> {
+    let document = draft.document();
+    if document.lesson.is_none() {
+        return Ok(());
+    }
+    let mut changed: Vec<Lock> = draft.changed().flat_map(|it| locks_of(it, document)).collect();
+    if draft.handles() != handles {
+        changed.push(Lock::Handles);
+    }
+    changed.into_iter().try_for_each(|part| check_lock(part, document))
 }
 
 /// Refuses a change of `part` if the lesson of `document` locks it.
@@ -41,47 +63,37 @@ fn locked(part: Lock) -> SceneError {
     SceneError { path: "lesson.lock".to_owned(), message }
 }
 
-/// Returns the lockable parts that an edit changes.
-fn changed_by(edit: &Edit, document: &Scene) -> &'static [Lock] {
-    match edit {
-        Edit::MakePanels { from, .. } if from.changes_settings() => {
-            &[Lock::Weights, Lock::Constraints]
+/// Returns what a lesson may lock, of a part that was so `before` and is another one `now`.
+fn locks_of(before: &Part, now: &Scene) -> Vec<Lock> {
+    match before {
+        Part::Units(_) | Part::Up(_) => vec![Lock::Mesh],
+        Part::Settings(before) => before.locks_beside(&Settings::of(now)),
+        Part::ClosenessWeights(_) => vec![Lock::Weights],
+        Part::RowName(..) | Part::Row(..) | Part::Rows(_) => vec![Lock::Constraints],
+        Part::RowValues(index, before) if before.weight != now.constraints[*index].weight => {
+            vec![Lock::Weights, Lock::Constraints]
         }
-        Edit::AddConstraint(_)
-        | Edit::MakePanels { .. }
-        | Edit::RemoveConstraint { .. }
-        | Edit::DuplicateConstraint { .. }
-        | Edit::RenameConstraint { .. }
-        | Edit::RemoveSet { .. } => &[Lock::Constraints],
-        // A set under a new name is not used by any constraint.
-        Edit::NameSet { name, .. } if document.sets.contains_key(name) => &[Lock::Constraints],
-        Edit::NameSet { .. } => &[],
-        Edit::SetConstraint { weight: Some(_), .. } => &[Lock::Weights, Lock::Constraints],
-        Edit::SetConstraint { .. } => &[Lock::Constraints],
-        Edit::Set { id, .. } if is_of_solver(id) => &[],
-        Edit::Set { .. }
-        | Edit::HoldClose { .. }
-        | Edit::HoldCloser
-        | Edit::SetWeights(_)
-        | Edit::Preset { .. } => &[Lock::Weights],
-        Edit::ShowStep { .. } => &[Lock::Weights, Lock::Handles],
-        // The shape is kept close to the design, and handles move to it.
-        Edit::KeepVariant { .. } | Edit::GoToVariant { .. } => &[Lock::Weights, Lock::Handles],
-        Edit::FitTo { .. } => &[Lock::Weights, Lock::Mesh],
-        Edit::TakePose { .. }
-        | Edit::LeavePose
-        | Edit::SetUnits { .. }
-        | Edit::SetUp { .. }
-        | Edit::Refine { .. }
-        | Edit::Remesh(_) => &[Lock::Mesh],
-        Edit::WeighHandles { .. } | Edit::AddHandles { .. } | Edit::RemoveHandles { .. } => {
-            &[Lock::Handles]
+        Part::RowValues(..) => vec![Lock::Constraints],
+        Part::Set(name, before) => {
+            let [by_rows, by_weights] = uses(name, now);
+            let is_of_rows = (by_rows || before.is_some()).then_some(Lock::Constraints);
+            let is_of_weights = by_weights.then_some(Lock::Weights);
+            is_of_rows.into_iter().chain(is_of_weights).collect()
         }
-        Edit::SetLesson { .. }
-        | Edit::SetTolerance { .. }
-        | Edit::SetBuild { .. }
-        | Edit::SetSteps { .. }
-        | Edit::RemoveVariant { .. }
-        | Edit::Reset => &[],
+        // The shape is kept close to the design; to leave it is a reset.
+        Part::Variants(before)
+            if design(&now.variants).is_some_and(|it| Some(it) != design(before)) =>
+        {
+            vec![Lock::Weights]
+        }
+        Part::Variants(_)
+        | Part::Tolerance(_)
+        | Part::Lesson(_)
+        | Part::Build(_)
+        | Part::Steps(_) => Vec::new(),
     }
+}
+
+fn design(variants: &Variants) -> Option<&Variant> {
+    variants.kept.get(variants.design?)
 }

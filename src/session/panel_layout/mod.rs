@@ -60,7 +60,7 @@ impl Session {
 
     /// Puts panels in place of the mesh, as one step of undo, if the session still has this
     /// generation; returns whether it has. The scene is carried over, with closeness to the surface
-    /// before the panels.
+    /// to which the mesh was kept close before.
     ///
     /// # Errors
     /// If the lesson locks the mesh, or the system would be singular; nothing has changed then.
@@ -71,7 +71,8 @@ impl Session {
         check_lock(Lock::Mesh, self.document())?;
         self.end_transaction();
         let edited = Edited::covering(&self.current_mesh(), panels);
-        let Mesh { positions, faces, .. } = self.mesh().clone();
+        let Mesh { positions: rest, faces, .. } = self.mesh().clone();
+        let positions = self.document().variants.design_positions().map_or(rest, <[_]>::to_vec);
         let original = Rc::new(Mesh { positions, faces, ..Mesh::default() });
         let change = self.replace_mesh(&edited, |scene| scene.closeness.stay_on(&original))?;
         let count = words::count(panels.faces.len(), "panel", "panels");

@@ -80,14 +80,16 @@ impl ExactWords {
         if !report.met {
             return ExactWords::unmet(scene, report);
         }
-        let mut hard =
-            document.constraints.iter().filter(|row| row.enabled && row.require.is_hard());
-        if !hard.all(|row| row.require == Require::Exact) {
-            let within = words::limit(report.tolerance, units);
+        let enabled = document.constraints.iter().filter(|row| row.enabled);
+        let found = enabled.zip(scene.solver().found());
+        let (exact, others): (Vec<_>, Vec<_>) = found
+            .filter(|(row, _)| row.require.is_hard())
+            .partition(|(row, _)| row.require == Require::Exact);
+        let within = words::limit(report.tolerance, units);
+        if exact.is_empty() {
             let brief = format!("All required constraints are satisfied within {within}.");
             return ExactWords { brief, numbers: String::new(), suggestions: Vec::new() };
         }
-        let error = words::length(report.max_distance, units);
         let guarded = match report.on_guard {
             0 => String::new(),
             edges => format!(
@@ -96,11 +98,18 @@ impl ExactWords {
                 words::number(report.shortest_edge.unwrap_or(0.0))
             ),
         };
-        ExactWords {
-            brief: format!("All are exact.{guarded}"),
-            numbers: format!("The largest error is {error}."),
-            suggestions: Vec::new(),
-        }
+        let (brief, numbers) = if others.is_empty() {
+            let error = words::length(report.max_distance, units);
+            (format!("All are exact.{guarded}"), format!("The largest error is {error}."))
+        } else {
+            let far = exact.iter().map(|(_, found)| found.worst_squared).fold(0.0, f64::max);
+            let error = words::length(far.sqrt(), units);
+            (
+                format!("All that have to be are exact, the others within {within}.{guarded}"),
+                format!("The largest error of the exact ones is {error}."),
+            )
+        };
+        ExactWords { brief, numbers, suggestions: Vec::new() }
     }
 
     fn unmet(scene: &SolvedScene, report: &ExactReport) -> ExactWords {

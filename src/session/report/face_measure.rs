@@ -221,6 +221,13 @@ pub(crate) fn face_values(model: &mut Measuring<'_>, id: &str, shape: Shape) -> 
     Some((measure.values)(model, shape))
 }
 
+/// Returns how far the values of the measure `id` are from 0, `#F`: of a signed one, on either side.
+/// Errors are judged by them. As [`face_values`].
+pub(crate) fn face_errors(model: &mut Measuring<'_>, id: &str) -> Option<Vec<f64>> {
+    let values = face_values(model, id, Shape::Now)?;
+    Some(values.into_iter().map(f64::abs).collect())
+}
+
 /// Returns the vertex values (`#V`) whose maximum over a face is its measure `id`. Only for
 /// distances to the original, which vary gradually; none for any other measure.
 pub(crate) fn corner_values(

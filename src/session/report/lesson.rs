@@ -1,7 +1,7 @@
 //! Goals of a lesson, in words and as measured.
 
-use super::face_measure::{FACE_MEASURES, FaceMeasure, face_values};
-use super::measuring::{Measuring, Shape};
+use super::face_measure::{FACE_MEASURES, FaceMeasure, face_errors};
+use super::measuring::Measuring;
 use crate::fabricate::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 use crate::mesh::Mesh;
 use crate::scene::{ConstraintSpec, Goal, GoalOf, GoalResult, Lesson, Scene, SceneError};
@@ -286,15 +286,15 @@ pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
     goals.into_iter().map(result).collect()
 }
 
-/// Returns the largest value, or the number of faces above the limit; none if nothing has a value.
+/// Returns the largest absolute value, or the number of faces above the limit; none if nothing has a value.
 fn worst_of(model: &mut Measuring<'_>, of: &GoalOf) -> Option<f64> {
     match of {
         GoalOf::Measure(id) => {
-            let values = face_values(model, id, Shape::Now)?.into_iter();
+            let values = face_errors(model, id)?.into_iter();
             values.filter(|value| !value.is_nan()).reduce(f64::max)
         }
         GoalOf::Beyond { measure, tolerance } => {
-            let values = face_values(model, measure, Shape::Now)?;
+            let values = face_errors(model, measure)?;
             let has_one = values.iter().any(|value| !value.is_nan());
             let beyond = values.iter().filter(|value| *value > tolerance).count();
             has_one.then_some(beyond as f64)

@@ -3,6 +3,7 @@
 use crate::math::Vec3;
 use crate::mesh::{ElementsWithProblem, Point, ProblemKind};
 use crate::session::state::RestMesh;
+use crate::solve::coordinate_rounding;
 
 /// Name of a problem of the current shape, not of the file: faces of zero area.
 pub const ZERO_SIZE_FACES: &str = "zero-size-faces";
@@ -48,7 +49,8 @@ pub(crate) fn elements_with_problem(
 /// Returns the faces whose corners are collinear or coincident.
 fn zero_size_faces(positions: &[Point], rest: &RestMesh) -> Vec<u32> {
     let at = |v: u32| Vec3::from(positions[v as usize]);
-    let least = ROUNDING * rest.diameter();
+    // Corners far from the origin have the rounding of their coordinates.
+    let least = (ROUNDING * rest.diameter()).max(coordinate_rounding(rest.mesh()));
     let is_flat = |corners: &[u32]| {
         let first = at(corners[0]);
         let offsets = corners.iter().map(|&v| at(v) - first);
@@ -71,6 +73,11 @@ mod tests {
 
     /// A square, a collinear triangle, a triangle in one point, and an unused vertex.
     fn session(scale: f64) -> Session {
+        session_at(|corner| corner.map(|x| scale * x))
+    }
+
+    /// The same, with other corners.
+    fn session_at(place: impl Fn([f64; 3]) -> [f64; 3]) -> Session {
         let corners: [[f64; 3]; 8] = [
             [0.0, 0.0, 0.0],
             [1.0, 0.0, 0.0],
@@ -83,7 +90,7 @@ mod tests {
         ];
         let faces: [&[u32]; 3] = [&[0, 1, 2, 3], &[0, 4, 1], &[2, 5, 6]];
         let mesh = Mesh {
-            positions: corners.iter().map(|corner| corner.map(|x| scale * x)).collect(),
+            positions: corners.into_iter().map(place).collect(),
             faces: faces.into_iter().collect(),
             ..Mesh::default()
         };
@@ -97,6 +104,16 @@ mod tests {
             let found = session(scale).elements_with_problem(ZERO_SIZE_FACES).expect("it is known");
             assert_eq!(found.faces, [1, 2]);
         }
+    }
+
+    #[test]
+    fn faces_without_an_area_are_found_far_from_the_origin_too() {
+        // The rounding of such coordinates was taken for an area.
+        let on_site = |[x, y, z]: [f64; 3]| {
+            [0.1 * x + 0.3 * y + 5_482_113.7, 0.7 * x - 0.2 * y + 465_220.1, 0.9 * x + z]
+        };
+        let found = session_at(on_site).elements_with_problem(ZERO_SIZE_FACES);
+        assert_eq!(found.expect("it is known").faces, [1, 2]);
     }
 
     #[test]

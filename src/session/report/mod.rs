@@ -42,7 +42,7 @@ pub use constraint_map::{ConstraintMap, RowPalette};
 pub use exact_words::{ExactWords, TrialWords, WeakerRequirement};
 pub(crate) use exact_words::{Exactness, TrialNumbers};
 pub use face_measure::{FACE_MEASURES, FaceMeasure};
-pub(crate) use face_measure::{corner_values, face_values};
+pub(crate) use face_measure::{corner_values, face_errors, face_values};
 pub(crate) use inspect::{
     free, members, panel_row, reweighted_vertices, row_measure, scene_measure,
 };

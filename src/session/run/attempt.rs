@@ -33,7 +33,8 @@ pub(crate) enum Attempt {
     /// Vertices may slide over the surface, and those of the boundary along it; from the soft solution
     /// with this closeness.
     OnSurface,
-    /// With the smoothness weight multiplied by this factor.
+    /// With the smoothness weight multiplied by this factor; where a handle pulls, from the soft
+    /// solution with it.
     Smoother(f64),
     /// With the panels within these tolerances, in few iterations.
     Eased(Tolerances),

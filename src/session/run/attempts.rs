@@ -80,14 +80,14 @@ pub(crate) struct Attempts {
 }
 
 impl Attempts {
-    /// Begins with the attempt that the scene names, or at the soft solution. `can_be_smoother` is
-    /// whether displacements are smoothed, `can_slide` whether vertices are held at their places. The
-    /// mesh has this number of faces. The edges are the mean one at rest (unit of the mesh), and that by
+    /// Begins with the attempt that the scene names, or at the soft solution. `can_begin_at_rest` is
+    /// whether nothing pulls, `can_be_smoother` whether displacements are smoothed, `can_slide` whether
+    /// vertices are held at their places. The mesh has this number of faces. The edges are the mean one at rest (unit of the mesh), and that by
     /// which the place of a shape is judged, infinite if it is not.
     pub(crate) fn new(
         search: Search,
         named: ChosenAttempt,
-        [can_be_smoother, can_slide]: [bool; 2],
+        [can_begin_at_rest, can_be_smoother, can_slide]: [bool; 3],
         faces: usize,
         [mean_edge, edge]: [f64; 2],
     ) -> Attempts {
@@ -99,12 +99,10 @@ impl Attempts {
             _ => Attempt::FromSoft,
         };
         let mut others = Vec::new();
-        // What the scene names was chosen after the others had been tried; that the boundary is held
-        // is no attempt.
-        let holds_boundary = named.holds_boundary;
-        if is_on && named == (ChosenAttempt { holds_boundary, ..ChosenAttempt::default() }) {
+        // What the scene names was chosen after the others had been tried.
+        if is_on && named.is_first() {
             others.extend((asked.is_some() && can_slide).then_some(Attempt::OnSurface));
-            others.push(Attempt::FromRest);
+            others.extend(can_begin_at_rest.then_some(Attempt::FromRest));
             let smoother = SMOOTHER.iter().rev().map(|&times| Attempt::Smoother(times));
             others.extend(smoother.filter(|_| can_be_smoother));
             others.extend(asked.is_some().then_some(Attempt::Exact));
@@ -338,7 +336,7 @@ mod tests {
     /// The attempts that follow these `outcomes`, and whether each was the best so far.
     fn follow(search: Search, outcomes: &[Outcome]) -> Vec<(bool, Option<Attempt>)> {
         let mut attempts =
-            Attempts::new(search, ChosenAttempt::default(), [true; 2], 1000, [EDGE; 2]);
+            Attempts::new(search, ChosenAttempt::default(), [true; 3], 1000, [EDGE; 2]);
         let each = outcomes.iter().map(|outcome| {
             let next = attempts.after(outcome, &|faces| faces.to_vec());
             let is_best = attempts.is_best();
@@ -467,20 +465,20 @@ mod tests {
     fn a_scene_is_run_as_it_was_solved() {
         let named = |from| ChosenAttempt { from, ..ChosenAttempt::default() };
         let first =
-            |from, search| Attempts::new(search, named(from), [true; 2], 1000, [EDGE; 2]).now;
+            |from, search| Attempts::new(search, named(from), [true; 3], 1000, [EDGE; 2]).now;
         let press = Search::Panels(4e-4);
         assert_eq!(first(AttemptStart::Rest, Search::Scene), Attempt::FromRest);
         assert_eq!(first(AttemptStart::Exact, Search::Scene), Attempt::Exact);
         assert_eq!(first(AttemptStart::Rest, Search::Off), Attempt::FromSoft);
         // The tolerance was eased because the first attempt folded.
         let mut attempts =
-            Attempts::new(press, named(AttemptStart::Eased), [true; 2], 1000, [EDGE; 2]);
+            Attempts::new(press, named(AttemptStart::Eased), [true; 3], 1000, [EDGE; 2]);
         assert_eq!(attempts.now, Attempt::FromSoft);
         let next = attempts.after(&folds(3), &|faces| faces.to_vec());
         assert!(matches!(next, Some(Attempt::Eased(_))), "{next:?}");
         // The settings of the attempt are those of the scene: nothing is added to them.
         let mut attempts =
-            Attempts::new(Search::Scene, named(AttemptStart::Rest), [true; 2], 1000, [EDGE; 2]);
+            Attempts::new(Search::Scene, named(AttemptStart::Rest), [true; 3], 1000, [EDGE; 2]);
         assert_eq!(attempts.after(&folds(3), &|faces| faces.to_vec()), None);
     }
 

@@ -5,7 +5,7 @@ use super::operation::{OPERATIONS, Operation};
 use super::request::{Mode, SelectRequest, Selection, error};
 use crate::constraint::{Selector, Sets, resolve};
 use crate::scene::SceneError;
-use crate::session::report::{Measuring, Shape, face_values, free};
+use crate::session::report::{Measuring, face_errors, free};
 use crate::session::state::RestMesh;
 use serde_json::{Map, Value};
 
@@ -78,7 +78,7 @@ fn with_error_above(
     measure: String,
     tolerance: f64,
 ) -> Result<Selection, SceneError> {
-    let errors = face_values(model, &measure, Shape::Now)
+    let errors = face_errors(model, &measure)
         .ok_or_else(|| error("measure", format!("unknown measure of faces `{measure}`")))?;
     let above = (0..).zip(errors).filter(|&(_, error)| error > tolerance);
     Ok(Selection { faces: above.map(|(face, _)| face).collect(), ..Selection::default() })

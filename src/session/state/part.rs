@@ -4,9 +4,9 @@
 use crate::constraint::{Kind, Selector, Set};
 use crate::mesh::Mesh;
 use crate::scene::{
-    BoundaryCloseness, BoundaryRequire, BuildSettings, ChosenAttempt, ClosenessTo, ClosenessWeight,
-    ConstraintSpec, EasedFaces, Goal, Lesson, Pose, Scene, Slide, Smoothness, SolverSettings,
-    Target, Up, Variants, Weights,
+    AttemptStart, BoundaryCloseness, BoundaryRequire, BuildSettings, ChosenAttempt, ClosenessTo,
+    ClosenessWeight, ConstraintSpec, EasedFaces, Goal, Lesson, Lock, Pose, Scene, Slide,
+    Smoothness, SolverSettings, Target, Up, Variants, Weights,
 };
 use crate::solve::{Problem, Require};
 use crate::words;
@@ -114,6 +114,8 @@ impl Settings {
         }
         if chosen.holds_boundary {
             self.boundary = None;
+        } else if let Some(held) = self.boundary.as_mut().filter(|_| chosen.hardens_boundary) {
+            held.require = BoundaryRequire::Soft;
         }
         self
     }
@@ -126,12 +128,35 @@ impl Settings {
     /// Returns the attempt that the settings `now` name: what the user has changed is not the search's.
     pub(crate) fn attempt_beside(&self, now: &Settings) -> ChosenAttempt {
         let mut attempt = now.attempt;
+        if (self.to, &self.target, &self.pose) != (now.to, &now.target, &now.pose) {
+            attempt.from = AttemptStart::Soft;
+        }
         if self.weights.smooth != now.weights.smooth {
             attempt.smoother = 1.0;
         }
         attempt.on_surface &= self.to == now.to;
-        attempt.holds_boundary &= self.boundary == now.boundary;
+        let has_boundary = self.boundary == now.boundary;
+        attempt.holds_boundary &= has_boundary;
+        attempt.hardens_boundary &= has_boundary;
         attempt
+    }
+
+    /// What a lesson may lock, of what differs `now`. That a search has chosen settings is no change of
+    /// the user, nor that they are left again.
+    pub(crate) fn locks_beside(&self, now: &Settings) -> Vec<Lock> {
+        let own = |it: &Settings| (it.weights, it.to, it.boundary, it.smoothness);
+        let meshes = |it: &Settings| (it.target.clone(), it.pose.clone());
+        let asked = self.clone().before_attempt();
+        let is_reweighed = ![self, &asked].map(own).contains(&own(now));
+        let is_elsewhere = meshes(self) != meshes(now);
+        let differs = [(is_reweighed, Lock::Weights), (is_elsewhere, Lock::Mesh)];
+        differs.into_iter().filter_map(|(differs, lock)| differs.then_some(lock)).collect()
+    }
+
+    /// Returns the settings as for other hard constraints than those of which the attempt was chosen.
+    pub(crate) fn of_other_constraints(mut self) -> Settings {
+        self.attempt.from = AttemptStart::Soft;
+        self
     }
 
     /// Returns the settings with closeness to the surface, and to its boundary.
@@ -144,6 +169,8 @@ impl Settings {
     /// Returns the settings with the vertices of the boundary exactly on it.
     pub(crate) fn on_boundary(mut self) -> Settings {
         self.attempt.holds_boundary |= self.boundary.is_none();
+        self.attempt.hardens_boundary |=
+            self.boundary.is_some_and(|held| held.require == BoundaryRequire::Soft);
         let boundary = self.boundary.unwrap_or_default();
         let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..boundary };
         Settings { boundary: Some(exact), ..self }
@@ -357,11 +384,17 @@ pub(crate) fn same_problem(a: &Scene, b: &Scene) -> bool {
         })
 }
 
-/// Whether constraints or closeness weights of a scene are on the set of this name.
+/// Whether constraints, and whether closeness weights of a scene are on the set of this name.
+pub(crate) fn uses(name: &str, scene: &Scene) -> [bool; 2] {
+    let is_it = |on: &Selector| on.named() == Some(name);
+    [
+        scene.constraints.iter().any(|row| is_it(&row.on)),
+        scene.closeness.weights.iter().any(|entry| is_it(&entry.on)),
+    ]
+}
+
 fn is_used(name: &str, scene: &Scene) -> bool {
-    let rows = scene.constraints.iter().map(|row| &row.on);
-    let weights = scene.closeness.weights.iter().map(|entry| &entry.on);
-    rows.chain(weights).any(|on| on.named() == Some(name))
+    uses(name, scene).contains(&true)
 }
 
 fn same_design(a: &Variants, b: &Variants) -> bool {
@@ -408,12 +441,14 @@ mod tests {
 
     #[test]
     fn a_boundary_that_the_user_has_set_keeps_its_corners_and_weight() {
-        // An attempt replaced them by the defaults, for good.
+        // An attempt replaced them by the defaults, for good, and made exact what was held softly.
         let mut settings = Settings::of(&Scene::new(MeshSource::Inline(Box::default())));
         let own = BoundaryCloseness { weight: 5.0, corners: 30.0, ..BoundaryCloseness::default() };
         settings.boundary = Some(own);
         let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..own };
-        assert_eq!(settings.on_boundary().boundary, Some(exact));
+        let held = settings.on_boundary();
+        assert_eq!(held.boundary, Some(exact));
+        assert_eq!(held.before_attempt().boundary, Some(own));
     }
 
     #[test]

@@ -85,6 +85,10 @@ impl Draft<'_> {
         &self.change.handles
     }
 
+    pub(crate) fn shared_handles(&self) -> Rc<[Handle]> {
+        Rc::clone(&self.change.handles)
+    }
+
     /// Positions, `#V by 3`.
     pub(crate) fn positions(&self) -> &[Point] {
         &self.change.positions
@@ -97,7 +101,20 @@ impl Draft<'_> {
     /// Replaces a part of the document.
     pub(crate) fn put(&mut self, mut part: Part) {
         part.exchange(self.document);
-        self.change.parts.push(part);
+        self.record(part);
+    }
+
+    /// Records a part as it was before; of the settings, as they were before the edit.
+    fn record(&mut self, before: Part) {
+        let is_settings = |part: &Part| matches!(part, Part::Settings(_));
+        if !(is_settings(&before) && self.change.parts.iter().any(is_settings)) {
+            self.change.parts.push(before);
+        }
+    }
+
+    /// The parts that differ from those before the edit, as they were then.
+    pub(crate) fn changed(&self) -> impl Iterator<Item = &Part> {
+        self.change.parts.iter().filter(|part| !part.is_in(self.document))
     }
 
     /// Changes settings, and no other part of the document.
@@ -111,7 +128,7 @@ impl Draft<'_> {
         let before = Settings::of(self.document);
         let done = set(self.document)?;
         self.document.attempt = before.attempt_beside(&Settings::of(self.document));
-        self.change.parts.push(Part::Settings(before));
+        self.record(Part::Settings(before));
         Ok(done)
     }
 
@@ -126,7 +143,7 @@ impl Draft<'_> {
         let rows = self.document.constraints.clone();
         let mesh = self.mesh;
         let done = self.set(|document| set(document, mesh))?;
-        self.change.parts.push(Part::Rows(rows));
+        self.record(Part::Rows(rows));
         Ok(done)
     }
 

@@ -149,7 +149,6 @@ impl BetterPresses {
             return Ok(!self.untried.is_empty());
         }
         let mut session = Session::open(self.scene.clone(), self.mesh.clone())?;
-        session.arm_guard();
         // A press that is refused does not help.
         if session.make_panels(press.kind, press.within, press.from).is_ok() {
             self.current = Some((press, Box::new(session)));

@@ -101,37 +101,56 @@ impl SavedState {
     }
 }
 
-/// Writes the steps of undo and redo of a session on `mesh` in the state `now`.
-pub(crate) fn write_history(steps: [&[NamedStep]; 2], now: &SavedState, mesh: &Mesh) -> Vec<u8> {
+/// What is under way: the name of the step that it would be, if of its own, and the change back.
+pub(crate) type UnderWay<'a> = (Option<String>, &'a Change);
+
+/// Writes the steps of undo and redo of a session on `mesh` in the state `now`. What is under way is
+/// the last step if it has a name, and else a part of the one before it.
+pub(crate) fn write_history(
+    [undo, redo]: [&[NamedStep]; 2],
+    now: &SavedState,
+    under_way: Option<UnderWay<'_>>,
+    mesh: &Mesh,
+) -> Vec<u8> {
+    let mut begun = now.clone();
+    let name = under_way.and_then(|(name, back)| {
+        begun.follow(back);
+        name
+    });
+    // What was undone cannot be redone after another step.
+    let redo = if name.is_some() { &[] } else { redo };
     let mut out = MAGIC.to_vec();
-    for steps in steps {
-        let (mut near, mut mesh) = (now.clone(), mesh);
-        let mut written = Vec::new();
-        let mut count = 0;
+    for (steps, first) in [(undo, name), (redo, None)] {
+        // The changes are from one state to the next, and written beside the last one written.
+        let (mut near, mut at, mut mesh) = (now.clone(), begun.clone(), mesh);
+        let (mut written, mut count) = (Vec::new(), 0);
+        if let Some(name) = first {
+            write_bytes(&mut written, name.as_bytes());
+            written.push(SAME);
+            write(&mut written, &at, Some(&near), mesh);
+            (near, count) = (at.clone(), 1);
+        }
         for (name, change) in steps.iter().rev().take(LIMIT_STEPS) {
             let before = written.len();
             write_bytes(&mut written, name.as_bytes());
-            let state = if let Some((rest, document)) = change.other.as_deref() {
+            if let Some((rest, document)) = change.other.as_deref() {
                 mesh = rest.mesh();
-                let state = SavedState::on_other_mesh(change, document);
+                at = SavedState::on_other_mesh(change, document);
                 written.push(OTHER);
                 let holder = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
                 write_bytes(&mut written, holder.to_json(mesh).as_bytes());
-                write(&mut written, &state, None, mesh);
-                state
+                write(&mut written, &at, None, mesh);
             } else {
-                let mut state = near.clone();
-                state.follow(change);
+                at.follow(change);
                 written.push(SAME);
-                write(&mut written, &state, Some(&near), mesh);
-                state
-            };
+                write(&mut written, &at, Some(&near), mesh);
+            }
             if out.len() + written.len() > LIMIT_BYTES {
                 written.truncate(before);
                 break;
             }
             count += 1;
-            near = state;
+            near = at.clone();
         }
         write_count(&mut out, count);
         out.extend(written);

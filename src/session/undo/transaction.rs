@@ -30,6 +30,9 @@ pub(crate) struct ShownVariation {
 }
 
 impl Transaction {
+    /// The name of a variation that is shown.
+    pub(crate) const VARIATION: &str = "Variation";
+
     /// Begins a drag; `back` leads to the state before it.
     pub(crate) fn drag(back: Change) -> Transaction {
         Transaction { kind: Kind::Drag, back, joins_last: false }
@@ -85,6 +88,17 @@ impl Transaction {
     /// Includes a change of the document during the transaction; `back` is its inverse.
     pub(crate) fn include(&mut self, back: SceneChange) {
         self.back.scene.parts.extend(back.parts);
+    }
+
+    /// The name of the step that it would be if it ended in the state with these handles, after this
+    /// number of iterations; none if it would be none of its own.
+    pub(crate) fn name_of_step(&self, now: &[Handle], iteration: u32) -> Option<String> {
+        match self.kind {
+            Kind::Variation(_) => Some(Transaction::VARIATION.to_owned()),
+            _ if self.joins_last => None,
+            Kind::Drag => self.name_of_drag(now),
+            Kind::Run => self.name_of_run(iteration),
+        }
     }
 
     /// The name of the step of a drag, with the handles `now`; none if no handle has moved.

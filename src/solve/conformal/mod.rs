@@ -336,6 +336,8 @@ impl FewerFlips {
 
 /// Start vector `j` at one vertex, scattered so that it has a component along every eigenvector.
 fn start(vertex: usize, j: usize) -> Complex<f64> {
-    let scattered = |k: usize| ((vertex * 7919 + k * 104_729) % 1009) as f64 / 1009.0 - 0.5;
+    // In 64 bits also where addresses have 32.
+    let scattered =
+        |k: usize| ((vertex as u64 * 7919 + k as u64 * 104_729) % 1009) as f64 / 1009.0 - 0.5;
     Complex::new(scattered(j), scattered(VECTORS + j))
 }

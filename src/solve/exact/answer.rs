@@ -199,6 +199,13 @@ fn tolerance_of(centre: Point, extent: f64) -> f64 {
     (OF_THE_SIZE * extent).max(8.0 * rounding_of(centre, extent))
 }
 
+/// Returns the length, in the unit of a mesh, up to which distances between its vertices may be the
+/// rounding of their coordinates: more, the farther it is from the origin.
+pub fn coordinate_rounding(mesh: &Mesh) -> f64 {
+    let (centre, extent) = centre_and_extent(mesh);
+    8.0 * rounding_of(centre, extent)
+}
+
 fn rounding_of(centre: Point, extent: f64) -> f64 {
     let farthest = centre.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
     f64::EPSILON * (farthest + extent)

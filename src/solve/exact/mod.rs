@@ -22,8 +22,8 @@ mod normal_space;
 pub(super) mod polish;
 mod requirement;
 
-pub use answer::farthest;
-pub use answer::{ExactAnswer, Improved, Moved, Unmet, exact_tolerance};
+pub use answer::{ExactAnswer, Improved, Moved, Unmet};
+pub use answer::{coordinate_rounding, exact_tolerance, farthest};
 pub use least_move::least_move;
 pub use requirement::{Require, Requirements};
 

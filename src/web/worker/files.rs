@@ -89,14 +89,14 @@ impl Solver {
         self.open_mut()?.restore(history, progress).map_err(thrown)
     }
 
-    /// Returns the steps of undo and redo, which belong to the current scene or, during a run or
-    /// drag, to the scene before it.
+    /// Returns the steps of undo and redo, which belong to the current scene: a run, a drag or a
+    /// variation that is under way is the last of them.
     #[wasm_bindgen(js_name = savedHistory)]
     pub fn saved_history(&self) -> Result<Vec<u8>, JsValue> {
         Ok(self.open()?.saved_history())
     }
 
-    /// Returns the progress of the current run or drag.
+    /// Returns the progress of the current run or drag, from any scene that was written since it began.
     #[wasm_bindgen(js_name = savedProgress)]
     pub fn saved_progress(&self) -> Result<Vec<u8>, JsValue> {
         Ok(self.open()?.saved_progress())
