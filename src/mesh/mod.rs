@@ -63,6 +63,7 @@ pub use measure::{
     angle_histogram, diagonal_ratio, folded_faces, gauss_curvature, mean_dihedral_angle,
     quasi_conformal, smoothed_area,
 };
+pub(crate) use polygon_mesh::{Body, at_vertices};
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind, untouched_words};
 pub use ragged::Ragged;
