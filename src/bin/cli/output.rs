@@ -4,7 +4,7 @@
 use super::Failure;
 use crate::cli::input;
 use serde::Serialize;
-use shape_up::mesh::{Circularity, Mesh, Planarity, Weld};
+use shape_up::mesh::{Circularity, FileFormat, Mesh, Planarity, Weld};
 use shape_up::session::Session;
 use shape_up::words;
 use std::fs::OpenOptions;
@@ -199,22 +199,12 @@ pub(super) fn write_changed<'a>(
 
 /// Returns a remark on the parts of the mesh that the format of `path` cannot represent, if any.
 pub(super) fn left_out(path: &Path, mesh: &Mesh) -> Option<String> {
-    let larger = mesh.faces.iter().filter(|face| face.len() > 4).count();
-    let faces = (larger, "face of more than four corners", "faces of more than four corners");
-    let curves = (mesh.curves.len(), "curve", "curves");
-    let groups = (mesh.groups.len(), "group", "groups");
-    let tets = (mesh.tets.len(), "tetrahedron", "tetrahedra");
-    let untouched = (mesh.untouched.len(), "face with a hole", "faces with holes");
-    let (format, parts) = match ending(path).as_str() {
-        "mesh" => ("Medit", vec![faces, curves, groups, untouched]),
-        "ply" => ("PLY", vec![groups, tets]),
-        "stl" => ("STL", vec![curves, groups, tets]),
-        _ => ("OBJ", vec![tets]),
-    };
-    let parts = parts.into_iter().filter(|(count, ..)| *count > 0);
-    let parts: Vec<_> = parts.map(|(count, one, many)| words::count(count, one, many)).collect();
-    let parts = (!parts.is_empty()).then(|| parts.join(", "))?;
-    Some(format!("{} is {format}, which cannot store {parts}", path.display()))
+    // What has another ending is written as OBJ.
+    let written = FileFormat::of_name(&path.to_string_lossy()).filter(|it| !it.writes.is_empty());
+    let format = written.filter(|it| it.is_mesh()).or_else(|| FileFormat::of_name("a.obj"))?;
+    let parts = format.cannot_store(mesh)?;
+    let name = format.name.trim_start_matches("Wavefront ");
+    Some(format!("{} is {name}, which cannot store {parts}", path.display()))
 }
 
 /// Folders made for output. On drop, those that are empty are removed.
