@@ -4,7 +4,8 @@
 use super::operations::{Picked, apply};
 use crate::support::meshes::wavy;
 use shape_up::mesh::{
-    Mesh, Topology, curvatures, gauss_curvature, quasi_conformal, smoothed_area, stars,
+    Mesh, Scheme, Subdivision, Topology, curvatures, gauss_curvature, quasi_conformal,
+    smoothed_area, stars,
 };
 use shape_up::scene::UnitsAndUp;
 use shape_up::session::tolerance_of;
@@ -46,6 +47,20 @@ fn nothing_that_is_said_of_a_surface_hangs_on_the_lines_beside_it() {
         )
     };
     assert_eq!(measured(&beside), measured(&surface));
+}
+
+#[test]
+fn a_surface_is_refined_alike_with_lines_at_its_vertices() {
+    let surface = wavy(6, 4);
+    let refined = |mesh: &Mesh| {
+        let once = Subdivision { scheme: Scheme::CatmullClark, levels: 1, keep: 75.0 };
+        let refined = once.apply(mesh, &Topology::new(mesh)).expect("it has faces").mesh;
+        // The vertices of the surface, and the centres of its faces.
+        let count = refined.positions.len();
+        let centres = refined.positions[count - mesh.faces.len()..].to_vec();
+        (refined.positions[..surface.positions.len()].to_vec(), centres)
+    };
+    assert_eq!(refined(&with_guides(&surface)), refined(&surface));
 }
 
 #[test]

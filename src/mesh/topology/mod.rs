@@ -123,6 +123,12 @@ impl Topology {
         let [from, to] = [e, e + 1].map(|e| self.edge_faces.offsets()[e as usize] as usize);
         &self.ascends[from..to]
     }
+    /// The sign of the second normal of an edge of two faces beside the first one's: -1 if the faces
+    /// traverse the edge in the same direction, so that they face opposite ways.
+    pub(crate) fn agreement(&self, e: u32) -> f64 {
+        let ascends = self.edge_ascends(e);
+        if ascends[0] == ascends[1] { -1.0 } else { 1.0 }
+    }
     /// Whether edge `e` belongs to what the mesh is made of: to a face; without faces, to a
     /// tetrahedron; without either, to a curve.
     pub fn is_of_body(&self, e: u32) -> bool {
