@@ -12,7 +12,7 @@ use super::declaration::{
     Experiment, Limits, Method, MethodInfo, Over, Plot, Quantity, Step, Unit,
 };
 use super::gauss_newton::GaussNewton;
-use crate::mesh::{BoundingSphere, Laplacian, Measures, Mesh, Point, Ragged, Topology};
+use crate::mesh::{Laplacian, Measures, Mesh, Point, Ragged, Topology};
 use crate::scene::{ClosenessTo, Hold, Scene, SceneError, SmoothnessOf, Weights};
 use crate::session::{Edit, Error, Session};
 
@@ -68,7 +68,7 @@ impl Measured {
         Measured {
             faces: mesh.faces.clone(),
             edges: topology.edges().to_vec(),
-            diameter: BoundingSphere::of(&mesh.positions).diameter(),
+            diameter: mesh.size(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Vertices at one place, up to rounding.
 
-use super::{Mesh, Point};
+use super::{Mesh, Point, diagonal};
 use crate::math::{Vec3, argsort, key_of_number, polygon_sides};
 
 /// Upper bound on the welding distance, as a fraction of the diagonal of the bounding box.
@@ -14,12 +14,7 @@ pub(super) fn tolerance(mesh: &Mesh) -> Option<f64> {
     let sides = mesh.faces.iter().flat_map(polygon_sides);
     let squared = sides.map(|[a, b]| (at(b) - at(a)).length_squared());
     let shortest = squared.filter(|squared| *squared > 0.0).reduce(f64::min)?.sqrt();
-    let used = mesh.used_positions();
-    let bound = |pick: fn(f64, f64) -> f64| {
-        let points = used.iter().copied();
-        points.reduce(|a, b| std::array::from_fn(|i| pick(a[i], b[i]))).map(Vec3::from)
-    };
-    let diagonal = (bound(f64::max)? - bound(f64::min)?).length();
+    let diagonal = diagonal(&mesh.body_of(&mesh.positions));
     Some((TOLERANCE * diagonal).min(OF_SHORTEST_EDGE * shortest))
 }
 

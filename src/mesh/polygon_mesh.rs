@@ -2,7 +2,6 @@
 
 use super::file_order::FileOrder;
 use super::ragged::Ragged;
-use std::borrow::Cow;
 
 /// A position in space, in the units of the mesh.
 pub type Point = [f64; 3];
@@ -34,23 +33,10 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The positions of the vertices of faces, curves and tetrahedra; of a point set, all. The size
-    /// of a mesh is theirs: files have stray vertices, often at the origin.
-    pub fn used_positions(&self) -> Cow<'_, [Point]> {
-        let mut used = vec![false; self.positions.len()];
-        let corners = [
-            self.faces.indices(),
-            self.curves.indices(),
-            self.tets.as_flattened(),
-            self.untouched.indices(),
-        ];
-        corners.into_iter().flatten().for_each(|&v| used[v as usize] = true);
-        let count = used.iter().filter(|used| **used).count();
-        if count == 0 || count == used.len() {
-            return Cow::Borrowed(&self.positions);
-        }
-        let pairs = self.positions.iter().zip(used);
-        pairs.filter_map(|(&point, used)| used.then_some(point)).collect()
+    /// Its faces, and those that are left as they are: what a format without other names for them is
+    /// given.
+    pub(crate) fn all_faces(&self) -> impl Iterator<Item = &[u32]> + Clone {
+        self.faces.iter().chain(self.untouched.iter())
     }
 }
 

@@ -130,17 +130,16 @@ impl Asked<'_> {
         Ok(best)
     }
 
-    /// A smaller size of panels that follows the surface, if half the `size` does.
+    /// Half the size of panels, if that follows the surface.
     ///
     /// # Errors
     /// If the observer says no.
-    pub(super) fn size_that_follows(
+    pub(super) fn follows_at(
         &self,
+        half: f64,
         surface: &InputSurface,
-        size: f64,
         observer: &mut RemeshObserver<'_>,
     ) -> Result<Option<f64>, RemeshError> {
-        let half = 0.5 * size;
         let Ok(prepared) = surface.prepare(half, self.options) else { return Ok(None) };
         let asked = Asked { wanted: 4.0 * self.wanted, ..*self };
         match asked.part(&mut GridMapper::new(prepared), observer) {

@@ -8,6 +8,8 @@ use super::surface::{InputParts, InputSurface, LeftPart, MOST_PANELS};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
 use crate::mesh::{Mesh, Surface};
 
+/// Sizes that are suggested exceed the least one by this factor: rounded for words, they are not less.
+const SUGGESTED: f64 = 1.25;
 /// If parts with more than this fraction of the area cannot be covered, nothing is.
 const MOST_LEFT: f64 = 0.5;
 
@@ -137,7 +139,11 @@ impl Remesher {
                 Ok(part) => parts.push(part),
                 Err(RemeshError::NotFollowed { fault, .. }) => {
                     let smaller = Asked { mesh, options, wanted: surface.area() / (size * size) };
-                    let follows = smaller.size_that_follows(surface, size, &mut of_part)?;
+                    let half = Some(0.5 * size).filter(|half| *half >= SUGGESTED * least);
+                    let follows = match half {
+                        Some(half) => smaller.follows_at(half, surface, &mut of_part)?,
+                        None => None,
+                    };
                     left.push(surface.left(RemeshError::NotFollowed { fault, follows }));
                 }
                 Err(error) if error.is_of_part() => left.push(surface.left(error)),
@@ -158,7 +164,8 @@ impl Remesher {
         let cuts = options.boundary == Boundary::Cut;
         let last = self.measured.take().filter(|measured| measured.staying == staying);
         let measured = last.unwrap_or_else(|| Measured::new(mesh, &staying));
-        let mut found = together((&measured.mesh, &measured.surface), parts, cuts, units);
+        let input = (&measured.mesh, &measured.surface);
+        let mut found = together(input, parts, cuts, SUGGESTED * least, units);
         self.measured = Some(measured);
         found.append(mesh, &staying);
         found.notes.extend(notes_on(&left, units));

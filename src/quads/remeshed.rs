@@ -40,11 +40,13 @@ const NEAR: f64 = 2.5;
 /// A panel follows a surface that turns by no more than this along it, in radians.
 const TURN: f64 = 1.0;
 
-/// One mesh of all parts, measured and described; the input is given with its surface.
+/// One mesh of all parts, measured and described; the input is given with its surface. No size of
+/// panels below `least` is suggested.
 pub(super) fn together(
     (input, surface): (&Mesh, &Surface),
     parts: Vec<Part>,
     cuts: bool,
+    least: f64,
     units: &str,
 ) -> Remeshed {
     let mut mesh = Mesh::default();
@@ -60,7 +62,7 @@ pub(super) fn together(
     }
     let distances = Distances::between(&mesh, input, surface);
     let mut notes = Vec::new();
-    notes.extend(not_followed(&parts, input, &distances, units));
+    notes.extend(not_followed(&parts, input, &distances, least, units));
     notes.extend(abandoned(&parts));
     let measures = tally.measures(
         distances.largest(),
@@ -128,11 +130,13 @@ pub(super) fn notes_on(left: &[LeftPart], units: &str) -> Vec<RemeshNote> {
     notes.into_iter().map(note).collect()
 }
 
-/// Names the places that the panels cannot follow, and the size of panels that would.
+/// Names the places that the panels cannot follow, and the size of panels that would, unless it is below
+/// `least`.
 fn not_followed(
     parts: &[Part],
     input: &Mesh,
     distances: &Distances,
+    least: f64,
     units: &str,
 ) -> Option<RemeshNote> {
     let size = parts.first()?.size;
@@ -150,9 +154,13 @@ fn not_followed(
         1 => ("1 place is".to_owned(), "it"),
         count => (format!("{} places are", words::group_digits(count)), "them"),
     };
-    let follows = words::rough_length(follows, units);
-    let words =
-        format!("{count} smaller than a panel: to follow {them}, set Side to {follows} or less");
+    let how = match follows < least {
+        true => format!("to follow {them} would take nearly 100 000 panels, or more"),
+        false => {
+            format!("to follow {them}, set Side to {} or less", words::rough_length(follows, units))
+        }
+    };
+    let words = format!("{count} smaller than a panel: {how}");
     Some(RemeshNote { words, places })
 }
 
@@ -185,4 +193,34 @@ fn follows(part: &Part, places: &[Vec3<f64>]) -> f64 {
         if sum > 0.0 { TURN * count / sum } else { f64::INFINITY }
     };
     places.iter().map(of_place).fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quads::result::{Samples, Shape};
+
+    #[test]
+    fn no_side_is_advised_that_would_be_refused() {
+        let part = Part {
+            positions: Vec::new(),
+            faces: Vec::new(),
+            samples: Samples { normals: Vec::new(), tensors: Vec::new() },
+            shape: Shape { euler: 0, loops: 0, parts: 0 },
+            size: 0.12,
+            level: 0,
+            lost: vec![Vec3::zero()],
+            folds: Vec::new(),
+            abandoned: Vec::new(),
+        };
+        let parts = [part];
+        let distances = Distances { to_input: Vec::new(), from_input: Vec::new() };
+        let said = |least: f64| {
+            let note = not_followed(&parts, &Mesh::default(), &distances, least, "m");
+            note.expect("a place is lost").words
+        };
+        let place = "1 place is smaller than a panel: to follow it";
+        assert_eq!(said(0.05), format!("{place}, set Side to 80 mm or less"));
+        assert_eq!(said(0.1), format!("{place} would take nearly 100 000 panels, or more"));
+    }
 }

@@ -80,7 +80,7 @@ impl UnitsAndUp {
 
     /// Guesses the unit of a mesh from its size; empty if it is not clear.
     pub fn guess_units(mesh: &Mesh) -> &'static str {
-        let size = diagonal(&mesh.used_positions());
+        let size = diagonal(&mesh.body_of(&mesh.positions));
         if size >= MILLIMETRES_FROM {
             "mm"
         } else if size >= METRES_FROM {

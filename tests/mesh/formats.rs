@@ -1,8 +1,9 @@
 //! PLY and STL, the order of an OBJ file, and the table of formats.
 
+use super::operations::{apply, done, with_vertices};
 use shape_up::mesh::{
-    ElementKind, FILE_FORMATS, FileFormat, Mesh, ProblemKind, Ragged, Read, read, write_obj,
-    write_ply, write_stl,
+    Edited, ElementKind, FILE_FORMATS, FileFormat, Mesh, ProblemKind, Ragged, Read, read,
+    write_obj, write_ply, write_stl,
 };
 
 fn ok(name: &str, bytes: impl AsRef<[u8]>) -> Read {
@@ -141,6 +142,10 @@ fn ply_that_is_wrong_is_refused_with_its_line() {
         let found = refused("a.ply", PLY.replacen(from, to, 1));
         assert!(found.starts_with(message), "{found}");
     }
+    let none = "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n\
+        property float z\nend_header\n";
+    assert_eq!(refused("a.ply", none), "a.ply: the file has no vertices: expected at least one");
+    assert!(refused("a.obj", "g a\n").contains("at least one, such as `v 0 0 0` in OBJ"));
     let found = ok("a.ply", PLY.replace("3 0 1 2 9", "3 0 1 8 9"));
     assert_eq!(found.problems[0].kind, ProblemKind::CornerOutOfRange(ElementKind::Face));
     assert_eq!(found.problems[0].line, Some(25));
@@ -278,6 +283,24 @@ fn an_obj_file_comes_out_as_it_came() {
 }
 
 #[test]
+fn an_edit_that_keeps_all_elements_keeps_the_statements_between_them() {
+    let mesh = ok("full.obj", FULL).mesh;
+    let words = |text: &str| -> Vec<String> {
+        let lines = text.lines().filter(|line| !line.starts_with('v'));
+        // Of a face, whose corners may have turned, the statement only.
+        lines.map(|line| if line.starts_with('f') { "f" } else { line }.to_owned()).collect()
+    };
+    let after = |mut edited: Edited| {
+        edited.origins.carry(&mesh, &mut edited.mesh);
+        words(&write_obj(&edited.mesh, &edited.mesh.positions))
+    };
+    assert_eq!(after(done(&mesh, "flip")), words(FULL));
+    // A face becomes an edge.
+    let merged = apply(&mesh, "merge-vertices", None, &with_vertices(&[2, 3])).unwrap();
+    assert!(!after(merged).contains(&"s off".to_owned()));
+}
+
+#[test]
 fn a_face_that_visits_a_vertex_twice_is_left_as_it_is_and_its_vertices_are_used() {
     let Read { mesh, problems, .. } = ok("full.obj", FULL);
     assert_eq!(mesh.untouched, Ragged::from_iter([[0, 1, 2, 3, 0, 4, 5, 6, 4]]));
@@ -295,6 +318,10 @@ fn a_face_that_visits_a_vertex_twice_is_left_as_it_is_and_its_vertices_are_used(
         let stl = read("full.stl", &write_stl(mesh, &mesh.positions)).unwrap().mesh;
         stl.faces.len() + stl.untouched.len()
     };
+    // Its coordinates count, too, where single precision is too little.
+    let at_site = mesh.positions.iter().map(|p| [p[0] + 2_679_500.13, p[1], p[2]]).collect();
+    let alone = Mesh { faces: Ragged::new(), positions: at_site, ..mesh.clone() };
+    assert!(write_stl(&alone, &alone.positions).starts_with(b"solid"));
     let without = Mesh { untouched: Ragged::new(), ..mesh.clone() };
     assert_eq!(triangles(&mesh), triangles(&without) + 7);
 }

@@ -10,6 +10,7 @@ mod files;
 mod folds;
 mod formats;
 mod fuzzed;
+mod guide_lines;
 mod measure;
 mod new_kinds;
 mod operation_cost;

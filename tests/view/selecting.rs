@@ -38,6 +38,40 @@ fn the_surface_hides_vertices_but_not_handles() {
 }
 
 #[test]
+fn a_click_on_a_panel_that_hides_very_many_vertices_tries_few_triangles() {
+    let (mut state, positions) = (ViewState::default(), hidden_sheet(60));
+    state.resize(CANVAS);
+    let quads = positions.len() / 12;
+    let rows = ((0..=quads as u32).map(|f| 4 * f).collect(), (0..4 * quads as u32).collect());
+    state.set_mesh(rows, (vec![], vec![]), &positions).unwrap();
+    state.preset("top").unwrap();
+    let at = state.camera().eye().project(state.mesh().positions[0]).0;
+    let seconds = |one: &dyn Fn() -> Option<u32>| {
+        let begun = std::time::Instant::now();
+        let found = one();
+        (begun.elapsed().as_secs_f64(), found)
+    };
+    let (of_face, panel) = seconds(&|| state.pick_face(at));
+    assert_eq!(panel, Some(quads as u32 - 1));
+    let (of_vertex, hidden) = seconds(&|| state.pick_vertex(at, 8.0));
+    assert_eq!(hidden, None);
+    // Thousands of vertices are near, and all triangles.
+    assert!(of_vertex < 60.0 * of_face, "{of_vertex} s beside {of_face} s");
+}
+
+/// `n` by `n` quads, a tenth of a unit wide, below a panel ten units wide.
+fn hidden_sheet(n: u32) -> Vec<f64> {
+    let quad = |[x, y, z]: [f64; 3], side: f64| {
+        [x, y, z, x + side, y, z, x + side, y + side, z, x, y + side, z]
+    };
+    let side = 0.1 / f64::from(n);
+    let small = (0..n * n).map(|k| [f64::from(k % n) * side, f64::from(k / n) * side, 0.0]);
+    let mut positions: Vec<f64> = small.flat_map(|at| quad(at, side)).collect();
+    positions.extend(quad([-5.0, -5.0, 1.0], 10.0));
+    positions
+}
+
+#[test]
 fn a_box_around_everything_takes_what_is_in_front() {
     let mut state = two_floors();
     state.preset("top").unwrap();

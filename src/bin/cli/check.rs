@@ -4,8 +4,8 @@ use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::fabricate::panel::smallest_box;
 use shape_up::mesh::{
-    BoundingSphere, Circularity, CurvatureLines, Measures, Mesh, Planarity, Topology,
-    UnrolledStrip, components, gauss_curvature, strips,
+    Circularity, CurvatureLines, Measures, Mesh, Planarity, Topology, UnrolledStrip, components,
+    gauss_curvature, strips,
 };
 use shape_up::scene::Forecast;
 use shape_up::words;
@@ -94,8 +94,7 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
     let topology = Topology::new(mesh);
     let boundary_edges =
         (0..topology.edges().len()).filter(|&e| topology.is_boundary_edge(e as u32)).count();
-    let diameter = BoundingSphere::of(&mesh.used_positions()).diameter();
-    let measures = Measures::new(&mesh.positions, &mesh.faces, diameter);
+    let measures = Measures::new(&mesh.positions, &mesh.faces, mesh.size());
     let lines = CurvatureLines::new(&mesh.positions, &mesh.faces, &topology);
     let problems = read.problems.iter().map(|problem| Problem {
         message: problem.to_string(),

@@ -4,11 +4,10 @@
 use super::{Failure, arguments};
 use crate::cli::input;
 use serde::Serialize;
-use shape_up::mesh::{Circularity, Mesh, Planarity, Weld, write_with_ending};
+use shape_up::mesh::{Circularity, FileFormat, Mesh, Planarity, Weld, write_with_ending};
 use shape_up::scene::{NamedEnum, UnitsAndUp};
 use shape_up::session::Session;
 use shape_up::words;
-use std::collections::BTreeSet;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -221,31 +220,18 @@ pub(super) fn write_changed<'a>(
 
 /// Returns a remark on what the format of `path` cannot store of the mesh, or of its unit and axis.
 pub(super) fn left_out(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> Option<String> {
-    let larger = mesh.faces.iter().filter(|face| face.len() > 4).count();
-    let faces = (larger, "face of more than four corners", "faces of more than four corners");
-    let curves = (mesh.curves.len(), "curve", "curves");
-    let groups = (mesh.groups.len(), "group", "groups");
-    let tets = (mesh.tets.len(), "tetrahedron", "tetrahedra");
-    let untouched = (mesh.untouched.len(), "face with a hole", "faces with holes");
-    let corners = mesh.faces.indices().iter().chain(mesh.untouched.indices());
-    let alone = mesh.positions.len() - corners.collect::<BTreeSet<_>>().len();
-    let alone = (alone, "vertex without a face", "vertices without a face");
-    let (format, parts, has_comments) = match ending(path).as_str() {
-        "mesh" => ("Medit", vec![faces, curves, groups, untouched], false),
-        "ply" => ("PLY", vec![groups, tets], true),
-        "stl" => ("STL", vec![alone, curves, groups, tets], false),
-        _ => ("OBJ", vec![tets], true),
-    };
-    let parts = parts.into_iter().filter(|(count, ..)| *count > 0);
-    let mut parts: Vec<_> =
-        parts.map(|(count, one, many)| words::count(count, one, many)).collect();
-    if !has_comments {
+    // What has another ending is written as OBJ.
+    let written = FileFormat::of_name(&path.to_string_lossy()).filter(|it| !it.writes.is_empty());
+    let format = written.filter(|it| it.is_mesh()).or_else(|| FileFormat::of_name("a.obj"))?;
+    let mut parts = format.cannot_store(mesh);
+    if !format.states_frame {
         let lost = frame.unlike_guesses(mesh);
         parts.extend(lost.units.map(|units| format!("its unit ({units})")));
         parts.extend(lost.up.map(|up| format!("its up axis ({})", up.word())));
     }
     let parts = (!parts.is_empty()).then(|| parts.join(", "))?;
-    Some(format!("{} is {format}, which cannot store {parts}", path.display()))
+    let name = format.name.trim_start_matches("Wavefront ");
+    Some(format!("{} is {name}, which cannot store {parts}", path.display()))
 }
 
 /// Folders made for output. On drop, those that are empty are removed.

@@ -3,7 +3,7 @@
 
 use super::{Curvature, SecondForm, curvatures};
 use crate::math::{Vec3, argsort, key_of_pair};
-use crate::mesh::{BoundingSphere, Mesh, Point, Topology};
+use crate::mesh::{BoundingSphere, Mesh, Point, Topology, at_vertices};
 
 const NONE: u32 = u32::MAX;
 
@@ -71,10 +71,7 @@ impl CurvatureField {
             }
         }
         let mean_edge = topology.mean_edge(positions);
-        let mut used = mesh.faces.indices().to_vec();
-        used.sort_unstable();
-        used.dedup();
-        let corners: Vec<Point> = used.iter().map(|&v| positions[v as usize]).collect();
+        let corners = at_vertices(positions, &[mesh.faces.indices()]);
         let diameter = BoundingSphere::of(&corners).diameter();
         let mut field = CurvatureField {
             points,

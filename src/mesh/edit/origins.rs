@@ -58,12 +58,20 @@ impl Origins {
     }
 
     /// Gives the mesh `to`, made from `from`, what no operation changes: the faces that are left as they
-    /// are, as long as their vertices are there, and which vertices are not in the file.
+    /// are, as long as their vertices are there, and which vertices are not in the file; and the
+    /// statements of its file, which stand between elements, if all of these are still there.
     pub fn carry(&self, from: &Mesh, to: &mut Mesh) {
         let is_unplaced = |old: &u32| from.unplaced.binary_search(old).is_ok();
         let made_of = (0..).zip(self.between.iter());
         let unplaced = made_of.filter(|(_, olds)| olds.iter().any(is_unplaced));
         to.unplaced = unplaced.map(|(new, _)| new).collect();
+        let is_own = |(new, olds): (u32, &[u32])| *olds == [new];
+        if self.faces.len() == from.faces.len()
+            && (0..).zip(self.faces.iter()).all(is_own)
+            && to.curves.len() == from.curves.len()
+        {
+            to.order = from.order.clone();
+        }
         to.untouched = Ragged::new();
         for face in from.untouched.iter() {
             let kept = face.iter().map(|&old| self.vertices[old as usize]);
@@ -136,13 +144,12 @@ impl Combinations {
             let ends = [place, place + 1].map(|i| combined.offsets[i as usize] as usize);
             &combined.terms[ends[0]..ends[1]]
         };
-        let mut expanded = Combinations::default();
+        let (mut expanded, mut sum) = (Combinations::default(), Sum::default());
         for terms in self.rows() {
-            let mut sum = Sum::default();
             for &(point, weight) in terms {
                 row(point).iter().for_each(|&(old, part)| sum.add(old, weight * part));
             }
-            expanded.push(&sum.terms);
+            expanded.push_sum(&mut sum);
         }
         expanded
     }
@@ -152,6 +159,12 @@ impl Combinations {
         self.terms.extend_from_slice(terms);
         self.offsets.push(self.terms.len() as u32);
     }
+
+    /// Appends a sum, and empties it.
+    pub(super) fn push_sum(&mut self, sum: &mut Sum) {
+        self.push(&sum.terms);
+        sum.terms.drain(..).for_each(|(point, _)| sum.places[point as usize] = 0);
+    }
 }
 
 impl Default for Combinations {
@@ -160,16 +173,27 @@ impl Default for Combinations {
     }
 }
 
+/// A combination under construction.
 #[derive(Default)]
 pub(super) struct Sum {
-    pub(super) terms: Vec<(u32, f64)>,
+    terms: Vec<(u32, f64)>,
+    /// The number of the term of each point, from 1; 0 without one. All corners of a large face are in
+    /// the sums of all its edges: to search the terms would take the cube of their number.
+    places: Vec<u32>,
 }
 
 impl Sum {
     pub(super) fn add(&mut self, point: u32, weight: f64) {
-        match self.terms.iter_mut().find(|(known, _)| *known == point) {
-            Some((_, sum)) => *sum += weight,
-            None => self.terms.push((point, weight)),
+        let own = point as usize;
+        if self.places.len() <= own {
+            self.places.resize(own + 1, 0);
+        }
+        match self.places[own] {
+            0 => {
+                self.terms.push((point, weight));
+                self.places[own] = self.terms.len() as u32;
+            }
+            place => self.terms[place as usize - 1].1 += weight,
         }
     }
 }

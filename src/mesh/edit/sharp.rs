@@ -20,11 +20,7 @@ impl Sharp {
         let normals: Vec<Vec3<f64>> =
             mesh.faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v)))).collect();
         let is_sharp = |(e, faces): (u32, &[u32])| match *faces {
-            [f, g] => {
-                let ascends = topology.edge_ascends(e);
-                let turned = if ascends[0] == ascends[1] { -1.0 } else { 1.0 };
-                turns(normals[f as usize], normals[g as usize] * turned, most)
-            }
+            [f, g] => turns(normals[f as usize], normals[g as usize] * topology.agreement(e), most),
             _ => true,
         };
         let edges: Vec<bool> = (0..).zip(topology.edge_faces().iter()).map(is_sharp).collect();
@@ -59,8 +55,13 @@ impl Sharp {
     }
 }
 
+/// The vertices to which sharp edges lead; from a vertex of faces none along a curve beside them, which
+/// changes nothing of the surface.
 fn sharp_neighbours(edges: &[bool], topology: &Topology, v: u32) -> Vec<u32> {
-    let sharp = topology.vertex_edges().row(v as usize).iter().filter(|&&e| edges[e as usize]);
+    let is_of_curve = topology.vertex_faces().row(v as usize).is_empty();
+    let counts = |e: u32| is_of_curve || !topology.edge_faces().row(e as usize).is_empty();
+    let all = topology.vertex_edges().row(v as usize).iter();
+    let sharp = all.filter(|&&e| edges[e as usize] && counts(e));
     sharp.map(|&e| topology.other_end(e, v)).collect()
 }
 

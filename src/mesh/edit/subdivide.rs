@@ -308,42 +308,40 @@ impl<'a> Split<'a> {
     /// Returns all vertices by the scheme with these weights. Without weights, old vertices stay
     /// and new ones are means.
     fn positions(&self, smooth: Option<Weights>, sharp: &Sharp) -> Combinations {
-        let mut positions = Combinations::default();
+        let (mut positions, mut sum) = (Combinations::default(), Sum::default());
         for v in 0..self.first[0] {
             match smooth.filter(|_| !sharp.corners[v as usize]) {
-                Some(weights) => positions.push(&self.old(v, sharp, weights).terms),
-                None => positions.push(&[(v, 1.0)]),
+                Some(weights) => self.old(v, sharp, weights, &mut sum),
+                None => sum.add(v, 1.0),
             }
+            positions.push_sum(&mut sum);
         }
         for (e, &ends) in (0..).zip(self.topology.edges()) {
             match smooth.filter(|_| !sharp.edges[e as usize]) {
-                Some(weights) => positions.push(&self.on_edge(e, ends, weights).terms),
-                None => positions.push(&ends.map(|v| (v, 0.5))),
+                Some(weights) => self.on_edge(e, ends, weights, &mut sum),
+                None => ends.into_iter().for_each(|v| sum.add(v, 0.5)),
             }
+            positions.push_sum(&mut sum);
         }
         let faces = self.mesh.faces.iter().take(if self.triangles { 0 } else { usize::MAX });
         for face in faces {
-            let mut sum = Sum::default();
             face.iter().for_each(|&v| sum.add(v, 1.0 / face.len() as f64));
-            positions.push(&sum.terms);
+            positions.push_sum(&mut sum);
         }
         positions
     }
 
-    /// Returns the combination of the vertex on a smooth edge.
-    fn on_edge(&self, e: u32, ends: [u32; 2], weights: Weights) -> Sum {
+    /// Adds the combination of the vertex on a smooth edge.
+    fn on_edge(&self, e: u32, ends: [u32; 2], weights: Weights, sum: &mut Sum) {
         let [end, beside] = weights.edge;
-        let mut sum = Sum::default();
         ends.into_iter().for_each(|v| sum.add(v, end));
         for &face in self.topology.edge_faces().row(e as usize) {
-            self.add_face(&mut sum, face, beside, &ends);
+            self.add_face(sum, face, beside, &ends);
         }
-        sum
     }
 
-    /// Returns the combination of an old vertex that is not a corner.
-    fn old(&self, v: u32, sharp: &Sharp, weights: Weights) -> Sum {
-        let mut sum = Sum::default();
+    /// Adds the combination of an old vertex that is not a corner.
+    fn old(&self, v: u32, sharp: &Sharp, weights: Weights, sum: &mut Sum) {
         match *sharp.neighbours(self.topology, v) {
             [a, b] => {
                 [(v, 0.75), (a, 0.125), (b, 0.125)]
@@ -363,12 +361,11 @@ impl<'a> Split<'a> {
                 }
                 if all_faces > 0.0 {
                     for &face in faces {
-                        self.add_face(&mut sum, face, all_faces / faces.len() as f64, &[]);
+                        self.add_face(sum, face, all_faces / faces.len() as f64, &[]);
                     }
                 }
             }
         }
-        sum
     }
 
     /// Adds the centre of a face or, if triangles are split, its corner that is not in `ends`.

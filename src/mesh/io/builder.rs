@@ -14,6 +14,8 @@ pub(crate) struct MeshBuilder {
     pub(crate) mesh: Mesh,
     pub(crate) counts: DiagnosticCounts,
     pub(crate) notes: Vec<String>,
+    /// How a vertex is written in this format, for the message that there is none.
+    pub(crate) example: &'static str,
     vertex_lines: Vec<u32>,
     face_lines: Vec<u32>,
     /// Elements deferred until all vertices are read: kind, line, and end in `deferred_corners`.
@@ -181,7 +183,7 @@ impl MeshBuilder {
     pub(crate) fn finish(mut self, text: &str) -> Result<Read, ReadFault> {
         let positions = &mut self.mesh.positions;
         if positions.is_empty() {
-            let expected = "expected at least one, such as `v 0 0 0` in OBJ";
+            let expected = format!("expected at least one{}", self.example);
             return Err(ReadFault::whole(format!("the file has no vertices: {expected}")));
         }
         if positions.as_flattened().iter().all(|x| x.is_nan()) {

@@ -1,5 +1,57 @@
 //! The file formats of models: what is read, what is written, and what is left out.
 
+use crate::mesh::Mesh;
+use crate::words::count;
+use std::collections::BTreeSet;
+
+/// A part of a mesh that not every format can store.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshPart {
+    /// Vertices of no face.
+    LoneVertices,
+    /// Faces of more than four corners.
+    LargeFaces,
+    /// [`Mesh::curves`].
+    Curves,
+    /// [`Mesh::groups`].
+    Groups,
+    /// [`Mesh::tets`].
+    Tetrahedra,
+    /// [`Mesh::untouched`].
+    FacesWithHoles,
+}
+
+impl MeshPart {
+    /// One and many of them.
+    fn words(self) -> [&'static str; 2] {
+        match self {
+            MeshPart::LoneVertices => ["vertex without a face", "vertices without a face"],
+            MeshPart::LargeFaces => {
+                ["face of more than four corners", "faces of more than four corners"]
+            }
+            MeshPart::Curves => ["curve", "curves"],
+            MeshPart::Groups => ["group", "groups"],
+            MeshPart::Tetrahedra => ["tetrahedron", "tetrahedra"],
+            MeshPart::FacesWithHoles => ["face with a hole", "faces with holes"],
+        }
+    }
+
+    /// The number of them in a mesh.
+    fn count(self, mesh: &Mesh) -> usize {
+        match self {
+            MeshPart::LoneVertices => {
+                let corners = mesh.faces.indices().iter().chain(mesh.untouched.indices());
+                mesh.positions.len() - corners.collect::<BTreeSet<_>>().len()
+            }
+            MeshPart::LargeFaces => mesh.faces.iter().filter(|face| face.len() > 4).count(),
+            MeshPart::Curves => mesh.curves.len(),
+            MeshPart::Groups => mesh.groups.len(),
+            MeshPart::Tetrahedra => mesh.tets.len(),
+            MeshPart::FacesWithHoles => mesh.untouched.len(),
+        }
+    }
+}
+
 /// A file format of models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -14,6 +66,12 @@ pub struct FileFormat {
     pub writes: &'static str,
     /// What is left out, or what to do instead.
     pub leaves_out: &'static str,
+    /// The parts of a mesh that it cannot store.
+    #[serde(skip)]
+    pub lacks: &'static [MeshPart],
+    /// Whether unit and up axis are stated in its files.
+    #[serde(skip)]
+    pub states_frame: bool,
     /// Whether only the page reads and writes it, not the command line.
     pub on_page_only: bool,
 }
@@ -24,6 +82,8 @@ const NONE: FileFormat = FileFormat {
     reads: "",
     writes: "",
     leaves_out: "",
+    lacks: &[],
+    states_frame: false,
     on_page_only: false,
 };
 
@@ -34,7 +94,9 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "Wavefront OBJ",
         reads: "vertices, polygons, polylines, groups, objects, material names",
         writes: "the same, in the order and with the statements of the file; flat maps",
-        leaves_out: "texture coordinates, normals, colours, curved surfaces",
+        leaves_out: "texture coordinates, normals, colours, curved surfaces; tetrahedra when written",
+        lacks: &[MeshPart::Tetrahedra],
+        states_frame: true,
         ..NONE
     },
     FileFormat {
@@ -49,7 +111,13 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "Medit",
         reads: "vertices, triangles, quads, tetrahedra, edges",
         writes: "vertices, triangles, quads, tetrahedra (command line)",
-        leaves_out: "binary files; larger polygons, curves and groups when written",
+        leaves_out: "binary files; faces of more than four corners, faces with holes, curves and groups when written",
+        lacks: &[
+            MeshPart::LargeFaces,
+            MeshPart::Curves,
+            MeshPart::Groups,
+            MeshPart::FacesWithHoles,
+        ],
         ..NONE
     },
     FileFormat {
@@ -58,6 +126,8 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         reads: "vertices, polygons, edges; text and binary",
         writes: "vertices, polygons, edges of curves; binary, in double precision",
         leaves_out: "colours, normals, triangle strips; groups and tetrahedra when written",
+        lacks: &[MeshPart::Groups, MeshPart::Tetrahedra],
+        states_frame: true,
         ..NONE
     },
     FileFormat {
@@ -65,7 +135,13 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "STL",
         reads: "triangles, joined where their corners are equal; text and binary",
         writes: "polygons as triangles; binary, in single precision, or text where that is too little",
-        leaves_out: "everything else",
+        leaves_out: "everything else, as vertices without a face, curves, groups and tetrahedra",
+        lacks: &[
+            MeshPart::LoneVertices,
+            MeshPart::Curves,
+            MeshPart::Groups,
+            MeshPart::Tetrahedra,
+        ],
         ..NONE
     },
     FileFormat {
@@ -75,6 +151,7 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         writes: "meshes, polylines, layers, parts to build",
         leaves_out: "surfaces and solids: convert them with Rhino's Mesh command",
         on_page_only: true,
+        ..NONE
     },
     FileFormat {
         endings: &["json"],
@@ -108,6 +185,13 @@ impl FileFormat {
         FILE_FORMATS.iter().find(|format| format.endings.iter().any(is_it))
     }
 
+    /// Counts each kind of parts of a mesh that it cannot store, in words.
+    pub fn cannot_store(&self, mesh: &Mesh) -> Vec<String> {
+        let parts = self.lacks.iter().map(|part| (part.count(mesh), part.words()));
+        let parts = parts.filter(|(number, _)| *number > 0);
+        parts.map(|(number, [one, many])| count(number, one, many)).collect()
+    }
+
     /// Whether it is the format of a mesh that the reader of mesh files reads.
     pub fn is_mesh(&self) -> bool {
         !self.reads.is_empty() && !self.on_page_only && self.endings != ["json"]
@@ -135,4 +219,30 @@ pub(crate) fn mesh_endings() -> String {
         formats.map(|format| format!(".{}", format.endings[0])).collect();
     let last = endings.pop().unwrap_or_default();
     format!("{} or {last}", endings.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_format_lacks_is_said_where_formats_are_listed() {
+        for format in FILE_FORMATS {
+            for part in format.lacks {
+                let [_, many] = part.words();
+                assert!(format.leaves_out.contains(many), "{}: {many}", format.name);
+            }
+        }
+        let mesh = Mesh {
+            positions: vec![[0.0; 3]; 5],
+            faces: [[0, 1, 2, 3, 4]].into_iter().collect(),
+            untouched: [[0, 1, 2, 1], [2, 3, 4, 3]].into_iter().collect(),
+            ..Mesh::default()
+        };
+        let said = |name: &str| {
+            FileFormat::of_name(name).expect("it is known").cannot_store(&mesh).join(", ")
+        };
+        assert_eq!(said("a.mesh"), "1 face of more than four corners, 2 faces with holes");
+        assert_eq!(said("a.ply"), "");
+    }
 }

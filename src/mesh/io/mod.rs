@@ -13,7 +13,7 @@ mod stl;
 mod stream;
 
 pub use builder::{Read, ReadError};
-pub use formats::{FILE_FORMATS, FileFormat};
+pub use formats::{FILE_FORMATS, FileFormat, MeshPart};
 pub(crate) use lines::{decode, lines};
 pub use medit::write_medit;
 pub use number::Decimal;

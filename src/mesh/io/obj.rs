@@ -21,6 +21,7 @@ const KEPT: &str = "o g usemtl mtllib s mg usemap maplib bevel c_interp d_interp
 
 pub(crate) fn read(text: &str) -> MeshBuilder {
     let mut builder = MeshBuilder::default();
+    builder.example = ", such as `v 0 0 0` in OBJ";
     let mut ignored = Ignored::default();
     // Vertices are read first, since faces may precede their vertices.
     for (line, text) in joined_lines(text) {

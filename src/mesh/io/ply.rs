@@ -350,9 +350,7 @@ pub fn write_ply(mesh: &Mesh, positions: &[Point], comments: &[String]) -> Vec<u
         .iter()
         .flat_map(|curve| curve.windows(2).map(|ends| [ends[0], ends[1]]))
         .collect();
-    // Faces with holes are faces to PLY.
-    let faces = || mesh.faces.iter().chain(mesh.untouched.iter());
-    let longest = faces().map(<[u32]>::len).max().unwrap_or(0);
+    let longest = mesh.all_faces().map(<[u32]>::len).max().unwrap_or(0);
     let is_short = longest <= usize::from(u8::MAX);
     let mut head = "ply\nformat binary_little_endian 1.0\n".to_owned();
     comments.iter().for_each(|comment| head.push_str(&format!("comment {comment}\n")));
@@ -361,7 +359,7 @@ pub fn write_ply(mesh: &Mesh, positions: &[Point], comments: &[String]) -> Vec<u
     let length = if is_short { "uchar" } else { "uint" };
     head.push_str(&format!(
         "element face {}\nproperty list {length} int vertex_indices\n",
-        faces().count()
+        mesh.all_faces().count()
     ));
     if !edges.is_empty() {
         let count = edges.len();
@@ -371,7 +369,7 @@ pub fn write_ply(mesh: &Mesh, positions: &[Point], comments: &[String]) -> Vec<u
     }
     let mut out = (head + "end_header\n").into_bytes();
     positions.as_flattened().iter().for_each(|x| out.extend(x.to_le_bytes()));
-    for face in faces() {
+    for face in mesh.all_faces() {
         match is_short {
             true => out.push(face.len() as u8),
             false => out.extend((face.len() as u32).to_le_bytes()),

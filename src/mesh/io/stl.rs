@@ -179,24 +179,26 @@ const LOST: f64 = 1e-3;
 /// triangles. It is binary, or text if single precision is too little. STL has neither curves, groups
 /// nor units.
 pub fn write_stl(mesh: &Mesh, positions: &[Point]) -> Vec<u8> {
-    let faces = mesh.faces.iter().chain(mesh.untouched.iter());
-    let triangles = faces.flat_map(|face| {
+    let triangles = mesh.all_faces().flat_map(|face| {
         let corners: Vec<Vec3<f64>> = face.iter().map(|&v| positions[v as usize].into()).collect();
         triangles_in_space(&corners).into_iter().map(move |own| own.map(|k| corners[k]))
     });
-    match is_single_enough(mesh, positions) {
+    match is_single_enough(mesh.all_faces(), positions) {
         true => binary(triangles),
         false => text(triangles).into_bytes(),
     }
 }
 
 /// Whether single precision keeps the shape of the faces.
-fn is_single_enough(mesh: &Mesh, positions: &[Point]) -> bool {
+fn is_single_enough<'a>(
+    faces: impl Iterator<Item = &'a [u32]> + Clone,
+    positions: &[Point],
+) -> bool {
     let at = |v: u32| Vec3::from(positions[v as usize]);
-    let sides = mesh.faces.iter().flat_map(polygon_sides);
+    let sides = faces.clone().flat_map(polygon_sides);
     let lengths = sides.map(|[a, b]| (at(b) - at(a)).length()).filter(|length| *length > 0.0);
     let shortest = lengths.fold(f64::INFINITY, f64::min);
-    let coordinates = mesh.faces.indices().iter().flat_map(|&v| positions[v as usize]);
+    let coordinates = faces.flatten().flat_map(|&v| positions[v as usize]);
     let lost = coordinates.map(|x| (f64::from(x as f32) - x).abs()).fold(0.0, f64::max);
     lost <= LOST * shortest
 }

@@ -12,14 +12,14 @@ const ROUNDS: usize = 3;
 pub fn smoothed_area(mesh: &Mesh, topology: &Topology, at: &[Point]) -> f64 {
     let mut smooth = at.to_vec();
     let is_boundary = marked(at.len(), topology.boundary_loops().indices());
-    let around = |v: usize| topology.neighbours().row(v);
     for _ in 0..ROUNDS {
         let before = smooth.clone();
-        for v in (0..at.len()).filter(|&v| !is_boundary[v] && !around(v).is_empty()) {
+        for v in (0..at.len()).filter(|&v| !is_boundary[v]) {
             let own = Vec3::from(before[v]);
-            let ways = around(v).iter().map(|&n| Vec3::from(before[n as usize]) - own);
-            let sum = ways.fold(Vec3::zero(), |sum, way| sum + way);
-            smooth[v] = (own + sum * (1.0 / around(v).len() as f64)).into();
+            let ways =
+                topology.body_neighbours(v as u32).map(|n| Vec3::from(before[n as usize]) - own);
+            let (sum, count) = ways.fold((Vec3::zero(), 0.0), |(sum, n), way| (sum + way, n + 1.0));
+            smooth[v] = (own + sum * (1.0 / f64::max(count, 1.0))).into();
         }
     }
     let corner = |&v: &u32| Vec3::from(smooth[v as usize]);

@@ -98,7 +98,7 @@ pub fn gauss_curvature(positions: &[Point], mesh: &Mesh, topology: &Topology) ->
         }
     }
     for (e, ends) in (0..).zip(topology.edges()) {
-        if topology.edge_faces().row(e).len() != 2 {
+        if topology.is_of_body(e) && topology.edge_faces().row(e as usize).len() != 2 {
             ends.iter().for_each(|&v| areas[v as usize] = 0.0);
         }
     }

@@ -7,7 +7,7 @@ use crate::mesh::{Mesh, Point, Ragged, Topology};
 /// Two faces with a common edge.
 pub(super) struct Neighbours {
     pub(super) faces: [u32; 2],
-    /// -1 if they traverse the edge in the same direction, so that their orientations are opposite.
+    /// See [`Topology::agreement`].
     sign: f64,
 }
 
@@ -16,9 +16,7 @@ impl Neighbours {
     pub(super) fn all<'a>(topology: &'a Topology) -> impl Iterator<Item = Neighbours> + 'a {
         (0..).zip(topology.edge_faces().iter()).filter_map(|(e, faces)| {
             let &[a, b] = faces else { return None };
-            let ascends = topology.edge_ascends(e);
-            let sign = if ascends[0] == ascends[1] { -1.0 } else { 1.0 };
-            Some(Neighbours { faces: [a, b], sign })
+            Some(Neighbours { faces: [a, b], sign: topology.agreement(e) })
         })
     }
 

@@ -1,7 +1,7 @@
 //! Angle distortion of a flat map of a surface (Sander, Snyder, Gortler, Hoppe 2001).
 
 use crate::math::{Vec3, twice_vector_area};
-use crate::mesh::{BoundingSphere, Point, Ragged};
+use crate::mesh::{BoundingSphere, Point, Ragged, at_vertices};
 use serde::Serialize;
 
 /// Quasi-conformal error over the triangles of the fans `(f0, fk, fk+1)`: the ratio of the larger
@@ -39,7 +39,8 @@ pub fn quasi_conformal(
     faces: &Ragged,
     left_out: &[u32],
 ) -> MapErrors {
-    let least = ROUNDING * BoundingSphere::of(positions).diameter();
+    let least =
+        ROUNDING * BoundingSphere::of(&at_vertices(positions, &[faces.indices()])).diameter();
     let (mut error, mut area, mut flipped) = (QuasiConformal::default(), 0.0, 0);
     let mut flipped_faces = Vec::new();
     let mut of_faces = Vec::with_capacity(faces.len());

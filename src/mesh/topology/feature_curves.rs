@@ -15,13 +15,12 @@ pub fn feature_curves(mesh: &Mesh, topology: &Topology, degrees: f64) -> Ragged 
     let normal = |face: &[u32]| twice_vector_area(face.iter().map(at));
     let normals: Vec<Vec3<f64>> = mesh.faces.iter().map(normal).collect();
     let least = cosine(degrees / 360.0);
-    let is_feature: Vec<bool> = topology
-        .edge_faces()
-        .iter()
-        .map(|faces| match *faces {
+    let is_feature: Vec<bool> = (0..)
+        .zip(topology.edge_faces().iter())
+        .map(|(e, faces)| match *faces {
             [] => false,
             [f, g] => {
-                let (a, b) = (normals[f as usize], normals[g as usize]);
+                let (a, b) = (normals[f as usize], normals[g as usize] * topology.agreement(e));
                 let lengths = a.length() * b.length();
                 // The margin keeps rounding from making creases in a plane.
                 lengths > 0.0 && a.dot(b) < (least - 1e-12) * lengths
@@ -96,6 +95,14 @@ mod tests {
         assert_eq!(curves.iter().map(|c| c.len() - 1).sum::<usize>(), 4 * (3 + 2 + 4));
         // The threshold is exclusive.
         assert_eq!(feature_curves(&mesh, &Topology::new(&mesh), 90.0).len(), 0);
+        // Which way a face is turned makes no crease.
+        let turned = |(f, face): (usize, &[u32])| match f % 3 {
+            0 => face.iter().rev().copied().collect(),
+            _ => face.to_vec(),
+        };
+        let faces = mesh.faces.iter().enumerate().map(turned).collect();
+        let mesh = Mesh { faces, ..mesh };
+        assert_eq!(feature_curves(&mesh, &Topology::new(&mesh), 45.0), curves);
     }
 
     #[test]

@@ -26,9 +26,9 @@ pub fn stars(mesh: &Mesh, topology: &Topology) -> Ragged {
             }
         }
         next_to.sort_unstable();
-        let neighbours = topology.neighbours().row(v as usize);
+        let neighbours: Vec<u32> = topology.body_neighbours(v).collect();
         let two_each = next_to.len() == 2 * neighbours.len()
-            && next_to.chunks(2).zip(neighbours).all(|(two, &u)| two[0][0] == u && two[1][0] == u);
+            && next_to.chunks(2).zip(&neighbours).all(|(two, &u)| two[0][0] == u && two[1][0] == u);
         if !two_each || neighbours.is_empty() {
             continue;
         }

@@ -16,7 +16,7 @@ pub use local::{corners, hinges, stars};
 pub use strips::strips;
 
 use crate::math::{Vec3, argsort, key_of_pair, polygon_sides};
-use crate::mesh::{Mesh, Point, Ragged};
+use crate::mesh::{Body, Mesh, Point, Ragged};
 
 /// The adjacency of a mesh. Indices are those of the mesh; edges are numbered in lexicographic
 /// order of their ends.
@@ -26,6 +26,8 @@ pub struct Topology {
     neighbours: Ragged,
     vertex_edges: Ragged,
     edge_faces: Ragged,
+    /// `#E`: see [`Topology::is_of_body`].
+    of_body: Vec<bool>,
     /// For each entry of `edge_faces`, whether the face traverses the edge from its first to its second
     /// end. Stored, since to look for an edge among the sides of a face takes long in large faces.
     ascends: Vec<bool>,
@@ -40,15 +42,16 @@ impl Topology {
     /// and the edges of tetrahedra, each once; sides from a vertex to itself are excluded.
     pub fn new(mesh: &Mesh) -> Topology {
         let n_vertices = mesh.positions.len();
-        let sides = sides(mesh);
+        let (sides, body) = (sides(mesh), mesh.body());
         let mut edges = Vec::new();
-        let mut edge_faces = Ragged::new();
+        let (mut edge_faces, mut of_body) = (Ragged::new(), Vec::new());
         let of_faces = sides.iter().filter(|side| side.face.is_some());
         let ascends: Vec<bool> = of_faces.map(|side| side.ascends).collect();
         for same in sides.chunk_by(|a, b| a.ends == b.ends) {
             edges.push(same[0].ends);
             let faces: Vec<u32> = same.iter().filter_map(|side| side.face).collect();
             edge_faces.push(&faces);
+            of_body.push(same.iter().any(|side| side.of == body));
         }
         let numbered = || edges.iter().zip(0..);
         let by_vertex = |of_end: fn([u32; 2], u32, bool) -> u32| {
@@ -79,6 +82,7 @@ impl Topology {
             neighbours,
             vertex_edges,
             edge_faces,
+            of_body,
             ascends,
             vertex_faces,
             boundary_loops,
@@ -119,12 +123,34 @@ impl Topology {
         let [from, to] = [e, e + 1].map(|e| self.edge_faces.offsets()[e as usize] as usize);
         &self.ascends[from..to]
     }
-    /// Mean length of an edge at `positions`, `#V by 3`, in their unit; zero without edges.
+    /// The sign of the second normal of an edge of two faces beside the first one's: -1 if the faces
+    /// traverse the edge in the same direction, so that they face opposite ways.
+    pub(crate) fn agreement(&self, e: u32) -> f64 {
+        let ascends = self.edge_ascends(e);
+        if ascends[0] == ascends[1] { -1.0 } else { 1.0 }
+    }
+    /// Whether edge `e` belongs to what the mesh is made of: to a face; without faces, to a
+    /// tetrahedron; without either, to a curve.
+    pub fn is_of_body(&self, e: u32) -> bool {
+        self.of_body[e as usize]
+    }
+    /// The ends of the edges [`Topology::is_of_body`], in their order.
+    pub fn body_edges(&self) -> impl Iterator<Item = [u32; 2]> {
+        let edges = self.edges.iter().zip(&self.of_body);
+        edges.filter_map(|(&ends, &of_body)| of_body.then_some(ends))
+    }
+    /// Those of the [`Topology::neighbours`] of a vertex to which such an edge leads, ascending.
+    pub fn body_neighbours(&self, vertex: u32) -> impl Iterator<Item = u32> {
+        let [neighbours, edges] =
+            [&self.neighbours, &self.vertex_edges].map(|rows| rows.row(vertex as usize));
+        let pairs = neighbours.iter().zip(edges);
+        pairs.filter_map(|(&v, &e)| self.is_of_body(e).then_some(v))
+    }
+    /// Mean length of such an edge at `positions`, `#V by 3`, in their unit; zero without any.
     pub fn mean_edge(&self, positions: &[Point]) -> f64 {
         let at = |v: u32| Vec3::from(positions[v as usize]);
-        let edges = self.edges();
-        let sum: f64 = edges.iter().map(|&[a, b]| (at(b) - at(a)).length()).sum();
-        sum / edges.len().max(1) as f64
+        let sum: f64 = self.body_edges().map(|[a, b]| (at(b) - at(a)).length()).sum();
+        sum / self.body_edges().count().max(1) as f64
     }
 
     /// Whether edge `e` has exactly one face.
@@ -158,34 +184,42 @@ impl Topology {
         self.quad_dominant
     }
 
-    /// Returns the vertices within `radius` edges of `vertex`: itself first, then ring by ring,
-    /// each ring ascending.
+    /// Returns the vertices within `radius` edges [of the body](Topology::is_of_body) of `vertex`:
+    /// itself first, then ring by ring, each ring ascending.
     pub fn ring(&self, vertex: u32, radius: u32) -> Vec<u32> {
-        self.grow(&[vertex], radius)
+        spread(&[vertex], radius, |v| self.body_neighbours(v))
     }
 
     /// Returns the vertices within `radius` edges of `seed` (distinct vertices): the seed
     /// unchanged, then ring by ring, each ring ascending.
     pub fn grow(&self, seed: &[u32], radius: u32) -> Vec<u32> {
-        let mut all = seed.to_vec();
-        let mut inner: Vec<u32> = Vec::new();
-        let mut ring = seed.to_vec();
-        ring.sort_unstable();
-        for _ in 0..radius {
-            // A neighbour of a ring is in this, the previous or the next ring.
-            let mut next: Vec<u32> =
-                ring.iter().flat_map(|&v| self.neighbours.row(v as usize)).copied().collect();
-            next.sort_unstable();
-            next.dedup();
-            next.retain(|v| ring.binary_search(v).is_err() && inner.binary_search(v).is_err());
-            if next.is_empty() {
-                break;
-            }
-            all.extend_from_slice(&next);
-            inner = std::mem::replace(&mut ring, next);
-        }
-        all
+        spread(seed, radius, |v| self.neighbours.row(v as usize).iter().copied())
     }
+}
+
+/// Returns the vertices within `radius` steps of `seed`, see [`Topology::grow`].
+fn spread<I: Iterator<Item = u32>>(
+    seed: &[u32],
+    radius: u32,
+    neighbours: impl Fn(u32) -> I,
+) -> Vec<u32> {
+    let mut all = seed.to_vec();
+    let mut inner: Vec<u32> = Vec::new();
+    let mut ring = seed.to_vec();
+    ring.sort_unstable();
+    for _ in 0..radius {
+        // A neighbour of a ring is in this, the previous or the next ring.
+        let mut next: Vec<u32> = ring.iter().flat_map(|&v| neighbours(v)).collect();
+        next.sort_unstable();
+        next.dedup();
+        next.retain(|v| ring.binary_search(v).is_err() && inner.binary_search(v).is_err());
+        if next.is_empty() {
+            break;
+        }
+        all.extend_from_slice(&next);
+        inner = std::mem::replace(&mut ring, next);
+    }
+    all
 }
 
 /// One side of a face, one segment of a curve or one edge of a tetrahedron.
@@ -193,6 +227,8 @@ impl Topology {
 struct Side {
     /// The lower vertex first.
     ends: [u32; 2],
+    /// Its kind of element.
+    of: Body,
     /// `None` for curves and tetrahedra.
     face: Option<u32>,
     /// Whether it is traversed from the lower vertex to the higher.
@@ -202,20 +238,24 @@ struct Side {
 /// Returns all sides, sorted by ends, then by face.
 fn sides(mesh: &Mesh) -> Vec<Side> {
     const TET_EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-    let of_faces = mesh
-        .faces
+    let of_faces =
+        mesh.faces.iter().zip(0..).flat_map(|(face, f)| {
+            polygon_sides(face).map(move |ends| (ends, Body::Faces, Some(f)))
+        });
+    let of_curves = mesh
+        .curves
         .iter()
-        .zip(0..)
-        .flat_map(|(face, f)| polygon_sides(face).map(move |[a, b]| (a, b, Some(f))));
-    let of_curves =
-        mesh.curves.iter().flat_map(|curve| curve.windows(2).map(|ends| (ends[0], ends[1], None)));
-    let of_tets = mesh.tets.iter().flat_map(|tet| TET_EDGES.map(|[a, b]| (tet[a], tet[b], None)));
+        .flat_map(|curve| curve.windows(2).map(|ends| ([ends[0], ends[1]], Body::Curves, None)));
+    let of_tets = mesh
+        .tets
+        .iter()
+        .flat_map(|tet| TET_EDGES.map(|[a, b]| ([tet[a], tet[b]], Body::Tetrahedra, None)));
     // Faces come last and in order, and the sort is stable, so the sides of an edge are, too.
     let sides: Vec<Side> = of_curves
         .chain(of_tets)
         .chain(of_faces)
-        .filter(|(a, b, _)| a != b)
-        .map(|(a, b, face)| Side { ends: [a.min(b), a.max(b)], face, ascends: a < b })
+        .filter(|([a, b], ..)| a != b)
+        .map(|([a, b], of, face)| Side { ends: [a.min(b), a.max(b)], of, face, ascends: a < b })
         .collect();
     let order = argsort(sides.iter().map(|side| key_of_pair(side.ends)));
     order.into_iter().map(|side| sides[side as usize]).collect()

@@ -3,7 +3,7 @@
 use super::layout::Layout;
 use super::{BoundaryForecast, LayoutSettings, MarkedPlace, PanelLayout};
 use crate::math::Vec3;
-use crate::mesh::{BoundingSphere, Mesh, Surface, Topology};
+use crate::mesh::{Mesh, Surface, Topology};
 use crate::quads::{Boundary, MapOptions, RemeshError, RemeshObserver, Remesher};
 use crate::scene::SceneError;
 use std::cell::OnceCell;
@@ -100,7 +100,7 @@ impl PanelLayouts {
     /// The place of the last refusal, if it has one.
     pub fn refused_at(&self) -> Option<MarkedPlace> {
         let shape = &self.shape;
-        let radius = RING * BoundingSphere::of(&shape.positions).diameter();
+        let radius = RING * shape.size();
         self.refused_at.map(|at| MarkedPlace::new(at, radius, self.surface(), shape))
     }
 

@@ -6,7 +6,7 @@ use super::inspect::{is_usual, members, panel_row};
 use super::measuring::{Measuring, Shape};
 use super::projected::row_distances;
 use crate::constraint::Info;
-use crate::mesh::{BoundingSphere, Mesh, Topology};
+use crate::mesh::{Mesh, Topology};
 use crate::session::run::{Bend, Flaw, Level, Met, SurfaceDistance, Tried};
 use crate::solve::{Moved, Require};
 use crate::words::{group_digits, limit};
@@ -225,8 +225,7 @@ pub(super) fn count_in_words(adjective: &str, within: usize, of: usize, toleranc
 /// Returns a tolerance for distances on a mesh: about a thousandth of the mean edge, rounded to 1,
 /// 2 or 5 times a power of ten, in the unit of the mesh.
 pub fn tolerance_of(mesh: &Mesh) -> f64 {
-    let size = BoundingSphere::of(&mesh.positions).diameter();
-    tolerance(Topology::new(mesh).mean_edge(&mesh.positions), size)
+    tolerance(Topology::new(mesh).mean_edge(&mesh.positions), mesh.size())
 }
 
 /// The same for a mesh of this mean `edge` and this `size`.

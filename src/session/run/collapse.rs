@@ -4,7 +4,7 @@
 //! The shape is compared with the start: the shape at the first iteration after the last edit.
 
 use crate::math::{Vec3, twice_vector_area};
-use crate::mesh::{Mesh, Point, Ragged};
+use crate::mesh::{Mesh, Point, Ragged, diagonal};
 use crate::solve::Handle;
 use std::fmt;
 use std::mem::size_of_val;
@@ -84,10 +84,10 @@ impl Start {
             Vec3::from(positions[handle.vertex as usize]) - Vec3::from(handle.target)
         });
         let pull = offsets.map(|offset| offset.length_squared()).fold(0.0, f64::max).sqrt();
-        let extent = diagonal(positions, &rest.faces);
+        let extent = diagonal(&rest.body_of(positions));
         Start {
             diagonal: extent,
-            size: extent.max(diagonal(&rest.positions, &rest.faces)),
+            size: extent.max(diagonal(&rest.body_of(&rest.positions))),
             areas: areas(positions, &rest.faces),
             pull,
             iteration,
@@ -112,7 +112,7 @@ impl Start {
     /// Returns how the shape `now`, `#V by 3`, has collapsed since the start, if it has.
     pub(crate) fn collapse(&self, now: &[Point], mesh: &Mesh) -> Option<Collapse> {
         let slack = PER_PULL * self.pull;
-        let diagonal = diagonal(now, &mesh.faces);
+        let diagonal = diagonal(&mesh.body_of(now));
         if diagonal + slack < LEAST_DIAGONAL * self.diagonal {
             let amount = diagonal / self.diagonal;
             return Some(Collapse { reason: CollapseReason::Shrunk, amount });
@@ -129,23 +129,6 @@ impl Start {
         (farthest > FARTHEST * self.size + slack)
             .then(|| Collapse { reason: CollapseReason::Moved, amount: farthest / self.size })
     }
-}
-
-/// Diagonal of the bounding box of the vertices of faces, or without faces of all vertices.
-fn diagonal(positions: &[Point], faces: &Ragged) -> f64 {
-    let [mut low, mut high] = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
-    let mut enclose = |point: Point| {
-        for axis in 0..3 {
-            low[axis] = low[axis].min(point[axis]);
-            high[axis] = high[axis].max(point[axis]);
-        }
-    };
-    if faces.is_empty() {
-        positions.iter().for_each(|&point| enclose(point));
-    } else {
-        faces.indices().iter().for_each(|&v| enclose(positions[v as usize]));
-    }
-    (Vec3::from(high) - Vec3::from(low)).length()
 }
 
 /// Lengths of the area vectors of the faces, `#F`.

@@ -179,13 +179,13 @@ fn boundary_distance(now: &[Point], rest: &RestMesh) -> f64 {
 }
 
 /// Returns the smallest ratio of an edge length at `now` (`#V by 3`) to its rest length. Ignores
-/// edges of zero rest length; 1 without edges.
+/// curves beside faces, and edges of zero rest length; 1 without edges.
 pub(crate) fn shortest_edge(now: &[Point], rest: &RestMesh) -> f64 {
     let squared = |of: &[Point], [a, b]: [u32; 2]| {
         (Vec3::from(of[a as usize]) - Vec3::from(of[b as usize])).length_squared()
     };
-    let edges = rest.topology().edges().iter();
-    let ratios = edges.filter_map(|&ends| match squared(rest.positions(), ends) {
+    let edges = rest.topology().body_edges();
+    let ratios = edges.filter_map(|ends| match squared(rest.positions(), ends) {
         0.0 => None,
         before => Some(squared(now, ends) / before),
     });

@@ -2,8 +2,8 @@
 
 use crate::math::{Vec3, key_of_pair, marked, sort_by_number};
 use crate::mesh::{
-    BoundaryCurve, BoundaryCurves, BoundingSphere, Group, Mesh, Point, Surface, Topology,
-    folded_faces, mean_dihedral_angle, seams, smoothed_area,
+    BoundaryCurve, BoundaryCurves, Group, Mesh, Point, Surface, Topology, folded_faces,
+    mean_dihedral_angle, seams, smoothed_area,
 };
 use crate::solve::Moved;
 use std::cell::{OnceCell, RefCell};
@@ -40,7 +40,7 @@ type KnownTarget = (Rc<Mesh>, Option<Rc<Surface>>);
 impl RestMesh {
     pub(crate) fn new(mesh: Mesh) -> RestMesh {
         let topology = Topology::new(&mesh);
-        let diameter = BoundingSphere::of(&mesh.used_positions()).diameter();
+        let diameter = mesh.size();
         RestMesh {
             mesh,
             topology,
@@ -132,7 +132,7 @@ impl RestMesh {
     }
 
     /// Returns the surface of `target` if the rest mesh is made of panels on it: all vertices of its
-    /// edges lie there. Such a mesh is judged by that surface, not by its own.
+    /// edges lie there, but those of curves beside its faces. Such a mesh is judged by that surface, not by its own.
     pub(crate) fn original(&self, target: Option<&Rc<Mesh>>) -> Option<Rc<Surface>> {
         let target = target?;
         let mut known = self.original.borrow_mut();
@@ -145,7 +145,7 @@ impl RestMesh {
                 let to = surface.closest(point, &mut hint);
                 (Vec3::from(to) - Vec3::from(point)).length() <= limit
             };
-            let lies = self.topology.edges().iter().flatten().all(|&v| is_on(v));
+            let lies = self.topology.body_edges().flatten().all(&mut is_on);
             *known = Some((Rc::clone(target), lies.then(|| Rc::new(surface))));
         }
         known.as_ref().and_then(|(_, surface)| surface.clone())
@@ -201,7 +201,7 @@ impl RestMesh {
         Moved::of(self.displacements(now))
     }
 
-    /// Diameter of the bounding sphere of all but lone vertices, in the unit of the mesh.
+    /// The [`Mesh::size`] at rest, in the unit of the mesh.
     pub(crate) fn diameter(&self) -> f64 {
         self.diameter
     }

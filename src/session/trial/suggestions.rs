@@ -1,7 +1,6 @@
 //! Edits to offer if a run has ended with unmet constraints. Each is tried on a copy of the
 //! session, so that only edits that reduce the worst distance are offered.
 
-use crate::mesh::BoundingSphere;
 use crate::scene::ClosenessTo;
 use crate::session::Error;
 use crate::session::Session;
@@ -108,7 +107,7 @@ impl Suggestions {
     }
 
     fn far(&self) -> f64 {
-        FAR * BoundingSphere::of(&self.session.mesh().positions).diameter()
+        FAR * self.session.mesh().size()
     }
 }
 

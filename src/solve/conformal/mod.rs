@@ -18,8 +18,7 @@ use super::error::SolveError;
 use super::system::System;
 use crate::math::marked;
 use crate::mesh::{
-    BoundingSphere, MapErrors, Mesh, ProblemKind, Topology, components, elements_with_problem,
-    quasi_conformal,
+    MapErrors, Mesh, ProblemKind, Topology, components, elements_with_problem, quasi_conformal,
 };
 use face::Face;
 use nalgebra::{Complex, DMatrix};
@@ -167,7 +166,7 @@ struct Part {
 /// Returns the shape of each face of `mesh` (`#F`), or `None` if it is ignored: see
 /// [`Parametrization::left_out`].
 fn faces_that_count(mesh: &Mesh) -> Vec<Option<Face>> {
-    let diameter = BoundingSphere::of(&mesh.positions).diameter();
+    let diameter = mesh.size();
     let faces = mesh.faces.iter().map(|face| Face::new(face, &mesh.positions, diameter));
     let mut faces: Vec<Option<Face>> = faces.collect();
     for repeated in elements_with_problem(mesh, ProblemKind::DuplicateFace).faces {

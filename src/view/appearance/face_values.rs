@@ -219,12 +219,10 @@ impl Appearance {
         Ok(())
     }
 
-    /// Copies the marks and the map of `other`.
+    /// Copies the marks of faces and the map of `other`, for a view without dots.
     pub fn mark_as(&mut self, other: &Appearance) {
         self.map = other.map;
-        self.selected_vertices.clone_from(&other.selected_vertices);
         self.selected_faces.clone_from(&other.selected_faces);
-        self.tinted_vertices.clone_from(&other.tinted_vertices);
         self.tinted_faces.clone_from(&other.tinted_faces);
     }
 

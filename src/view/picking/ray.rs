@@ -35,19 +35,20 @@ pub fn first_hit(
     nearest
 }
 
-/// Returns whether the surface hides a vertex from an eye. Triangles at the vertex do not count,
+/// Returns the place of the first of the `triangles` that hides a vertex from an eye, if any. Triangles at the vertex do not count,
 /// nor does anything nearer to it than `tolerance` (units of length), so that corners on the
 /// outline and coincident vertices stay visible; nor do points for which `is_there` is false.
-pub fn hidden(
+pub fn hider(
     mesh: &RenderMesh,
+    triangles: &[[u32; 3]],
     eye: Vec3,
     vertex: u32,
     tolerance: f32,
     is_there: impl Fn(Vec3) -> bool,
-) -> bool {
+) -> Option<usize> {
     let to_vertex = mesh.positions[vertex as usize] - eye;
     let limit = 1.0 - tolerance / to_vertex.length().max(f32::MIN_POSITIVE);
-    mesh.triangles.iter().any(|triangle| {
+    triangles.iter().position(|triangle| {
         !triangle.contains(&vertex)
             && meet(triangle.map(|v| mesh.positions[v as usize]), eye, to_vertex)
                 .is_some_and(|along| along < limit && is_there(eye + to_vertex * along))
@@ -112,13 +113,16 @@ mod tests {
     #[test]
     fn the_upper_floor_hides_the_lower_one_only() {
         let mesh = two_floors();
+        let hidden = |eye: Vec3, vertex: u32, is_there: fn(Vec3) -> bool| {
+            hider(&mesh, &mesh.triangles, eye, vertex, 1e-3, is_there).is_some()
+        };
         // The origin of the view is the centre of the box: the floors lie at -0.5 and 0.5.
         let eye = Vec3::new(0.0, 0.0, 4.0);
         for vertex in 0..8 {
-            assert_eq!(hidden(&mesh, eye, vertex, 1e-3, |_| true), vertex < 4, "{vertex}");
-            assert!(!hidden(&mesh, eye, vertex, 1e-3, |point| point.z < 0.0));
+            assert_eq!(hidden(eye, vertex, |_| true), vertex < 4, "{vertex}");
+            assert!(!hidden(eye, vertex, |point| point.z < 0.0));
         }
         let far_aside = Vec3::new(40.0, 0.0, 0.1);
-        assert!((0..8).all(|v| !hidden(&mesh, far_aside, v, 1e-3, |_| true)));
+        assert!((0..8).all(|v| !hidden(far_aside, v, |_| true)));
     }
 }

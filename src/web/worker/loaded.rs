@@ -1,6 +1,6 @@
 //! The summary of a file that was opened.
 
-use crate::mesh::{Read, Weld, diagonal};
+use crate::mesh::{Read, Weld};
 use crate::scene::{
     MeshSuggestion, PanelOffer, Up, offers_new_panels, panel_offers, panel_suggestion,
     problem_suggestion,
@@ -25,7 +25,7 @@ pub struct Loaded {
     up: Up,
     /// Which of unit and up axis were guessed because the file does not state them.
     guessed: Guessed,
-    /// The diagonal of the bounding box of the shape when it was opened, in its unit.
+    /// The size at rest, by which rounding errors are told, in its unit.
     size: f64,
     /// For each measure of faces, by its id, the bound below which values are rounding errors.
     #[tsify(type = "Record<string, number>")]
@@ -88,7 +88,7 @@ impl Loaded {
         weld: Option<&Weld>,
     ) -> Self {
         let mesh = session.mesh();
-        let size = diagonal(&session.positions());
+        let size = mesh.size();
         let groups = mesh.groups.iter();
         let problems = read.problems.iter();
         Loaded {

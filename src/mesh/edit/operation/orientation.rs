@@ -28,8 +28,7 @@ pub(super) fn unify(task: &Task<'_>) -> Result<Edited, OperationError> {
                 let edge = topology.edge(a, b).expect("every side of a face is an edge");
                 let &[f, g] = topology.edge_faces().row(edge as usize) else { continue };
                 let other = if f as usize == face { g } else { f } as usize;
-                let ascends = topology.edge_ascends(edge);
-                let alike = ascends[0] == ascends[1];
+                let alike = topology.agreement(edge) < 0.0;
                 match is_turned[other] {
                     None => {
                         is_turned[other] = Some(own != alike);

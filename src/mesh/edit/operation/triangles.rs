@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 /// Cuts quads along the shorter diagonal that lies inside and is not yet an edge. If there is none,
 /// and for faces with more corners, adds a fan around the centre.
 pub(super) fn from_faces(task: &Task<'_>) -> Result<Edited, OperationError> {
-    if task.topology.is_triangle_mesh() {
+    if task.mesh.faces.iter().all(|face| face.len() == 3) {
         return Err(OperationError::Expected("a face with more than three corners"));
     }
     let at = |v: u32| Vec3::from(task.mesh.positions[v as usize]);
