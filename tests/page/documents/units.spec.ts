@@ -107,6 +107,17 @@ test('lengths are shown in the chosen unit', async ({ page }) => {
   expect((await state(page)).planarity?.max_distance).toBeGreaterThan(0);
 });
 
+test('the estimate is in the unit that the user corrects', async ({ page }) => {
+  // It stayed in the one that was guessed.
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  const estimate = page.getByRole('group', { name: 'Panels', exact: true }).getByText(/on average/);
+  await expect(estimate).toHaveText(/[\d.]+ m on average/);
+  await showStep(page, 'Shape');
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('ft');
+  await expect(estimate).toHaveText(/[\d.]+ ft on average/);
+});
+
 test.describe('with slow answers', () => {
   test.use({ sameDocument: false });
 
