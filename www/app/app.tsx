@@ -1,6 +1,6 @@
 /** The components of the page, each in its place of `index.html`, which is there before them. */
 
-import { render, type ComponentType } from 'preact';
+import { render, type ComponentChildren, type ComponentType } from 'preact';
 import { RecentMenu } from '../documents/recent-menu.tsx';
 import { BuildPanel } from '../features/build/build-panel.tsx';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
@@ -30,7 +30,8 @@ import { SelectBar } from '../panels/select-bar/select-bar.tsx';
 import { SelectMenu } from '../panels/select-bar/select-menu.tsx';
 import { Hint, Status, StatusNumbers } from '../panels/status-bar/status-bar.tsx';
 import { ModelFact, MoveFact, ShapeFact } from '../panels/step-facts.tsx';
-import { AppProvider } from '../store/use-app.ts';
+import { AppProvider, useApp } from '../store/use-app.ts';
+import { Subject } from '../ui/components/use-typed.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { Analysis } from './analysis.tsx';
@@ -87,6 +88,11 @@ const PLACES: Record<string, ComponentType> = {
   'select-menu-place': SelectMenu,
 };
 
+/** What is typed outside of dialogs is meant for the open model. */
+const OfModel = ({ children }: { children: ComponentChildren }) => (
+  <Subject.Provider value={useApp().store.state.model}>{children}</Subject.Provider>
+);
+
 export function renderPage(app: AppContext) {
   for (const [id, Component] of Object.entries(PLACES)) {
     const place = byId(id);
@@ -94,7 +100,9 @@ export function renderPage(app: AppContext) {
     place.replaceChildren();
     render(
       <AppProvider value={app}>
-        <Component />
+        <OfModel>
+          <Component />
+        </OfModel>
       </AppProvider>,
       place,
     );
