@@ -125,6 +125,13 @@ test('a preset sets all its weights and settings, and shows its assumptions befo
   expect((await sceneOf(page)).closeness.to).toBe('none');
   await page.keyboard.press('Control+z');
   await expect(preset).toHaveValue('fig-5');
+  // The warning stayed when there was a handle.
+  await preset.selectOption('Figures 6 and 8: only constraints');
+  await expect(warning).toBeVisible();
+  await page.mouse.click(...(await screenOf(page, MIDDLE)));
+  await page.keyboard.press('h');
+  await waitForState(page, (now) => now.handles.length === 1);
+  await expect(warning).toBeHidden();
 });
 
 test('the selection is held closer than the rest, and evenly again', async ({ page }) => {
