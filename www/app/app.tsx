@@ -34,6 +34,7 @@ import { AppProvider, useApp } from '../store/use-app.ts';
 import { Subject } from '../ui/components/use-typed.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
+import { dropRemovedInput } from '../ui/removed-fields.ts';
 import { Analysis } from './analysis.tsx';
 import type { AppContext } from './context.ts';
 
@@ -94,6 +95,7 @@ const OfModel = ({ children }: { children: ComponentChildren }) => (
 );
 
 export function renderPage(app: AppContext) {
+  dropRemovedInput();
   for (const [id, Component] of Object.entries(PLACES)) {
     const place = byId(id);
     // What is there before this script is loaded.

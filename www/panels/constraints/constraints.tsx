@@ -205,14 +205,7 @@ function NameField({
   finish: (to: string | null, hadFocus: boolean) => void;
 }) {
   const field = useRef<HTMLInputElement>(null);
-  const isDone = useRef(false);
   useEffect(() => field.current?.select(), []);
-  /** Once: a field that is removed loses the focus, too. */
-  const end = (to: string | null, hadFocus: boolean) => {
-    if (isDone.current) return;
-    isDone.current = true;
-    finish(to, hadFocus);
-  };
   return (
     <input
       ref={field}
@@ -223,12 +216,12 @@ function NameField({
       defaultValue={name}
       maxLength={80}
       autocomplete="off"
-      onBlur={({ currentTarget }) => end(currentTarget.value.trim(), false)}
+      onBlur={({ currentTarget }) => finish(currentTarget.value.trim(), false)}
       onKeyDown={(event) => {
         if (event.key !== 'Enter' && event.key !== 'Escape') return;
         event.preventDefault();
         event.stopPropagation();
-        end(event.key === 'Enter' ? event.currentTarget.value.trim() : null, true);
+        finish(event.key === 'Enter' ? event.currentTarget.value.trim() : null, true);
       }}
     />
   );
