@@ -24,6 +24,17 @@ test.describe('with every row closed', () => {
     await addConstraint(page, 'Plane', 'each face');
     await addConstraint(page, 'Circle', 'each face');
     await showStep(page, 'Shape');
+    await rows(page)
+      .nth(1)
+      .getByRole('button', { name: /parameters/ })
+      .click();
+    // Its last button was cut off.
+    const steps = page.getByRole('complementary', { name: 'Steps' });
+    expect(await steps.evaluate((all) => all.scrollWidth - all.clientWidth)).toBe(0);
+    await rows(page)
+      .nth(1)
+      .getByRole('button', { name: /parameters/ })
+      .click();
     const share = async (row: number) => {
       const text = await rows(page).nth(row).innerText();
       return Number(/(\d+) % of the total energy/.exec(text)?.[1]);
@@ -100,6 +111,34 @@ test('settings come from the declared list, take effect, and can be undone', asy
   await expect(near).toHaveValue('word rest');
   // The scene is updated after the fields.
   await expect.poll(async () => (await sceneOf(page)).closeness).toEqual({ to: 'rest' });
+});
+
+test('what is typed in a row goes with the row', async ({ page }) => {
+  // It became the weight, or the name, of the row in its place in the model that was opened next.
+  await addConstraint(page, 'Plane', 'each face');
+  await showStep(page, 'Shape');
+  const scene = JSON.stringify({
+    ...(await sceneOf(page)),
+    constraints: [{ kind: 'circle', on: 'faces' }],
+  });
+  const openOther = async () => {
+    await page.evaluate((text) => window.shapeUp.open(text, 'other.shapeup.json'), scene);
+    await expect(rows(page)).toContainText('Circle');
+    await page.evaluate(() => window.shapeUp.settled());
+    return (await sceneOf(page)).constraints;
+  };
+  await rows(page)
+    .getByRole('spinbutton', { name: /weight/ })
+    .selectText();
+  await page.keyboard.type('7');
+  const untouched = await openOther();
+  expect(untouched[0].weight).toBeUndefined();
+  await rows(page)
+    .getByRole('button', { name: /parameters/ })
+    .focus();
+  await page.keyboard.press('F2');
+  await page.keyboard.type('Mine');
+  expect(await openOther()).toEqual(untouched);
 });
 
 test('a preset sets all its weights and settings, and shows its assumptions beforehand', async ({
