@@ -18,11 +18,11 @@ export const hiddenTexts = (page: Page) =>
       for (let outer: Element | null = own; outer; outer = outer.parentElement) {
         const { textOverflow, overflowX, overflowY } = getComputedStyle(outer);
         if (textOverflow === 'ellipsis') return true;
-        if (/auto|scroll/.test(overflowX + overflowY)) {
-          const { left, right, top, bottom } = outer.getBoundingClientRect();
-          const { x, y } = end;
-          if (x < left || x > right || y < top || y > bottom) return true;
-        }
+        const { left, right, top, bottom } = outer.getBoundingClientRect();
+        const { x, y } = end;
+        // One that scrolls up and down may cut at its side.
+        if (/auto|scroll/.test(overflowX) && (x < left || x > right)) return true;
+        if (/auto|scroll/.test(overflowY) && (y < top || y > bottom)) return true;
       }
       return false;
     };
@@ -40,6 +40,8 @@ export const hiddenTexts = (page: Page) =>
         end = { x: last.right - 2, y: (last.top + last.bottom) / 2 };
         const isInWindow = end.x > 0 && end.x < innerWidth && end.y > 0 && end.y < innerHeight;
         if (!isInWindow || isShortened(parent)) continue;
+        // What lets presses through is not found there.
+        if (getComputedStyle(parent).pointerEvents === 'none') continue;
         const top = document.elementFromPoint(end.x, end.y);
         if (!top || own.contains(top) || top.contains(own)) continue;
         // What is transparent, such as a link over a whole card, hides nothing.

@@ -1,6 +1,6 @@
 /** The components of the page, each in its place of `index.html`, which is there before them. */
 
-import { render, type ComponentType } from 'preact';
+import { render, type ComponentChildren, type ComponentType } from 'preact';
 import { RecentMenu } from '../documents/recent-menu.tsx';
 import { BuildPanel } from '../features/build/build-panel.tsx';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
@@ -30,9 +30,11 @@ import { SelectBar } from '../panels/select-bar/select-bar.tsx';
 import { SelectMenu } from '../panels/select-bar/select-menu.tsx';
 import { Hint, Status, StatusNumbers } from '../panels/status-bar/status-bar.tsx';
 import { ModelFact, MoveFact, ShapeFact } from '../panels/step-facts.tsx';
-import { AppProvider } from '../store/use-app.ts';
+import { AppProvider, useApp } from '../store/use-app.ts';
+import { Subject } from '../ui/components/use-typed.ts';
 import { byId } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
+import { dropRemovedInput } from '../ui/removed-fields.ts';
 import { Analysis } from './analysis.tsx';
 import type { AppContext } from './context.ts';
 
@@ -87,14 +89,22 @@ const PLACES: Record<string, ComponentType> = {
   'select-menu-place': SelectMenu,
 };
 
+/** What is typed outside of dialogs is meant for the open model. */
+const OfModel = ({ children }: { children: ComponentChildren }) => (
+  <Subject.Provider value={useApp().store.state.model}>{children}</Subject.Provider>
+);
+
 export function renderPage(app: AppContext) {
+  dropRemovedInput();
   for (const [id, Component] of Object.entries(PLACES)) {
     const place = byId(id);
     // What is there before this script is loaded.
     place.replaceChildren();
     render(
       <AppProvider value={app}>
-        <Component />
+        <OfModel>
+          <Component />
+        </OfModel>
       </AppProvider>,
       place,
     );

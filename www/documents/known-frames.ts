@@ -36,9 +36,12 @@ export function rememberedFrame(digest: string | null) {
   return frame ? `# units: ${frame.units}\n# up: ${frame.up}\n` : '';
 }
 
-/** @param digest of a file */
-export function rememberFrame(digest: string, frame: Frame) {
+/**
+ * @param digest of a file
+ * @param frame null to forget what is remembered
+ */
+export function rememberFrame(digest: string, frame: Frame | null) {
   const others = remembered().filter(([known]) => known !== digest);
-  const all = [...others, [digest, frame]].slice(-MOST_FILES);
+  const all = [...others, ...(frame ? [[digest, frame]] : [])].slice(-MOST_FILES);
   setItem(KEY, JSON.stringify(all));
 }

@@ -4,12 +4,11 @@
  */
 
 import './angles.css';
-import { useMemo, useRef, useState } from 'preact/hooks';
-import { newestOnly } from '../store/latest-only.ts';
+import { useRef, useState } from 'preact/hooks';
+import { useAnswer } from '../store/use-answer.ts';
 import { useApp } from '../store/use-app.ts';
 import { Button } from '../ui/components/buttons.tsx';
 import { Outline } from '../ui/components/histogram.tsx';
-import { useAnswer } from '../ui/components/use-answer.ts';
 import { groupDigits } from '../ui/words.ts';
 
 const EVERY_MS = 150;
@@ -26,13 +25,11 @@ export function Angles() {
   const { store, actions } = useApp();
   const { state } = store;
   const place = useRef<HTMLDivElement>(null);
-  const newest = useMemo(() => newestOnly(() => store.get().model), []);
   const counts = useAnswer(
     place,
     EVERY_MS,
-    () => [state.model, state.numbers],
-    async () =>
-      store.get().model?.faces ? newest(actions.reportErrors(actions.ask.angles())) : undefined,
+    () => state.numbers,
+    () => (store.get().model?.faces ? actions.reportErrors(actions.ask.angles()) : undefined),
   );
   return (
     <div ref={place}>

@@ -3,10 +3,9 @@
  * plotting library is loaded with the first iteration, not with the page.
  */
 
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { newestOnly } from '../store/latest-only.ts';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { useAnswer } from '../store/use-answer.ts';
 import { useApp } from '../store/use-app.ts';
-import { useAnswer } from '../ui/components/use-answer.ts';
 import { messageOf } from '../solver/errors.ts';
 import { energyOrZero } from '../ui/words.ts';
 import type { EnergyPlot } from '../ui/plot/plot.ts';
@@ -21,26 +20,19 @@ const PLOT_EVERY_MS = 250;
 
 export function Convergence() {
   const { store, actions } = useApp();
-  const { state } = store;
   const place = useRef<HTMLDivElement>(null);
-  const newest = useMemo(() => newestOnly(() => store.get().model), []);
   const trace = useAnswer(
     place,
     PLOT_EVERY_MS,
-    () => [state.model, state.numbers],
-    async () => {
-      const { model } = store.get();
-      // A stopped solver reports its own error.
-      const found = model && (await newest(actions.ask.trace().catch(() => null)));
-      return found ? { model, numbers: found } : undefined;
-    },
+    () => store.state.numbers,
+    // A stopped solver reports its own error.
+    () => actions.ask.trace().catch(() => undefined),
   );
-  // Those of the model before are of no use.
-  const isDrawn = trace?.model === state.model && trace.numbers.length >= 2 * TRACE_WIDTH;
+  const isDrawn = trace && trace.length >= 2 * TRACE_WIDTH;
   return (
     <div ref={place}>
       {isDrawn ? (
-        <Curves trace={trace.numbers} />
+        <Curves trace={trace} />
       ) : (
         <p class="quiet">The energies of each iteration appear here.</p>
       )}

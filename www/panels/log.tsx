@@ -143,8 +143,8 @@ function Copy() {
 }
 
 /** Returns the contents of the file, a sentence each. */
-function factsOf(model: Loaded, { units, up }: ReturnType<typeof frameOf>) {
-  const guessed = (is: boolean) => (is ? ' (guessed)' : '');
+function factsOf(model: Loaded, { units, up, guessed }: ReturnType<typeof frameOf>) {
+  const ifGuessed = (is: boolean) => (is ? ' (guessed)' : '');
   const parts = [
     count(model.vertices, 'vertex', 'vertices'),
     count(model.faces, 'face'),
@@ -155,7 +155,7 @@ function factsOf(model: Loaded, { units, up }: ReturnType<typeof frameOf>) {
   const problems = model.problems.length;
   return [
     `${model.name}: ${parts.join(', ')}`,
-    `Unit: ${units || 'unknown'}${guessed(model.guessed.units)} · ${FORMATS[up]}${guessed(model.guessed.up)}`,
+    `Unit: ${units || 'unknown'}${ifGuessed(guessed.units)} · ${FORMATS[up]}${ifGuessed(guessed.up)}`,
     problems > 0 ? count(problems, 'kind of problem', 'kinds of problem') : 'No problems',
   ];
 }

@@ -4,13 +4,12 @@
  */
 
 import '../ui/styles/lists.css';
-import { useMemo, useRef } from 'preact/hooks';
+import { useRef } from 'preact/hooks';
 import { useSignal, type ReadonlySignal } from '@preact/signals';
 import { colouring, toleranceOf } from '../store/colours/measures.ts';
-import { newestOnly } from '../store/latest-only.ts';
+import { useAnswer } from '../store/use-answer.ts';
 import { useApp } from '../store/use-app.ts';
 import { Choice } from '../ui/components/fields.tsx';
-import { useAnswer } from '../ui/components/use-answer.ts';
 import { itemByKey } from '../ui/controls/navigation.ts';
 import { showElements } from '../viewport/camera.ts';
 import type { State } from '../store/state.ts';
@@ -71,11 +70,9 @@ export function WorstElements() {
 /** The worst elements by a choice, and what their values are. */
 function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<string>) {
   const { store, actions } = useApp();
-  const newest = useMemo(() => newestOnly(), []);
 
   async function ask() {
     const now = store.get();
-    if (!now.model) return undefined;
     const by = inEffect(now, chosen.peek());
     const about = by === COLOURS ? colouring(now) : undefined;
     const tolerance = (about ? toleranceOf(now, about) : now.document?.tolerance) ?? undefined;
@@ -84,15 +81,15 @@ function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<strin
       if (about) return actions.ask.worstFaces(about.id, ROWS, tolerance);
       return actions.ask.worstConstraints(Number(by), ROWS, tolerance);
     };
-    const rows = await newest(actions.reportErrors(worst()));
+    const rows = await actions.reportErrors(worst());
     if (!rows) return undefined;
     const what = about?.words ?? 'largest distance of a vertex from the shape of its constraint';
     return { rows, words: `The ${what}.` };
   }
 
   function follow() {
-    const { numbers, running, document, tolerances, measure, model } = store.state;
-    return [chosen.value, numbers, running, document, tolerances, measure, model];
+    const { numbers, running, document, tolerances, measure } = store.state;
+    return [chosen.value, numbers, running, document, tolerances, measure];
   }
 
   return useAnswer(place, ASK_EVERY_MS, follow, ask);

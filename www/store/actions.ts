@@ -10,7 +10,7 @@ import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { Edit, Handle, PanelStart, Require } from '../solver/types.ts';
 import { HANDLES_LOCKED, areHandlesLocked } from './handles.ts';
-import { verticesOf } from './selection.ts';
+import { existing, verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
 import { createViewActions } from './view-actions.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
@@ -216,6 +216,14 @@ export function createActions(
     makePanels,
     reportErrors,
     connectivity,
+
+    /** As `select` of the view, without what the mesh does not have; returns what is selected. */
+    select(elements: Parameters<typeof view.select>[0]) {
+      const found = existing(elements, solver.geometry);
+      view.select(found);
+      return found;
+    },
+
     selectedVertices,
     selectedHandles,
     addHandles,

@@ -3,6 +3,7 @@
 import { count } from '../ui/words.ts';
 import { IS_MAC } from '../ui/keys.ts';
 import type { Mode, Selection } from './state.ts';
+import type { Geometry } from '../solver/solver-client.ts';
 import type { Connectivity } from '../solver/types.ts';
 
 export type Combine = 'replace' | 'add' | 'remove';
@@ -53,6 +54,24 @@ export function verticesOf(
   for (const face of elements.faces)
     for (const vertex of cornersOf(connectivity, face)) vertices.add(vertex);
   return [...vertices].sort((a, b) => a - b);
+}
+
+/**
+ * Returns the elements that a mesh has: a list may be of one that was open before.
+ * @param mesh null if there is none
+ */
+export function existing(
+  { vertices, edges, faces }: Partial<Record<Mode, Iterable<number>>>,
+  mesh: Pick<Geometry, 'connectivity' | 'positions'> | null,
+): Record<Mode, number[]> {
+  const below = (most: number, items: Iterable<number> = []) =>
+    [...items].filter((item) => item < most);
+  const { positions = [], connectivity } = mesh ?? {};
+  return {
+    vertices: below(positions.length / 3, vertices),
+    edges: below((connectivity?.edges.length ?? 0) / 2, edges),
+    faces: below((connectivity?.faceOffsets.length ?? 1) - 1, faces),
+  };
 }
 
 /** Returns the corners of a face. */

@@ -42,6 +42,11 @@ export interface State {
   /** whose mesh is open, if any */
   example: Example | null;
   document: SceneDocument | null;
+  /**
+   * the model whose unit and axis the user has chosen, the digest of its file, and whether they are
+   * those that were guessed
+   */
+  frameChosen: { model: Loaded; digest: string | null; isGuess: boolean } | null;
   /** number of refused edits, after which the controls show the document again */
   refused: number;
   numbers: Numbers | null;
@@ -240,6 +245,7 @@ const INITIAL: State = {
   nothingOpen: false,
   example: null,
   document: null,
+  frameChosen: null,
   refused: 0,
   numbers: null,
   running: false,

@@ -110,6 +110,9 @@ export function createViewActions(store: Store) {
       setItem(MOUSE, mouse);
     },
 
+    /** Says that the user has chosen unit and axis. */
+    choseFrame: (frameChosen: State['frameChosen']) => store.set({ frameChosen }),
+
     /** Sets what the pointer is over. */
     pointAt: (over: Pick<State, 'gizmoPart' | 'pointedAt'>) => store.set(over),
 

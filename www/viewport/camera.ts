@@ -88,12 +88,11 @@ export function showElements(
   const { geometry } = solver;
   if (!geometry) return;
   const { connectivity } = geometry;
-  const all = {
+  const all = actions.select({
     vertices: Array.from(vertices),
     edges: Array.from(edges),
     faces: Array.from(faces),
-  };
-  actions.select(all);
+  });
   let around = new Set(verticesOf(all, connectivity));
   for (let ring = 0; ring < RINGS; ring++) around = withNeighbours(connectivity, around);
   if (around.size > 0) viewport.with((view) => view.fitVertices(Uint32Array.from(around)));

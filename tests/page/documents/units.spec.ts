@@ -78,6 +78,35 @@ test('the guess is shown in the panel, covers nothing, and is written into saved
   await expect(guess(page)).toBeHidden();
 });
 
+test('what is remembered of a file follows Undo and Redo, and the log says what is guessed', async ({
+  page,
+}) => {
+  // A unit that was taken back came again with the file, without a question.
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await showStep(page, 'Check');
+  await page.getByRole('tab', { name: 'Log' }).click();
+  const log = page.getByRole('tabpanel', { name: 'Log' });
+  await expect(log).toContainText('Unit: m (guessed) · z-up (guessed)');
+  await showStep(page, 'Shape');
+  const remembered = () =>
+    page.evaluate(() =>
+      JSON.parse(localStorage.getItem('shape-up.frames') ?? '[]').map(
+        ([, frame]: [string, object]) => frame,
+      ),
+    );
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('ft');
+  const feet = [{ units: 'ft', up: 'z' }];
+  await expect.poll(remembered).toEqual(feet);
+  await expect(log).toContainText('Unit: ft · z-up');
+  await page.keyboard.press('Control+z');
+  await expect(guess(page)).toBeVisible();
+  await expect.poll(remembered).toEqual([]);
+  await page.keyboard.press('Control+Shift+z');
+  await expect(guess(page)).toBeHidden();
+  await expect.poll(remembered).toEqual(feet);
+});
+
 test('another axis turns the view, and undo turns it back', async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer.startsWith('web'));
@@ -105,6 +134,17 @@ test('lengths are shown in the chosen unit', async ({ page }) => {
   const worst = page.locator('#numbers').getByText(/^[\d.]+ ft$/);
   await expect(worst.first()).toBeAttached();
   expect((await state(page)).planarity?.max_distance).toBeGreaterThan(0);
+});
+
+test('the estimate is in the unit that the user corrects', async ({ page }) => {
+  // It stayed in the one that was guessed.
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  const estimate = page.getByRole('group', { name: 'Panels', exact: true }).getByText(/on average/);
+  await expect(estimate).toHaveText(/[\d.]+ m on average/);
+  await showStep(page, 'Shape');
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('ft');
+  await expect(estimate).toHaveText(/[\d.]+ ft on average/);
 });
 
 test.describe('with slow answers', () => {

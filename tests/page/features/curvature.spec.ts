@@ -105,6 +105,18 @@ test('Gauss and mean curvature are coloured around zero, with units in metres', 
   await expect(legend).toContainText('Planarity');
 });
 
+test('the high end of a range around zero stays above zero', async ({ page }) => {
+  // Its low end is its mirror: past the middle the range was upside down, and all had one colour.
+  await openPage(page);
+  await openText(page, 'hypar.obj', hypar(12), 169);
+  const card = await openCurvature(page);
+  await card.getByLabel('Coloured by').selectOption('Mean curvature (1/m)');
+  const high = page.getByRole('slider', { name: 'High end of the range' });
+  await high.press('Home');
+  await expect(high).toHaveAttribute('aria-valuenow', '51');
+  await expect(page.getByLabel('Colours to')).not.toHaveValue(/^−/);
+});
+
 test('another measure than a curvature is the one before', async ({ page }) => {
   // The faces lost their colours.
   await openPage(page);

@@ -5,7 +5,7 @@ import { test, type TestContext } from 'node:test';
 import { Layouts } from '../../../www/features/make-panels/layouts.ts';
 import { Cancelled } from '../../../www/solver/errors.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
-import { createStore } from '../../../www/store/state.ts';
+import { createStore, type State } from '../../../www/store/state.ts';
 import type { AppContext } from '../../../www/app/context.ts';
 
 /** The parts of the solver that layouts follow. */
@@ -38,11 +38,12 @@ async function begun(context: TestContext, boundary: string | null = null) {
   });
   const viewport = Object.assign(new Emitter<object>(), { unmeasured() {} });
   const actions = { display() {} };
-  const app = { store: createStore(), solver, jobs, viewport, actions };
+  const store = createStore();
+  const app = { store, solver, jobs, viewport, actions };
   const layouts = new Layouts(app as unknown as AppContext, () => {});
   context.after(layouts.begin());
   await answered();
-  return { solver, layouts, said: () => layouts.said.value.words };
+  return { store, solver, layouts, said: () => layouts.said.value.words };
 }
 
 const answered = () => new Promise((done) => setTimeout(done));
@@ -59,6 +60,18 @@ test('panels for a changed shape stay when the frame with it comes after them', 
   solver.frame(2);
   await answered();
   assert.equal(said(), 'for 2');
+});
+
+test('panels are laid out again in another unit, in which their words are', async (context) => {
+  // The card of new panels, its lengths said in the unit that was guessed, stayed for good.
+  const { store, solver, layouts } = await begun(context);
+  const before = layouts.laidOut.value;
+  for (const units of ['m', 'mm']) {
+    store.set({ document: { units } as State['document'] });
+    solver.scene(1);
+    await answered();
+  }
+  assert.notEqual(layouts.laidOut.value, before);
 });
 
 test('a shape that moves removes the panels, and at rest it has some again', async (context) => {

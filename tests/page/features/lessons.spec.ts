@@ -165,6 +165,28 @@ test('a lesson with a missing limit or without goals is not saved, and can be re
   await expect(lesson(page)).toBeHidden();
 });
 
+test('a goal on a measure of both signs stays one when the lesson is saved again', async ({
+  page,
+}) => {
+  // It became one on the first measure, with its limit in another unit.
+  const scene = await sceneOf(page);
+  const goal = { measure: 'mean-curvature', at_most: 0.1 };
+  const lesson = { text: WORDS, goals: [goal], lock: [] };
+  await page.evaluate((all) => window.shapeUp.open(all, 'lesson.shapeup.json'), {
+    ...scene,
+    lesson,
+  });
+  await showStep(page, 'Shape');
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  const dialog = page.getByRole('dialog', { name: 'Lesson' });
+  await dialog.getByLabel('Task').fill('Another task.');
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
+  await expect(dialog).toBeHidden();
+  const saved = (await sceneOf(page)).lesson;
+  expect(saved.text).toBe('Another task.');
+  expect(saved.goals).toEqual([goal]);
+});
+
 test('a lesson with locks is passed on twice, as a file and as a link', async ({
   page,
   context,

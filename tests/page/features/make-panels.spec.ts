@@ -83,6 +83,8 @@ test.describe('with every row closed', () => {
     // The row shows it, too.
     await showStep(page, 'Shape');
     const row = page.getByRole('list', { name: 'Constraints' }).getByRole('listitem');
+    // It was compared with what is required of the others.
+    await expect(row.getByText(/^satisfied, \d+ panels? within [\d.]+ m+$/)).toBeVisible();
     await row.getByRole('button', { name: /parameters/ }).click();
     await expect(
       row.getByText(/^\d+ panels have a relaxed tolerance of .+, so that none folds\.$/),
@@ -326,4 +328,34 @@ test('unconstrained vertices are reported, and follow or are fixed by one click'
   await notice.getByRole('button', { name: 'Fix them' }).click();
   await expect(notice).toBeHidden();
   await waitForState(page, (now, count) => now.handles.length === count, VERTICES - 6);
+});
+
+test('vertices that stand still are those of the set that there is now', async ({ page }) => {
+  // As many as before stood still, and those before stayed marked.
+  await openPage(page);
+  const scene = JSON.parse(quadScene(N));
+  delete scene.current;
+  scene.sets = { eaves: { vertices: [0, 1] } };
+  scene.constraints = [{ kind: 'line', on: { set: 'eaves' } }];
+  await openText(page, 'roof.shapeup.json', JSON.stringify(scene), VERTICES);
+  const notice = page.getByRole('group', { name: 'Vertices that stand still' });
+  await expect(notice).toContainText(`${VERTICES - 2} vertices stand still`);
+  const [first, second] = [await screenOf(page, VERTICES - 1), await screenOf(page, VERTICES - 2)];
+  await page.keyboard.press('1');
+  await page.mouse.click(...first);
+  await page.keyboard.down('Shift');
+  await page.mouse.click(...second);
+  await page.keyboard.up('Shift');
+  await page.getByRole('button', { name: /select by/i }).click();
+  const menu = page.getByRole('dialog', { name: 'Select' });
+  await menu.getByRole('button', { name: 'Save as a set…' }).click();
+  await page.getByRole('textbox', { name: 'Name of the set' }).fill('eaves');
+  await page.getByRole('button', { name: 'Save set' }).click();
+  const vertices = () => page.evaluate(() => window.shapeUp.scene().sets.eaves.vertices);
+  await expect.poll(vertices).toEqual([VERTICES - 2, VERTICES - 1]);
+  await page.evaluate(() => window.shapeUp.settled());
+  await notice.getByRole('button', { name: 'Select' }).click();
+  const { selection } = await state(page);
+  expect(selection.vertices).toContain(0);
+  expect(selection.vertices).not.toContain(VERTICES - 1);
 });

@@ -231,3 +231,24 @@ test('every point is reached by keys, and a loop that was drawn has the focus', 
   await page.keyboard.press('Enter');
   await expect(point(dialog, 1)).toBeFocused();
 });
+
+test('a plan and sizes are there again after a look at another shape, also in another unit', async ({
+  page,
+}) => {
+  // Each form forgot what was in it when another shape was chosen; a unit dropped all undo steps.
+  const dialog = await openPlan(page);
+  const shape = dialog.getByLabel('Shape');
+  await point(dialog, 2).focus();
+  await page.keyboard.press('ArrowRight');
+  await shape.selectOption({ label: 'Dome' });
+  const size = dialog.getByRole('spinbutton').first();
+  await size.fill('9');
+  await shape.selectOption({ label: 'From a plan' });
+  await expect(point(dialog, 2)).toHaveAccessibleName('Point 2 of the outline, 22, 0 m, corner');
+  await dialog.getByLabel('Unit').selectOption('mm');
+  await expect(point(dialog, 2)).toHaveAccessibleName(/22000, 0 mm/);
+  await dialog.getByRole('button', { name: 'Undo' }).click();
+  await expect(point(dialog, 2)).toHaveAccessibleName(/20000, 0 mm/);
+  await shape.selectOption({ label: 'Dome' });
+  await expect(size).toHaveValue('9000');
+});

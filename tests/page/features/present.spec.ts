@@ -153,6 +153,16 @@ test('the steps are saved in the scene: they can be moved, removed, and undone',
   await expect.poll(titles).toEqual(['Flat panels', 'The design']);
 });
 
+test('another view for a step leaves its shape', async ({ page }) => {
+  // A step of the original showed the current shape from then on.
+  await makeSteps(page);
+  const step = dialogOf(page).getByRole('listitem').first();
+  await step.getByRole('button', { name: 'Replace by this view' }).click();
+  await expect.poll(async () => (await sceneOf(page)).steps?.[0].measure).toBe('displacement');
+  expect((await sceneOf(page)).steps?.[0]).toMatchObject({ title: 'The design', original: true });
+  await expect(step.getByLabel('Shape of step 1')).toHaveValue('original');
+});
+
 /** The colours of each step's picture, as one string per step. */
 const picturesOf = (page: Page) =>
   dialogOf(page)

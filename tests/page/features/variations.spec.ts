@@ -4,7 +4,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { openText, openVariations, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { everything, expect, openPage, state, test, waitForState } from '../support.ts';
+import { boxOf, everything, expect, openPage, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -86,16 +86,28 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   expect(opened.positions).toEqual(kept.positions);
   expect(opened.scene.variants).toEqual(kept.scene.variants);
 
-  // A second press before the strip is drawn anew does not remove the next shape.
+  // A second press before the strip is drawn anew does not remove the next shape, and a press on that
+  // opens it.
   await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Variations', exact: true }).click();
-  await strip.getByRole('button', { name: 'Remove Start' }).evaluate((button: HTMLElement) => {
-    button.click();
-    button.click();
-  });
+  const next = strip.getByRole('button', { name: 'Variation 1', exact: true });
+  await strip.getByRole('button', { name: 'Remove Start' }).evaluate(
+    (button: HTMLElement, next) => {
+      button.click();
+      button.click();
+      (next as HTMLElement).click();
+    },
+    await next.elementHandle(),
+  );
   await expect(table.getByRole('row')).toHaveCount(2);
   await page.evaluate(() => window.shapeUp.settled());
   await expect(page.getByRole('alert')).toBeEmpty();
+
+  // The last column was cut off.
+  await page.setViewportSize({ width: 320, height: 640 });
+  await table.scrollIntoViewIfNeeded();
+  const { x, width } = await boxOf(table);
+  expect(x + width).toBeLessThanOrEqual(320);
 });
 
 test('a variation that is left while it is made exact does not come back', async ({ page }) => {

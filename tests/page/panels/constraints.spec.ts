@@ -24,6 +24,17 @@ test.describe('with every row closed', () => {
     await addConstraint(page, 'Plane', 'each face');
     await addConstraint(page, 'Circle', 'each face');
     await showStep(page, 'Shape');
+    await rows(page)
+      .nth(1)
+      .getByRole('button', { name: /parameters/ })
+      .click();
+    // Its last button was cut off.
+    const steps = page.getByRole('complementary', { name: 'Steps' });
+    expect(await steps.evaluate((all) => all.scrollWidth - all.clientWidth)).toBe(0);
+    await rows(page)
+      .nth(1)
+      .getByRole('button', { name: /parameters/ })
+      .click();
     const share = async (row: number) => {
       const text = await rows(page).nth(row).innerText();
       return Number(/(\d+) % of the total energy/.exec(text)?.[1]);
@@ -102,6 +113,34 @@ test('settings come from the declared list, take effect, and can be undone', asy
   await expect.poll(async () => (await sceneOf(page)).closeness).toEqual({ to: 'rest' });
 });
 
+test('what is typed in a row goes with the row', async ({ page }) => {
+  // It became the weight, or the name, of the row in its place in the model that was opened next.
+  await addConstraint(page, 'Plane', 'each face');
+  await showStep(page, 'Shape');
+  const scene = JSON.stringify({
+    ...(await sceneOf(page)),
+    constraints: [{ kind: 'circle', on: 'faces' }],
+  });
+  const openOther = async () => {
+    await page.evaluate((text) => window.shapeUp.open(text, 'other.shapeup.json'), scene);
+    await expect(rows(page)).toContainText('Circle');
+    await page.evaluate(() => window.shapeUp.settled());
+    return (await sceneOf(page)).constraints;
+  };
+  await rows(page)
+    .getByRole('spinbutton', { name: /weight/ })
+    .selectText();
+  await page.keyboard.type('7');
+  const untouched = await openOther();
+  expect(untouched[0].weight).toBeUndefined();
+  await rows(page)
+    .getByRole('button', { name: /parameters/ })
+    .focus();
+  await page.keyboard.press('F2');
+  await page.keyboard.type('Mine');
+  expect(await openOther()).toEqual(untouched);
+});
+
 test('a preset sets all its weights and settings, and shows its assumptions beforehand', async ({
   page,
 }) => {
@@ -125,6 +164,13 @@ test('a preset sets all its weights and settings, and shows its assumptions befo
   expect((await sceneOf(page)).closeness.to).toBe('none');
   await page.keyboard.press('Control+z');
   await expect(preset).toHaveValue('fig-5');
+  // The warning stayed when there was a handle.
+  await preset.selectOption('Figures 6 and 8: only constraints');
+  await expect(warning).toBeVisible();
+  await page.mouse.click(...(await screenOf(page, MIDDLE)));
+  await page.keyboard.press('h');
+  await waitForState(page, (now) => now.handles.length === 1);
+  await expect(warning).toBeHidden();
 });
 
 test('the selection is held closer than the rest, and evenly again', async ({ page }) => {

@@ -202,3 +202,15 @@ async function worst(page: Page) {
     .textContent();
   return Number.parseFloat(known(text?.match(/\d[\d.e-]*/))[0]);
 }
+
+test('the worst elements of a mesh are gone once another one is open', async ({ page }) => {
+  // Until the table was in sight and the solver had answered, its rows selected faces by their number
+  // in the mesh before.
+  const rows = page.locator('.worst-elements tbody tr');
+  await addConstraint(page, 'Plane', 'each face');
+  await showTab(page, 'Worst');
+  await expect(rows).not.toHaveCount(0);
+  await showTab(page, 'Log');
+  await openText(page, 'small.obj', wavyGrid(2), 9);
+  await expect(rows).toHaveCount(0);
+});

@@ -49,6 +49,21 @@ test('a number that is being typed is not replaced by one that comes meanwhile',
   await expect(weight).toHaveValue(before);
 });
 
+test('a number that is typed and not entered is not meant for the next model', async ({ page }) => {
+  // The first press beside the field made it an edit of the model that had been opened meanwhile.
+  await openGrid(page, 4);
+  const weight = page.getByRole('spinbutton', { name: 'Smooth weight', exact: true });
+  const before = await weight.inputValue();
+  await weight.selectText();
+  await page.keyboard.type('7');
+  await openText(page, 'other.obj', wavyGrid(3), 16);
+  await expect(weight).toHaveValue(before);
+  await weight.blur();
+  // What the press would have sent is done before this.
+  await addConstraint(page, 'Plane', 'each face');
+  expect((await sceneOf(page)).weights.smooth).toBe(Number(before));
+});
+
 test('Within takes the tolerance as it is, not as it was when the row was opened', async ({
   page,
 }) => {

@@ -2,7 +2,14 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { NOTHING, combineOf, describe, select, verticesOf } from '../../../www/store/selection.ts';
+import {
+  NOTHING,
+  combineOf,
+  describe,
+  existing,
+  select,
+  verticesOf,
+} from '../../../www/store/selection.ts';
 
 /** What a click does with these keys held. */
 const withKeys = (held: Partial<Parameters<typeof combineOf>[0]>) =>
@@ -22,16 +29,25 @@ test('Shift adds, Ctrl removes, and a plain click replaces', () => {
   assert.deepEqual([[...vertex.vertices], [...vertex.faces]], [[1], []]);
 });
 
+const square = {
+  faceOffsets: Uint32Array.of(0, 4),
+  faceIndices: Uint32Array.of(0, 1, 2, 3),
+  untouchedOffsets: Uint32Array.of(0),
+  unplaced: new Uint32Array(0),
+  curveOffsets: Uint32Array.of(0),
+  curveIndices: Uint32Array.of(),
+  edges: Uint32Array.of(2, 9),
+};
+
+test('elements that a mesh does not have are left out', () => {
+  // A face without corners stood for all of them.
+  const mesh = { connectivity: square, positions: new Float64Array(12) };
+  const asked = { vertices: [3, 4], edges: [0, 1], faces: [0, 900] };
+  assert.deepEqual(existing(asked, mesh), { vertices: [3], edges: [0], faces: [0] });
+  assert.deepEqual(existing(asked, null), { vertices: [], edges: [], faces: [] });
+});
+
 test('selected faces and edges stand for their vertices, each listed once', () => {
-  const square = {
-    faceOffsets: Uint32Array.of(0, 4),
-    faceIndices: Uint32Array.of(0, 1, 2, 3),
-    untouchedOffsets: Uint32Array.of(0),
-    unplaced: new Uint32Array(0),
-    curveOffsets: Uint32Array.of(0),
-    curveIndices: Uint32Array.of(),
-    edges: Uint32Array.of(2, 9),
-  };
   const selection = { vertices: new Set([3]), edges: new Set([0]), faces: new Set([0]) };
   assert.deepEqual(verticesOf(selection, square), [0, 1, 2, 3, 9]);
   assert.equal(describe(selection), '1 vertex, 1 edge, 1 face');

@@ -104,7 +104,7 @@ export class LiveBuild {
       if (isMoving && isSlow && !isOther && !isSaved) {
         // The last build no longer belongs to this shape.
         this.#key = '';
-        return this.#showOffset(await jobs.ask.reshape(this.#asker, positions));
+        return await this.#offset(jobs.ask.reshape(this.#asker, positions));
       }
       [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
       this.#generation = generation;
@@ -115,24 +115,36 @@ export class LiveBuild {
       const begun = performance.now();
       const built = await jobs.ask.build(this.#asker, shape, MOST_SHEETS);
       this.#milliseconds = performance.now() - begun;
-      this.#show(built);
+      if (this.#isOf(mesh)) this.#show(built);
     } catch (error) {
       this.#agreed = '';
       // It was in the way of another job, which was cancelled.
       if (isUnmeant(error)) return await this.#once(isSaved);
       // A build that was cancelled, or has ended its worker, is not begun again by itself.
       this.#key = keyNow();
-      this.#refuse(messageOf(error));
+      if (this.#isOf(mesh)) this.#refuse(messageOf(error));
       if (isSaved) throw error;
     }
   }
 
   /**
-   * Previews the offset at another distance.
+   * Shows the offset at another distance.
    * @param distance in the unit of the mesh
    */
   moveLayer(distance: number) {
-    return this.#ofLast(() => this.#app.jobs.ask.moveLayer(this.#asker, distance));
+    return this.#offset(this.#ofLast(() => this.#app.jobs.ask.moveLayer(this.#asker, distance)));
+  }
+
+  /** Shows an offset unless another mesh has been opened meanwhile. */
+  async #offset(made: Promise<Reshaped>) {
+    const { geometry } = this.#app.solver;
+    const reshaped = await made;
+    if (this.#isOf(geometry?.connectivity)) this.#showOffset(reshaped);
+  }
+
+  /** Whether this mesh is open. */
+  #isOf(mesh: object | undefined) {
+    return this.#app.solver.geometry?.connectivity === mesh;
   }
 
   /** The error of each kind of offset. */

@@ -35,9 +35,7 @@ export class Parts {
   });
   #tried = latestOnly((distance: number | null) =>
     this.#app.actions.reportErrors(
-      distance === null
-        ? this.live.again()
-        : this.live.moveLayer(distance).then((card) => this.#showOffset(card)),
+      distance === null ? this.live.again() : this.live.moveLayer(distance),
     ),
   );
 
@@ -56,13 +54,14 @@ export class Parts {
     const { store, actions } = this.#app;
     this.#isOpen = true;
     void actions.reportErrors(this.#open());
-    const stop = store.subscribe(
-      ['document', 'numbers', 'running', 'dragged', 'model'],
-      ({ model }) => {
-        if (!model) actions.dock(null);
-        else void this.live.update();
-      },
-    );
+    let { model } = store.get();
+    const stop = store.subscribe(['document', 'numbers', 'running', 'dragged', 'model'], (now) => {
+      // Panels of another mesh mean nothing here.
+      if (now.model !== model) this.#withdraw();
+      ({ model } = now);
+      if (!model) actions.dock(null);
+      else void this.live.update();
+    });
     return () => {
       stop();
       this.#isOpen = false;

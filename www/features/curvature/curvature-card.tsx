@@ -4,10 +4,10 @@
  */
 
 import './curvature.css';
-import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { declared } from '../../store/colours/measures.ts';
-import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
+import { useForecastWords } from '../../store/use-forecast-words.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { AmountField, Choice } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
@@ -142,18 +142,9 @@ function Colours({ other }: { other: () => void }) {
   );
 }
 
-/** What the curvature means for panels; requested once for each model. */
+/** What the curvature means for panels. */
 function Consequences() {
-  const { store, actions } = useApp();
-  const { model } = store.state;
-  const newest = useMemo(() => newestOnly(() => store.get().model), [store]);
-  const [words, setWords] = useState('');
-  useEffect(() => {
-    setWords('');
-    void newest(actions.trials.forecast().catch(() => null)).then((forecast) => {
-      if (forecast !== undefined) setWords(forecast?.words ?? '');
-    });
-  }, [model]);
+  const words = useForecastWords(true)?.words;
   return <p hidden={!words}>{words}</p>;
 }
 

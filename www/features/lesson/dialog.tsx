@@ -53,8 +53,11 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
     const { symbol, factor } = writtenUnit(unit, units, 1);
     return { unit: symbol, factor };
   };
-  // Signed measures are not errors.
-  const measures = state.model?.faces ? state.measures.filter(({ signed }) => !signed) : [];
+  const isAsked = (id: string) => lesson?.goals.some(({ measure }) => measure === id);
+  // Signed measures are not errors, but a file may have a goal on one.
+  const measures = state.model?.faces
+    ? state.measures.filter(({ signed, id }) => !signed || isAsked(id))
+    : [];
   /** The goal that counts faces beyond a length. */
   const counting = (measure: string, beyond: number) => ({
     value: `beyond ${beyond} ${measure}`,

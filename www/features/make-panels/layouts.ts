@@ -80,15 +80,20 @@ export class Layouts {
   /** Lays out and draws, until the returned function is called. */
   begin() {
     const { store, solver, jobs, viewport } = this.#app;
-    const { model: about } = store.get();
+    const { model: about, document } = store.get();
+    let units = document?.units;
     this.#isOpen = true;
     const stops = [
       this.#draws(),
       jobs.on('told', ({ words }) => {
         if (this.#layouts.isBusy()) this.doing.value = words;
       }),
-      store.subscribe(['model'], ({ model }) => {
-        if (model !== about) this.#close();
+      store.subscribe(['model', 'document'], ({ model, document: now }) => {
+        if (model !== about) return this.#close();
+        // The words have lengths.
+        if (!now || now.units === units) return;
+        ({ units } = now);
+        this.#update();
       }),
       solver.on('frame', ({ generation }) => {
         const laidOut = this.laidOut.value;

@@ -28,7 +28,7 @@ export class Verdicts {
   #app;
   #renewals = latestOnly(() => this.#renew());
   #isFollowed = false;
-  /** The shape and the tolerance for which better presses were looked for. */
+  /** The shape, the tolerance and the unit for which better presses were looked for. */
   #triedFor = '';
 
   constructor(app: AppContext) {
@@ -90,11 +90,11 @@ export class Verdicts {
     return press.shape === shape ? `${press.label}: ` : '';
   }
 
-  /** Looks for presses that end better than `verdict`; once for each shape. */
+  /** Looks for presses that end better than `verdict`; once for each shape, in the words of each unit. */
   async #findBetter({ tolerance, required }: PanelVerdict) {
-    const { solver, actions } = this.#app;
+    const { store, solver, actions } = this.#app;
     const shape = solver.geometry?.generation;
-    const asked = `${shape} ${tolerance} ${required}`;
+    const asked = `${shape} ${tolerance} ${required} ${store.get().document?.units}`;
     if (this.#triedFor === asked) return actions.suggest(shape, this.better.value.presses);
     if (!required) return;
     this.#triedFor = asked;

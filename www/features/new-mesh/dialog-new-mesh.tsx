@@ -1,25 +1,23 @@
 /** The New mesh dialog: the kinds that the solver declares, their sizes, and the mesh in the view. */
 
 import './new-mesh.css';
-import { useEffect, useLayoutEffect, useState } from 'preact/hooks';
+import { useEffect, useLayoutEffect, useMemo, useState } from 'preact/hooks';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
 import { rounded, unitsOfLength } from '../../ui/words.ts';
 import init, { newKinds, newMesh as meshOf } from '../../pkg/engine/shape_up.js';
-import { metresOrOne } from './plan.ts';
+import { metresOrOne, PLAN } from './plan.ts';
 import { PlanForm } from './plan-form.tsx';
-import { openMesh, SpanForm } from './span-form.tsx';
+import { openMesh, SPAN, SpanForm } from './span-form.tsx';
 import { Trial, type Asked } from './trial.ts';
+import { useKept, type Kept } from './use-kept.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { NewKind, Size } from '../../pkg/engine/shape_up.js';
 
 /** The unit of the defaults. */
 const METRE = 'm';
-/** Choices that are not kinds of the solver. */
-export const PLAN = { id: 'plan', label: 'From a plan' };
-const SPAN = { id: 'span', label: 'Between curves' };
 
 /** @param first what is chosen at first; by default the first kind */
 export async function newMesh(app: AppContext, first?: { id: string }) {
@@ -47,6 +45,7 @@ function NewMesh({
 }) {
   const [id, setId] = useState(first);
   const [unit, setUnit] = useState(METRE);
+  const kept: Kept = useMemo(() => new Map(), []);
   useEffect(() => trial.begin(close), [trial]);
   const choices = [...kinds, PLAN, SPAN];
   const kind = kinds.find((one) => one.id === id);
@@ -76,9 +75,9 @@ function NewMesh({
         )}
       </div>
       <div class="form">
-        {kind && <SizesForm key={id} kind={kind} unit={unit} ask={ask} />}
-        {id === PLAN.id && <PlanForm unit={unit} ask={ask} />}
-        {id === SPAN.id && <SpanForm open={open} ask={ask} />}
+        {kind && <SizesForm key={id} {...{ kind, unit, kept, ask }} />}
+        {id === PLAN.id && <PlanForm {...{ unit, kept, ask }} />}
+        {id === SPAN.id && <SpanForm {...{ open, kept, ask }} />}
       </div>
       <footer>
         <p aria-live="polite">{trial.said.value}</p>
@@ -102,28 +101,31 @@ const isWithin = (value: number, { least, most }: Size) => value >= least && val
 function SizesForm({
   kind: { id, summary, sizes },
   unit,
+  kept,
   ask,
 }: {
   kind: NewKind;
   unit: string;
+  kept: Kept;
   ask: (asked: Asked) => void;
 }) {
-  /** In their unit, and what is wrong with each. */
-  const [{ values, of, problems }, set] = useState({
+  /** In their unit. */
+  const [{ values, of }, set] = useKept(kept, id, () => ({
     values: sizes.map(({ of, default: value }) =>
       of === 'length' ? rounded(value, DIGITS) : value,
     ),
     of: METRE,
-    problems: sizes.map(() => ''),
-  });
+  }));
+  /** What is wrong with what is typed for each. */
+  const [problems, setProblems] = useState(sizes.map(() => ''));
   useLayoutEffect(() => {
     if (of === unit) return;
     const factor = metresOrOne(of) / metresOrOne(unit);
     const now = values.map((value, i) =>
       sizes[i].of === 'length' ? rounded(value * factor, DIGITS) : value,
     );
-    const wrong = problems.map((problem, i) => (isWithin(now[i], sizes[i]) ? '' : problem));
-    set({ values: now, of: unit, problems: wrong });
+    setProblems(problems.map((problem, i) => (isWithin(now[i], sizes[i]) ? '' : problem)));
+    set({ values: now, of: unit });
   }, [unit]);
   useLayoutEffect(() => {
     function make() {
@@ -143,9 +145,10 @@ function SizesForm({
             size={size}
             value={values[i]}
             unit={of}
-            onSize={(value, problem) =>
-              set({ values: values.with(i, value), of, problems: problems.with(i, problem) })
-            }
+            onSize={(value, problem) => {
+              set({ values: values.with(i, value), of });
+              setProblems(problems.with(i, problem));
+            }}
           />
         ))}
       </div>

@@ -1,15 +1,16 @@
 /** The form of a plan: an outline drawn or typed, its division into panels, and its height. */
 
 import './plan.css';
-import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { firstIn } from '../../ui/components/number-steps.ts';
 import { SizeField } from '../../ui/components/size-field.tsx';
 import { limit, rounded } from '../../ui/words.ts';
 import { bulgeOf } from '../../pkg/engine/shape_up.js';
-import { DrawnPlan, nameOf, roundedPlace, type Plan, type Sketch } from './plan.ts';
+import { DrawnPlan, nameOf, PLAN, roundedPlace, type Plan, type Sketch } from './plan.ts';
 import { PlanDrawing } from './plan-drawing.tsx';
+import { useKept, type Kept } from './use-kept.ts';
 import type { Asked } from './trial.ts';
 
 const HINT = 'Drag points; pull the middle of a side to make it an arc. Hold Alt to move freely.';
@@ -32,9 +33,19 @@ const SIZES = [
   { id: 'turn', label: 'Turned by', of: 'degrees', least: -180, most: 180 },
 ] as const;
 
-export function PlanForm({ unit, ask }: { unit: string; ask: (asked: Asked) => void }) {
-  const drawn = useMemo(() => new DrawnPlan(unit), []);
+export function PlanForm({
+  unit,
+  kept,
+  ask,
+}: {
+  unit: string;
+  kept: Kept;
+  ask: (asked: Asked) => void;
+}) {
+  const [drawn] = useKept(kept, PLAN.id, () => new DrawnPlan(unit));
   useLayoutEffect(() => drawn.convert(unit), [unit]);
+  // What is wrong in a field goes with the field.
+  useLayoutEffect(() => () => void (drawn.problems.value = {}), []);
   const plan = drawn.plan.value;
   const problems = drawn.problems.value;
   useLayoutEffect(

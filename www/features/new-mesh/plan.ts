@@ -27,6 +27,9 @@ export interface Sketch {
   pointer: Place | null;
 }
 
+/** The choice of a plan, which is no kind of the solver. */
+export const PLAN = { id: 'plan', label: 'From a plan' };
+
 /** Maximum number of undo steps. */
 const MOST_STEPS = 100;
 const DIGITS = 6;
@@ -197,12 +200,15 @@ export class DrawnPlan {
     this.wantsFocus = true;
   }
 
-  /** Converts the plan to another unit. */
+  /** Converts the plan, what is drawn and the earlier plans to another unit. */
   convert(unit: string) {
     if (unit === this.unit.value) return;
     const factor = metresOrOne(this.unit.value) / metresOrOne(unit);
+    const moved = ([x, y]: Place): Place => [factor * x, factor * y];
+    const sketch = this.sketch.value;
     this.unit.value = unit;
-    this.steps.value = [];
+    this.steps.value = this.steps.value.map((plan) => scaled(plan, factor));
+    this.sketch.value = sketch && { ...sketch, places: sketch.places.map(moved), pointer: null };
     this.#replace(scaled(this.plan.value, factor));
   }
 

@@ -5,8 +5,12 @@ import { Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
 import { length, rounded } from '../../ui/words.ts';
 import { NewSpans } from '../../pkg/engine/shape_up.js';
+import { useKept, type Kept } from './use-kept.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Asked } from './trial.ts';
+
+/** The choice of curves, which is no kind of the solver. */
+export const SPAN = { id: 'span', label: 'Between curves' };
 
 /** Initial panel size, as a fraction of the longest curve. */
 const PANEL = 0.05;
@@ -30,14 +34,28 @@ function spansOf(open: OpenMesh) {
   return new NewSpans(positions, faceOffsets, faceIndices, curveOffsets, curveIndices, units, up);
 }
 
-export function SpanForm({ open, ask }: { open: OpenMesh; ask: (asked: Asked) => void }) {
+export function SpanForm({
+  open,
+  kept,
+  ask,
+}: {
+  open: OpenMesh;
+  kept: Kept;
+  ask: (asked: Asked) => void;
+}) {
   const spans = useMemo(() => spansOf(open), [open]);
   const curves = useMemo(() => spans?.curves() ?? [], [spans]);
   const units = open?.units ?? '';
   const longest = Math.max(0, ...curves.map((curve) => curve.length));
-  const [isInside, setInside] = useState(curves.length < 2);
-  const [chosen, setChosen] = useState({ first: '', second: '' });
-  const [size, setSize] = useState({ panel: rounded(PANEL * longest, 3), problem: '' });
+  const [chosen, choose] = useKept(kept, SPAN.id, () => ({
+    isInside: curves.length < 2,
+    first: '',
+    second: '',
+    panel: rounded(PANEL * longest, 3),
+  }));
+  /** What is wrong with what is typed. */
+  const [problem, setProblem] = useState('');
+  const { isInside, panel } = chosen;
 
   const all = curves.map(
     ({ label, length: far }, i) => [String(i), `${label}, ${length(far, units)}`] as const,
@@ -52,13 +70,13 @@ export function SpanForm({ open, ask }: { open: OpenMesh; ask: (asked: Asked) =>
   useLayoutEffect(() => {
     function make() {
       if (!spans || curves.length === 0) throw new Error(NO_CURVES);
-      if (size.problem) throw new Error(size.problem);
+      if (problem) throw new Error(problem);
       if (first === '') throw new Error('None of the curves is closed.');
       const other = isInside ? undefined : Number(second);
-      return { text: spans.mesh(Number(first), other, size.panel), supports: [] };
+      return { text: spans.mesh(Number(first), other, panel), supports: [] };
     }
     ask({ make });
-  }, [isInside, first, second, size]);
+  }, [isInside, first, second, panel, problem]);
 
   const label = 'Size of a panel';
   return (
@@ -76,7 +94,7 @@ export function SpanForm({ open, ask }: { open: OpenMesh; ask: (asked: Asked) =>
                 ['between', 'Between two curves'],
                 ['inside', 'Inside a closed curve'],
               ]}
-              onChoose={(how) => setInside(how === 'inside')}
+              onChoose={(how) => choose({ ...chosen, isInside: how === 'inside' })}
             />
           </label>
           <label>
@@ -84,7 +102,7 @@ export function SpanForm({ open, ask }: { open: OpenMesh; ask: (asked: Asked) =>
             <Choice
               value={first}
               options={firsts}
-              onChoose={(value) => setChosen({ ...chosen, first: value })}
+              onChoose={(value) => choose({ ...chosen, first: value })}
             />
           </label>
           {!isInside && (
@@ -93,17 +111,18 @@ export function SpanForm({ open, ask }: { open: OpenMesh; ask: (asked: Asked) =>
               <Choice
                 value={second}
                 options={all}
-                onChoose={(value) => setChosen({ ...chosen, second: value })}
+                onChoose={(value) => choose({ ...chosen, second: value })}
               />
             </label>
           )}
           <SizeField
             size={{ label, of: 'length', least: 1e-6 * longest, most: longest }}
-            value={size.panel}
+            value={panel}
             unit={units}
-            onSize={(panel, problem) =>
-              setSize({ panel, problem: problem && `${label}: ${problem}` })
-            }
+            onSize={(panel, problem) => {
+              choose({ ...chosen, panel });
+              setProblem(problem && `${label}: ${problem}`);
+            }}
           />
         </div>
       )}

@@ -121,8 +121,9 @@ function StepsDialog({ close }: InDialog) {
                 title="The view, the measure and the weights as they are now"
                 onClick={() =>
                   change((all) => {
-                    const { title, text, notes, run } = all[i];
-                    return all.with(i, { ...slides.stepNow(title), text, notes, run });
+                    const { title, text, notes, run, original, variant } = all[i];
+                    const kept = { text, notes, run, original, variant };
+                    return all.with(i, { ...slides.stepNow(title), ...kept });
                   })
                 }
               >

@@ -6,7 +6,7 @@ import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { areaOf, groupDigits, length } from '../../ui/words.ts';
 import { Thumbnail } from './thumbnail.tsx';
-import type { Connectivity, SceneDocument, VariantRow } from '../../solver/types.ts';
+import type { Connectivity, Edit, SceneDocument, VariantRow } from '../../solver/types.ts';
 
 /** Headings and tooltips of the table. */
 const COLUMNS = [
@@ -29,7 +29,7 @@ interface KeptShapes {
 export function Kept() {
   const { store } = useApp();
   const kept = useKept();
-  const remove = useRemoval();
+  const change = useKeptChange();
   const hasAny = (store.state.document?.variants.length ?? 0) > 0;
   return (
     <div class="kept">
@@ -43,9 +43,9 @@ export function Kept() {
             <KeptCard
               key={row.name}
               row={row}
-              index={index}
               of={kept}
-              remove={() => remove(index, kept.scene)}
+              shape={kept.shapes[index]}
+              change={change}
             />
           ))}
         </div>
@@ -74,16 +74,15 @@ export function Kept() {
 
 function KeptCard({
   row: { name, isCurrent, isDesign },
-  index,
-  of: { scene, connectivity, shapes },
-  remove,
+  of: { scene, connectivity },
+  shape,
+  change,
 }: {
   row: VariantRow;
-  index: number;
   of: KeptShapes;
-  remove: () => unknown;
+  shape: Float64Array;
+  change: ReturnType<typeof useKeptChange>;
 }) {
-  const { actions } = useApp();
   const place = useRef<HTMLButtonElement>(null);
   useLayoutEffect(() => {
     if (isCurrent) place.current?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
@@ -96,12 +95,19 @@ function KeptCard({
         class="kept-picture"
         title={isCurrent ? 'This shape is open' : `Go to ${name}`}
         aria-current={isCurrent || undefined}
-        onClick={() => actions.edit({ goToVariant: { index } })}
+        onClick={() => change(name, (index) => ({ goToVariant: { index } }))}
       >
-        <Thumbnail connectivity={connectivity} shape={shapes[index]} up={scene.up} />
+        <Thumbnail connectivity={connectivity} shape={shape} up={scene.up} />
         <span>{name}</span>
       </button>
-      <div>{!isDesign && <CloseButton label={`Remove ${name}`} onClick={remove} />}</div>
+      <div>
+        {!isDesign && (
+          <CloseButton
+            label={`Remove ${name}`}
+            onClick={() => change(name, (index) => ({ removeVariant: { index } }))}
+          />
+        )}
+      </div>
     </div>
   );
 }
@@ -145,16 +151,17 @@ function useKept() {
 }
 
 /**
- * Removes a shape of the scene that is shown. Until the next one is shown, an index may be that of
- * another shape.
+ * Changes a kept shape by its name: while others are removed, an index of those that are shown may be
+ * that of another shape.
  */
-function useRemoval() {
+function useKeptChange() {
   const { store, actions } = useApp();
-  const isRemoving = useRef(false);
-  return async (index: number, scene: SceneDocument) => {
-    if (isRemoving.current || scene !== store.get().document) return;
-    isRemoving.current = true;
-    await actions.edit({ removeVariant: { index } });
-    isRemoving.current = false;
+  return (name: string, edit: (index: number) => Edit) => {
+    async function change() {
+      await actions.settled();
+      const index = store.get().document?.variants.indexOf(name) ?? -1;
+      if (index >= 0) await actions.edit(edit(index));
+    }
+    void actions.begin(change());
   };
 }

@@ -22,19 +22,26 @@ export function FreeVertices() {
   const acts = document?.constraints.some(({ enabled }) => enabled);
   const free = document && acts ? document.free : 0;
   const newest = useMemo(() => newestOnly(() => store.get().model), [store]);
-  /** The marks of those that are reported. */
-  const [found, setFound] = useState<{ of: typeof model; tint: Tint } | null>(null);
+  /** The marks of those that are reported, unless the report was closed. */
+  const [found, setFound] = useState<{ of: typeof model; tint: Tint; isClosed: boolean } | null>(
+    null,
+  );
   // Those of a mesh that was replaced mean nothing on the next one.
-  const marks = found?.of === model ? (found?.tint ?? null) : null;
+  const marks = free > 0 && found?.of === model && !found.isClosed ? found.tint : null;
+  // An edit may leave as many, but others.
   useEffect(() => {
-    setFound(null);
+    if (!document) return;
     const asked = free > 0 ? actions.reportErrors(actions.ask.select(ALL_FREE)) : null;
     void newest(asked).then((all) => {
-      if (!all) return;
-      const tint = { vertices: all.vertices, faces: NONE, colour: COLOUR };
-      setFound({ of: model, tint });
+      if (all === undefined) return;
+      const tint = all && { vertices: all.vertices, faces: NONE, colour: COLOUR };
+      setFound((before) =>
+        before?.of === model && String(before?.tint.vertices) === String(tint?.vertices)
+          ? before
+          : tint && { of: model, tint, isClosed: false },
+      );
     });
-  }, [free, model]);
+  }, [document]);
   // What cannot be met or built is marked instead, as long as it is.
   useEffect(() => {
     if (marks && !tint) actions.tint(marks);
@@ -68,7 +75,7 @@ export function FreeVertices() {
       <Button class="small bordered" onClick={() => actions.select({ vertices, faces: [] })}>
         Select
       </Button>
-      <CloseButton label="Close" onClick={() => setFound(null)} />
+      <CloseButton label="Close" onClick={() => setFound(found && { ...found, isClosed: true })} />
     </div>
   );
 }

@@ -6,7 +6,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Icon } from '../../ui/components/buttons.tsx';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { groupDigits, length, lengthOrZero, limit } from '../../ui/words.ts';
+import { count, groupDigits, length, lengthOrZero, limit } from '../../ui/words.ts';
 import { valueInWords } from '../../ui/kinds/parameter-forms.ts';
 import { Details } from './details.tsx';
 import type { ConstraintRow, ParamInfo } from '../../solver/types.ts';
@@ -205,14 +205,7 @@ function NameField({
   finish: (to: string | null, hadFocus: boolean) => void;
 }) {
   const field = useRef<HTMLInputElement>(null);
-  const isDone = useRef(false);
   useEffect(() => field.current?.select(), []);
-  /** Once: a field that is removed loses the focus, too. */
-  const end = (to: string | null, hadFocus: boolean) => {
-    if (isDone.current) return;
-    isDone.current = true;
-    finish(to, hadFocus);
-  };
   return (
     <input
       ref={field}
@@ -223,12 +216,12 @@ function NameField({
       defaultValue={name}
       maxLength={80}
       autocomplete="off"
-      onBlur={({ currentTarget }) => end(currentTarget.value.trim(), false)}
+      onBlur={({ currentTarget }) => finish(currentTarget.value.trim(), false)}
       onKeyDown={(event) => {
         if (event.key !== 'Enter' && event.key !== 'Escape') return;
         event.preventDefault();
         event.stopPropagation();
-        end(event.key === 'Enter' ? event.currentTarget.value.trim() : null, true);
+        finish(event.key === 'Enter' ? event.currentTarget.value.trim() : null, true);
       }}
     />
   );
@@ -240,27 +233,40 @@ function NameField({
  */
 function Worst({ row }: { row: ConstraintRow }) {
   const { state } = useApp().store;
-  const value = useThrottled(() => state.numbers?.worst[row.index]);
+  const found = useThrottled(() => ({
+    value: state.numbers?.worst[row.index],
+    unmet: state.numbers?.exact?.unmet,
+  }));
   const { document, model } = state;
-  const known = row.enabled && value !== undefined && document !== null;
-  const { units, tolerance } = document ?? { units: '', tolerance: 0 };
+  const { value } = found;
+  if (!row.enabled || value === undefined || !document) return null;
+  const { units, tolerance } = document;
   // The row says what it requires.
   const required = typeof row.require === 'object' ? row.require.within : null;
   const allowed = required ?? tolerance;
-  const isWithin = known && value <= allowed;
+  // Of what is required there is a report: some panels may have a tolerance of their own.
+  const isReported = required !== null && found.unmet;
+  const isWithin = isReported ? !isReported.includes(row.index) : value <= allowed;
+  const { eased } = row;
+  const others =
+    eased && value > allowed
+      ? `, ${count(eased.panels, 'panel')} within ${limit(eased.within, units)}`
+      : '';
   const compared =
     required === null
       ? `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`
-      : `${isWithin ? '' : 'not '}satisfied`;
+      : isWithin
+        ? `satisfied${others}`
+        : 'not satisfied';
   return (
     <>
       <span
         class={`worst figure${isInLegend(state, row.measure) ? ' in-legend' : ''}`}
         title="The largest distance of a vertex from the shape of this constraint"
       >
-        {known && `worst ${length(lengthOrZero(value, model?.size ?? 0), units, tolerance)}`}
+        {`worst ${length(lengthOrZero(value, model?.size ?? 0), units, tolerance)}`}
       </span>
-      <span class={isWithin ? 'within met' : 'within'}>{known && compared}</span>
+      <span class={isWithin ? 'within met' : 'within'}>{compared}</span>
     </>
   );
 }

@@ -13,15 +13,18 @@ const CUSTOM = 'custom';
 
 export function WeightPresets() {
   const { store, actions } = useApp();
-  const { document } = store.state;
-  /** The preset that is not applied yet, because the mesh does not suit it. */
-  const [doubtful, setDoubtful] = useState<Preset | null>(null);
+  const { document, model } = store.state;
+  /** The preset that was chosen and is not applied yet. */
+  const [chosen, setChosen] = useState<{ id: string; model: unknown } | null>(null);
   const presets = document?.presets ?? [];
+  /** It, as long as the mesh does not suit it. */
+  const doubtful =
+    chosen?.model === model && presets.find(({ id, warning }) => warning && id === chosen?.id);
   const apply = ({ id }: Preset) => actions.edit({ preset: { id } });
 
   function choose(id: string) {
     const preset = presets.find((one) => one.id === id);
-    if (preset?.warning) setDoubtful(preset);
+    if (preset?.warning) setChosen({ id, model });
     else if (preset) void apply(preset);
   }
 
@@ -41,7 +44,7 @@ export function WeightPresets() {
         />
       </label>
       {doubtful && (
-        <Warning preset={doubtful} apply={() => apply(doubtful)} close={() => setDoubtful(null)} />
+        <Warning preset={doubtful} apply={() => apply(doubtful)} close={() => setChosen(null)} />
       )}
     </div>
   );
@@ -50,7 +53,7 @@ export function WeightPresets() {
 function Warning(props: { preset: Preset; apply: () => unknown; close: () => void }) {
   const { preset, apply, close } = props;
   const first = useRef<HTMLButtonElement>(null);
-  useEffect(() => first.current?.focus(), [preset]);
+  useEffect(() => first.current?.focus(), [preset.id]);
   const useAnyway = () => {
     close();
     apply();

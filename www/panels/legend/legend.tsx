@@ -108,7 +108,7 @@ function Values({ about, spread, model }: Of & { model: Loaded }) {
             ramp={ramp}
             spread={spread}
             words={words(range[i])}
-            follows={i === 0 && about.signed}
+            signed={about.signed}
           />
         ))}
       </div>

@@ -10,6 +10,8 @@ import type { Spread } from '../../store/colours/spread.ts';
 const STEP = 0.02;
 /** The least distance between the ends, relative to the axis. */
 const APART = 0.01;
+/** Where a symmetric axis has 0. */
+const MIDDLE = 0.5;
 
 export function RangeEnd(props: {
   end: 'low' | 'high';
@@ -17,10 +19,10 @@ export function RangeEnd(props: {
   spread: Spread;
   /** its value */
   words: string;
-  /** whether it follows the other end: it is hidden then */
-  follows: boolean;
+  /** whether the range is symmetric: the low end follows the high one, and is hidden */
+  signed: boolean;
 }) {
-  const { end, ramp, spread, words, follows } = props;
+  const { end, ramp, spread, words, signed } = props;
   const { viewport, actions } = useApp();
   const handle = useRef<HTMLDivElement>(null);
   const shown = useRef(spread);
@@ -33,7 +35,7 @@ export function RangeEnd(props: {
     const part =
       end === 'low'
         ? Math.max(0, Math.min(place, places.high - APART))
-        : Math.min(1, Math.max(place, places.low + APART));
+        : Math.min(1, Math.max(place, (signed ? MIDDLE : places.low) + APART));
     const value = viewport.view.valueOnAxis(axis.low, axis.high, axis.log, part);
     // Keeps the axis fixed while an end moves.
     actions.setRange({ [end]: value, top: axis.high });
@@ -63,7 +65,7 @@ export function RangeEnd(props: {
       aria-valuenow={Math.round(place)}
       aria-valuetext={words}
       style={{ left: `${place}%` }}
-      hidden={follows}
+      hidden={signed && end === 'low'}
     />
   );
 }

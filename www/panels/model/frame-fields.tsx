@@ -3,7 +3,7 @@
  * remember the choice by the contents of the file. The coordinates never change.
  */
 
-import { useState } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import { rememberFrame, type Frame } from '../../documents/known-frames.ts';
 import { frameOf } from '../../store/frame.ts';
 import { useApp } from '../../store/use-app.ts';
@@ -18,11 +18,16 @@ const NO_UNIT = 'no unit';
 
 export function FrameFields({ model }: { model: Loaded }) {
   const { store, actions, files } = useApp();
-  /** The model whose guess the user has confirmed or corrected. */
-  const [confirmed, setConfirmed] = useState<Loaded | null>(null);
-  const { units, up } = frameOf(store.state);
+  const { document, frameChosen } = store.state;
+  const { units, up, guessed } = frameOf(store.state);
   const symbols = SYMBOLS.includes(units) ? SYMBOLS : [units, ...SYMBOLS];
-  const guess = model === confirmed ? '' : guessInWords(model);
+  const guess = guessInWords(guessed);
+
+  // Undo and Redo change what was chosen, or take it back.
+  useEffect(() => {
+    if (!document || frameChosen?.model !== model || !frameChosen.digest) return;
+    rememberFrame(frameChosen.digest, guess ? null : { units, up });
+  }, [frameChosen, units, up]);
 
   /** Changes unit and axis, each as one step of undo, and remembers them if they are not refused. */
   async function change(part: Partial<Frame>) {
@@ -32,9 +37,11 @@ export function FrameFields({ model }: { model: Loaded }) {
     if (frame.units !== units) edits.push({ setUnits: { units: frame.units } });
     if (frame.up !== up) edits.push({ setUp: { up: frame.up } });
     for (const edit of edits) if ((await actions.edit(edit)) === undefined) return;
-    // Another file may be open by now.
     if (digest) rememberFrame(digest, frame);
-    setConfirmed(model);
+    // Another file may be open by now.
+    if (store.get().model !== model) return;
+    const isGuess = frame.units === model.units && frame.up === model.up;
+    actions.choseFrame({ model, digest, isGuess });
   }
 
   return (
@@ -75,7 +82,7 @@ export function FrameFields({ model }: { model: Loaded }) {
 /**
  * Asks about the unit or axis that was guessed because the file has none; empty if nothing was.
  */
-function guessInWords({ guessed }: Loaded) {
+function guessInWords(guessed: Loaded['guessed']) {
   if (guessed.units && guessed.up) return 'Unit and up axis are not in the file. Are these right?';
   if (guessed.units) return 'The unit is not in the file. Is this right?';
   return guessed.up ? 'The up axis is not in the file. Is this right?' : '';

@@ -1,7 +1,8 @@
 /** Common fields. */
 
-import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { NumberInput, numberIn, type Accepted } from './number-input.tsx';
+import { useTyped } from './use-typed.ts';
 import type { ComponentProps } from 'preact';
 
 /**
@@ -36,8 +37,7 @@ export function AmountField({
     /** whether what is typed next replaces a value that comes while the field has the focus */
     isReplaced?: boolean;
   }) {
-  /** Input that is not reported yet. */
-  const [typed, setTyped] = useState<string | null>(null);
+  const [typed, setTyped] = useTyped<string | null>(null);
   const field = useRef<HTMLInputElement>(null);
   /** Whether Enter was pressed after the last input. */
   const isEntered = useRef(false);

@@ -1,6 +1,6 @@
 /** A field for a text, reported on change. */
 
-import { useState } from 'preact/hooks';
+import { useTyped } from './use-typed.ts';
 
 export function TextField({
   value,
@@ -16,8 +16,8 @@ export function TextField({
   placeholder?: string;
   'aria-label'?: string;
 }) {
-  /** Input that is not reported yet: what comes meanwhile does not replace it. */
-  const [typed, setTyped] = useState<string | null>(null);
+  /** What comes meanwhile does not replace it. */
+  const [typed, setTyped] = useTyped<string | null>(null);
   const field = {
     ...rest,
     value: typed ?? value,

@@ -57,6 +57,9 @@ export function unitOf({ unit }: ParamInfo, units: string) {
   return units + { length: '', area: '²', volume: '³' }[unit];
 }
 
+/** Digits of any number. */
+const DIGITS = 15;
+
 /** Rounds an initial number to two digits. */
 const roundedUsual = (value: number) => rounded(value, 2);
 
@@ -73,6 +76,15 @@ function usual(param: ParamInfo, { meanEdge }: Frame) {
   return inRange(param, roundedUsual(byUnit[param.unit]));
 }
 
+/** Returns the middle of a range, with as few digits as leave it in the range, but at least two. */
+function middleOf(low: number, high: number) {
+  const middle = (low + high) / 2;
+  let digits = 2;
+  let value = rounded(middle, digits);
+  while ((value < low || value > high) && digits < DIGITS) value = rounded(middle, ++digits);
+  return value < low || value > high ? middle : value;
+}
+
 /** Converts a value to another form of the parameter. */
 export function converted(
   param: ParamInfo,
@@ -83,7 +95,7 @@ export function converted(
   const [low, high] = Array.isArray(before) && before.length === 2 ? before : [null, null];
   switch (form) {
     case 'number':
-      if (low !== null && high !== null) return roundedUsual((low + high) / 2);
+      if (low !== null && high !== null) return middleOf(low, high);
       return (
         low ?? high ?? (typeof param.default === 'number' ? param.default : usual(param, frame))
       );

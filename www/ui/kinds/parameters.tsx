@@ -5,6 +5,7 @@ import { useLayoutEffect, useState } from 'preact/hooks';
 import { Choice } from '../components/fields.tsx';
 import { NumberInput, readNumber, type Accepted } from '../components/number-input.tsx';
 import { firstIn } from '../components/number-steps.ts';
+import { useTyped } from '../components/use-typed.ts';
 import {
   AXES,
   FIELD_NAMES,
@@ -99,7 +100,7 @@ function Parameter({
   refusal,
   onValue,
 }: Of & { frame: Frame; usualUnit: string; refusal: Refusal | null }) {
-  const [{ texts, problems }, setTyped] = useState(NOTHING);
+  const [{ texts, problems }, setTyped] = useTyped(NOTHING);
   /** The refusal after which a field was edited. */
   const [settled, setSettled] = useState<Refusal | null>(null);
   // What was typed over another value is out of date.

@@ -29,7 +29,7 @@ export function drawShape(
   if (!context || width === 0) return;
   canvas.width = DENSITY * width;
   canvas.height = DENSITY * height;
-  const { points, scale, centre } = viewed(positions, up, from, canvas);
+  const { points, scale, centre } = viewed(positions, faceIndices, up, from, canvas);
   const displacement = displacements ? relativeLengths(displacements) : null;
   const plain = channels(colourOf(canvas, '--material'));
   const accent = channels(colourOf(canvas, '--accent'));
@@ -63,32 +63,39 @@ export function drawShape(
   }
 }
 
-/** Returns positions in view coordinates: to the right, up, and towards the viewer. */
+/**
+ * Returns positions in view coordinates: to the right, up, and towards the viewer. They are counted from
+ * a vertex: those of a site are too large for single precision.
+ * @param used vertices that are in the picture
+ */
 function viewed(
   positions: ArrayLike<number>,
+  used: Uint32Array,
   up: 'y' | 'z',
   { turn, above }: typeof FROM,
   { width, height }: { width: number; height: number },
 ) {
   const points = new Float32Array(positions.length);
-  const [low, high] = [
-    [Infinity, Infinity],
-    [-Infinity, -Infinity],
-  ];
   const [sine, cosine] = [Math.sin(turn), Math.cos(turn)];
   const [down, level] = [Math.sin(above), Math.cos(above)];
+  const origin = 3 * (used[0] ?? 0);
   for (let i = 0; i < positions.length; i += 3) {
-    const x = positions[i];
-    const [back, top] =
-      up === 'z' ? [positions[i + 1], positions[i + 2]] : [-positions[i + 2], positions[i + 1]];
+    const [x, y, z] = [0, 1, 2].map((axis) => positions[i + axis] - positions[origin + axis]);
+    const [back, top] = up === 'z' ? [y, z] : [-z, y];
     const right = cosine * x + sine * back;
     const far = -sine * x + cosine * back;
     points[i] = right;
     points[i + 1] = level * top + down * far;
     points[i + 2] = down * top - level * far;
+  }
+  const [low, high] = [
+    [Infinity, Infinity],
+    [-Infinity, -Infinity],
+  ];
+  for (const v of used) {
     for (let c = 0; c < 2; c++) {
-      low[c] = Math.min(low[c], points[i + c]);
-      high[c] = Math.max(high[c], points[i + c]);
+      low[c] = Math.min(low[c], points[3 * v + c]);
+      high[c] = Math.max(high[c], points[3 * v + c]);
     }
   }
   const scale =
