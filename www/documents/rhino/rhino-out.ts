@@ -1,7 +1,7 @@
 /**
  * Writes a scene as a Rhino file, in full precision. Each group of faces becomes a layer. Triangles
- * and quads form a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh,
- * become closed polylines. The user text gives the planarity distance of a panel, or the largest
+ * and quads form a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh, and
+ * faces that are left as they are become closed polylines. The user text gives the planarity distance of a panel, or the largest
  * one of a mesh. Rhino's vertical axis is z: a scene with y up is rotated. Also writes the parts to be
  * built: named objects on coloured layers.
  */
@@ -9,11 +9,10 @@
 import { rhinoUnit } from '../../ui/words.ts';
 import { addLayer, addMesh, addPolyline, attributesOf, rhino, type Point } from './rhino.ts';
 import { ROLE } from './rhino-objects.ts';
-import { byLayer, pointsOf } from './scene-lists.ts';
+import { byLayer, curvesLayer, pointsOf } from './scene-lists.ts';
 import type { SpatialPart } from '../../solver/types.ts';
 
 const PLANARITY = 'shape-up:planarity';
-const CURVES = 'Curves';
 
 /**
  * @param text scene with its mesh
@@ -22,7 +21,10 @@ const CURVES = 'Curves';
 export async function rhinoFile(text: string, errors: string): Promise<Uint8Array<ArrayBuffer>> {
   const api = await rhino();
   const scene = JSON.parse(text);
-  const { faces = [], curves = [], groups = {} } = scene.mesh;
+  const { faces: own = [], untouched = [], curves = [], groups = {} } = scene.mesh;
+  const faces = [...own, ...untouched];
+  if (faces.length + curves.length === 0)
+    throw new Error('There are no faces or curves, which a Rhino file is made of.');
   const points = pointsOf(scene);
   const distances = planarities(errors);
   const inWords = (value: number) => `${value} ${scene.units ?? ''}`.trim();
@@ -34,16 +36,19 @@ export async function rhinoFile(text: string, errors: string): Promise<Uint8Arra
     file.applicationName = 'Shape-Up';
     for (const [name, members] of byLayer(faces.length, groups)) {
       const layer = addLayer(api, file, name);
-      addPanels(api, file, layer, members, faces, points, inWords, distances);
-      for (const face of members.filter((member) => faces[member].length > 4)) {
+      const isLine = (face: number) => face >= own.length || faces[face].length > 4;
+      const meshed = members.filter((face) => !isLine(face));
+      addPanels(api, file, layer, meshed, faces, points, inWords, distances);
+      for (const face of members.filter(isLine)) {
         const corners = faces[face];
-        const text = { [ROLE]: 'panel', [PLANARITY]: inWords(distances[face]) };
+        const planarity = face < own.length && { [PLANARITY]: inWords(distances[face]) };
+        const text = { [ROLE]: 'panel', ...planarity };
         const loop = [...corners, corners[0]].map((vertex) => points[vertex]);
         addPolyline(api, file, loop, attributesOf(api, layer, text));
       }
     }
     if (curves.length > 0) {
-      const layer = addLayer(api, file, CURVES);
+      const layer = addLayer(api, file, curvesLayer(groups));
       for (const curve of curves) {
         const line = curve.map((vertex: number) => points[vertex]);
         addPolyline(api, file, line, attributesOf(api, layer, { [ROLE]: 'curve' }));
@@ -65,20 +70,19 @@ function planarities(csv: string) {
 }
 
 /**
- * Adds the triangles and quads among some faces as one mesh.
+ * Adds triangles and quads as one mesh.
  * @param planarity formats a distance
  */
 function addPanels(
   api: any,
   file: any,
   layer: number,
-  members: number[],
+  flat: number[],
   faces: number[][],
   points: Point[],
   planarity: (worst: number) => string,
   distances: number[],
 ) {
-  const flat = members.filter((face) => faces[face].length <= 4);
   if (flat.length === 0) return;
   const localIndex: Map<number, number> = new Map();
   for (const vertex of flat.flatMap((face) => faces[face]))
