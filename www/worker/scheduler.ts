@@ -20,6 +20,19 @@ const FRAME_SHARE = 0.25;
 const PROGRESS_EVERY_MS = 800;
 const PROGRESS_SHARE = 0.05;
 
+/**
+ * Performs an action, and recovers from an error; not from a trap, after which the solver refuses every
+ * call with an error that would hide it.
+ */
+function orRecover<T>(action: () => T, recover: () => void): T {
+  try {
+    return action();
+  } catch (thrown) {
+    if (!isTrap(thrown)) recover();
+    throw thrown;
+  }
+}
+
 export class Scheduler {
   frames;
   /** Number of meshes that were sent. */
@@ -81,13 +94,8 @@ export class Scheduler {
   replace<T>(load: () => T): T {
     const wasRunning = this.#isRunning;
     if (wasRunning) this.#endRun();
-    try {
-      return load();
-    } catch (thrown) {
-      // The page does not know yet that the run has ended.
-      if (wasRunning && !isTrap(thrown)) this.changed();
-      throw thrown;
-    }
+    // The page does not know yet that the run has ended.
+    return orRecover(load, () => wasRunning && this.changed());
   }
 
   /**
@@ -155,13 +163,8 @@ export class Scheduler {
   betweenRuns<T>(edit: () => T, settles?: boolean): T {
     this.#endDrag();
     const before = this.#solver.generation();
-    let result;
-    try {
-      result = edit();
-    } finally {
-      // What is refused, or has no effect, has not ended the run.
-      if (this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
-    }
+    const result = this.#duringRun(edit);
+    this.#goOn();
     // What leaves problem and shape as they were leaves a converged shape converged.
     if (settles !== undefined || this.#solver.generation() !== before)
       this.#isSettled = settles === true && result === true;
@@ -243,14 +246,14 @@ export class Scheduler {
     }
   }
 
-  /** Performs what ends the run in the solver, also if it is then refused: the run goes on then. */
-  #duringRun(action: () => void) {
-    try {
-      action();
-    } catch (thrown) {
-      if (!isTrap(thrown) && this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
-      throw thrown;
-    }
+  /** Performs what may end the run in the solver, also if it is then refused: the run goes on then. */
+  #duringRun<T>(action: () => T): T {
+    return orRecover(action, () => this.#goOn());
+  }
+
+  /** Begins the run again, unless the solver has not ended it. */
+  #goOn() {
+    if (this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
   }
 
   /** Sends mesh, scene, document and frame after an edit, a load, or the end of a run or a drag. */
@@ -330,12 +333,12 @@ export class Scheduler {
   /** Iterates until convergence, as a run of its own. */
   #iterate() {
     this.#solver.beginRun();
-    try {
+    const end = () => this.#solver.endRun();
+    orRecover(() => {
       do this.#isSettled = this.#solver.step();
       while (!this.#isSettled);
-    } finally {
-      this.#solver.endRun();
-    }
+    }, end);
+    end();
   }
 
   /**

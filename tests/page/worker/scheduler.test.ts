@@ -272,3 +272,32 @@ test('an edit during a drag acts on its latest move, and ends it', (context) => 
   drag('end', 2);
   assert.deepEqual(calls.slice(3), ['cancel 2,0,0']);
 });
+
+test('after a trap nothing more is asked of the solver, whose refusals would hide it', (context) => {
+  // An edit that trapped during a run was told as "recursive use of an object", and the dead solver
+  // was not replaced.
+  closeChannel(context);
+  let isDead = false;
+  const refuse = () => {
+    if (isDead) throw new Error('recursive use of an object');
+    return true;
+  };
+  const trap = () => {
+    isDead = true;
+    throw new WebAssembly.RuntimeError('unreachable');
+  };
+  const others = { isRunning: refuse, beginRun: refuse, endRun: refuse as never, step: trap };
+  const scheduler = new Scheduler(solverWith(others), () => {}, died);
+  scheduler.begin(false);
+  for (const performs of [
+    () => scheduler.betweenRuns(trap),
+    () => scheduler.runFor(trap),
+    () => scheduler.replace(trap),
+    // A first model, solved before it is shown.
+    () => scheduler.begin(true),
+  ]) {
+    isDead = false;
+    scheduler.run();
+    assert.throws(performs, WebAssembly.RuntimeError);
+  }
+});
