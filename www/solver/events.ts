@@ -54,7 +54,8 @@ import type {
  * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
- * - `working`: work begins that may take long, with no message until then. `pong`: sign of life.
+ * - `working`: work begins that may take long, with no message until then: for the call with this `id`, or
+ *   for none, as a run. `pong`: sign of life.
  * - `refused`: `path` is the position of the error in the scene, such as `constraints[0].length`;
  *   empty if it is not about a scene. `outdated`: the call is about a mesh that has been replaced.
  */
@@ -95,7 +96,7 @@ export type FromWorker =
   | { type: 'collapsed'; collapse: string }
   | { type: 'trouble'; message: string }
   | { type: 'died'; message: string }
-  | { type: 'working' }
+  | { type: 'working'; id?: number }
   | { type: 'pong' }
   | { type: 'reply'; id: number; value: unknown }
   | { type: 'refused'; id: number; message: string; path: string }

@@ -196,6 +196,25 @@ test('work that the user cancels is no error, and what waits behind it can be as
   );
 });
 
+test('what waits behind a run that the user cancels was not meant, but the call at work is', async () => {
+  // The first call that waited was taken for the work: a file dropped during a long run was not opened.
+  const client = await clientWithRoof();
+  const areMeant = async (isForFirst: boolean) => {
+    const asked = [client.change.open({ files: [] }), client.ask.scene()];
+    const ended = Promise.allSettled(asked);
+    const worker = FakeWorker.latest;
+    const [first] = worker.posted.flatMap(({ id }) => id ?? []).slice(-2);
+    worker.say({ type: 'working', ...(isForFirst && { id: first }) });
+    // Its first part is the end of the run.
+    worker.say({ type: 'working' });
+    client.abandon();
+    FakeWorker.latest.say({ type: 'ready' });
+    return (await ended).map((one) => one.status === 'rejected' && !isUnmeant(one.reason));
+  };
+  assert.deepEqual(await areMeant(false), [false, false]);
+  assert.deepEqual(await areMeant(true), [true, false]);
+});
+
 test('an undo history that is lost by cancelling is told', async () => {
   const client = await clientWithRoof();
   const told: string[] = [];
