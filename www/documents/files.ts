@@ -363,7 +363,7 @@ export class Files extends Emitter<{ opened: void }> {
 
   /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
   async mayExport() {
-    const collapse = this.#store.get().numbers?.collapse;
+    const collapse = await this.#actions.ask.collapse();
     return !collapse || Boolean(await askToExport(collapse));
   }
 

@@ -256,11 +256,11 @@ export function createActions(
     },
 
     async step() {
-      const converged = await reportErrors(solver.change.step());
-      if (converged === undefined) return;
-      const { document, numbers } = store.get();
-      const done = (converged && numbers?.ended.converged) || 'One iteration';
-      const isInexact = document?.constraints.some(isHard) && !numbers?.exact?.met;
+      const numbers = await reportErrors(solver.change.step());
+      if (!numbers) return;
+      const { document } = store.get();
+      const done = numbers.converged ? numbers.ended.converged : 'One iteration';
+      const isInexact = document?.constraints.some(isHard) && !numbers.exact?.met;
       setStatus(isInexact ? `${done}; press Run to satisfy what is required` : done);
     },
 

@@ -103,7 +103,7 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     undo: () => paused(() => scheduler.betweenRuns(() => solver.undo() ?? null)),
     /** @returns the name of what was redone */
     redo: () => paused(() => scheduler.betweenRuns(() => solver.redo() ?? null)),
-    /** @returns whether it has converged */
+    /** @returns the new numbers */
     step: () => paused(() => scheduler.step()),
     /** Performs the local step, or the global step after it. */
     halfStep: () => paused(() => scheduler.halfStep()),

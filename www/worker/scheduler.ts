@@ -5,7 +5,7 @@
 
 import { isTrap, messageOf } from '../solver/errors.ts';
 import type { FromWorker } from '../solver/events.ts';
-import type { Drag, Loaded, Half } from '../solver/types.ts';
+import type { Drag, Half, Loaded, Numbers } from '../solver/types.ts';
 import { Frames } from './frames.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 
@@ -57,6 +57,8 @@ export class Scheduler {
   #progressEvery = PROGRESS_EVERY_MS;
   /** Whether `activity` must be sent, after the frame that belongs to it. */
   #activityDue = false;
+  /** How the run that has ended has collapsed, to be told after that. */
+  #collapse: string | undefined;
   #sliceQueued = false;
   /** Whether the next slice may have to factor the system first. */
   #sliceIsNew = false;
@@ -133,19 +135,23 @@ export class Scheduler {
 
   /**
    * Iterates once.
-   * @returns whether it has converged
+   * @returns the new numbers: their frame waits for a free buffer
    */
-  step(): boolean {
+  step(): Numbers {
     this.#isSettled = this.#solver.singleStep();
     this.#activityDue = true;
     this.changed();
-    return this.#isSettled;
+    return this.#solver.frame(this.isIterating);
   }
 
   halfStep(): Half {
+    const wasDragging = this.#endDrag();
     const done = this.#solver.halfStep();
     if (done.half === 'global') {
       this.#isSettled = done.converged;
+      this.#activityDue = true;
+      this.changed();
+    } else if (wasDragging) {
       this.#activityDue = true;
       this.changed();
     } else {
@@ -223,15 +229,17 @@ export class Scheduler {
   }
 
   /**
-   * Prepares for an edit during a drag, which ends the drag in the solver: its latest move is a part
-   * of it. The page may go on with what it takes for a drag, without effect.
+   * Prepares for what ends a drag in the solver, as an edit: its latest move is a part of it. The page
+   * may go on with what it takes for a drag, without effect.
+   * @returns whether there was one
    */
   #endDrag() {
-    if (!this.#isDragging) return;
+    if (!this.#isDragging) return false;
     const move = this.#move;
     this.#move = this.#answering = null;
     this.#isDragging = false;
     if (move) this.#solver.drag(move.vertices, move.targets, 'move');
+    return true;
   }
 
   /** Returns whether a drag may begin. A refused one is reported, and leaves a run as it was. */
@@ -375,7 +383,6 @@ export class Scheduler {
   }
 
   #iterateForSlice() {
-    let collapse: string | undefined;
     if (this.#move) {
       this.#solver.drag(this.#move.vertices, this.#move.targets, 'move');
       this.#move = null;
@@ -390,13 +397,12 @@ export class Scheduler {
       this.frames.due = true;
     }
     if (this.#isSettled && this.#isRunning && !this.#isDragging) {
-      collapse = this.#endRun();
+      this.#collapse = this.#endRun();
       this.changed();
     } else if (this.frames.due) {
       this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);
     }
     this.sendFrame();
-    if (collapse) this.#post({ type: 'collapsed', collapse });
   }
 
   #sendDocument() {
@@ -428,7 +434,12 @@ export class Scheduler {
 
   #sendActivity() {
     this.#activityDue = false;
-    const converged = this.#isSettled && !this.#solver.collapse();
+    const isCollapsed = Boolean(this.#solver.collapse());
+    const converged = this.#isSettled && !isCollapsed;
     this.#post({ type: 'activity', running: this.#isRunning, converged });
+    const collapse = this.#collapse;
+    this.#collapse = undefined;
+    // It may have been undone, or run again, before the last frame of the run.
+    if (collapse && isCollapsed && !this.#isRunning) this.#post({ type: 'collapsed', collapse });
   }
 }
