@@ -135,6 +135,8 @@ export function commandTable(
       repeats: true,
       action: actions.halfStep,
       needsModel: true,
+      // It ends a drag, and the moves after it would be lost.
+      enabled: ({ dragged }) => dragged.length === 0,
       title: halfStepTitle,
     },
     {
