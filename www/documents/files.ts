@@ -263,22 +263,35 @@ export class Files extends Emitter<{ opened: void }> {
     };
   }
 
+  /**
+   * Opens another model in place of the open one.
+   * @param next may ask for the open one as it is: what is opened meanwhile was begun later, and wins
+   * @returns null if it is not open; an alert gives the reason of a refusal
+   */
+  #openInstead(next: () => Promise<Left> | Left): Promise<Loaded | null> {
+    const opened = this.openings.begin(async (opening) => {
+      const { given, origin } = await next();
+      return this.open(given, origin, { opening });
+    });
+    return opened.catch(() => null);
+  }
+
   /** Reopens the model that this one has replaced. */
   async goBack() {
     const { before, step } = this.origin;
     // While a model is being opened, the open one is not left yet.
     if (!before || this.openings.coming) return;
-    const after = await this.asItIs();
-    const loaded = await this.open(before.given, { ...before.origin, after }).catch(() => null);
-    if (loaded) this.#actions.setStatus(`Undid: ${step}`);
+    const { given, origin } = before;
+    const left = async () => ({ given, origin: { ...origin, after: await this.asItIs() } });
+    if (await this.#openInstead(left)) this.#actions.setStatus(`Undid: ${step}`);
   }
 
   /** Reopens the model from which Undo went back, unless this one has changed since. */
   async goForward() {
     const { after } = this.origin;
     if (!after || !this.#store.get().redoes || this.openings.coming) return;
-    const loaded = await this.open(after.given, after.origin).catch(() => null);
-    if (loaded) this.#actions.setStatus(`Redid: ${after.origin.step}`);
+    if (await this.#openInstead(() => after))
+      this.#actions.setStatus(`Redid: ${after.origin.step}`);
   }
 
   /** Forgets the model from which Undo went back, once an edit has taken its place. */
@@ -314,13 +327,11 @@ export class Files extends Emitter<{ opened: void }> {
   /** Opens the files of the open model in another way, as a work of its own; Undo goes back. */
   #openOtherwise(given: NamedBytes[], how: Origin, step: string) {
     const { example, title, link, hidden, unwelded } = this.origin;
-    const opened = this.openings.begin(async (opening) => {
+    void this.#openInstead(async () => {
       const before = await this.asItIs();
       const origin = { ...{ example, title, link, hidden, unwelded }, ...how, before, step };
-      await this.open(given, origin, { opening });
+      return { given, origin };
     });
-    // An alert gives the reason of a refusal.
-    opened.catch(() => {});
   }
 
   /**
