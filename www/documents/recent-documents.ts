@@ -16,6 +16,8 @@ export interface Work {
   /** milliseconds since 1970 */
   savedAt: number;
   iteration: number;
+  /** that of its scene, from which a run or a drag has gone on; the same if it is not there */
+  sceneIteration?: number;
   /** id of the example whose mesh it has */
   example: string | null;
   /** fragment of the address at which it was opened */

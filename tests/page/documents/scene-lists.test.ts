@@ -2,7 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { byLayer, curvesLayer, indices, pointsOf } from '../../../www/documents/rhino/scene-lists.ts';
+import {
+  byLayer,
+  curvesLayer,
+  indices,
+  pointsOf,
+} from '../../../www/documents/rhino/scene-lists.ts';
 
 test('ranges include both ends, and an empty list has no index', () => {
   assert.deepEqual(indices('0-3,7'), [0, 1, 2, 3, 7]);
