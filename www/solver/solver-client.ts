@@ -154,7 +154,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     if (!this.#previous) return;
     const positions = this.#previous;
     this.#previous = null;
-    this.#post({ name: 'recycle', given: [positions] }, [positions.buffer]);
+    const call = { name: 'recycle', given: [positions], mesh: this.#mesh };
+    this.#post(call, [positions.buffer]);
   }
 
   /**
@@ -338,7 +339,7 @@ export class SolverClient extends Emitter<SolverEvents> {
     this.#missed = 0;
     this.#setBusy(0);
     this.#held = [];
-    this.#replaced = null;
+    this.#previous = this.#replaced = null;
     this.#waiting.fail((_, place, id) => {
       // What waited behind the work that the user has cancelled can be asked for again.
       const isMeant = working ? id === workingFor : place === 0;

@@ -158,6 +158,25 @@ test('a call is about the mesh that the page shows, and cancelled if that has be
   assert.equal(worker.mesh, 2);
 });
 
+test('a buffer goes back to the mesh that it is of, and not to a new worker', async () => {
+  // After an edit that kept the number of vertices there were three buffers instead of two.
+  const client = await clientWithRoof();
+  const worker = FakeWorker.latest;
+  const frame = () => {
+    const positions = new Float64Array(3);
+    worker.say({ type: 'frame', positions, numbers: { stepMs: 1 } });
+  };
+  worker.model('', 2);
+  frame();
+  client.recycle();
+  assert.deepEqual([worker.posted.at(-1)?.name, worker.mesh], ['recycle', 2]);
+  frame();
+  client.abandon();
+  FakeWorker.latest.say({ type: 'ready' });
+  client.recycle();
+  assert.ok(!FakeWorker.latest.posted.some(({ name }) => name === 'recycle'));
+});
+
 test('what is edited while the model comes back is edited then, but no other model', async () => {
   const client = await clientWithRoof();
   const edit = () => client.change.edit('reset').catch(() => {});
