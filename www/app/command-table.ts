@@ -1,5 +1,6 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
+import { exportMesh } from '../documents/exports.ts';
 import { openAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
 import { showExport } from '../features/export/dialog-export.tsx';
 import { flatMaps } from '../features/flat-map/flat-maps.ts';
@@ -436,7 +437,7 @@ export function commandTable(
       group: 'File',
       label: 'Export the shape as OBJ',
       keys: ['Ctrl+E'],
-      action: () => files.exportMesh(),
+      action: () => actions.reportErrors(exportMesh(app)),
       needsModel: true,
       title: ({ flatMap }) =>
         `Save the current shape${flatMap ? ', with its flat map,' : ''} as OBJ`,

@@ -1,4 +1,4 @@
-/** File input and output: open, examples, save, export. Emits `opened` after each opened model. */
+/** File input and output: open, examples, save. Emits `opened` after each opened model. */
 
 import { Emitter } from '../solver/emitter.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
@@ -7,7 +7,6 @@ import { isReadable, mainOf } from '../solver/opened-files.ts';
 import { count, groupDigits, length } from '../ui/words.ts';
 import { saveFile } from '../ui/output.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
-import { askToExport } from './collapse.ts';
 import { offersToChoose } from './missing-files.ts';
 import { Openings, type Opening } from './openings.ts';
 import { askRhino } from './rhino/rhino-client.ts';
@@ -353,41 +352,6 @@ export class Files extends Emitter<{ opened: void }> {
       ...(hidden > 0 ? [{ label, action }] : []),
     );
     if (hidden > 0) untilChanged(this.#store, withdraw);
-  }
-
-  /** Exports the current shape with the file's original vertices, before welding. */
-  async exportUnwelded() {
-    await this.save('.obj', 'model/obj', async () => {
-      await this.#actions.settled();
-      if (!(await this.mayExport())) return null;
-      return Uint8Array.from(await this.#actions.ask.objUnwelded());
-    });
-  }
-
-  /** Exports the current shape in the format with this ending. */
-  async exportAs(ending: 'ply' | 'stl') {
-    await this.save(`.${ending}`, `model/${ending}`, async () => {
-      if (!(await this.mayExport())) return null;
-      return Uint8Array.from(await this.#actions.ask.meshFile(ending));
-    });
-  }
-
-  /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
-  async mayExport() {
-    const collapse = await this.#actions.ask.collapse();
-    return !collapse || Boolean(await askToExport(collapse));
-  }
-
-  /** Exports the current shape as OBJ, with the displayed flat map. */
-  async exportMesh() {
-    const made = this.save('.obj', 'model/obj', async () => {
-      await this.#actions.settled();
-      if (!(await this.mayExport())) return null;
-      const uv = this.#store.get().flatMap?.found.uv;
-      const { ask } = this.#actions;
-      return uv ? ask.objWithUv(uv) : ask.obj();
-    });
-    await this.#actions.reportErrors(made);
   }
 
   async saveScene() {

@@ -360,7 +360,7 @@ test('a half step during a drag ends it with its latest move', (context) => {
     drag: (_, targets, phase) => void calls.push(`${phase} ${targets}`),
     halfStep() {
       calls.push('half');
-      return { half: 'local', fitted: [] } as ReturnType<Solver['halfStep']>;
+      return { half: 'local', fitted: [] };
     },
   });
   const scheduler = new Scheduler(solver, ({ type }) => sent.push(type), died);
