@@ -280,9 +280,15 @@ test('faces that are left as they are go to Rhino and back, and tetrahedra are r
 }) => {
   // They were missing there, without a word.
   await openPage(page);
-  const touching = 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 3 0\nv -1 1 0\nf 1 2 3\nf 1 2 3 1 4 5\n';
+  const vertices = 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 3 0\nv -1 1 0\n';
+  const touching = `${vertices}g Roof::North\nf 1 2 3\nf 1 2 3 1 4 5\n`;
   await openText(page, 'roof.obj', touching, 5);
   const { name, bytes } = await exported(page, '3DM');
+  const { default: openRhino } = await import('rhino3dm');
+  const layers = (await openRhino()).File3dm.fromByteArray(new Uint8Array(bytes)).layers();
+  // Layers in layers, as Rhino files have them.
+  const names = Array.from({ length: layers.count }, (_, i) => layers.get(i).name);
+  expect(names).toEqual(['Roof', 'North', 'Panels']);
   await openText(page, 'cube.shapeup.json', tetScene(), 8);
   await tool(page, 'More formats');
   const dialog = page.getByRole('dialog', { name: 'More formats' });
@@ -295,6 +301,7 @@ test('faces that are left as they are go to Rhino and back, and tetrahedra are r
   await waitForState(page, (now) => now.vertices === 5);
   const { mesh } = await page.evaluate(() => window.shapeUp.scene());
   expect(mesh.faces).toHaveLength(1);
+  expect(Object.keys(mesh.groups)).toEqual(['Roof::North']);
   expect(mesh.untouched.map((face: number[]) => face.length)).toEqual([6]);
 });
 

@@ -7,7 +7,7 @@
  */
 
 import { rhinoUnit } from '../../ui/words.ts';
-import { addLayer, addMesh, addPolyline, attributesOf, rhino, type Point } from './rhino.ts';
+import { addMesh, addPolyline, attributesOf, layersIn, rhino, type Point } from './rhino.ts';
 import { ROLE } from './rhino-objects.ts';
 import { byLayer, curvesLayer, pointsOf } from './scene-lists.ts';
 import type { SpatialPart } from '../../solver/types.ts';
@@ -30,12 +30,13 @@ export async function rhinoFile(text: string, errors: string): Promise<Uint8Arra
   const inWords = (value: number) => `${value} ${scene.units ?? ''}`.trim();
 
   const file = new api.File3dm();
+  const layerAt = layersIn(api, file);
   try {
     const unit = rhinoUnit(scene.units);
     file.settings().modelUnitSystem = api.UnitSystem[unit ?? 'None'];
     file.applicationName = 'Shape-Up';
     for (const [name, members] of byLayer(faces.length, groups)) {
-      const layer = addLayer(api, file, name);
+      const layer = layerAt(name);
       const isLine = (face: number) => face >= own.length || faces[face].length > 4;
       const meshed = members.filter((face) => !isLine(face));
       addPanels(api, file, layer, meshed, faces, points, inWords, distances);
@@ -48,7 +49,7 @@ export async function rhinoFile(text: string, errors: string): Promise<Uint8Arra
       }
     }
     if (curves.length > 0) {
-      const layer = addLayer(api, file, curvesLayer(groups));
+      const layer = layerAt(curvesLayer(groups));
       for (const curve of curves) {
         const line = curve.map((vertex: number) => points[vertex]);
         addPolyline(api, file, line, attributesOf(api, layer, { [ROLE]: 'curve' }));
@@ -104,14 +105,12 @@ export async function rhinoParts(
 ): Promise<Uint8Array<ArrayBuffer>> {
   const api = await rhino();
   const file = new api.File3dm();
-  const layers: Map<string, number> = new Map();
+  const layerAt = layersIn(api, file);
   try {
     file.settings().modelUnitSystem = api.UnitSystem[rhinoUnit(symbol) ?? 'None'];
     file.applicationName = 'Shape-Up';
     for (const { layer, colour, name, points, faces, closed } of parts) {
-      const index = layers.get(layer) ?? addLayer(api, file, layer, colour);
-      layers.set(layer, index);
-      const attributes = attributesOf(api, index, {}, name);
+      const attributes = attributesOf(api, layerAt(layer, colour), {}, name);
       if (faces.length > 0) addMesh(api, file, { points, faces }, attributes);
       else addPolyline(api, file, closed ? [...points, points[0]] : points, attributes);
     }
