@@ -1,5 +1,6 @@
 /** The table of commands: label, keys, action, and when each is enabled. */
 
+import { exportMesh } from '../documents/exports.ts';
 import { openAddConstraint } from '../features/add-constraint/dialog-add-constraint.tsx';
 import { showExport } from '../features/export/dialog-export.tsx';
 import { flatMaps } from '../features/flat-map/flat-maps.ts';
@@ -136,6 +137,8 @@ export function commandTable(
       repeats: true,
       action: actions.halfStep,
       needsModel: true,
+      // It ends a drag, and the moves after it would be lost.
+      enabled: ({ dragged }) => dragged.length === 0,
       title: halfStepTitle,
     },
     {
@@ -435,7 +438,7 @@ export function commandTable(
       group: 'File',
       label: 'Export the shape as OBJ',
       keys: ['Ctrl+E'],
-      action: () => files.exportMesh(),
+      action: () => actions.reportErrors(exportMesh(app)),
       needsModel: true,
       title: ({ flatMap }) =>
         `Save the current shape${flatMap ? ', with its flat map,' : ''} as OBJ`,

@@ -57,6 +57,8 @@ export class Autosave {
   #kept = NOTHING;
   /** State whose write to the database has completed. */
   #confirmed = NOTHING;
+  /** Iteration of the latest progress. */
+  #reached = 0;
   #writing: Promise<void> | null = null;
   /**
    * What waits for the write before it, by work: it is taken when it comes, since another model may be
@@ -79,7 +81,10 @@ export class Autosave {
       if (this.#id && solver.sceneText !== this.#kept.text) actions.describeFile({ saved: '' });
       void this.save();
     });
-    solver.on('progress', () => this.save());
+    solver.on('progress', ({ iteration }) => {
+      this.#reached = iteration;
+      void this.save();
+    });
     document.addEventListener('visibilitychange', () => {
       if (document.visibilityState === 'hidden') this.#saveAtOnce();
     });
@@ -151,11 +156,12 @@ export class Autosave {
         const saved = `Saved in this browser ${timeOf(work.savedAt)}`;
         this.#actions.describeFile({ saved });
       } catch {
-        // Storage is blocked (as in some private windows) or full.
-        this.#waiting.clear();
+        // Storage is blocked (as in some private windows) or full; another work may have room. What waits
+        // for this one is only what has changed since.
+        this.#waiting.delete(id);
+        if (id !== this.#id) continue;
         this.#kept = NOTHING;
         this.#actions.describeFile({ saved: OFF });
-        return;
       }
     }
   }
@@ -202,7 +208,8 @@ export class Autosave {
       name,
       title: origin.title ?? (model.title || model.name),
       savedAt: Date.now(),
-      iteration: saved.iteration,
+      iteration: progress ? this.#reached : saved.iteration,
+      sceneIteration: saved.iteration,
       example: origin.example?.id ?? null,
       hash: origin.link ?? '',
       view,
@@ -291,8 +298,8 @@ export async function take(work: Work, how?: LockOptions): Promise<Taken | null>
     throw new Unreadable(work, text, 'its saved copy is damaged');
   }
   const bytes = (value: unknown) => (value instanceof Uint8Array ? value : null);
-  const { iteration } = work;
-  const saved = { iteration, history: bytes(history), progress: bytes(progress) };
+  const { iteration, sceneIteration = iteration } = work;
+  const saved = { iteration: sceneIteration, history: bytes(history), progress: bytes(progress) };
   return { work, text, saved };
 }
 

@@ -106,7 +106,7 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     // A folder looks like an unreadable file.
     const [file] = files;
     if (store.get().document && event.clientY > FIT_FROM * window.innerHeight && file) {
-      void actions.reportErrors(readSecondFile(FIT, file, actions));
+      void actions.reportErrors(readSecondFile(FIT, file, actions, app.files.replaced));
       return;
     }
     const folders = [...items]

@@ -1,4 +1,4 @@
-/** File input and output: open, examples, save, export. Emits `opened` after each opened model. */
+/** File input and output: open, examples, save. Emits `opened` after each opened model. */
 
 import { Emitter } from '../solver/emitter.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
@@ -7,7 +7,6 @@ import { isReadable, mainOf } from '../solver/opened-files.ts';
 import { count, groupDigits, length } from '../ui/words.ts';
 import { saveFile } from '../ui/output.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
-import { askToExport } from './collapse.ts';
 import { offersToChoose } from './missing-files.ts';
 import { Openings, type Opening } from './openings.ts';
 import { askRhino } from './rhino/rhino-client.ts';
@@ -263,22 +262,35 @@ export class Files extends Emitter<{ opened: void }> {
     };
   }
 
+  /**
+   * Opens another model in place of the open one.
+   * @param next may ask for the open one as it is: what is opened meanwhile was begun later, and wins
+   * @returns null if it is not open; an alert gives the reason of a refusal
+   */
+  #openInstead(next: () => Promise<Left> | Left): Promise<Loaded | null> {
+    const opened = this.openings.begin(async (opening) => {
+      const { given, origin } = await next();
+      return this.open(given, origin, { opening });
+    });
+    return opened.catch(() => null);
+  }
+
   /** Reopens the model that this one has replaced. */
   async goBack() {
     const { before, step } = this.origin;
     // While a model is being opened, the open one is not left yet.
     if (!before || this.openings.coming) return;
-    const after = await this.asItIs();
-    const loaded = await this.open(before.given, { ...before.origin, after }).catch(() => null);
-    if (loaded) this.#actions.setStatus(`Undid: ${step}`);
+    const { given, origin } = before;
+    const left = async () => ({ given, origin: { ...origin, after: await this.asItIs() } });
+    if (await this.#openInstead(left)) this.#actions.setStatus(`Undid: ${step}`);
   }
 
   /** Reopens the model from which Undo went back, unless this one has changed since. */
   async goForward() {
     const { after } = this.origin;
     if (!after || !this.#store.get().redoes || this.openings.coming) return;
-    const loaded = await this.open(after.given, after.origin).catch(() => null);
-    if (loaded) this.#actions.setStatus(`Redid: ${after.origin.step}`);
+    if (await this.#openInstead(() => after))
+      this.#actions.setStatus(`Redid: ${after.origin.step}`);
   }
 
   /** Forgets the model from which Undo went back, once an edit has taken its place. */
@@ -314,13 +326,11 @@ export class Files extends Emitter<{ opened: void }> {
   /** Opens the files of the open model in another way, as a work of its own; Undo goes back. */
   #openOtherwise(given: NamedBytes[], how: Origin, step: string) {
     const { example, title, link, hidden, unwelded } = this.origin;
-    const opened = this.openings.begin(async (opening) => {
+    void this.#openInstead(async () => {
       const before = await this.asItIs();
       const origin = { ...{ example, title, link, hidden, unwelded }, ...how, before, step };
-      await this.open(given, origin, { opening });
+      return { given, origin };
     });
-    // An alert gives the reason of a refusal.
-    opened.catch(() => {});
   }
 
   /**
@@ -342,41 +352,6 @@ export class Files extends Emitter<{ opened: void }> {
       ...(hidden > 0 ? [{ label, action }] : []),
     );
     if (hidden > 0) untilChanged(this.#store, withdraw);
-  }
-
-  /** Exports the current shape with the file's original vertices, before welding. */
-  async exportUnwelded() {
-    await this.save('.obj', 'model/obj', async () => {
-      await this.#actions.settled();
-      if (!(await this.mayExport())) return null;
-      return Uint8Array.from(await this.#actions.ask.objUnwelded());
-    });
-  }
-
-  /** Exports the current shape in the format with this ending. */
-  async exportAs(ending: 'ply' | 'stl') {
-    await this.save(`.${ending}`, `model/${ending}`, async () => {
-      if (!(await this.mayExport())) return null;
-      return Uint8Array.from(await this.#actions.ask.meshFile(ending));
-    });
-  }
-
-  /** Asks for confirmation if a run has collapsed the mesh; true if the export may go on. */
-  async mayExport() {
-    const collapse = this.#store.get().numbers?.collapse;
-    return !collapse || Boolean(await askToExport(collapse));
-  }
-
-  /** Exports the current shape as OBJ, with the displayed flat map. */
-  async exportMesh() {
-    const made = this.save('.obj', 'model/obj', async () => {
-      await this.#actions.settled();
-      if (!(await this.mayExport())) return null;
-      const uv = this.#store.get().flatMap?.found.uv;
-      const { ask } = this.#actions;
-      return uv ? ask.objWithUv(uv) : ask.obj();
-    });
-    await this.#actions.reportErrors(made);
   }
 
   async saveScene() {

@@ -8,12 +8,16 @@ const KEY = 'shape-up.frames';
 /** Number of files remembered. */
 const MOST_FILES = 40;
 
+/** Other code may have written to the key. */
+const isKnown = (one: unknown) =>
+  Array.isArray(one) && /^[yz]$/.test(one[1]?.up) && typeof one[1].units === 'string';
+
 /** @returns newest last */
 function remembered(): [string, Frame][] {
   try {
-    return JSON.parse(getItem(KEY) ?? '[]');
+    const all: unknown = JSON.parse(getItem(KEY) ?? '[]');
+    return Array.isArray(all) ? all.filter(isKnown) : [];
   } catch {
-    // Other code has written to this key.
     return [];
   }
 }

@@ -70,7 +70,8 @@ export async function openLarge(
   } catch (error) {
     // What is said now is about the other model.
     if (overtaken.aborted) return;
-    if (!card.cancelled.aborted) return void alerts.error(messageOf(error));
+    const isCancelled = card.cancelled.aborted || error instanceof Cancelled;
+    if (!isCancelled) return void alerts.error(messageOf(error));
     alerts.clear();
     actions.setStatus('Cancelled');
   } finally {
@@ -125,7 +126,7 @@ class Card {
   }
 
   abort() {
-    this.#abort.abort();
+    this.#abort.abort(new Cancelled());
   }
 
   /** @param part fraction from 0 to 1; null if unknown */

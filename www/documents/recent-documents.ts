@@ -16,6 +16,8 @@ export interface Work {
   /** milliseconds since 1970 */
   savedAt: number;
   iteration: number;
+  /** that of its scene, from which a run or a drag has gone on; the same if it is not there */
+  sceneIteration?: number;
   /** id of the example whose mesh it has */
   example: string | null;
   /** fragment of the address at which it was opened */
@@ -44,7 +46,7 @@ const TEXT = 'text ';
 const PARTS = [ABOUT, TEXT, 'history ', 'progress '];
 /** Earlier versions stored a list instead. */
 const OLD_LIST = 'list';
-/** Number of works kept, beside those that are open. */
+/** Number of works kept, beside older ones that are open. */
 export const MOST = 8;
 /** A tab holds a lock with this prefix and the id of its work. */
 export const LOCK_PREFIX = 'shape-up.work.';
@@ -132,19 +134,22 @@ const isFull = (error: unknown) =>
   error instanceof DOMException && error.name === 'QuotaExceededError';
 
 /**
- * Deletes works beyond the limit, except those that are open: first those that were not changed, of
- * which there is only the newest of each file, then the oldest.
+ * Deletes works beyond the limit, except those that are open: first those that can be opened again from
+ * their files, then the oldest. Of what was not changed there is only the newest of each file or link.
  */
 export async function pruneOldest() {
   const all = await recentDocuments();
-  const changed = all.filter(({ file }) => !file);
-  const unchanged = all.filter(
-    ({ id, file }) => file && all.find((one) => one.file === file)?.id === id,
+  const newest = all.filter(
+    ({ id, file }) => !file || all.find((one) => one.file === file)?.id === id,
   );
-  const kept = [...changed, ...unchanged].slice(0, MOST).map(({ id }) => id);
+  // Who was sent a link may have no other copy.
+  const isOfFile = ({ file, hash }: Work) => Boolean(file) && !hash;
+  const others = newest.filter((work) => !isOfFile(work));
+  const kept = [...others, ...newest.filter(isOfFile)].slice(0, MOST).map(({ id }) => id);
   const removed = (await closedWorks()).filter(({ id }) => !kept.includes(id));
   await remove(removed);
-  const titles = removed.filter(({ file }) => !file).map(({ title }) => title);
+  const isTold = ({ id }: Work) => others.some((other) => other.id === id);
+  const titles = removed.filter(isTold).map(({ title }) => title);
   if (titles.length > 0) removals.emit('beyond', titles);
 }
 

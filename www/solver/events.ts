@@ -5,7 +5,7 @@
  * answered by `pong` between slices. With an `id` a call is answered by
  * exactly one `reply`, `refused` or `outdated` with the same `id`. Worker to page: those answers, and the events
  * of {@link FromWorker}. Events caused by a call are sent before its answer, so that the page is up
- * to date when its promise settles.
+ * to date when its promise settles; except `frame` and what follows it, which wait for a free buffer.
  *
  * The worker first sends `ready`, once; the page queues its messages until then.
  *
@@ -51,10 +51,12 @@ import type {
  *   milliseconds since it came.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
- * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged.
+ * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged; sent
+ *   after its `activity`.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `died`: the state is unusable, the worker must be replaced.
- * - `working`: work begins that may take long, with no message until then. `pong`: sign of life.
+ * - `working`: work begins that may take long, with no message until then: for the call with this `id`, or
+ *   for none, as a run. `pong`: sign of life.
  * - `refused`: `path` is the position of the error in the scene, such as `constraints[0].length`;
  *   empty if it is not about a scene. `outdated`: the call is about a mesh that has been replaced.
  */
@@ -95,7 +97,7 @@ export type FromWorker =
   | { type: 'collapsed'; collapse: string }
   | { type: 'trouble'; message: string }
   | { type: 'died'; message: string }
-  | { type: 'working' }
+  | { type: 'working'; id?: number }
   | { type: 'pong' }
   | { type: 'reply'; id: number; value: unknown }
   | { type: 'refused'; id: number; message: string; path: string }

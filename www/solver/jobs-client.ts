@@ -9,7 +9,7 @@ import { calling, Waiting, type Answer, type Remote } from './remote.ts';
 import type { JobCall, Jobs, OnCopy } from '../worker/jobs-worker.ts';
 import type { Snapshot } from './types.ts';
 
-type ErrorOf = Parameters<Waiting['fail']>[0];
+type ErrorOf = (name: string, place: number) => Error;
 
 /** Time after which the user may want to cancel a job, in milliseconds. */
 const LONG_MS = 1500;

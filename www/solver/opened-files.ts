@@ -26,13 +26,26 @@ export function worthReading<File extends Named>(files: File[]) {
 /**
  * Returns the paths that the main file names, each with the file of that name, if given.
  * @param namesOf returns the paths that a scene names
+ * @throws if a file could be that of two paths: files have no folders here
  */
 export function filesNamed(files: NamedBytes[], namesOf: (scene: Uint8Array) => string[]) {
   const main = mainOf(files);
   const paths = isScene(main) ? namesOf(main.bytes) : [];
-  const isOther = (file: Named) => file !== main;
+  const others = files.filter((file) => file !== main);
+  const takenBy: Map<NamedBytes, string> = new Map();
   return paths.map((path) => {
-    const name = path.split('/').pop();
-    return { path, file: files.filter(isOther).find((file) => file.name === name) };
+    const file = others.find(({ name }) => name === nameOf(path));
+    const before = file && takenBy.get(file);
+    if (before && here(before) !== here(path))
+      throw new Error(
+        `${before} and ${path} have the same name here, without their folders: rename one of them, also in the scene.`,
+      );
+    if (file) takenBy.set(file, path);
+    return { path, file };
   });
 }
+
+const nameOf = (path: string) => path.split('/').pop();
+
+/** A path in its shortest form. */
+const here = (path: string) => path.replace(/^(\.\/)+/, '');

@@ -123,11 +123,11 @@ export class Waiting {
 
   /**
    * Settles all calls with errors.
-   * @param errorOf gets the name of each, and its place in their order
+   * @param errorOf gets the name of each, its place in their order, and its number
    */
-  fail(errorOf: (name: string, place: number) => Error) {
+  fail(errorOf: (name: string, place: number, id: number) => Error) {
     [...this.#calls].forEach(([id, { name }], place) => {
-      this.settle(id, null, errorOf(name, place));
+      this.settle(id, null, errorOf(name, place, id));
     });
   }
 }

@@ -92,6 +92,8 @@ export class SolverClient extends Emitter<SolverEvents> {
   #replaced: { name: string; text: string | null; saved: Saved } | null = null;
   /** Whether the worker has begun work that may take long. */
   #working = false;
+  /** The call that this work is for, unless it is for none, as that of a run. */
+  #workingFor: number | undefined;
   /** Number of checks since then. */
   #busyChecks = 0;
   /** Number of checks since its last message. */
@@ -152,7 +154,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     if (!this.#previous) return;
     const positions = this.#previous;
     this.#previous = null;
-    this.#post({ name: 'recycle', given: [positions] }, [positions.buffer]);
+    const call = { name: 'recycle', given: [positions], mesh: this.#mesh };
+    this.#post(call, [positions.buffer]);
   }
 
   /**
@@ -235,9 +238,15 @@ export class SolverClient extends Emitter<SolverEvents> {
   #receive(message: FromWorker) {
     this.#missed = 0;
     this.#working = message.type === 'working';
-    if (!this.#working) this.#setBusy(0);
+    if (!this.#working) {
+      this.#setBusy(0);
+      this.#workingFor = undefined;
+    }
     switch (message.type) {
       case 'working':
+        // Parts of it are announced without the call.
+        this.#workingFor ??= message.id;
+        return;
       case 'pong':
         return;
       case 'ready': {
@@ -322,17 +331,20 @@ export class SolverClient extends Emitter<SolverEvents> {
     const lastScene = this.sceneText;
     const again = this.#restoring;
     const atStart = !this.#ready;
+    const [working, workingFor] = [this.#working, this.#workingFor];
     this.#worker?.terminate();
     this.#worker = null;
     this.#ready = this.#working = false;
+    this.#workingFor = undefined;
     this.#missed = 0;
     this.#setBusy(0);
     this.#held = [];
-    this.#replaced = null;
-    this.#waiting.fail((_, place) =>
+    this.#previous = this.#replaced = null;
+    this.#waiting.fail((_, place, id) => {
       // What waited behind the work that the user has cancelled can be asked for again.
-      wanted ? new Cancelled(place === 0) : new Error(`the solver stopped (${reason})`),
-    );
+      const isMeant = working ? id === workingFor : place === 0;
+      return wanted ? new Cancelled(isMeant) : new Error(`the solver stopped (${reason})`);
+    });
     this.emit('activity', { type: 'activity', running: false, converged: false });
 
     if (atStart && !lastScene && !wanted) {

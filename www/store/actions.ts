@@ -6,6 +6,7 @@
 import { workingKey } from '../ui/keys.ts';
 import { count } from '../ui/words.ts';
 import { again, Cancelled, messageOf } from '../solver/errors.ts';
+import { calling } from '../solver/remote.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { Edit, Handle, PanelStart, Require } from '../solver/types.ts';
@@ -104,6 +105,8 @@ export function createActions(
   let original: Promise<Float64Array> | null = null;
   solver.on('model', () => (original = null));
 
+  const questions = solver.ask as Record<string, (...given: unknown[]) => Promise<unknown>>;
+
   const connectivity = () => solver.geometry?.connectivity;
 
   /** Returns the selected vertices that are handles. */
@@ -163,8 +166,11 @@ export function createActions(
 
   return {
     ...view,
-    /** Questions to the solver, which leave document and shape as they are. */
-    ask: solver.ask,
+    /**
+     * Questions to the solver, which leave document and shape as they are. What waits behind cancelled
+     * work is asked after it.
+     */
+    ask: calling<SolverClient['ask']>((name, given) => again(() => questions[name](...given))),
 
     /** Returns the positions at opening, `#V by 3`; asked for once. */
     originalPositions: () =>
@@ -258,11 +264,11 @@ export function createActions(
     },
 
     async step() {
-      const converged = await reportErrors(solver.change.step());
-      if (converged === undefined) return;
-      const { document, numbers } = store.get();
-      const done = (converged && numbers?.ended.converged) || 'One iteration';
-      const isInexact = document?.constraints.some(isHard) && !numbers?.exact?.met;
+      const numbers = await reportErrors(solver.change.step());
+      if (!numbers) return;
+      const { document } = store.get();
+      const done = numbers.converged ? numbers.ended.converged : 'One iteration';
+      const isInexact = document?.constraints.some(isHard) && !numbers.exact?.met;
       setStatus(isInexact ? `${done}; press Run to satisfy what is required` : done);
     },
 

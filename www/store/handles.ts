@@ -138,14 +138,16 @@ export class HandleDrag {
     this.move(...this.#by);
   }
 
-  end() {
-    if (this.#isOver) return;
+  /** @returns whether anything has moved */
+  end(): boolean {
+    if (this.#isOver) return false;
     this.#send('end');
     const { document } = this.#store.get();
     // Valid until the solver sends the new document.
     if (document)
       this.#store.set({ document: { ...document, handles: handlesNow(this.#store.get()) } });
     this.#leave();
+    return this.#targets.some((value, i) => value !== this.#from[i]);
   }
 
   /** Cancels the drag and restores the targets. */

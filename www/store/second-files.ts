@@ -22,9 +22,18 @@ export const POSE: SecondFile = {
 
 /**
  * Reads the file, as one step of undo. An alert says why it is refused.
+ * @param replaced aborted when another model is shown than the one that it was chosen for
  * @returns rejects if it cannot be read from the disk
  */
-export async function readSecondFile({ edit, done }: SecondFile, file: File, actions: Actions) {
-  const edited = await actions.edit(edit(file.name, await file.text()));
+export async function readSecondFile(
+  { edit, done }: SecondFile,
+  file: File,
+  actions: Actions,
+  replaced: AbortSignal,
+) {
+  const text = await file.text();
+  if (replaced.aborted)
+    return actions.setStatus(`${file.name} was not used: another model was opened meanwhile.`);
+  const edited = await actions.edit(edit(file.name, text));
   if (edited !== undefined) actions.setStatus(done(file.name));
 }

@@ -24,7 +24,6 @@ export class Frames {
   #post;
   /** Buffers available for writing. */
   #free: Float64Array[] = [];
-  #length = 0;
 
   constructor(solver: Solver, post: (message: FromWorker, transfer?: Transferable[]) => void) {
     this.#solver = solver;
@@ -36,16 +35,15 @@ export class Frames {
    * @returns the first of the two buffers, filled with its positions
    */
   renew(vertices: number): Float64Array {
-    this.#length = 3 * vertices;
-    this.#free = [new Float64Array(this.#length)];
-    const positions = new Float64Array(this.#length);
+    this.#free = [new Float64Array(3 * vertices)];
+    const positions = new Float64Array(3 * vertices);
     this.#solver.writePositions(positions);
     return positions;
   }
 
-  /** Takes a buffer back, unless it is of the previous mesh. */
+  /** Takes a buffer of this mesh back. */
   takeBack(positions: Float64Array) {
-    if (positions.length === this.#length && this.#free.length < 2) this.#free.push(positions);
+    this.#free.push(positions);
   }
 
   /**

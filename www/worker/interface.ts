@@ -10,9 +10,9 @@ import { mostFaces, warmUpWhenQuiet } from './warm-up.ts';
 import type { Shown } from './frames.ts';
 import type { Drag, Edit, ExactReport, ExactShape, NamedBytes, Snapshot } from '../solver/types.ts';
 
-/** What is about a mesh, by indices in it or values of it: it must not be done to another one. */
+/** What is about a mesh, by indices in it, values of it or its buffer: it must not be done to another one. */
 export const ABOUT_MESH: ReadonlySet<string> = new Set<keyof Commands | keyof Changes>([
-  ...['drag', 'edit', 'editAndRun', 'setBuildNumbers'],
+  ...['drag', 'edit', 'editAndRun', 'recycle', 'setBuildNumbers'],
 ] as const);
 
 /** Commands, which have no answer. Their errors are told as `trouble`. */
@@ -103,7 +103,7 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     undo: () => paused(() => scheduler.betweenRuns(() => solver.undo() ?? null)),
     /** @returns the name of what was redone */
     redo: () => paused(() => scheduler.betweenRuns(() => solver.redo() ?? null)),
-    /** @returns whether it has converged */
+    /** @returns the new numbers */
     step: () => paused(() => scheduler.step()),
     /** Performs the local step, or the global step after it. */
     halfStep: () => paused(() => scheduler.halfStep()),

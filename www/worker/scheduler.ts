@@ -5,7 +5,7 @@
 
 import { isTrap, messageOf } from '../solver/errors.ts';
 import type { FromWorker } from '../solver/events.ts';
-import type { Drag, Loaded, Half } from '../solver/types.ts';
+import type { Drag, Half, Loaded, Numbers } from '../solver/types.ts';
 import { Frames } from './frames.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 
@@ -19,6 +19,19 @@ const FRAME_SHARE = 0.25;
  */
 const PROGRESS_EVERY_MS = 800;
 const PROGRESS_SHARE = 0.05;
+
+/**
+ * Performs an action, and recovers from an error; not from a trap, after which the solver refuses every
+ * call with an error that would hide it.
+ */
+function orRecover<T>(action: () => T, recover: () => void): T {
+  try {
+    return action();
+  } catch (thrown) {
+    if (!isTrap(thrown)) recover();
+    throw thrown;
+  }
+}
 
 export class Scheduler {
   frames;
@@ -44,6 +57,8 @@ export class Scheduler {
   #progressEvery = PROGRESS_EVERY_MS;
   /** Whether `activity` must be sent, after the frame that belongs to it. */
   #activityDue = false;
+  /** How the run that has ended has collapsed, to be told after that. */
+  #collapse: string | undefined;
   #sliceQueued = false;
   /** Whether the next slice may have to factor the system first. */
   #sliceIsNew = false;
@@ -81,13 +96,8 @@ export class Scheduler {
   replace<T>(load: () => T): T {
     const wasRunning = this.#isRunning;
     if (wasRunning) this.#endRun();
-    try {
-      return load();
-    } catch (thrown) {
-      // The page does not know yet that the run has ended.
-      if (wasRunning && !isTrap(thrown)) this.changed();
-      throw thrown;
-    }
+    // The page does not know yet that the run has ended.
+    return orRecover(load, () => wasRunning && this.changed());
   }
 
   /**
@@ -125,19 +135,23 @@ export class Scheduler {
 
   /**
    * Iterates once.
-   * @returns whether it has converged
+   * @returns the new numbers: their frame waits for a free buffer
    */
-  step(): boolean {
+  step(): Numbers {
     this.#isSettled = this.#solver.singleStep();
     this.#activityDue = true;
     this.changed();
-    return this.#isSettled;
+    return this.#solver.frame(this.isIterating);
   }
 
   halfStep(): Half {
+    const wasDragging = this.#endDrag();
     const done = this.#solver.halfStep();
     if (done.half === 'global') {
       this.#isSettled = done.converged;
+      this.#activityDue = true;
+      this.changed();
+    } else if (wasDragging) {
       this.#activityDue = true;
       this.changed();
     } else {
@@ -155,13 +169,8 @@ export class Scheduler {
   betweenRuns<T>(edit: () => T, settles?: boolean): T {
     this.#endDrag();
     const before = this.#solver.generation();
-    let result;
-    try {
-      result = edit();
-    } finally {
-      // What is refused, or has no effect, has not ended the run.
-      if (this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
-    }
+    const result = this.#duringRun(edit);
+    this.#goOn();
     // What leaves problem and shape as they were leaves a converged shape converged.
     if (settles !== undefined || this.#solver.generation() !== before)
       this.#isSettled = settles === true && result === true;
@@ -220,15 +229,17 @@ export class Scheduler {
   }
 
   /**
-   * Prepares for an edit during a drag, which ends the drag in the solver: its latest move is a part
-   * of it. The page may go on with what it takes for a drag, without effect.
+   * Prepares for what ends a drag in the solver, as an edit: its latest move is a part of it. The page
+   * may go on with what it takes for a drag, without effect.
+   * @returns whether there was one
    */
   #endDrag() {
-    if (!this.#isDragging) return;
+    if (!this.#isDragging) return false;
     const move = this.#move;
     this.#move = this.#answering = null;
     this.#isDragging = false;
     if (move) this.#solver.drag(move.vertices, move.targets, 'move');
+    return true;
   }
 
   /** Returns whether a drag may begin. A refused one is reported, and leaves a run as it was. */
@@ -243,14 +254,14 @@ export class Scheduler {
     }
   }
 
-  /** Performs what ends the run in the solver, also if it is then refused: the run goes on then. */
-  #duringRun(action: () => void) {
-    try {
-      action();
-    } catch (thrown) {
-      if (!isTrap(thrown) && this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
-      throw thrown;
-    }
+  /** Performs what may end the run in the solver, also if it is then refused: the run goes on then. */
+  #duringRun<T>(action: () => T): T {
+    return orRecover(action, () => this.#goOn());
+  }
+
+  /** Begins the run again, unless the solver has not ended it. */
+  #goOn() {
+    if (this.#isRunning && !this.#solver.isRunning()) this.#solver.beginRun();
   }
 
   /** Sends mesh, scene, document and frame after an edit, a load, or the end of a run or a drag. */
@@ -330,12 +341,12 @@ export class Scheduler {
   /** Iterates until convergence, as a run of its own. */
   #iterate() {
     this.#solver.beginRun();
-    try {
+    const end = () => this.#solver.endRun();
+    orRecover(() => {
       do this.#isSettled = this.#solver.step();
       while (!this.#isSettled);
-    } finally {
-      this.#solver.endRun();
-    }
+    }, end);
+    end();
   }
 
   /**
@@ -372,7 +383,6 @@ export class Scheduler {
   }
 
   #iterateForSlice() {
-    let collapse: string | undefined;
     if (this.#move) {
       this.#solver.drag(this.#move.vertices, this.#move.targets, 'move');
       this.#move = null;
@@ -387,13 +397,12 @@ export class Scheduler {
       this.frames.due = true;
     }
     if (this.#isSettled && this.#isRunning && !this.#isDragging) {
-      collapse = this.#endRun();
+      this.#collapse = this.#endRun();
       this.changed();
     } else if (this.frames.due) {
       this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);
     }
     this.sendFrame();
-    if (collapse) this.#post({ type: 'collapsed', collapse });
   }
 
   #sendDocument() {
@@ -425,7 +434,12 @@ export class Scheduler {
 
   #sendActivity() {
     this.#activityDue = false;
-    const converged = this.#isSettled && !this.#solver.collapse();
+    const isCollapsed = Boolean(this.#solver.collapse());
+    const converged = this.#isSettled && !isCollapsed;
     this.#post({ type: 'activity', running: this.#isRunning, converged });
+    const collapse = this.#collapse;
+    this.#collapse = undefined;
+    // It may have been undone, or run again, before the last frame of the run.
+    if (collapse && isCollapsed && !this.#isRunning) this.#post({ type: 'collapsed', collapse });
   }
 }

@@ -43,7 +43,7 @@ function listen(solver: Solver, module: WebAssembly.Module) {
     name in answers ? answers[name](...given) : methods[name](...given);
 
   function answer(call: Call, id: number) {
-    post({ type: 'working' });
+    post({ type: 'working', id });
     const refuse = (thrown: unknown) => {
       if (isTrap(thrown)) died(thrown);
       const path = thrown instanceof Error && 'path' in thrown ? String(thrown.path) : '';

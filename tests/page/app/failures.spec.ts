@@ -1,7 +1,7 @@
 // Failures of the solver and the graphics.
 
 import type { Page } from '@playwright/test';
-import { addConstraint, openText, runToTheEnd, exported } from '../actions.ts';
+import { addConstraint, exported, openText, runToTheEnd, tool } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
 import { coloursOfView, expect, looks, openPage, state, test, waitForState } from '../support.ts';
 
@@ -111,6 +111,29 @@ test.describe('the solver', () => {
     await expect(alert).toContainText('nobody waited');
     expect(complaints.splice(0)).toHaveLength(2);
   });
+});
+
+test('an export that fails is said in its dialog, which stays', async ({ page }) => {
+  // One of the formats closed it, and said so in a message below.
+  await openPage(page);
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message, ...rest) {
+      const wrong = { ...message, name: 'nothing of this name' };
+      const isOne = ['obj', 'meshFile'].includes(message.name);
+      Reflect.apply(postMessage, this, [isOne ? wrong : message, ...rest]);
+    };
+  });
+  await tool(page, 'More formats');
+  const dialog = page.getByRole('dialog', { name: 'More formats' });
+  for (const format of ['OBJ', 'PLY']) {
+    await dialog.getByRole('button', { name: format }).first().click();
+    await expect(dialog.getByText(/is not a function$/)).toBeVisible();
+  }
+  await expect(page.getByRole('alert')).toBeEmpty();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('Control+e');
+  await expect(page.getByRole('alert')).toContainText('is not a function');
 });
 
 test('without graphics everything but the 3D view works', async ({ page }) => {

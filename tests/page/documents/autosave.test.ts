@@ -2,8 +2,8 @@
 
 import assert from 'node:assert/strict';
 import { test, type TestContext } from 'node:test';
-import { locks } from './storage.ts';
-import { Autosave } from '../../../www/documents/autosave.ts';
+import { locks, records } from './storage.ts';
+import { Autosave, take } from '../../../www/documents/autosave.ts';
 import {
   LOCK_PREFIX,
   contentsOf,
@@ -12,15 +12,15 @@ import {
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { Files, Origin } from '../../../www/documents/files.ts';
-import type { Loaded } from '../../../www/solver/types.ts';
+import type { Loaded, Saved } from '../../../www/solver/types.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Actions } from '../../../www/store/actions.ts';
 
 /** The parts of the solver that autosave follows. */
-class Solver extends Emitter<{ model: object; scene: object }> {
+class Solver extends Emitter<{ model: object; scene: object; progress: { iteration: number } }> {
   restoring = false;
   sceneText = 'the roof';
-  saved = { iteration: 0, history: null, progress: null };
+  saved: Saved = { iteration: 0, history: null, progress: null };
 
   model(restoring: boolean) {
     this.restoring = restoring;
@@ -29,6 +29,10 @@ class Solver extends Emitter<{ model: object; scene: object }> {
   scene(text: string) {
     this.sceneText = text;
     this.emit('scene', {});
+  }
+  progress(iteration: number) {
+    this.saved = { ...this.saved, progress: new Uint8Array(1) };
+    this.emit('progress', { iteration });
   }
 }
 
@@ -45,14 +49,16 @@ function started(context: TestContext) {
     ...{ origin, original: null as string | null, name: 'roof' },
   });
   const store = createStore();
+  /** What is said of the autosave. */
+  const said: string[] = [];
   store.set({ model: { title: '', name: 'roof.obj' } as Loaded });
   const autosave = new Autosave(
     solver as unknown as SolverClient,
     files as unknown as Files,
     store,
-    { describeFile() {} } as unknown as Actions,
+    { describeFile: ({ saved }: { saved: string }) => said.push(saved) } as unknown as Actions,
   );
-  return { solver, files, autosave };
+  return { solver, files, autosave, said };
 }
 
 test('autosave goes on after the opening of another file was cancelled', async (context) => {
@@ -132,4 +138,36 @@ test('a work that is opened again while another tab has it becomes another work'
   assert.equal(files.origin.work, autosave.id);
   assert.equal((await contentsOf(id)).text, 'the roof');
   assert.equal((await contentsOf(autosave.id)).text, 'the roof with a window');
+});
+
+test('a work for which there is no room holds up no other', async (context) => {
+  // The first save of the next model was dropped, and it was said that autosave is off.
+  const { solver, files, autosave, said } = started(context);
+  await autosave.save();
+  const set = Map.prototype.set.bind(records);
+  context.mock.method(records, 'set', (key: string, value: unknown) => {
+    if (value === 'too large') throw new DOMException('Full.', 'QuotaExceededError');
+    return set(key, value);
+  });
+  solver.scene('too large');
+  solver.model(false);
+  solver.scene('another mesh');
+  files.origin = {};
+  files.emit('opened', undefined);
+  const isSaved = async () => (await contentsOf(autosave.id)).text === 'another mesh';
+  for (let tries = 0; tries < 50 && !(await isSaved()); tries++);
+  assert.ok(await isSaved());
+  assert.ok(!said.some((words) => words.includes('off')), `${said}`);
+});
+
+test('a work that has gone on is listed at its iteration, and restored from that of its scene', async (context) => {
+  // "Iteration 0" was said of a run of 400.
+  const { solver, autosave } = started(context);
+  await autosave.save();
+  solver.progress(400);
+  await autosave.save();
+  const [work] = (await recentDocuments()).filter(({ id }) => id === autosave.id);
+  assert.equal(work.iteration, 400);
+  locks.clear();
+  assert.equal((await take(work))?.saved.iteration, 0);
 });

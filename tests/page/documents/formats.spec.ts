@@ -1,6 +1,7 @@
 // Files as they come: open seams, PLY and STL, what a Rhino file hides, and the table in the help.
 
 import { exported, openText, showStep } from '../actions.ts';
+import { file } from '../meshes.ts';
 import { expect, looks, openPage, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -51,17 +52,12 @@ test('PLY and STL are opened as they are exported', async ({ page }) => {
   }
 });
 
-test('hidden objects of a Rhino file are left out, counted, and loaded if asked for', async ({
-  page,
-}) => {
-  await openPage(page);
+/** A Rhino file of squares side by side, shown or not, and a sphere. */
+async function rhinoFile(name: string, ...shown: boolean[]) {
   const { default: openRhino } = await import('rhino3dm');
   const rhino = await openRhino();
-  const file = new rhino.File3dm();
-  for (const [x, visible] of [
-    [0, true],
-    [5, false],
-  ] as const) {
+  const made = new rhino.File3dm();
+  shown.forEach((visible, i) => {
     const mesh = new rhino.Mesh();
     for (const [a, b] of [
       [0, 0],
@@ -69,16 +65,22 @@ test('hidden objects of a Rhino file are left out, counted, and loaded if asked 
       [1, 1],
       [0, 1],
     ])
-      mesh.vertices().addPoint3d(x + a, b, a * b);
+      mesh.vertices().addPoint3d(5 * i + a, b, a * b);
     mesh.faces().addQuadFace(0, 1, 2, 3);
     const attributes = new rhino.ObjectAttributes();
     attributes.visible = visible;
-    file.objects().addMesh(mesh, attributes);
-  }
-  file.objects().addSphere(new rhino.Sphere([0, 0, 0], 1), new rhino.ObjectAttributes());
-  const buffer = Buffer.from(file.toByteArray());
-  const given = { name: 'hidden.3dm', mimeType: 'application/octet-stream', buffer };
-  await page.getByLabel('Open file').setInputFiles(given);
+    made.objects().addMesh(mesh, attributes);
+  });
+  made.objects().addSphere(new rhino.Sphere([0, 0, 0], 1), new rhino.ObjectAttributes());
+  const buffer = Buffer.from(made.toByteArray());
+  return { name, mimeType: 'application/octet-stream', buffer };
+}
+
+test('hidden objects of a Rhino file are left out, counted, and loaded if asked for', async ({
+  page,
+}) => {
+  await openPage(page);
+  await page.getByLabel('Open file').setInputFiles(await rhinoFile('hidden.3dm', true, false));
   await waitForState(page, (now) => now.vertices === 4);
   const alert = page.getByRole('alert');
   await expect(alert).toContainText('1 surface or solid was left out: convert with Rhino’s Mesh');
@@ -88,6 +90,20 @@ test('hidden objects of a Rhino file are left out, counted, and loaded if asked 
   await alert.getByRole('button', { name: 'Load it too' }).click();
   await waitForState(page, (now) => now.vertices === 8);
   await expect(alert).not.toContainText('hidden');
+});
+
+test('all that an opening leaves out is said, of the Rhino file and of the other files', async ({
+  page,
+}) => {
+  // The last message replaced the others in the same moment.
+  await openPage(page);
+  const given = [await rhinoFile('roof.3dm', true), file('photo.jpg', '')];
+  await page.getByLabel('Open file').setInputFiles(given);
+  const alert = page.getByRole('alert');
+  await expect(alert).toContainText('Opened roof.3dm. Left out: photo.jpg');
+  await expect(alert).toContainText('1 surface or solid was left out');
+  await openText(page, 'patches.obj', PATCHES, 18);
+  await expect(alert).not.toContainText('left out');
 });
 
 test(

@@ -65,6 +65,19 @@ test('a file opened again and again pushes out no work that was changed', async 
   assert.deepEqual(removed, ['edited roof']);
 });
 
+test('what a link has brought is kept like changed work, but once', async () => {
+  // It went before all others, as if it could be opened again from a file.
+  await keep({ ...work('linked'), hash: '#link=abc', file: 'of the link' }, contents('a model'));
+  await keep({ ...work('again'), hash: '#link=abc', file: 'of the link' }, contents('a model'));
+  for (let opened = 1; opened <= 7; opened++) await keep(work(`edited-${opened}`), contents('it'));
+  for (let opened = 1; opened <= 9; opened++)
+    await keep({ ...work(`copy-${opened}`), file: `of file ${opened}` }, contents('a model'));
+  await pruneOldest();
+  const left = await ids();
+  assert.equal(left.length, 8);
+  assert.deepEqual([left.includes('again'), left.includes('linked')], [true, false]);
+});
+
 /** Limits the database to so many characters of scenes. */
 function limit(context: TestContext, room: number) {
   const set = Map.prototype.set.bind(records);

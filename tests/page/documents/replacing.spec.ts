@@ -56,6 +56,35 @@ for (const [what, fragment] of [
   });
 }
 
+test('a file that is opened after Undo of a new mesh stays, however long the mesh is asked for', async ({
+  page,
+}) => {
+  await visit(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await tool(page, 'Examples');
+  await page.getByRole('menuitem', { name: 'New mesh' }).click();
+  const dialog = page.getByRole('dialog', { name: 'New mesh' });
+  await dialog.getByRole('button', { name: 'Create mesh' }).click();
+  await expect(dialog).toBeHidden();
+  // As on a large mesh: the model that is left is asked for, and the answer takes its time.
+  await page.evaluate(() => {
+    const { postMessage } = Worker.prototype;
+    Worker.prototype.postMessage = function (message, ...rest) {
+      const send = () => Reflect.apply(postMessage, this, [message, ...rest]);
+      if (message.name === 'rest') Object.assign(window, { letGo: send });
+      else send();
+    };
+  });
+  await page.keyboard.press('Control+z');
+  await page.waitForFunction(() => 'letGo' in window);
+  await openText(page, 'other.obj', wavyGrid(3), 16);
+  await page.evaluate(() => (window as unknown as { letGo: () => void }).letGo());
+  await page.evaluate(() => window.shapeUp.drawn());
+  await page.waitForTimeout(300);
+  expect((await state(page)).vertices).toBe(16);
+  await expect(page.getByRole('status')).toHaveText(/^Opened other\.obj/);
+});
+
 test('work on an example comes back where the list of examples does not', async ({
   page,
   complaints,

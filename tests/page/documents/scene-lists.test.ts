@@ -2,7 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { byLayer, indices, pointsOf } from '../../../www/documents/rhino/scene-lists.ts';
+import {
+  byLayer,
+  curvesLayer,
+  indices,
+  pointsOf,
+} from '../../../www/documents/rhino/scene-lists.ts';
 
 test('ranges include both ends, and an empty list has no index', () => {
   assert.deepEqual(indices('0-3,7'), [0, 1, 2, 3, 7]);
@@ -22,6 +27,14 @@ test('groups of the same name form one layer, whichever statement defined them',
   };
   const layers = Object.fromEntries(byLayer(6, groups));
   assert.deepEqual(layers, { roof: [0, 1, 3], Panels: [2, 5], wall: [4] });
+});
+
+test('the faces of no group, and the curves, are on layers of their own', () => {
+  // They were merged into groups of these names.
+  const groups = { Panels: { faces: [0] }, Curves: { faces: [1] }, 'Curves 2': { faces: [2] } };
+  const layers = Object.fromEntries(byLayer(4, groups));
+  assert.deepEqual(layers, { Panels: [0], Curves: [1], 'Curves 2': [2], 'Panels 2': [3] });
+  assert.equal(curvesLayer(groups), 'Curves 3');
 });
 
 test('a Rhino file has the current shape, of a scene saved at its design that variant', () => {

@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import type { PolylineCurve } from 'rhino3dm';
 import { program } from '../../../.scripts/project.mjs';
 import { addConstraint, exported, openText, runToTheEnd, saved, tool } from '../actions.ts';
-import { file, wavyGrid } from '../meshes.ts';
+import { file, tetScene, wavyGrid } from '../meshes.ts';
 import { decodePng, differingBytes, distinctColours, type Picture } from '../picture.ts';
 import {
   boxOf,
@@ -273,6 +273,36 @@ test('a Rhino file is exported and opened again', async ({ page }) => {
   expect(scene.mesh.curves).toHaveLength(1);
   const sorted = (points: number[][]) => points.map((point) => point.join()).sort();
   expect(sorted(scene.mesh.positions)).toEqual(sorted(corners));
+});
+
+test('faces that are left as they are go to Rhino and back, and tetrahedra are refused', async ({
+  page,
+}) => {
+  // They were missing there, without a word.
+  await openPage(page);
+  const vertices = 'v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 3 0\nv -1 1 0\n';
+  const touching = `${vertices}g Roof::North\nf 1 2 3\nf 1 2 3 1 4 5\n`;
+  await openText(page, 'roof.obj', touching, 5);
+  const { name, bytes } = await exported(page, '3DM');
+  const { default: openRhino } = await import('rhino3dm');
+  const layers = (await openRhino()).File3dm.fromByteArray(new Uint8Array(bytes)).layers();
+  // Layers in layers, as Rhino files have them.
+  const names = Array.from({ length: layers.count }, (_, i) => layers.get(i).name);
+  expect(names).toEqual(['Roof', 'North', 'Panels']);
+  await openText(page, 'cube.shapeup.json', tetScene(), 8);
+  await tool(page, 'More formats');
+  const dialog = page.getByRole('dialog', { name: 'More formats' });
+  await dialog.getByRole('button', { name: /^3DM/ }).click();
+  await expect(dialog).toContainText('There are no faces or curves');
+  await page.keyboard.press('Escape');
+  await page
+    .getByLabel('Open file')
+    .setInputFiles({ name, mimeType: 'application/octet-stream', buffer: bytes });
+  await waitForState(page, (now) => now.vertices === 5);
+  const { mesh } = await page.evaluate(() => window.shapeUp.scene());
+  expect(mesh.faces).toHaveLength(1);
+  expect(Object.keys(mesh.groups)).toEqual(['Roof::North']);
+  expect(mesh.untouched.map((face: number[]) => face.length)).toEqual([6]);
 });
 
 test('a Rhino file without readable geometry is refused with the reason', async ({ page }) => {

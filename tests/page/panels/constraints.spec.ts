@@ -226,6 +226,11 @@ test('a handle is moved by keys: picked up, along an axis, dropped, and put back
   for (let press = 0; press < 4; press++) await page.keyboard.press('ArrowUp');
   await page.keyboard.press('Enter');
   await expect(page.getByRole('status')).toHaveText('Handle moved');
+  // Half a step would end the move.
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('switch', { name: 'Half step', includeHidden: true })).toBeDisabled();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('status')).toHaveText('The handle stays where it was');
   const [{ target }] = (await state(page)).handles;
   expect(target.slice(0, 2)).toEqual(from.slice(0, 2));
   expect(target[2]).toBeGreaterThan(from[2]);

@@ -43,6 +43,19 @@ test('a scene is opened with the mesh that it names, else the first readable fil
   assert.deepEqual(named([mesh]), []);
 });
 
+test('one file is not taken for two that a scene names by the same name in two folders', () => {
+  // The vertices were kept near the mesh itself.
+  const file = (name: string) => ({ name, bytes: new Uint8Array() });
+  const given = [file('roof.shapeup.json'), file('mesh.obj')];
+  const named = (...paths: string[]) => filesNamed(given, () => paths);
+  assert.throws(
+    () => named('roof/mesh.obj', 'surface/mesh.obj'),
+    /^Error: roof\/mesh\.obj and surface\/mesh\.obj have the same name here/,
+  );
+  assert.equal(named('mesh.obj', './mesh.obj').length, 2);
+  assert.equal(named('a/other.obj', 'b/other.obj').length, 2);
+});
+
 test('what could not be fetched is said in plain words', () => {
   const words = 'A part of the page could not be fetched. Check the network.';
   for (const message of [

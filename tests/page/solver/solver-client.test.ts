@@ -158,6 +158,25 @@ test('a call is about the mesh that the page shows, and cancelled if that has be
   assert.equal(worker.mesh, 2);
 });
 
+test('a buffer goes back to the mesh that it is of, and not to a new worker', async () => {
+  // After an edit that kept the number of vertices there were three buffers instead of two.
+  const client = await clientWithRoof();
+  const worker = FakeWorker.latest;
+  const frame = () => {
+    const positions = new Float64Array(3);
+    worker.say({ type: 'frame', positions, numbers: { stepMs: 1 } });
+  };
+  worker.model('', 2);
+  frame();
+  client.recycle();
+  assert.deepEqual([worker.posted.at(-1)?.name, worker.mesh], ['recycle', 2]);
+  frame();
+  client.abandon();
+  FakeWorker.latest.say({ type: 'ready' });
+  client.recycle();
+  assert.ok(!FakeWorker.latest.posted.some(({ name }) => name === 'recycle'));
+});
+
 test('what is edited while the model comes back is edited then, but no other model', async () => {
   const client = await clientWithRoof();
   const edit = () => client.change.edit('reset').catch(() => {});
@@ -194,6 +213,25 @@ test('work that the user cancels is no error, and what waits behind it can be as
       [true, true],
     ],
   );
+});
+
+test('what waits behind a run that the user cancels was not meant, but the call at work is', async () => {
+  // The first call that waited was taken for the work: a file dropped during a long run was not opened.
+  const client = await clientWithRoof();
+  const areMeant = async (isForFirst: boolean) => {
+    const asked = [client.change.open({ files: [] }), client.ask.scene()];
+    const ended = Promise.allSettled(asked);
+    const worker = FakeWorker.latest;
+    const [first] = worker.posted.flatMap(({ id }) => id ?? []).slice(-2);
+    worker.say({ type: 'working', ...(isForFirst && { id: first }) });
+    // Its first part is the end of the run.
+    worker.say({ type: 'working' });
+    client.abandon();
+    FakeWorker.latest.say({ type: 'ready' });
+    return (await ended).map((one) => one.status === 'rejected' && !isUnmeant(one.reason));
+  };
+  assert.deepEqual(await areMeant(false), [false, false]);
+  assert.deepEqual(await areMeant(true), [true, false]);
 });
 
 test('an undo history that is lost by cancelling is told', async () => {

@@ -5,15 +5,20 @@ import { test } from 'node:test';
 import { FIT, POSE, readSecondFile } from '../../../www/store/second-files.ts';
 import type { Actions } from '../../../www/store/actions.ts';
 
-/** What is sent and said when this file is read. */
-async function read(how: typeof FIT, isRefused: boolean) {
+/** What is sent and said when this file is read, perhaps while another model is opened. */
+async function read(how: typeof FIT, isRefused: boolean, isReplaced = false) {
   const heard: unknown[] = [];
   const actions = {
     edit: async (edit: unknown) => (heard.push(edit), isRefused ? undefined : null),
     setStatus: (words: string) => heard.push(words),
   };
-  const file = { name: 'ground.obj', text: async () => 'v 0 0 0' };
-  await readSecondFile(how, file as File, actions as unknown as Actions);
+  const replaced = new AbortController();
+  const text = async () => {
+    if (isReplaced) replaced.abort();
+    return 'v 0 0 0';
+  };
+  const file = { name: 'ground.obj', text } as File;
+  await readSecondFile(how, file, actions as unknown as Actions, replaced.signal);
   return heard;
 }
 
@@ -25,4 +30,10 @@ test('what a second file has changed is said, unless it is refused', async () =>
     'Shapes are taken from ground.obj',
   ]);
   assert.deepEqual(await read(FIT, true), [{ fitTo: given }]);
+});
+
+test('a second file is used for the model that it was chosen for, and no other', async () => {
+  assert.deepEqual(await read(FIT, false, true), [
+    'ground.obj was not used: another model was opened meanwhile.',
+  ]);
 });

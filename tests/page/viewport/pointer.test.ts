@@ -51,7 +51,7 @@ function inputAtVertex() {
     const handles = vertices.map((vertex) => ({ vertex, target: [0, 0, 0], fixed: false }));
     solver.emit('document', { document: { handles } } as WorkerEvents['document']);
   };
-  return { element, event, say, sent };
+  return { element, event, say, sent, store };
 }
 
 test('the document of an earlier edit does not count as that of the new handle', () => {
@@ -79,6 +79,17 @@ test('a handle that is made after the release is not dragged', () => {
   event('pointerup', 10);
   say(VERTEX);
   assert.equal(element.dataset.gesture, '');
+  assert.deepEqual(sent, [['make', VERTEX], ['end']]);
+});
+
+test('a handle of another model that was opened meanwhile is not dragged', () => {
+  const { element, event, say, sent, store } = inputAtVertex();
+  event('pointerdown', 10);
+  // As with every model.
+  store.set({ dragged: [] });
+  say(VERTEX);
+  assert.equal(element.dataset.gesture, 'making');
+  event('pointerup', 10);
   assert.deepEqual(sent, [['make', VERTEX], ['end']]);
 });
 

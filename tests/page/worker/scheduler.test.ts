@@ -272,3 +272,107 @@ test('an edit during a drag acts on its latest move, and ends it', (context) => 
   drag('end', 2);
   assert.deepEqual(calls.slice(3), ['cancel 2,0,0']);
 });
+
+test('after a trap nothing more is asked of the solver, whose refusals would hide it', (context) => {
+  // An edit that trapped during a run was told as "recursive use of an object", and the dead solver
+  // was not replaced.
+  closeChannel(context);
+  let isDead = false;
+  const refuse = () => {
+    if (isDead) throw new Error('recursive use of an object');
+    return true;
+  };
+  const trap = () => {
+    isDead = true;
+    throw new WebAssembly.RuntimeError('unreachable');
+  };
+  const others = { isRunning: refuse, beginRun: refuse, endRun: refuse as never, step: trap };
+  const scheduler = new Scheduler(solverWith(others), () => {}, died);
+  scheduler.begin(false);
+  for (const performs of [
+    () => scheduler.betweenRuns(trap),
+    () => scheduler.runFor(trap),
+    () => scheduler.replace(trap),
+    // A first model, solved before it is shown.
+    () => scheduler.begin(true),
+  ]) {
+    isDead = false;
+    scheduler.run();
+    assert.throws(performs, WebAssembly.RuntimeError);
+  }
+});
+
+test('the collapse that has ended a run is told after its last frame and its end', async (context) => {
+  // The status line said "Stopped after 12 iterations" instead of why, when a buffer was not free.
+  closeChannel(context);
+  const sent: FromWorker['type'][] = [];
+  const frames: Float64Array[] = [];
+  let ended = () => {};
+  const end = new Promise<void>((resolve) => (ended = resolve));
+  const solver = solverWith({
+    step: () => true,
+    collapse: () => 'the mesh collapsed',
+    endRun() {
+      ended();
+      return 'the mesh collapsed';
+    },
+  });
+  const scheduler = new Scheduler(
+    solver,
+    (message) => {
+      sent.push(message.type);
+      if (message.type === 'frame') frames.push(message.positions);
+    },
+    died,
+  );
+  scheduler.begin(false);
+  scheduler.frames.renew(1);
+  // The page draws a frame, and has the only free buffer.
+  scheduler.changed();
+  scheduler.run();
+  await end;
+  await new Promise((done) => setImmediate(done));
+  sent.length = 0;
+  scheduler.frames.takeBack(frames[0]);
+  scheduler.sendFrame();
+  assert.deepEqual(sent, ['frame', 'activity', 'collapsed']);
+});
+
+test('the numbers of a step are its answer, also if its frame must wait', (context) => {
+  // "Converged after 11 iterations" was said of the twelfth.
+  closeChannel(context);
+  let iteration = 11;
+  const singleStep = () => ++iteration === 12;
+  const frame = () => ({ iteration }) as ReturnType<Solver['frame']>;
+  const scheduler = new Scheduler(solverWith({ singleStep, frame }), () => {}, died);
+  scheduler.begin(false);
+  scheduler.frames.renew(1);
+  scheduler.changed();
+  assert.equal(scheduler.step().iteration, 12);
+});
+
+test('a half step during a drag ends it with its latest move', (context) => {
+  // The solver had ended it, and every later move was lost, while the mesh went on by itself.
+  closeChannel(context);
+  const calls: string[] = [];
+  const sent: FromWorker['type'][] = [];
+  const solver = solverWith({
+    drag: (_, targets, phase) => void calls.push(`${phase} ${targets}`),
+    halfStep() {
+      calls.push('half');
+      return { half: 'local', fitted: [] };
+    },
+  });
+  const scheduler = new Scheduler(solver, ({ type }) => sent.push(type), died);
+  scheduler.begin(false);
+  scheduler.frames.renew(1);
+  const drag = (phase: 'start' | 'move', x: number) =>
+    scheduler.drag({ vertices: Uint32Array.of(0), targets: Float64Array.of(x, 0, 0), phase });
+  drag('start', 0);
+  drag('move', 1);
+  scheduler.halfStep();
+  assert.deepEqual(calls, ['start 0,0,0', 'move 1,0,0', 'half']);
+  // It is a step of undo now.
+  assert.ok(sent.includes('document'));
+  assert.equal(scheduler.isMoving, false);
+});

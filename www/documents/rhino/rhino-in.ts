@@ -1,16 +1,14 @@
 /**
  * Converts a Rhino file to OBJ text. Meshes become faces, with one group per layer, named by its full
  * path. Polylines become curves, except that those exported from here as panels become faces; in a file
- * without a mesh, all closed polylines do. Coincident corners are welded: Rhino stores objects separately.
+ * without a mesh, all closed polylines do.
  */
 
 import { count, rhinoUnit, unitsOfLength } from '../../ui/words.ts';
 import { rhino, type Point } from './rhino.ts';
+import { objText } from './rhino-mesh.ts';
 import { objectsOf, unreadWords, type Face, type Line } from './rhino-objects.ts';
 import type { NamedBytes } from '../../solver/types.ts';
-
-/** Welding distance, relative to the size: many Rhino meshes store seven digits. */
-const SAME = 1e-6;
 
 /** A mesh, and what of the Rhino file is not in it. */
 export type FromRhino = NamedBytes & {
@@ -74,53 +72,3 @@ function isClosed(corners: Point[]) {
   const last = corners[corners.length - 1];
   return corners[0].every((x, axis) => x === last[axis]);
 }
-
-function objText(faces: Face[], curves: Face[], units: string | undefined) {
-  const all = [...faces, ...curves].flatMap(({ corners }) => corners);
-  const sides = [0, 1, 2].map((axis) => {
-    const values = all.map((point) => point[axis]);
-    const least = values.reduce((a, b) => Math.min(a, b), Infinity);
-    return values.reduce((a, b) => Math.max(a, b), -Infinity) - least;
-  });
-  const numberOf = welded(SAME * Math.hypot(...sides));
-  const lines = [];
-  let layer = '';
-  for (const face of faces) {
-    if (face.layer !== layer) lines.push(`g ${face.layer.replace(/\s+/g, '_')}`);
-    layer = face.layer;
-    const numbers = face.corners.map(numberOf.of);
-    // A corner equal to the one before it (after welding) is dropped.
-    const distinct = numbers.filter((number, i) => number !== numbers.at(i - 1));
-    lines.push(`f ${distinct.join(' ')}`);
-  }
-  if (curves.length > 0 && layer) lines.push('g');
-  for (const curve of curves) lines.push(`l ${curve.corners.map(numberOf.of).join(' ')}`);
-  const head = ['# up: z', ...(units ? [`# units: ${units}`] : [])];
-  const vertices = numberOf.points.map((point) => `v ${point.join(' ')}`);
-  return `${[...head, ...vertices, ...lines].join('\n')}\n`;
-}
-
-/** Numbers points from 1; points within `tolerance` share a number. */
-function welded(tolerance: number) {
-  const points: Point[] = [];
-  const cells: Map<string, number[]> = new Map();
-  const cell = tolerance || 1;
-  function of(point: Point) {
-    const home = point.map((x) => Math.floor(x / cell));
-    for (const [dx, dy, dz] of NEIGHBOURS) {
-      const key = `${home[0] + dx} ${home[1] + dy} ${home[2] + dz}`;
-      for (const number of cells.get(key) ?? []) {
-        const other = points[number - 1];
-        if (Math.hypot(...point.map((x, axis) => x - other[axis])) <= tolerance) return number;
-      }
-    }
-    points.push(point);
-    const key = home.join(' ');
-    cells.set(key, [...(cells.get(key) ?? []), points.length]);
-    return points.length;
-  }
-  return { of, points };
-}
-
-const NEAR = [0, -1, 1];
-const NEIGHBOURS = NEAR.flatMap((x) => NEAR.flatMap((y) => NEAR.map((z) => [x, y, z])));

@@ -1,19 +1,18 @@
 /**
  * Writes a scene as a Rhino file, in full precision. Each group of faces becomes a layer. Triangles
- * and quads form a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh,
- * become closed polylines. The user text gives the planarity distance of a panel, or the largest
+ * and quads form a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh, and
+ * faces that are left as they are become closed polylines. The user text gives the planarity distance of a panel, or the largest
  * one of a mesh. Rhino's vertical axis is z: a scene with y up is rotated. Also writes the parts to be
  * built: named objects on coloured layers.
  */
 
 import { rhinoUnit } from '../../ui/words.ts';
-import { addLayer, addMesh, addPolyline, attributesOf, rhino, type Point } from './rhino.ts';
+import { addMesh, addPolyline, attributesOf, layersIn, rhino, type Point } from './rhino.ts';
 import { ROLE } from './rhino-objects.ts';
-import { byLayer, pointsOf } from './scene-lists.ts';
+import { byLayer, curvesLayer, pointsOf } from './scene-lists.ts';
 import type { SpatialPart } from '../../solver/types.ts';
 
 const PLANARITY = 'shape-up:planarity';
-const CURVES = 'Curves';
 
 /**
  * @param text scene with its mesh
@@ -22,28 +21,35 @@ const CURVES = 'Curves';
 export async function rhinoFile(text: string, errors: string): Promise<Uint8Array<ArrayBuffer>> {
   const api = await rhino();
   const scene = JSON.parse(text);
-  const { faces = [], curves = [], groups = {} } = scene.mesh;
+  const { faces: own = [], untouched = [], curves = [], groups = {} } = scene.mesh;
+  const faces = [...own, ...untouched];
+  if (faces.length + curves.length === 0)
+    throw new Error('There are no faces or curves, which a Rhino file is made of.');
   const points = pointsOf(scene);
   const distances = planarities(errors);
   const inWords = (value: number) => `${value} ${scene.units ?? ''}`.trim();
 
   const file = new api.File3dm();
+  const layerAt = layersIn(api, file);
   try {
     const unit = rhinoUnit(scene.units);
     file.settings().modelUnitSystem = api.UnitSystem[unit ?? 'None'];
     file.applicationName = 'Shape-Up';
     for (const [name, members] of byLayer(faces.length, groups)) {
-      const layer = addLayer(api, file, name);
-      addPanels(api, file, layer, members, faces, points, inWords, distances);
-      for (const face of members.filter((member) => faces[member].length > 4)) {
+      const layer = layerAt(name);
+      const isLine = (face: number) => face >= own.length || faces[face].length > 4;
+      const meshed = members.filter((face) => !isLine(face));
+      addPanels(api, file, layer, meshed, faces, points, inWords, distances);
+      for (const face of members.filter(isLine)) {
         const corners = faces[face];
-        const text = { [ROLE]: 'panel', [PLANARITY]: inWords(distances[face]) };
+        const planarity = face < own.length && { [PLANARITY]: inWords(distances[face]) };
+        const text = { [ROLE]: 'panel', ...planarity };
         const loop = [...corners, corners[0]].map((vertex) => points[vertex]);
         addPolyline(api, file, loop, attributesOf(api, layer, text));
       }
     }
     if (curves.length > 0) {
-      const layer = addLayer(api, file, CURVES);
+      const layer = layerAt(curvesLayer(groups));
       for (const curve of curves) {
         const line = curve.map((vertex: number) => points[vertex]);
         addPolyline(api, file, line, attributesOf(api, layer, { [ROLE]: 'curve' }));
@@ -65,20 +71,19 @@ function planarities(csv: string) {
 }
 
 /**
- * Adds the triangles and quads among some faces as one mesh.
+ * Adds triangles and quads as one mesh.
  * @param planarity formats a distance
  */
 function addPanels(
   api: any,
   file: any,
   layer: number,
-  members: number[],
+  flat: number[],
   faces: number[][],
   points: Point[],
   planarity: (worst: number) => string,
   distances: number[],
 ) {
-  const flat = members.filter((face) => faces[face].length <= 4);
   if (flat.length === 0) return;
   const localIndex: Map<number, number> = new Map();
   for (const vertex of flat.flatMap((face) => faces[face]))
@@ -100,14 +105,12 @@ export async function rhinoParts(
 ): Promise<Uint8Array<ArrayBuffer>> {
   const api = await rhino();
   const file = new api.File3dm();
-  const layers: Map<string, number> = new Map();
+  const layerAt = layersIn(api, file);
   try {
     file.settings().modelUnitSystem = api.UnitSystem[rhinoUnit(symbol) ?? 'None'];
     file.applicationName = 'Shape-Up';
     for (const { layer, colour, name, points, faces, closed } of parts) {
-      const index = layers.get(layer) ?? addLayer(api, file, layer, colour);
-      layers.set(layer, index);
-      const attributes = attributesOf(api, index, {}, name);
+      const attributes = attributesOf(api, layerAt(layer, colour), {}, name);
       if (faces.length > 0) addMesh(api, file, { points, faces }, attributes);
       else addPolyline(api, file, closed ? [...points, points[0]] : points, attributes);
     }

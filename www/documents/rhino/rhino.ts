@@ -18,24 +18,27 @@ export function rhino(): Promise<any> {
 export type Point = [number, number, number];
 
 /**
- * @param colour red, green, blue
- * @returns index of the layer
+ * Returns a function from the full path of a layer, such as `Roof::North`, to its index, which adds what
+ * is missing of it, with a colour: red, green, blue.
  */
-export function addLayer(
-  api: any,
-  file: any,
-  name: string,
-  colour?: [number, number, number],
-): number {
-  const layer = new api.Layer();
-  layer.name = name;
-  if (colour) {
-    const [r, g, b] = colour;
-    layer.color = { r, g, b, a: 255 };
-  }
-  const index = file.layers().add(layer);
-  layer.delete();
-  return index;
+export function layersIn(api: any, file: any) {
+  const known: Map<string, number> = new Map();
+  return function at(path: string, colour?: [number, number, number]): number {
+    const before = known.get(path);
+    if (before !== undefined) return before;
+    const [, above, name] = /^(.+)::(.+)$/.exec(path) ?? [path, '', path];
+    const layer = new api.Layer();
+    layer.name = name;
+    if (above) layer.parentLayerId = file.layers().get(at(above)).id;
+    if (colour) {
+      const [r, g, b] = colour;
+      layer.color = { r, g, b, a: 255 };
+    }
+    const index: number = file.layers().add(layer);
+    layer.delete();
+    known.set(path, index);
+    return index;
+  };
 }
 
 /**

@@ -16,15 +16,29 @@ const rotated = ([x, y, z]: Point): Point => [x, -z, y];
 
 type Group = { faces?: number[] | string };
 
+/** The groups of a scene by name; an array if several share one. */
+export type Groups = Record<string, Group | Group[]>;
+
 /** Layer of the faces that are in no group. */
 const REST = 'Panels';
+/** Layer of the curves. */
+const CURVES = 'Curves';
+
+/** Returns a name that no group has. */
+function free(name: string, groups: Groups) {
+  let found = name;
+  for (let n = 2; Object.hasOwn(groups, found); n++) found = `${name} ${n}`;
+  return found;
+}
+
+export const curvesLayer = (groups: Groups) => free(CURVES, groups);
 
 /**
  * Returns the faces on each layer; a face in several groups is on the layer of the first.
  * @param count number of faces
- * @param groups of a scene; an array if several share a name
  */
-export function byLayer(count: number, groups: Record<string, Group | Group[]>) {
+export function byLayer(count: number, groups: Groups) {
+  const rest = free(REST, groups);
   const layerOf: (string | null)[] = new Array(count).fill(null);
   for (const [name, sameName] of Object.entries(groups)) {
     for (const group of [sameName].flat()) {
@@ -33,7 +47,7 @@ export function byLayer(count: number, groups: Record<string, Group | Group[]>) 
   }
   const layers: Map<string, number[]> = new Map();
   layerOf.forEach((name, face) => {
-    const key = name ?? REST;
+    const key = name ?? rest;
     const members = layers.get(key);
     if (members) members.push(face);
     else layers.set(key, [face]);

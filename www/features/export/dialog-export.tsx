@@ -3,7 +3,7 @@
 import { signal } from '@preact/signals';
 import { useState } from 'preact/hooks';
 import type { ComponentProps } from 'preact';
-import { askRhino } from '../../documents/rhino/rhino-client.ts';
+import { exportAs, exportForRhino, exportMesh, exportUnwelded } from '../../documents/exports.ts';
 import { messageOf } from '../../solver/errors.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { isDrawn } from '../../store/state.ts';
@@ -85,19 +85,19 @@ function ExportDialog({ close }: InDialog) {
           autofocus
           name="OBJ"
           words={`The mesh as it is now, in the order of the file${flatMap ? ', with its flat map' : ''}`}
-          onClick={make(() => files.exportMesh())}
+          onClick={make(() => exportMesh(app))}
         />
         {model?.welded && (
           <Format
             name="OBJ as it came"
             words="With the vertices of the file, before coincident ones were joined"
-            onClick={make(() => files.exportUnwelded())}
+            onClick={make(() => exportUnwelded(app))}
           />
         )}
         <Format
           name="3DM"
           words="For Rhino, with a layer for each group"
-          onClick={make(() => saveForRhino(app))}
+          onClick={make(() => exportForRhino(app))}
         />
       </section>
       <section>
@@ -106,13 +106,13 @@ function ExportDialog({ close }: InDialog) {
           name="PLY"
           words="Faces and curves in full precision, for scans and 3D programs"
           disabled={curvesOnly}
-          onClick={make(() => files.exportAs('ply'))}
+          onClick={make(() => exportAs(app, 'ply'))}
         />
         <Format
           name="STL"
           words="Triangles in seven digits, for 3D printers"
           disabled={curvesOnly}
-          onClick={make(() => files.exportAs('stl'))}
+          onClick={make(() => exportAs(app, 'stl'))}
         />
         <Format
           name="Scene"
@@ -261,14 +261,4 @@ function PictureOptions() {
       <span class="quiet">{`${width} × ${height} pixels`}</span>
     </div>
   );
-}
-
-/** Saves a 3DM file, loading its large writer. */
-function saveForRhino({ actions: { ask }, files }: AppContext) {
-  return files.save('.3dm', 'model/vnd.3dm', async () => {
-    if (!(await files.mayExport())) return null;
-    // Of the same shape.
-    const [scene, errors] = await Promise.all([ask.scene(), ask.table('errors')]);
-    return askRhino((rhino) => rhino.write(scene, errors));
-  });
 }

@@ -77,7 +77,7 @@ function FromFile({
   /** beside the button */
   children?: ComponentChildren;
 }) {
-  const { actions } = useApp();
+  const { actions, files } = useApp();
   return (
     <div class="setting">
       <label class="button">
@@ -88,7 +88,7 @@ function FromFile({
           aria-label={label}
           onChange={({ currentTarget }) => {
             const [file] = currentTarget.files ?? [];
-            if (file) void actions.reportErrors(readSecondFile(of, file, actions));
+            if (file) void actions.reportErrors(readSecondFile(of, file, actions, files.replaced));
             // Allows the same file to be read again after it changed on disk.
             currentTarget.value = '';
           }}

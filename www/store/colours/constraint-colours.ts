@@ -10,20 +10,12 @@ import type { Actions } from '../actions.ts';
 
 export function colourRows(store: Store, solver: SolverClient, actions: Actions) {
   const newest = newestOnly(() => store.get().model);
-  /** Key of the rows whose colours are shown. */
-  let shown = '';
 
-  solver.on('model', () => {
-    shown = '';
-    store.set({ rowColours: null });
-  });
+  solver.on('model', () => store.set({ rowColours: null }));
 
+  // With every document: a set of the same name may have other members, of which a row says nothing.
   store.subscribe(['document', 'measure'], async ({ document, measure }) => {
-    const rows = measure === null && document ? document.constraints : [];
-    const key = JSON.stringify(rows);
-    if (key === shown) return;
-    shown = key;
-    const needed = rows.some(({ enabled }) => enabled);
+    const needed = measure === null && document?.constraints.some(({ enabled }) => enabled);
     const asked = needed ? solver.ask.rowColours() : null;
     // Null if refused, with an alert.
     const rowColours = await newest(actions.reportErrors(asked).then((found) => found ?? null));

@@ -31,10 +31,15 @@ export class Alerts {
   /** Whether the current message must not be replaced. */
   #isFatal = false;
 
+  /** Those that were shown before the user's last press. */
+  #seen: Set<Element> = new Set();
+
   /** @param place the `role="alert"` */
   constructor(place: HTMLElement) {
     this.#place = place;
     this.#home = place.parentElement ?? document.body;
+    for (const press of ['pointerdown', 'keydown'])
+      window.addEventListener(press, () => (this.#seen = new Set(place.children)), true);
   }
 
   /**
@@ -95,7 +100,8 @@ export class Alerts {
 
   /**
    * Shows a message in place of the previous one, whose action has been retried since. One that
-   * offers something else stays: nothing else may offer that.
+   * offers something else stays: nothing else may offer that. So does another notice of the same moment,
+   * as of one opening: nobody has read it.
    */
   #show(message: string, kind: 'error' | 'notice', offers: Offer[]) {
     this.note(message, kind);
@@ -122,7 +128,11 @@ export class Alerts {
       close,
     );
     const before = [...this.#place.querySelectorAll<HTMLElement>(':scope > *')];
-    const stay = before.filter(({ dataset }) => dataset.offers && dataset.offers !== offered);
+    const isNew = (one: Element) =>
+      one.matches('.notice') && !this.#seen.has(one) && one.firstChild?.textContent !== message;
+    const stay = before.filter((one) =>
+      one.dataset.offers ? one.dataset.offers !== offered : isNew(one),
+    );
     stay.splice(0, stay.length + 1 - MOST_SHOWN);
     this.#remove(...before.filter((one) => !stay.includes(one)));
     this.#place.append(shown);

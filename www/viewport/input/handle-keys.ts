@@ -41,10 +41,11 @@ export function bindHandleKeys(
   }
 
   function release(keep: boolean) {
-    if (keep) drag?.end();
-    else drag?.cancel();
+    const hasMoved = keep && drag?.end();
+    if (!keep) drag?.cancel();
     drag = null;
-    actions.setStatus(keep ? 'Handle moved' : 'Move cancelled');
+    const kept = hasMoved ? 'Handle moved' : 'The handle stays where it was';
+    actions.setStatus(keep ? kept : 'Move cancelled');
     return true;
   }
 

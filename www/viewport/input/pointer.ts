@@ -211,8 +211,9 @@ export class PointerInput {
     if (vertex === undefined) return;
     makeHandle(this.#store, this.#solver, vertex);
     const end = this.#solver.on('document', ({ document }) => {
-      // The gesture was ended or cancelled meanwhile.
-      if (this.#gesture !== making) return void end();
+      // The gesture was ended or cancelled meanwhile, or another model was opened.
+      const isOver = this.#gesture !== making || !this.#store.get().dragged.includes(vertex);
+      if (isOver) return void end();
       // That of an earlier edit has no such handle yet.
       if (!document.handles.some((handle) => handle.vertex === vertex)) return;
       end();
