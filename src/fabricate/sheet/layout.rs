@@ -1,8 +1,8 @@
 //! The layout of parts on sheets: the smallest of several arrangements in rows, or nested in each other.
 
+use super::label::upright;
 use super::nest::{First, Nester};
 use super::part::{CutPart, Place, SheetSize};
-use super::label::upright;
 use super::shelf::{Resting, Shelves, resting};
 use crate::math::plane::{Point2, rotated};
 use crate::math::{key_of_number, sort_by_number};

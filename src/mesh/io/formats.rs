@@ -136,12 +136,7 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         reads: "triangles, joined where their corners are equal; text and binary",
         writes: "polygons as triangles; binary, in single precision, or text where that is too little",
         leaves_out: "everything else, as vertices without a face, curves, groups and tetrahedra",
-        lacks: &[
-            MeshPart::LoneVertices,
-            MeshPart::Curves,
-            MeshPart::Groups,
-            MeshPart::Tetrahedra,
-        ],
+        lacks: &[MeshPart::LoneVertices, MeshPart::Curves, MeshPart::Groups, MeshPart::Tetrahedra],
         ..NONE
     },
     FileFormat {
