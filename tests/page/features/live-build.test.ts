@@ -22,6 +22,11 @@ const triangle = {
   ...{ faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) },
   ...{ untouchedOffsets: Uint32Array.of(0), unplaced: new Uint32Array(0) },
 };
+/** A document in which nothing is held. */
+const DOCUMENT = {
+  ...{ units: 'm', up: 'z', build: {} },
+  handles: [] as { vertex: number; fixed: boolean }[],
+};
 /** Nothing is under way. */
 const actions = { settled: async () => {} };
 
@@ -29,7 +34,7 @@ const actions = { settled: async () => {} };
 function withTriangle(own: object, refuse: (why: string) => unknown = assert.fail) {
   const state = {
     ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
-    document: { units: 'm', build: {} },
+    document: { ...DOCUMENT },
   };
   const geometry = { generation: 1, positions: new Float64Array(9), connectivity: triangle };
   const app = { store: { get: () => state }, solver: { geometry }, actions, ...own };
@@ -57,7 +62,7 @@ test('faces that change during a build are built, although no vertex has moved',
   });
   const state = {
     ...{ model: { faces: 1, vertices: 4 }, dragged: [], running: false },
-    document: { units: 'm', build: {} },
+    document: { ...DOCUMENT },
   };
   const solver = { geometry: mesh(1, [0, 3, 6], [0, 1, 2, 0, 2, 3]) };
   const app = { store: { get: () => state }, solver, actions, jobs } as unknown as AppContext;
@@ -87,7 +92,7 @@ test('what is saved while a large shape moves is built of its current positions'
   const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0);
   const state = {
     ...{ model: { faces: 1, vertices: 100_000 }, dragged: [], running: false },
-    document: { units: 'm', build: {} },
+    document: { ...DOCUMENT },
   };
   const geometry = { generation: 1, positions, connectivity };
   const app = {
@@ -122,7 +127,7 @@ test('another shape is built, even one with equal sums of its coordinates', asyn
   });
   const state = {
     ...{ model: { faces: 1, vertices: 3 }, dragged: [], running: false },
-    document: { units: 'm', build: {} },
+    document: { ...DOCUMENT },
   };
   const solver = { geometry: shape(1, 1, 0, 0, 0, 1, 0, 0, 5, 0) };
   const app = { store: { get: () => state }, solver, actions, jobs } as unknown as AppContext;
@@ -144,7 +149,7 @@ test('what is saved is built with the settings that were set just before', async
   // The solver answers an edit later.
   const settled = async () => {
     await new Promise((done) => setTimeout(done, 5));
-    state.document = { units: 'm', build: { scale: 20 } };
+    state.document = { ...DOCUMENT, build: { scale: 20 } };
   };
   const { state, live } = withTriangle({ jobs, actions: { settled } });
   state.document.build = { scale: 10 };
@@ -235,7 +240,7 @@ test('what is asked about a build that ended with the worker of another job is a
   ]);
 });
 
-test('a build is told of guessed positions, of faces left as they are, and of the unit', async () => {
+test('a build is told of guessed positions, of faces left as they are, of the unit and of what holds', async () => {
   const built: Shape[] = [];
   const jobs = jobsThat((_, shape) => {
     if (shape) built.push(shape);
@@ -248,8 +253,10 @@ test('a build is told of guessed positions, of faces left as they are, and of th
   const { state, live } = withTriangle({ jobs, solver: { geometry } });
   // Not taken for metres: the build refuses it.
   state.document.units = 'inches';
+  state.document.handles = [true, false].map((fixed, vertex) => ({ vertex, fixed }));
   await live.offers();
   await live.update();
-  const [{ symbol, unplaced, untouched }] = built;
-  assert.deepEqual([symbol, [...unplaced], untouched], ['inches', [1], 2]);
+  const [{ site, unplaced, untouched }] = built;
+  assert.deepEqual(site, { symbol: 'inches', z_up: true, held: [0] });
+  assert.deepEqual([[...unplaced], untouched], [[1], 2]);
 });
