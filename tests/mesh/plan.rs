@@ -238,7 +238,7 @@ fn a_needle_and_a_pointed_notch_are_kept_by_small_panels_and_else_refused() {
     let needle = points(&[[5.0, 5.0], [15.0, 5.2], [5.0, 5.4]]);
     let needle = Plan { holes: vec![needle], ..plan(points(&RECTANGLE), PlanLayout::Cut) };
     assert_eq!(cut(needle.clone(), 1.0), Err(PlanError::TooCoarse(Some(0))));
-    let open = cut(needle, 0.1).unwrap();
+    let open = cut(needle, 0.25).unwrap();
     assert_eq!(Topology::new(&open).boundary_loops().len(), 2);
 
     let with_notch = |half: f64| {

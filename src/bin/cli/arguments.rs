@@ -226,7 +226,8 @@ fn experiment(mut words: Words) -> Result<Command, String> {
         }
     }
     let Experiment { csv, svg, .. } = &experiment;
-    apart(on.as_deref().unwrap_or(Path::new("")), &[("--csv", csv), ("--svg", svg)])?;
+    // The input may be the name of an example.
+    apart(Path::new(""), &[("--csv", csv), ("--svg", svg)])?;
     match on {
         Some(on) => Ok(Command::Experiment(Experiment { on, ..experiment })),
         None if experiment == Experiment::default() => Ok(Command::Experiments),

@@ -193,8 +193,7 @@ pub(super) fn mesh_file(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> MeshFil
 pub(super) fn session_file(path: &Path, session: &Session, weld: Option<&Weld>) -> MeshFile {
     let document = session.document();
     let frame = UnitsAndUp { units: Some(document.units.clone()), up: Some(document.up) };
-    let shape = Mesh { positions: session.positions(), ..session.mesh().clone() };
-    (session.mesh_file(&ending(path), weld), left_out(path, &shape, &frame))
+    (session.mesh_file(&ending(path), weld), left_out(path, session.mesh(), &frame))
 }
 
 /// The ending of a name in lower case; empty without one.
