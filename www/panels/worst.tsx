@@ -8,6 +8,7 @@ import { useRef } from 'preact/hooks';
 import { useSignal, type ReadonlySignal } from '@preact/signals';
 import { colouring, toleranceOf } from '../store/colours/measures.ts';
 import { useAnswer } from '../store/use-answer.ts';
+import { keyOf } from '../store/rows.ts';
 import { useApp } from '../store/use-app.ts';
 import { Choice } from '../ui/components/fields.tsx';
 import { itemByKey } from '../ui/controls/navigation.ts';
@@ -27,9 +28,9 @@ function choicesOf(state: Readonly<State>): [string, string][] {
   const rows = state.document?.constraints ?? [];
   return [
     ...(about && state.model?.faces ? ([[COLOURS, about.label]] as [string, string][]) : []),
-    ...rows.map(({ index, label, on }): [string, string] => [
-      String(index),
-      `Constraint: ${label} on ${on}`,
+    ...rows.map((row, index): [string, string] => [
+      keyOf(row, index, rows),
+      `Constraint: ${row.label} on ${row.on}`,
     ]),
   ];
 }
@@ -74,12 +75,14 @@ function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<strin
   async function ask() {
     const now = store.get();
     const by = inEffect(now, chosen.peek());
+    const constraints = now.document?.constraints ?? [];
     const about = by === COLOURS ? colouring(now) : undefined;
     const tolerance = (about ? toleranceOf(now, about) : now.document?.tolerance) ?? undefined;
     const worst = (): Promise<WorstRow[]> | WorstRow[] => {
       if (by === '') return [];
       if (about) return actions.ask.worstFaces(about.id, ROWS, tolerance);
-      return actions.ask.worstConstraints(Number(by), ROWS, tolerance);
+      const row = constraints.findIndex((one, index) => keyOf(one, index, constraints) === by);
+      return actions.ask.worstConstraints(row, ROWS, tolerance);
     };
     const rows = await actions.reportErrors(worst());
     if (!rows) return undefined;

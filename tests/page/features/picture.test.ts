@@ -79,13 +79,10 @@ test('the legend of an error begins at zero, and its colours at the tolerance', 
     ...{ axis: { low: 0, high: 0.04, log: false }, counts: [1, 1, 0, 1] },
     places: { low: 0.25, high: 1, tolerance: 0.25 },
   };
-  const { words, colours } = await legendOf({
-    ...SHOWN,
-    measures: [about],
-    measure,
-    model: { faces: 3 },
-    spread,
-  });
+  const state = { ...SHOWN, measures: [about], measure, model: { faces: 3 }, spread };
+  const { words, colours } = await legendOf(state);
   assert.equal(words[1], '0');
   assert.equal(colours[0][0], 0.25);
+  // Beside a flat map the faces have its colours, and not these.
+  assert.deepEqual((await legendOf({ ...state, flatMap: {} })).words, []);
 });

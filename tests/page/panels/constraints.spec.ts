@@ -113,6 +113,29 @@ test('settings come from the declared list, take effect, and can be undone', asy
   await expect.poll(async () => (await sceneOf(page)).closeness).toEqual({ to: 'rest' });
 });
 
+test('a second press of Remove does not remove the row that comes in the place of the first', async ({
+  page,
+}) => {
+  await addConstraint(page, 'Plane', 'each face');
+  await showStep(page, 'Shape');
+  await rows(page)
+    .getByRole('button', { name: /parameters/ })
+    .click();
+  await rows(page)
+    .getByRole('button', { name: /duplicate/ })
+    .click();
+  await expect(rows(page)).toHaveCount(2);
+  await rows(page)
+    .first()
+    .getByRole('button', { name: /remove/ })
+    .focus();
+  await page.keyboard.press('Enter');
+  await expect(rows(page)).toHaveCount(1);
+  await page.keyboard.press('Enter');
+  await page.evaluate(() => window.shapeUp.settled());
+  await expect(rows(page)).toHaveCount(1);
+});
+
 test('what is typed in a row goes with the row', async ({ page }) => {
   // It became the weight, or the name, of the row in its place in the model that was opened next.
   await addConstraint(page, 'Plane', 'each face');

@@ -214,3 +214,20 @@ test('the worst elements of a mesh are gone once another one is open', async ({ 
   await openText(page, 'small.obj', wavyGrid(2), 9);
   await expect(rows).toHaveCount(0);
 });
+
+test('the worst elements stay those of a constraint when one before it is removed', async ({
+  page,
+}) => {
+  // The choice was the place in the list: it was another constraint then.
+  await addConstraint(page, 'Plane', 'each face');
+  await addConstraint(page, 'Circle', 'each face');
+  await addConstraint(page, 'Square', 'each face');
+  await showTab(page, 'Worst');
+  const choice = page.getByRole('combobox', { name: 'Worst by' });
+  await choice.selectOption({ label: 'Constraint: Circle on each face' });
+  await showStep(page, 'Shape');
+  await page.getByRole('button', { name: /^Plane.*: parameters/ }).click();
+  await page.getByRole('button', { name: /^Plane.*: remove/ }).click();
+  await expect(choice.locator('option')).toHaveCount(3);
+  await expect(choice.locator('option:checked')).toHaveText('Constraint: Circle on each face');
+});

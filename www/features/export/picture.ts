@@ -3,7 +3,7 @@
 import { rampStops } from '../../viewport/ramp.ts';
 import { colourOf } from '../../ui/dom.ts';
 import { groupDigits, measured } from '../../ui/words.ts';
-import { declared, toleranceOf } from '../../store/colours/measures.ts';
+import { inLegend, toleranceOf } from '../../store/colours/measures.ts';
 import type { Label, Viewport } from '../../viewport/viewport.ts';
 import type { State } from '../../store/state.ts';
 
@@ -46,7 +46,7 @@ export async function pictureOf(
   if (ground === 'none') cutOut(context, drawnOn(1));
   const { canvas } = context;
   const onLight = ground !== 'view';
-  if (legend && state.model?.faces) {
+  if (legend) {
     context.setTransform(size.scale, 0, 0, size.scale, 0, 0);
     drawLegend(context, state, rampStops(viewport), size, onLight);
   }
@@ -89,7 +89,7 @@ function drawLegend(
   onLight: boolean,
 ) {
   const { spread, document: scene, dark, display } = state;
-  const about = declared(state, state.measure);
+  const about = inLegend(state);
   if (!about || !spread || spread.measure !== about.id) return;
   const tolerance = toleranceOf(state, about);
   const { axis, places } = spread;

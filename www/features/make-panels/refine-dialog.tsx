@@ -50,11 +50,13 @@ function RefineDialog({ close }: InDialog) {
   }, []);
   const [scheme, setScheme] = useState(schemes[0][0]);
   const [keep, setKeep] = useState(KEEP);
-  /** The chosen level, from 1. */
-  const [level, setLevel] = useState(1);
+  /** The level that was chosen, from 1. */
+  const [wanted, setLevel] = useState(1);
   const [closeTo, setCloseTo] = useState<Reference>('solved');
   const { made, refused } = useRefinements(scheme, keep);
   const isAdopted = hasRows && closeTo === 'solved';
+  // Another scheme may have fewer.
+  const level = Math.min(wanted, Math.max(made.length, 1));
   const chosen = made[level - 1];
   const units = document?.units ?? '';
 

@@ -1,7 +1,7 @@
 /** What is drawn besides the model, and the range and the map of the colours. */
 
 import { useComputed } from '@preact/signals';
-import { declared, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
+import { inLegend, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
@@ -62,9 +62,9 @@ function Range() {
   const isCounted = useComputed(() => state.spread !== null).value;
   const unit = useComputed(() => shownUnit(state).symbol).value;
   const factor = useComputed(() => shownUnit(state).factor).value;
-  const { range, display, flatMap, model } = state;
-  const about = declared(state, state.measure);
-  if (!about || flatMap || !model?.faces || !isCounted) return null;
+  const { range, display } = state;
+  const about = inLegend(state);
+  if (!about || !isCounted) return null;
   const allowed = toleranceOf(state, about);
   // Without a tolerance, the maps relative to it do not apply.
   const maps = MAPS.filter(([id]) => allowed !== null || (id !== BEYOND && id !== 'diverging'));

@@ -2,6 +2,7 @@
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { isInLegend } from '../../store/colours/measures.ts';
+import { keyOf } from '../../store/rows.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Icon } from '../../ui/components/buttons.tsx';
 import { AmountField } from '../../ui/components/fields.tsx';
@@ -23,15 +24,10 @@ export function Constraints() {
   return (
     <ul aria-label="Constraints">
       {document.constraints.map((row, index, rows) => (
-        <Row key={keyOf(row, rows.slice(0, index))} row={row} />
+        <Row key={keyOf(row, index, rows)} row={row} />
       ))}
     </ul>
   );
-}
-
-/** A key that stays unique while other rows come and go. */
-function keyOf({ kind, on }: ConstraintRow, before: ConstraintRow[]) {
-  return `${kind} ${on} ${before.filter((row) => row.kind === kind && row.on === on).length}`;
 }
 
 function Row({ row }: { row: ConstraintRow }) {
@@ -136,6 +132,7 @@ function Row({ row }: { row: ConstraintRow }) {
             name={name}
             select={() => actions.begin(select())}
             rename={() => setRenamed(true)}
+            close={() => setOpen(false)}
           />
         )}
       </div>

@@ -32,13 +32,18 @@ export function Details({
   name,
   select,
   rename,
-}: Of & { select: () => unknown; rename: () => void }) {
+  close,
+}: Of & { select: () => unknown; rename: () => void; close: () => void }) {
   const { store, actions } = useApp();
   const { kinds, document } = store.state;
   const kind = kinds.find(({ id }) => id === row.kind);
   if (!kind) return null;
   const { eased } = row;
-  const remove = () => actions.edit({ removeConstraint: { index: row.index } });
+  function remove() {
+    // Another press would remove the next one, if that is alike.
+    close();
+    return actions.edit({ removeConstraint: { index: row.index } });
+  }
   const duplicate = () => actions.edit({ duplicateConstraint: { index: row.index } });
   return (
     <>

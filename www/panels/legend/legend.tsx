@@ -5,8 +5,8 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import {
-  declared,
   hasWorst,
+  inLegend,
   isCounted,
   movedInWords,
   shownUnit,
@@ -31,7 +31,7 @@ const strip = matchMedia('(min-width: 700px) and (max-height: 480px)');
 export function Legend() {
   const { store, viewport } = useApp();
   const { state } = store;
-  const { measure, spread, model, flatMap } = state;
+  const { spread, model } = state;
   const place = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const box = place.current;
@@ -42,11 +42,9 @@ export function Legend() {
     return () => observer.disconnect();
   }, []);
 
-  const about = declared(state, measure);
-  // A flat map has its own colours and legend.
-  const isShown = about && model?.faces && !flatMap && isDrawn(state);
+  const about = inLegend(state);
   return (
-    <div id="legend" ref={place} hidden={!isShown}>
+    <div id="legend" ref={place} hidden={!about || !isDrawn(state)}>
       {about && (
         <div class="title">
           <span title={about.words}>{about.label}</span>

@@ -47,6 +47,10 @@ export const worstOf = ({ numbers, greatest }: State, measure: Measure) =>
 /** The measure of the distances from the original, of which the legend has the largest and the mean. */
 const DISPLACEMENT: Measure = 'displacement';
 
+/** The measure that the legend shows, if any: a flat map has colours of its own. */
+export const inLegend = (state: State) =>
+  state.flatMap || !state.model?.faces ? undefined : declared(state, state.measure);
+
 /** Whether the legend, or else the status bar, says the largest value of a measure. */
 export function isInLegend(state: State, of: Measure | null) {
   if (of === DISPLACEMENT) return true;
