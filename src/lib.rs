@@ -30,7 +30,7 @@
 //! | [`scene`] | the scene file: serde types, validation, and the optimisation problem that it defines | math, words, json, mesh, constraint, sparse, solve |
 //! | [`fabricate`] | parts to cut: panels on sheets, offsets, the build check, files for machines | math, words, mesh, sparse, scene |
 //! | [`session`] | the interface of all hosts: load, edit, drag, step, undo, report | all above |
-//! | [`generate`] | new meshes: by kind and sizes, from a plan, or between curves; the example scenes and their meshes | math, json, mesh, constraint, sparse, quads, scene, session |
+//! | [`generate`] | new meshes: by kind and sizes, from a plan, or between curves; the example scenes and their meshes | math, words, json, mesh, constraint, sparse, quads, scene, session |
 //! | [`experiment`] | the paper's comparisons with other methods (Fig. 10, 11), for the command line | all above |
 //! | [`view`] | wgpu: camera, picking, faces, edges, handles, fitted shapes | math |
 //! | `web` | wasm-bindgen interfaces: of the solver's worker (`web/worker`), of the second worker (`web/jobs`), of the view (`web/page`), and of words for the page (`web/words`) | all above |
