@@ -2,7 +2,6 @@
 
 use super::alike::Types;
 use super::beam::Frame;
-use super::discs::CutDisc;
 use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
@@ -40,6 +39,15 @@ pub struct CutPanel {
     pub turn: Point2,
     /// The size of its smallest box, with the joint subtracted.
     pub size: [f64; 2],
+    /// Its index in [`Build::parts`].
+    pub part: usize,
+}
+
+/// A disc on the sheets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CutDisc {
+    /// The vertex of its node.
+    pub vertex: u32,
     /// Its index in [`Build::parts`].
     pub part: usize,
 }

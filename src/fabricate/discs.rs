@@ -2,7 +2,7 @@
 //! `beam/disc`.
 
 use super::beam::{Disc, DiscSize, Slot};
-use super::build::{Build, NotCut, beam_name, node_name};
+use super::build::{Build, CutDisc, NotCut, beam_name, node_name};
 use super::fault::Fault;
 use super::panel::inset;
 use super::sheet::{CutPart, Hole, Labels, SlotName, circle, label_disc};
@@ -15,15 +15,6 @@ const WALL: [f64; 2] = [1.0, 1.5];
 const TENON: [f64; 2] = [2.0, 3.0];
 /// Diameters that are not given are multiples of this, in mm.
 const STEP: f64 = 1.0;
-
-/// A disc on the sheets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct CutDisc {
-    /// The vertex of its node.
-    pub vertex: u32,
-    /// Its index in [`Build::parts`].
-    pub part: usize,
-}
 
 impl Build {
     /// The dimensions of node discs, if they are asked for and can be cut; if they cannot, that becomes

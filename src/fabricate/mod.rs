@@ -82,11 +82,10 @@ mod unit;
 
 pub use advice::{Advice, AdvisedValue};
 pub use alike::Types;
-pub use build::{Build, CutPanel, NotCut};
+pub use build::{Build, CutDisc, CutPanel, NotCut};
 pub use build_words::{BuildWords, CardWords, CheckWords};
 pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};
-pub use discs::CutDisc;
 pub use fault::Fault;
 pub use numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 pub use offset::Choice;

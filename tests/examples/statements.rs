@@ -378,8 +378,8 @@ const STATEMENTS: &[Statement] = &[
     ("lesson-what-a-projection-is", |run| {
         let [before, after] = run.worst_of_all();
         vec![
-            ("tiles before", before, 0.3..0.5),
-            ("tiles", after, 0.1..0.15),
+            ("tiles before", before, 0.37..0.38),
+            ("tiles", after, 0.03..0.04),
             ("goals met", run.goals_met as f64, 1.0..1.5),
         ]
     }),
@@ -406,14 +406,6 @@ const STATEMENTS: &[Statement] = &[
             ("goals met", run.goals_met as f64, 1.0..1.5),
         ]
     }),
-    ("lesson-from-any-surface", |run| {
-        let [before, after] = run.worst_of_all();
-        vec![
-            ("corners before", before, 0.2..0.5),
-            ("corners", after, 0.001..0.01),
-            ("goals met", run.goals_met as f64, 0.0..1.5),
-        ]
-    }),
     ("lesson-stiffness-of-hexagons", |run| {
         vec![
             ("plates before", run.before.planarity.max_distance, 0.0076..0.0077),
@@ -423,9 +415,8 @@ const STATEMENTS: &[Statement] = &[
     }),
     ("lesson-paper-model", |run| {
         vec![
-            ("worst panel before", run.before.planarity.max_distance, 0.01..0.05),
-            ("worst panel", run.after.planarity.max_distance, 0.001..0.006),
-            ("goals met", run.goals_met as f64, 0.0..0.5),
+            ("worst panel before", run.before.planarity.max_distance, 0.0045..0.005),
+            ("worst panel", run.after.planarity.max_distance, 1e-5..0.001),
         ]
     }),
     ("limits-choice", |run| {

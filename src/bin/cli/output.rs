@@ -8,6 +8,7 @@ use shape_up::mesh::{Circularity, FileFormat, Mesh, Planarity, Weld, write_with_
 use shape_up::scene::{NamedEnum, UnitsAndUp};
 use shape_up::session::Session;
 use shape_up::words;
+use std::collections::BTreeSet;
 use std::fs::OpenOptions;
 use std::io::Write;
 use std::path::{Path, PathBuf};

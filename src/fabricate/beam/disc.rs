@@ -20,11 +20,11 @@
 //! A disc is made only if no wall is thinner, nor the fins below it lower, than is said below, and it
 //! keeps clear of other discs and of fins that do not end at its node.
 
-use super::FrameSize;
 use super::fin::Fin;
 use super::near::Near;
 use super::node::Node;
 use super::seat::{FinEnd, Seat, seated};
+use super::size::{DiscSize, FrameSize};
 use crate::fabricate::panel::is_simple;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
@@ -34,21 +34,6 @@ use crate::math::plane::Point2;
 const LEAST_NECK: f64 = 1.0 / 3.0;
 /// Sine of half the angle between two fins below which they have the same direction.
 const SAME: f64 = 1e-3;
-
-/// Dimensions of discs, in the unit of the mesh.
-#[derive(Clone, Copy, Debug)]
-pub struct DiscSize {
-    /// The diameter; none for the smallest that is possible at each node.
-    pub diameter: Option<f64>,
-    /// Diameters that are not given are multiples of this.
-    pub step: f64,
-    /// The play between a disc and a fin on each side.
-    pub clearance: f64,
-    /// The least width of material beside a slot or a seat.
-    pub wall: f64,
-    /// The least length of a tenon.
-    pub tenon: f64,
-}
 
 /// A slot of a disc.
 #[derive(Clone, Copy, Debug)]
@@ -88,6 +73,7 @@ pub(super) fn discs(
     size: FrameSize,
     own: DiscSize,
 ) -> Vec<Option<Result<Disc, &'static str>>> {
+    let thick = size.height.signum() * size.thickness;
     let mut near = Near::new(surface, axes, fins);
     let mut seats: Vec<[Option<(FinEnd, Seat)>; 2]> = vec![[None; 2]; fins.len()];
     let mut found = Vec::new();
@@ -116,7 +102,10 @@ pub(super) fn discs(
                 both[*end] = Some((*place, *seat));
                 fits(surface, fin, *edge, &both, own.wall)?;
             }
-            near.take(surface, node, &disc, size)?;
+            let (middle, half) = (disc.seat + 0.5 * thick, 0.5 * size.thickness);
+            let radius = (disc.radius * disc.radius + half * half).sqrt();
+            let centre = surface.at(node.vertex) + node.axis * middle;
+            near.take(node.vertex, (centre, radius), half)?;
             for ((edge, end, place), seat) in ends.iter().zip(own_seats) {
                 seats[*edge as usize][*end] = Some((*place, seat));
             }

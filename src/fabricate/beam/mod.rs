@@ -11,30 +11,19 @@ mod near;
 mod node;
 mod prism;
 mod seat;
+mod size;
 
 pub use alike::{edge_types, node_types};
-pub use disc::{Disc, DiscSize, Slot};
+pub use disc::{Disc, Slot};
 pub use fin::{EndRoom, Fin, cut_back, fin};
 pub use node::{Node, Spoke, nodes};
 pub use prism::{EndCut, Prism, end_cuts, prism};
+pub use size::{DiscSize, FrameSize};
 
 use crate::fabricate::alike::Types;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use seat::Lean;
-
-/// Dimensions of beams, in the unit of the mesh.
-#[derive(Clone, Copy, Debug)]
-pub struct FrameSize {
-    /// The height of fins and prisms, negative inwards.
-    pub height: f64,
-    /// The width of prisms.
-    pub width: f64,
-    /// The thickness of fins.
-    pub thickness: f64,
-    /// The node discs that join fins; none if there are none.
-    pub discs: Option<DiscSize>,
-}
 
 /// The beams of a surface.
 #[derive(Clone, Debug)]

@@ -2,10 +2,7 @@
 //! node. A disc counts as the ball around it: nothing that it meets is missed, and one that barely clears
 //! a neighbour may be refused.
 
-use super::FrameSize;
-use super::disc::Disc;
 use super::fin::Fin;
-use super::node::Node;
 use crate::fabricate::offset::across_edge;
 use crate::fabricate::panel::distance_to_outline;
 use crate::fabricate::surface::{PanelSurface, unit};
@@ -56,21 +53,17 @@ impl Near {
         Near { fins, largest, discs: Vec::new() }
     }
 
-    /// Adds a disc if it is clear of all others.
+    /// Adds the disc of the node `vertex`, as a ball with a centre and a radius, if it is clear of all
+    /// others, and of fins whose plates reach `half` from their middle.
     ///
     /// # Errors
     /// What it would meet.
     pub(super) fn take(
         &mut self,
-        surface: &PanelSurface,
-        node: &Node,
-        disc: &Disc,
-        size: FrameSize,
+        vertex: u32,
+        (centre, radius): (Vec3<f64>, f64),
+        half: f64,
     ) -> Result<(), &'static str> {
-        let half = 0.5 * size.thickness;
-        let centre =
-            surface.at(node.vertex) + node.axis * (disc.seat + size.height.signum() * half);
-        let radius = (disc.radius * disc.radius + half * half).sqrt();
         let is_near = |&(other, own): &(Vec3<f64>, f64)| (other - centre).length() < radius + own;
         if self.discs.iter().any(is_near) {
             return Err("it would meet the disc of another node");
@@ -78,7 +71,7 @@ impl Near {
         let reach = self.largest + radius + half;
         let from = self.fins.partition_point(|fin| fin.centre.x < centre.x - reach);
         let others = self.fins[from..].iter().take_while(|fin| fin.centre.x <= centre.x + reach);
-        let mut others = others.filter(|fin| !fin.nodes.contains(&node.vertex));
+        let mut others = others.filter(|fin| !fin.nodes.contains(&vertex));
         if others.any(|fin| fin.is_within(centre, radius + half)) {
             return Err("it would meet a fin of other nodes");
         }

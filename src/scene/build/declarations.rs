@@ -158,7 +158,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "disc",
         "Node discs",
         number(Mm, ON_SHEET, |own| own.disc),
-        "Diameter of the discs that the fins of a node are joined by; 0 for none.",
+        "Diameter of the discs that join the fins of a node; 0 for none.",
     )
     .of(&[Fins])
     .or("the smallest that has room at each node"),
@@ -200,7 +200,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "tool",
         "Tool",
         number(Mm, ON_SHEET, |own| Some(own.tool)),
-        "Diameter of a milling tool: inner corners get reliefs that it reaches; 0 for none.",
+        "Diameter of a milling tool, for reliefs in inner corners; 0 for none.",
     )
     .of(FLAT),
     setting(
@@ -263,7 +263,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "names",
         "Names",
         NAMES,
-        "The names of panels. Rows and columns: if the mesh is one grid of quads.",
+        "Names of panels. Rows and columns: if the mesh is one grid of quads.",
     ),
     setting(Files, "dxf", "Drawings", DXF, "The version of the DXF files."),
     setting(Files, "page", "PDF pages", PAGES, "Larger sheets are printed on several pages."),

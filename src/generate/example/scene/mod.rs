@@ -47,7 +47,6 @@ pub const EXAMPLES: &[Example] = &[
     exercise::GLASS_ROOF,
     exercise::OFFSETS,
     exercise::CURVATURE,
-    exercise::ANY_SURFACE,
     exercise::HEXAGONS,
     exercise::PAPER,
     beyond::CHOICE,
