@@ -33,7 +33,7 @@ test('parts of a mesh are neither kept nor shown once another one is open', asyn
   async function open() {
     const positions = new Float64Array(9);
     solver.geometry = { generation: ++generation, positions, connectivity: mesh() };
-    const document = { units: 'm', build: {} } as unknown as State['document'];
+    const document = { units: 'm', build: {}, handles: [] } as unknown as State['document'];
     store.set({ model: { vertices: 3, faces: 1 } as State['model'], document });
     await soon();
   }
