@@ -56,9 +56,12 @@ impl Build {
     /// are wider than the present one.
     fn advice_on_joint(&self, report: &BuildReport) -> Option<Advice> {
         let words = report.joint(self.settings.thickness);
+        if words.is_empty() {
+            return None;
+        }
         let mut choices: Vec<AdvisedValue> = Vec::new();
         for least in report.least_joint_mm.into_iter().flatten() {
-            if words.is_empty() || least - report.joint_mm < STEP {
+            if least - report.joint_mm < STEP {
                 continue;
             }
             let joint = (least / STEP - 1e-9).ceil() * STEP;
@@ -75,14 +78,18 @@ impl Build {
     /// The scale at which parts fit on a sheet, or are large enough for hands.
     fn advice_on_scale(&self, report: &BuildReport) -> Option<Advice> {
         let now = self.settings.scale;
-        let parts = report.parts.max(1);
         let mean_edge = report.mean_edge_mm;
         if !report.too_large.is_empty() {
+            // A disc is as large at every scale.
+            let is_disc = |&k: &usize| self.disc_of(k).is_some();
+            if self.layout.too_large.iter().any(is_disc) {
+                return None;
+            }
             let fits = *SCALES.iter().find(|&&scale| scale >= now * self.beyond_the_sheet())?;
             let words = format!("At a scale of 1:{fits} every part fits on a sheet.");
             return Some(Advice { words, choices: vec![AdvisedValue::scale(fits)] });
         }
-        if mean_edge / now >= SMALL || parts < 2 {
+        if mean_edge / now >= SMALL || report.parts < 2 {
             return None;
         }
         let handy = SCALES.iter().rev().find(|&&scale| mean_edge / scale >= HANDY);
@@ -101,15 +108,21 @@ impl Build {
         Some(Advice { words, choices: vec![AdvisedValue::scale(scale)] })
     }
 
-    /// How many times as large as the room on a sheet the largest part is.
+    /// How many times as large as the room on a sheet the largest part is that gets smaller with the
+    /// scale. The kerf does not.
     fn beyond_the_sheet(&self) -> f64 {
+        let kerf = match self.settings.product {
+            Product::Paper => 0.0,
+            Product::Panels | Product::Fins => self.settings.kerf,
+        };
         let room = self.settings.sheet.map(|side| side - 2.0 * self.settings.margin);
         let most = [room[0].max(room[1]), room[0].min(room[1])];
-        let beyond = |part: &super::sheet::CutPart| {
+        let parts = self.parts.iter().enumerate().filter(|(k, _)| self.disc_of(*k).is_none());
+        let beyond = parts.map(|(_, part)| {
             let (_, size) = smallest_box_within(&part.outline, most);
-            (size[0] / most[0]).max(size[1] / most[1])
-        };
-        self.parts.iter().map(beyond).fold(0.0, f64::max)
+            [0, 1].map(|k| (size[k] - kerf) / (most[k] - kerf)).into_iter().fold(0.0, f64::max)
+        });
+        beyond.fold(0.0, f64::max)
     }
 }
 

@@ -8,7 +8,7 @@ use super::panel::inset;
 use super::sheet::{CutPart, Hole, Labels, SlotName, circle, label_disc};
 use crate::math::plane::Point2;
 
-/// Corners of the outline of a disc: it is within a thousandth of its radius from the circle.
+/// Corners of the outline of a disc: it is within 1.3 thousandths of its radius from the circle.
 const CORNERS: u32 = 64;
 /// Least width of walls and length of tenons: in thicknesses of the material, and in mm.
 const WALL: [f64; 2] = [1.0, 1.5];

@@ -13,6 +13,7 @@ use super::panel::direction_of;
 use super::sheet::Hole;
 use crate::math::plane::{Point2, cross, distance, dot, minus, rotated};
 use crate::math::{cosine, sine};
+use crate::scene::Product;
 
 /// Less material than this, in mm, may be left in a corner.
 const LEFT: f64 = 0.02;
@@ -117,7 +118,8 @@ impl Build {
     /// and keeps what is `beside` each side.
     pub(super) fn relieve(&mut self, beside: &mut [Vec<Option<String>>]) {
         let radius = 0.5 * self.settings.tool;
-        if radius <= 0.0 {
+        // Card is cut with a knife, whatever tool was set for other products.
+        if radius <= 0.0 || self.settings.product == Product::Paper {
             return;
         }
         let half = 0.5 * self.settings.kerf;

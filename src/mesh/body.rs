@@ -13,6 +13,11 @@ impl Mesh {
         at_vertices(&self.positions, &[faces, curves, tets, untouched])
     }
 
+    /// The diameter of its bounding sphere, which is 1 in the scale of `e_p` and `e_c`.
+    pub fn bounding_diameter(&self) -> f64 {
+        BoundingSphere::of(&self.used_positions()).diameter()
+    }
+
     /// What the mesh is made of.
     pub(crate) fn body(&self) -> Body {
         if !self.faces.is_empty() {

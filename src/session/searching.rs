@@ -44,16 +44,16 @@ impl Session {
         Attempts::new(self.search, document.attempt, can, faces, [self.rest.mean_edge(), edge])
     }
 
-    /// Whether the shape is to be another than at rest: a handle is elsewhere, or the user goes on from a
-    /// variation.
+    /// Whether the shape is to be another than at rest: a handle is elsewhere, or the variation
+    /// from which the user goes on.
     fn is_pulled(&self) -> bool {
         let least = self.mesh_tolerance();
-        let has_design = self.document().variants.design_positions().is_some();
-        has_design
-            || self.scene.handles().iter().any(|handle| {
-                let rest = self.rest.positions()[handle.vertex as usize];
-                (Vec3::from(handle.target) - Vec3::from(rest)).length() > least
-            })
+        let rest = self.rest.positions();
+        let is_away = |to: &Point, at: &Point| (Vec3::from(*to) - Vec3::from(*at)).length() > least;
+        let design = self.document().variants.design_positions().unwrap_or_default();
+        let mut handles = self.scene.handles().iter();
+        design.iter().zip(rest).any(|(to, at)| is_away(to, at))
+            || handles.any(|handle| is_away(&handle.target, &rest[handle.vertex as usize]))
     }
 
     /// Whether a hard constraint is to be far from the original: a sphere about all vertices, a surface

@@ -127,6 +127,17 @@ fn no_piece_overlaps_itself_and_its_outline_holds_its_facets_and_tabs() {
     }
 }
 
+#[test]
+fn paper_is_cut_with_a_knife_whatever_tool_was_set_before() {
+    // The settings of a mill are kept while paper is made: it got reliefs in its inner corners.
+    let own = BuildSettings { product: Product::Paper, ..BuildSettings::default() };
+    let milled = BuildSettings { tool: 3.0, kerf: 3.0, ..own.clone() };
+    let outlines = |settings: &BuildSettings| -> Vec<Vec<Point2>> {
+        build(&waves(), settings).parts.into_iter().map(|part| part.outline).collect()
+    };
+    assert_eq!(outlines(&milled), outlines(&own));
+}
+
 /// Whether two non-adjacent sides cross.
 fn crosses_itself(polygon: &[Point2]) -> bool {
     let n = polygon.len();

@@ -36,12 +36,11 @@ export const hiddenTexts = (page: Page) =>
         const range = document.createRange();
         range.selectNodeContents(text);
         const last = [...range.getClientRects()].filter(({ width }) => width > 3).pop();
+        // What lets presses through is not found there.
         if (!last || getComputedStyle(parent).pointerEvents === 'none') continue;
         end = { x: last.right - 2, y: (last.top + last.bottom) / 2 };
         const isInWindow = end.x > 0 && end.x < innerWidth && end.y > 0 && end.y < innerHeight;
         if (!isInWindow || isShortened(parent)) continue;
-        // What lets presses through is not found there.
-        if (getComputedStyle(parent).pointerEvents === 'none') continue;
         const top = document.elementFromPoint(end.x, end.y);
         if (!top || own.contains(top) || top.contains(own)) continue;
         // What is transparent, such as a link over a whole card, hides nothing.

@@ -1,7 +1,8 @@
 //! Drags as steps of undo: cancelled, without a move, and ended by an edit.
 
 use crate::session::asked::new;
-use crate::session::undo::{Deed, VERTICES, act, everything, open, reopened, written};
+use crate::session::saved_history::{reopened, written};
+use crate::session::undo::{Deed, VERTICES, act, everything, open};
 use shape_up::session::{Edit, Session};
 
 /// A session whose panels are exactly flat, with a handle at vertex 6.

@@ -24,6 +24,7 @@ mod regions;
 mod remesh;
 mod replacing;
 mod saddles;
+mod saved_history;
 mod search;
 mod selecting;
 mod shown;

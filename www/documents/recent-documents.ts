@@ -135,7 +135,7 @@ const isFull = (error: unknown) =>
 
 /**
  * Deletes works beyond the limit, except those that are open: first those that can be opened again from
- * their files, then the oldest. Of what was not changed there is only the newest of each file or link.
+ * their files, then those of links that were not changed, then the oldest. Of what was not changed there is only the newest of each file or link.
  */
 export async function pruneOldest() {
   const all = await recentDocuments();
@@ -144,8 +144,14 @@ export async function pruneOldest() {
   );
   // Who was sent a link may have no other copy.
   const isOfFile = ({ file, hash }: Work) => Boolean(file) && !hash;
-  const others = newest.filter((work) => !isOfFile(work));
-  const kept = [...others, ...newest.filter(isOfFile)].slice(0, MOST).map(({ id }) => id);
+  const [ofFiles, others] = [isOfFile, (work: Work) => !isOfFile(work)].map((is) =>
+    newest.filter(is),
+  );
+  // What was changed exists nowhere else.
+  const [ofLinks, changed] = [true, false].map((is) =>
+    others.filter(({ file }) => Boolean(file) === is),
+  );
+  const kept = [...changed, ...ofLinks, ...ofFiles].slice(0, MOST).map(({ id }) => id);
   const removed = (await closedWorks()).filter(({ id }) => !kept.includes(id));
   await remove(removed);
   const isTold = ({ id }: Work) => others.some((other) => other.id === id);

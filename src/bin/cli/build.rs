@@ -60,7 +60,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
         |folder: &Path, is_of_build: fn(&str) -> bool| left_over(folder, &files, is_of_build);
     let is_drawing = |name: &str| name.ends_with(".svg") || name.ends_with(".dxf");
     remarks.extend(asked.out.as_ref().and_then(|out| left_over(out, BuildFile::is_name_of_one)));
-    remarks.extend(of_parts.and_then(|out| left_over(&out.join(PARTS), is_drawing)));
+    remarks.extend(asked.out.as_ref().and_then(|out| left_over(&out.join(PARTS), is_drawing)));
     let names = files.iter().map(|(path, _)| format!("{}\n", path.display()));
     output::print(&(words(&report, &said, &remarks) + &names.collect::<String>()))
 }

@@ -3,7 +3,7 @@
 use crate::fabricate::sheet::{
     CutPart, Hole, Place, Role, Sheet, height_within, strokes, text_width,
 };
-use crate::math::plane::{Point2, bounds, minus, rotated};
+use crate::math::plane::{Point2, bounds, is_inside, minus, rotated};
 use crate::scene::Page;
 
 /// A polyline of a sheet.
@@ -96,12 +96,10 @@ impl Drawing {
         let mut drawing =
             Drawing { name, title, size, pen: PEN, lines: Vec::new(), free: Vec::new() };
         let sheet = Sheet { places: vec![place] };
-        drawing.add_parts(&sheet, std::slice::from_ref(part), outlines_only);
-        let is_within = |line: &DrawnLine| {
-            (line.points.iter())
-                .all(|point| (0..2).all(|k| point[k] > -PEN && point[k] < size[k] + PEN))
-        };
-        drawing.lines.retain(is_within);
+        let is_on_it = |line: &&Vec<Point2>| line.iter().all(|&at| is_inside(&part.outline, at));
+        let engraved = part.engraved.iter().filter(is_on_it).cloned().collect();
+        let part = CutPart { engraved, ..part.clone() };
+        drawing.add_parts(&sheet, std::slice::from_ref(&part), outlines_only);
         drawing
     }
 

@@ -21,9 +21,11 @@ pub fn panel_names(
         Names::Index => None,
         Names::Assembly => {
             let mut found = vec![String::new(); surface.faces.len()];
-            for (own, row) in assembly.iter().zip(0..) {
+            // Nodes, pieces of paper and types have these names.
+            let free = (0..).map(letters).filter(|row| !["N", "S", "T"].contains(&&**row));
+            for (own, row) in assembly.iter().zip(free) {
                 for (&f, number) in own.iter().zip(1..) {
-                    found[f as usize] = format!("{}{number}", letters(row));
+                    found[f as usize] = format!("{row}{number}");
                 }
             }
             return (found, true);

@@ -39,17 +39,18 @@ pub fn label_disc(
     slots: &[SlotName],
     turn: Point2,
 ) -> Labels {
-    let mut best: Option<Labels> = None;
-    for sort in 0..2 {
-        for tallest in OF_RADIUS {
-            let labels = labels_of(((outline, holes), (name, tallest), (slots, sort)), turn);
-            let missing = |labels: &Labels| labels.dropped + usize::from(labels.small);
-            if best.as_ref().is_none_or(|best| missing(&labels) < missing(best)) {
-                best = Some(labels);
-            }
+    let mut best: Option<(usize, Labels)> = None;
+    for (sort, tallest) in (0..2).flat_map(|sort| OF_RADIUS.map(|tallest| (sort, tallest))) {
+        let labels = labels_of(((outline, holes), (name, tallest), (slots, sort)), turn);
+        let missing = labels.dropped + usize::from(labels.small);
+        if best.as_ref().is_none_or(|(least, _)| missing < *least) {
+            best = Some((missing, labels));
+        }
+        if missing == 0 {
+            break;
         }
     }
-    best.unwrap_or_default()
+    best.map_or_else(Labels::default, |(_, labels)| labels)
 }
 
 /// The disc, its name with the largest height relative to the radius, the slots and which of their names

@@ -54,8 +54,9 @@ impl MeasureCache {
         measured.begin(scene);
         let Measured { measures, recent, .. } = &mut *measured;
         let measure = || {
-            let new = Measures::new(scene.positions(), &rest.mesh().faces, rest.diameter());
-            let new = Rc::new(new);
+            let mesh = rest.mesh();
+            let diameter = mesh.bounding_diameter();
+            let new = Rc::new(Measures::new(scene.positions(), &mesh.faces, diameter));
             *recent = Some((Rc::clone(&new), clock::now()));
             new
         };

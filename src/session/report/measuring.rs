@@ -36,8 +36,8 @@ impl Measuring<'_> {
         match shape {
             Shape::Now => self.cache.measures(self.scene, self.rest),
             Shape::Original => {
-                let (positions, diameter) = (self.rest.positions(), self.rest.diameter());
-                Rc::new(Measures::new(positions, self.faces(), diameter))
+                let diameter = self.rest.mesh().bounding_diameter();
+                Rc::new(Measures::new(self.rest.positions(), self.faces(), diameter))
             }
         }
     }

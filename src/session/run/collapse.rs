@@ -4,7 +4,7 @@
 //! The shape is compared with the start: the shape at the first iteration after the last edit.
 
 use crate::math::{Vec3, twice_vector_area};
-use crate::mesh::{Mesh, Point, Ragged, diagonal};
+use crate::mesh::{Mesh, Point, Ragged, at_vertices, diagonal};
 use crate::solve::Handle;
 use std::fmt;
 use std::mem::size_of_val;
@@ -72,6 +72,14 @@ pub(crate) struct Start {
     pull: f64,
 }
 
+/// The diagonal of what can move of a shape: faces that are left as they are stay where they are.
+fn extent_of(positions: &[Point], mesh: &Mesh) -> f64 {
+    match mesh.faces.is_empty() {
+        true => diagonal(&mesh.body_of(positions)),
+        false => diagonal(&at_vertices(positions, &[mesh.faces.indices()])),
+    }
+}
+
 impl Start {
     /// Stores the shape `positions` (`#V by 3`) of `rest` after `iteration`, with these handles.
     pub(crate) fn new(
@@ -84,10 +92,10 @@ impl Start {
             Vec3::from(positions[handle.vertex as usize]) - Vec3::from(handle.target)
         });
         let pull = offsets.map(|offset| offset.length_squared()).fold(0.0, f64::max).sqrt();
-        let extent = diagonal(&rest.body_of(positions));
+        let extent = extent_of(positions, rest);
         Start {
             diagonal: extent,
-            size: extent.max(diagonal(&rest.body_of(&rest.positions))),
+            size: extent.max(extent_of(&rest.positions, rest)),
             areas: areas(positions, &rest.faces),
             pull,
             iteration,
@@ -112,7 +120,7 @@ impl Start {
     /// Returns how the shape `now`, `#V by 3`, has collapsed since the start, if it has.
     pub(crate) fn collapse(&self, now: &[Point], mesh: &Mesh) -> Option<Collapse> {
         let slack = PER_PULL * self.pull;
-        let diagonal = diagonal(&mesh.body_of(now));
+        let diagonal = extent_of(now, mesh);
         if diagonal + slack < LEAST_DIAGONAL * self.diagonal {
             let amount = diagonal / self.diagonal;
             return Some(Collapse { reason: CollapseReason::Shrunk, amount });

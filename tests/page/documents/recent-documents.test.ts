@@ -208,3 +208,16 @@ test('the fallback copy leaves saved progress that is too long for it', async ()
   // Progress of an earlier scene does not fit another.
   assert.equal(await progressAfter({ text: 'another', history: null, progress: long }), null);
 });
+
+test('works of links that were only looked at push out no work that was changed', async () => {
+  // A teacher who looked at eight links lost works of her own.
+  for (const own of ['one', 'two']) await keep(work(own), contents('hours of work'));
+  for (let k = 1; k <= 8; k++) {
+    const [hash, file] = [`#link=${k}`, `of link ${k}`];
+    await keep({ ...work(`linked-${k}`), hash, file }, contents('a model'));
+    await pruneOldest();
+  }
+  const left = await ids();
+  assert.equal(left.length, 8);
+  assert.ok(left.includes('one') && left.includes('two'), left.join());
+});

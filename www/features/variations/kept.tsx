@@ -158,7 +158,10 @@ function useKeptChange() {
   const { store, actions } = useApp();
   return (name: string, edit: (index: number) => Edit) => {
     async function change() {
+      const { model } = store.get();
       await actions.settled();
+      // Names such as Start are those of every model.
+      if (store.get().model !== model) return;
       const index = store.get().document?.variants.indexOf(name) ?? -1;
       if (index >= 0) await actions.edit(edit(index));
     }
