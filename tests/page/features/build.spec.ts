@@ -231,6 +231,25 @@ test('every declared setting has a field with its unit, in its group', async ({ 
   await expect(partsPanel(page).getByLabel('Tabs, mm')).toBeVisible();
 });
 
+test('node discs join the fins, at a scale at which they have room', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openParts(page);
+  await partsPanel(page).getByLabel('Make').selectOption('fins');
+  await waitForState(page, (now) => now.build?.product === 'fins');
+  await setField(page, 'Scale 1 :', 4);
+  const discs = partsPanel(page).getByLabel('Node discs, mm');
+  // The word that stands in the empty field.
+  await discs.fill('auto');
+  await discs.press('Tab');
+  const built = await waitForState(page, (now) => (now.build?.frame?.placed_discs ?? 0) > 0);
+  await expect(discs).toHaveValue('');
+  const { frame, placed, parts } = reportOf(built);
+  expect(frame?.placed_discs).toBe(25);
+  expect(placed).toBe(parts);
+  await expect(partsPanel(page)).toContainText('40 fins and 25 node discs on ');
+});
+
 test('fins and a paper model are made of the same shape and saved', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);

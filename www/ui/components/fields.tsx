@@ -64,6 +64,9 @@ export function AmountField({
         setTyped(currentTarget.value);
       }}
       onChange={({ currentTarget }) => {
+        // The word that stands there when it is empty can be typed, too.
+        const isWord = currentTarget.value.trim().toLowerCase() === rest.placeholder;
+        if (onEmpty && isWord) currentTarget.value = '';
         const to = numberIn(currentTarget, accepted);
         // What is wrong is said until the field is left; leaving it is not held up.
         if (isEntered.current && !currentTarget.reportValidity()) return;
