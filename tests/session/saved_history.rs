@@ -54,28 +54,47 @@ proptest! {
     }
 }
 
+/// Where handles are dragged to.
+const TARGET: [f64; 3] = [482_114.0, -65_220.0, 433.0];
+
+/// Begins to drag a vertex that is no handle yet, a handle, and a run of a constraint that is added.
+fn begin_new(session: &mut Session) {
+    session.begin_drag_of_new(vec![7]).expect("it is there");
+    session.drag([(7, TARGET)]).expect("it is near");
+}
+
+fn begin_drag(session: &mut Session) {
+    session.begin_drag();
+    session.drag([(6, TARGET)]).expect("it is near");
+}
+
+fn begin_press(session: &mut Session) {
+    session.edit_and_run(new("circle", "\"faces\"")).expect("faces can be circles");
+}
+
+/// What begins something, and the name of the step that it is after three iterations.
+type Begin = (fn(&mut Session), &'static str);
+
+const BEGIN: [Begin; 4] = [
+    (Session::begin_run, "Run, 3 iterations"),
+    (begin_drag, "Move handle"),
+    (begin_new, "Make and move handle"),
+    (begin_press, "Add circle"),
+];
+
+/// A session with a constraint, a handle, and a run.
+fn edited() -> Session {
+    let mut session = open();
+    session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
+    session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
+    act(&mut session, Deed::Run(2));
+    session
+}
+
 #[test]
 fn a_run_and_a_drag_that_were_cut_off_are_steps_of_undo() {
-    let target = [482_114.0, -65_220.0, 433.0];
-    let begin_new = |session: &mut Session| {
-        session.begin_drag_of_new(vec![7]).expect("it is there");
-        session.drag([(7, target)]).expect("it is near");
-    };
-    let begin_drag = |session: &mut Session| {
-        session.begin_drag();
-        session.drag([(6, target)]).expect("it is near");
-    };
-    type Begin<'a> = (&'a dyn Fn(&mut Session), &'a str);
-    let begin: [Begin<'_>; 3] = [
-        (&Session::begin_run, "Run, 3 iterations"),
-        (&begin_drag, "Move handle"),
-        (&begin_new, "Make and move handle"),
-    ];
-    for (begin, name) in begin {
-        let mut session = open();
-        session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
-        session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
-        act(&mut session, Deed::Run(2));
+    for (begin, name) in BEGIN.into_iter().take(3) {
+        let mut session = edited();
         let (text, history) = (written(&session), session.saved_history());
         let before = everything(&session);
         begin(&mut session);
@@ -94,30 +113,8 @@ fn a_run_and_a_drag_that_were_cut_off_are_steps_of_undo() {
 fn what_is_written_while_something_is_under_way_leads_back_to_where_it_began() {
     // The steps fitted the scene before, and the text was that of the scene as it was: after a reload
     // Undo led to the shape of half a run, without its constraint.
-    let target = [482_114.0, -65_220.0, 433.0];
-    let begin_new = |session: &mut Session| {
-        session.begin_drag_of_new(vec![7]).expect("it is there");
-        session.drag([(7, target)]).expect("it is near");
-    };
-    let begin_drag = |session: &mut Session| {
-        session.begin_drag();
-        session.drag([(6, target)]).expect("it is near");
-    };
-    let begin_press = |session: &mut Session| {
-        session.edit_and_run(new("circle", "\"faces\"")).expect("faces can be circles");
-    };
-    type Begin<'a> = (&'a dyn Fn(&mut Session), &'a str);
-    let begin: [Begin<'_>; 4] = [
-        (&Session::begin_run, "Run, 3 iterations"),
-        (&begin_drag, "Move handle"),
-        (&begin_new, "Make and move handle"),
-        (&begin_press, "Add circle"),
-    ];
-    for (begin, name) in begin {
-        let mut session = open();
-        session.edit(new("plane", "\"faces\"")).expect("faces can be planes");
-        session.edit(Edit::AddHandles { vertices: vec![6], fixed: false }).expect("it is there");
-        act(&mut session, Deed::Run(2));
+    for (begin, name) in BEGIN {
+        let mut session = edited();
         let before = everything(&session);
         begin(&mut session);
         for _ in 0..3 {
