@@ -1,12 +1,10 @@
 //! Fins and node discs as plates in space, as they are assembled: of the thickness of the material at
 //! the scale of the building.
 
-use super::beam::{Disc, Frame};
+use super::beam::{BeamPlane, Disc, Frame};
 use super::build::{Build, beam_name, node_name};
 use super::discs::as_one_polygon;
-use super::offset::across_edge;
 use super::panel::triangles;
-use super::surface::unit;
 use crate::math::Vec3;
 use crate::math::plane::Point2;
 
@@ -63,17 +61,16 @@ impl Build {
             return [Vec::new(), Vec::new()];
         }
         let thickness = self.settings.thickness / self.mm_of_sheet();
-        let fins = self.surface.edges.iter().zip(&frame.fins).filter_map(|(edge, fin)| {
+        let fins = (0..).zip(&frame.fins).filter_map(|(edge, fin)| {
             let fin = fin.as_ref().ok()?;
-            let t = self.surface.direction(edge);
-            let [n, m] = edge.ends.map(|v| axes.axes[v as usize]);
-            let b = unit(across_edge(n + m, t));
-            let (origin, aside) = (self.surface.at(edge.ends[0]), t.cross(b) * (0.5 * thickness));
-            let put = |[x, y]: Point2| {
-                let point = origin + t * x + b * y;
+            let plane = BeamPlane::of(&self.surface, &axes.axes, edge);
+            let aside = plane.along.cross(plane.up) * (0.5 * thickness);
+            let put = |corner: Point2| {
+                let point = plane.in_space(corner);
                 [point - aside, point + aside]
             };
-            Some(Plate::new(beam_name(edge.ends), &fin.cut, put))
+            let name = beam_name(self.surface.edges[edge as usize].ends);
+            Some(Plate::new(name, &fin.cut, put))
         });
         let discs = self.discs.iter().filter_map(|own| self.placed(frame, own.vertex, thickness));
         [fins.collect(), discs.collect()]

@@ -3,9 +3,9 @@
 //! moved back parallel to its axis so that the plates of a node do not overlap.
 
 use super::node::Node;
-use crate::fabricate::offset::across_edge;
+use super::plane::BeamPlane;
 use crate::fabricate::panel::is_simple;
-use crate::fabricate::surface::{PanelSurface, unit};
+use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::Point2;
 use crate::math::{Vec3, cosine_and_sine_of_degrees};
 
@@ -64,14 +64,13 @@ pub fn fin(
     room: [EndRoom; 2],
 ) -> Result<Fin, &'static str> {
     let own = &surface.edges[edge as usize];
-    let (t, length) = (surface.direction(own), surface.length(own));
+    let (plane, length) = (BeamPlane::of(surface, axes, edge), surface.length(own));
     let tilted = own.ends.map(|v| axes[v as usize]);
-    let b = unit(across_edge(tilted[0] + tilted[1], t));
-    if t == Vec3::zero() || b == Vec3::zero() {
+    if plane.along == Vec3::zero() || plane.up == Vec3::zero() {
         return Err("its edge has no length");
     }
     // Each axis in the plane of the fin.
-    let flat = tilted.map(|n| [n.dot(t), n.dot(b)]);
+    let flat = tilted.map(|axis| plane.flat(axis));
     if length + height * (flat[1][0] - flat[0][0]) <= 0.0 {
         return Err("the axes of its nodes cross within its height");
     }

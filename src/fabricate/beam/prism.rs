@@ -3,7 +3,7 @@
 //! a step exactly if the offset keeps the height of beams constant.
 
 use super::node::{Node, degrees_between};
-use crate::fabricate::offset::across_edge;
+use super::plane::BeamPlane;
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 
@@ -36,13 +36,6 @@ pub struct Prism {
     pub lengths: [f64; 3],
 }
 
-/// The upward direction of the beam along an edge: `P_e (n_i + n_j)`, normalised.
-fn up(surface: &PanelSurface, axes: &[Vec3<f64>], edge: u32) -> Vec3<f64> {
-    let own = &surface.edges[edge as usize];
-    let [n, m] = own.ends.map(|v| axes[v as usize]);
-    unit(across_edge(n + m, surface.direction(own)))
-}
-
 /// The cuts of beams of this width at a node, one for each of its beams.
 pub fn end_cuts(
     surface: &PanelSurface,
@@ -52,7 +45,8 @@ pub fn end_cuts(
 ) -> Vec<EndCut> {
     let a = node.axis;
     let n = node.spokes.len();
-    let ups: Vec<_> = node.spokes.iter().map(|spoke| up(surface, axes, spoke.edge)).collect();
+    let up = |edge: u32| BeamPlane::of(surface, axes, edge).up;
+    let ups: Vec<_> = node.spokes.iter().map(|spoke| up(spoke.edge)).collect();
     // Perpendicular to the axis, for the mitres.
     let lefts: Vec<_> = node
         .spokes
@@ -105,7 +99,7 @@ pub fn prism(
 ) -> Option<Prism> {
     let own = &surface.edges[edge as usize];
     let t = surface.direction(own);
-    let b = up(surface, axes, edge);
+    let b = BeamPlane::of(surface, axes, edge).up;
     let at = own.ends.map(|v| surface.at(v));
     let tilted = own.ends.map(|v| axes[v as usize]);
     let corner = |end: usize, c: Vec3<f64>, z: f64| {

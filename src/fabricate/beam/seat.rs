@@ -9,7 +9,7 @@
 //! `z = (Z + T + (T/2) |sin d|) / cos d`.
 
 use super::fin::Fin;
-use crate::fabricate::offset::across_edge;
+use super::plane::BeamPlane;
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 use crate::math::plane::{Point2, dot};
@@ -36,12 +36,10 @@ impl Lean {
         edge: u32,
         end: usize,
     ) -> Option<Lean> {
-        let own = &surface.edges[edge as usize];
-        let t = surface.direction(own);
-        let tilted = own.ends.map(|v| axes[v as usize]);
-        let b = unit(across_edge(tilted[0] + tilted[1], t));
-        let axis = unit(tilted[end]);
-        let flat = [axis.dot(t), axis.dot(b)];
+        let plane = BeamPlane::of(surface, axes, edge);
+        let BeamPlane { along: t, up: b, .. } = plane;
+        let axis = unit(axes[surface.edges[edge as usize].ends[end] as usize]);
+        let flat = plane.flat(axis);
         let cosine = dot(flat, flat).sqrt();
         let sign = if end == 0 { 1.0 } else { -1.0 };
         let along = unit(t * flat[1] - b * flat[0]) * sign;
