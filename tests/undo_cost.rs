@@ -104,7 +104,7 @@ fn steps_are_forgotten_by_the_bytes_that_they_hold() {
         let text = format!("{k}").repeat(1 << 20);
         session
             .edit(Edit::SetLesson {
-                lesson: Some(Lesson { text, goals: Vec::new(), lock: Vec::new() }),
+                lesson: Some(Lesson { text, goals: Vec::new(), lock: Vec::new(), given: None }),
                 unsolved: false,
             })
             .expect("valid");

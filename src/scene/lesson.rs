@@ -8,6 +8,9 @@
 //!              { "build": "beam_warp", "at_most": 0.001 } ],
 //!   "lock": ["mesh", "constraints"] }
 //! ```
+//!
+//! A session that puts another mesh in place of the first one adds `"given"`, so that results are still of
+//! the exercise that was handed out.
 
 use super::SceneError;
 use crate::json::{JsonError, from_text, objects, present};
@@ -32,6 +35,10 @@ pub struct Lesson {
         tsify(optional, type = "(\"weights\" | \"constraints\" | \"handles\" | \"mesh\")[]")
     )]
     pub lock: Vec<Lock>,
+    /// The [fingerprint](crate::scene::Scene::fingerprint) of the exercise on its first mesh, once
+    /// another one is in its place.
+    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
+    pub given: Option<String>,
 }
 
 impl Lesson {

@@ -18,6 +18,9 @@ pub struct Results {
     pub title: String,
     /// [`Scene::fingerprint`] of the original scene.
     pub scene: String,
+    /// The mesh at the end without the shape, inline, if it is not that of the scene.
+    #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<MeshSource>,
     /// Time of saving, as formatted by the page; empty if unknown.
     pub time: String,
     /// Number of iterations since the start of the scene.
@@ -105,9 +108,12 @@ impl From<GoalResult> for ResultFile {
 impl Scene {
     /// Returns the fingerprint of the exercise: 16 hexadecimal digits that depend on the mesh and
     /// the lesson, with a chance of one in 2^64 of a collision. Constraints, handles and weights
-    /// are not included, since students change them. It detects mistakes, but is not secure against
-    /// forgery.
+    /// are not included, since students change them. It is kept where another mesh takes the place
+    /// of the first. It detects mistakes, but is not secure against forgery.
     pub fn fingerprint(&self, mesh: &Mesh) -> String {
+        if let Some(given) = self.lesson.as_ref().and_then(|lesson| lesson.given.as_ref()) {
+            return given.clone();
+        }
         let mut exercise = Scene::new(MeshSource::Inline(Box::default()));
         exercise.lesson.clone_from(&self.lesson);
         format!("{:016x}", fnv1a(exercise.to_json(mesh).as_bytes()))

@@ -322,8 +322,11 @@ impl Session {
     /// If something that the lesson locks would be left out, the document does not fit the mesh, or the
     /// system is singular; nothing has changed then.
     fn go_to_mesh(&mut self, rest: RestMesh, carried: Carried) -> Result<Change, Error> {
-        let Carried { document, handles, positions, dropped, .. } = carried;
+        let Carried { mut document, handles, positions, dropped, .. } = carried;
         dropped.iter().try_for_each(|part| check_lock(*part, self.document()))?;
+        if let Some(lesson) = &mut document.lesson {
+            lesson.given = Some(self.document().fingerprint(self.mesh()));
+        }
         let scene =
             SceneChange { parts: Vec::new(), handles: handles.into(), positions: positions.into() };
         let other = Some(Box::new((rest, document)));

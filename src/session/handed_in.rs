@@ -3,6 +3,7 @@
 use super::Session;
 use super::edit::{is_of_solver, settings_of};
 use super::state::Settings;
+use crate::constraint::Selector;
 use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres};
 use crate::mesh::Mesh;
 use crate::scene::{
@@ -11,6 +12,7 @@ use crate::scene::{
 use crate::session::Error;
 use crate::solve::Require;
 use serde_json::Value;
+use std::rc::Rc;
 
 impl Session {
     /// Returns the results that `student` hands in at `time`; none without a lesson.
@@ -26,6 +28,10 @@ impl Session {
             student: student.to_owned(),
             title,
             scene: self.document().fingerprint(self.mesh()),
+            mesh: self.document().lesson.as_ref().and_then(|lesson| {
+                let is_other = lesson.given.is_some();
+                is_other.then(|| MeshSource::Inline(Box::new(self.mesh().clone())))
+            }),
             time: time.to_owned(),
             iterations: self.iteration(),
             passed: goals.iter().all(|goal| goal.met),
@@ -65,8 +71,10 @@ pub struct Checked {
     pub changed: Vec<String>,
 }
 
-/// Measures the shape of `results` with the lesson and the constraints of `scene`, on its `mesh`.
-/// The measurements and the constraints in the results are not trusted.
+/// Measures the shape of `results` with the lesson and the constraints of `scene`, on its `mesh`, or
+/// on the one that the student put in its place: then with the constraints of all elements of a kind,
+/// since the numbers of others are those of the first mesh. The measurements and the constraints in the
+/// results are not trusted.
 ///
 /// # Errors
 /// If the results are of another scene, or the scene has no lesson.
@@ -92,6 +100,14 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         different.into_iter().partition::<Vec<_>, _>(|(part, _)| locks.contains(part));
     let mut altered: Vec<Lock> = altered.into_iter().map(|(part, _)| part).collect();
     altered.dedup();
+    let mut changed: Vec<String> = changed.into_iter().map(|(_, words)| words).collect();
+    let other = other_mesh(results, &mesh)?;
+    if other.is_some() {
+        match locks.contains(&Lock::Mesh) {
+            true => altered.push(Lock::Mesh),
+            false => changed.push("mesh".to_owned()),
+        }
+    }
 
     let is_built = lesson.goals.iter().any(|goal| matches!(goal.of, GoalOf::Build(_)));
     let named = lesson.goals.iter().filter_map(|goal| match &goal.of {
@@ -117,6 +133,16 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         }
     }
     still.pose = scene.pose;
+    let mesh = match other {
+        Some(other) => {
+            still.closeness.stay_on(&Rc::new(mesh));
+            (still.sets, still.pose) = Default::default();
+            still.constraints.retain(|row| matches!(row.on, Selector::Each { within: None, .. }));
+            still.constraints.iter_mut().for_each(|row| row.eased = None);
+            other
+        }
+        None => mesh,
+    };
     still.current = Some(results.positions.clone());
     // The positions are the shape of that scene.
     let of_results = |error: Error| match error {
@@ -135,8 +161,27 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         moved: still.moved().max,
         distance: still.worst_distance(),
         altered,
-        changed: changed.into_iter().map(|(_, words)| words).collect(),
+        changed,
     })
+}
+
+/// The mesh of the results, if it is not `given`.
+///
+/// # Errors
+/// If the results only name its file.
+fn other_mesh(results: &Results, given: &Mesh) -> Result<Option<Mesh>, SceneError> {
+    match &results.mesh {
+        None => Ok(None),
+        Some(MeshSource::Inline(mesh)) => {
+            let elements =
+                |mesh: &Mesh| (mesh.positions.clone(), mesh.faces.clone(), mesh.tets.clone());
+            Ok(Some(&**mesh).filter(|mesh| elements(mesh) != elements(given)).cloned())
+        }
+        Some(MeshSource::File(path)) => {
+            let message = format!("found the file {path:?}, expected the mesh itself");
+            Err(SceneError { path: "mesh".to_owned(), message })
+        }
+    }
 }
 
 /// The build numbers of the current shape, in a unit and with settings; empty if not buildable.

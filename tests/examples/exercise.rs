@@ -3,8 +3,8 @@
 use shape_up::fabricate::{BUILD_NUMBERS, Build, LengthInMetres};
 use shape_up::generate::example::{EXAMPLES, Example};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{Results, Weights};
-use shape_up::session::{Edit, Session, check_results};
+use shape_up::scene::{MeshSource, Results, Scene, Weights};
+use shape_up::session::{Edit, LayoutSettings, Session, check_results};
 use shape_up::solve::Require;
 
 fn lessons() -> impl Iterator<Item = &'static Example> {
@@ -26,8 +26,10 @@ fn there_are_lessons_among_the_examples() {
         "glass-roof",
         "circles-and-offsets",
         "curvature-and-panels",
+        "from-surface-to-panels",
         "stiffness-of-hexagons",
         "paper-model",
+        "exact-and-variations",
     ];
     assert_eq!(ids, expected.map(|id| format!("lesson-{id}")));
 }
@@ -151,4 +153,62 @@ fn across_the_lines_of_curvature_exact_costs_more_than_within() {
         assert_eq!(required(id, Require::Within(0.001), runs_first), [true, true]);
         assert_eq!(required(id, Require::Exact, runs_first), [true, false]);
     }
+}
+
+/// Runs, and returns which goals are met.
+fn met_by_run(session: &mut Session) -> Vec<bool> {
+    session.solve(false).expect("positions stay finite");
+    met(session)
+}
+
+#[test]
+fn panels_along_the_lines_of_curvature_stay_on_a_surface_that_those_across_leave() {
+    let id = "lesson-from-surface-to-panels";
+    let mut across = opened(id);
+    assert_eq!(met(&mut across), [false, true]);
+    assert_eq!(met_by_run(&mut across), [true, false]);
+
+    let mut along = opened(id);
+    let wished = LayoutSettings { count: None, size: None, follow: 0.5, even: 0.5, boundary: None };
+    let layout = along.lay_out_panels(&wished, &mut |_, _| true).expect("it is a surface");
+    assert!(along.take_panels(along.generation(), &layout.mesh).expect("nothing is locked"));
+    assert_eq!(met_by_run(&mut along), [true, true]);
+
+    // Another mesh does not make it another exercise, also after it was saved and opened again.
+    let scene = Scene::from_json(&along.scene_with_mesh()).expect("it is a scene");
+    let MeshSource::Inline(mesh) = scene.mesh.clone() else { panic!("the mesh is in the scene") };
+    let mut again = Session::open(scene, *mesh).expect("it can be solved");
+    for session in [&mut along, &mut again] {
+        let results = session.results("Ada", "").expect("it is a lesson");
+        let results = Results::from_json(&results.to_json()).expect("it was written here");
+        let (scene, mesh) = lessons().find(|it| it.id == id).expect("it is there").build();
+        let checked = check_results(&results, scene.clone(), mesh.clone()).expect("of this lesson");
+        assert!(checked.goals.iter().all(|goal| goal.met), "{:?}", checked.goals);
+        assert!(checked.altered.is_empty() && checked.changed.contains(&"mesh".to_owned()));
+        // The goals are measured again: of a shape that left the surface one is missed.
+        let mut lifted = results.clone();
+        lifted.positions.iter_mut().for_each(|p| p[2] += 0.8);
+        let checked = check_results(&lifted, scene, mesh).expect("of this lesson");
+        assert_eq!(checked.goals.iter().map(|goal| goal.met).collect::<Vec<_>>(), [true, false]);
+    }
+}
+
+#[test]
+fn a_variation_of_an_exact_roof_has_better_corners() {
+    let mut session = opened("lesson-exact-and-variations");
+    assert_eq!(met_by_run(&mut session), [true, false]);
+    let mut variations = session.variations().expect("regular").expect("all is exact");
+    while variations.step().expect("regular") {}
+    // One slider is enough, to one of its ends.
+    let mut coefficients = vec![0.0; variations.modes().len()];
+    let found = [-0.095, 0.095].into_iter().any(|end| {
+        coefficients[0] = end;
+        let varied = variations.go(&coefficients).expect("regular");
+        let (generation, report) = (variations.generation(), Some(varied.report));
+        assert!(session.show_variation(generation, &varied.positions, report));
+        met(&mut session) == [true, true]
+    });
+    assert!(found);
+    assert!(session.keep_variation().expect("there is room"));
+    assert!(session.results("Ada", "").expect("it is a lesson").passed);
 }

@@ -406,6 +406,13 @@ const STATEMENTS: &[Statement] = &[
             ("goals met", run.goals_met as f64, 1.0..1.5),
         ]
     }),
+    ("lesson-from-surface-to-panels", |run| {
+        vec![
+            ("corners before", run.before.circularity.max_distance, 0.08..0.085),
+            ("corners", run.after.circularity.max_distance, 1e-5..0.001),
+            ("goals met", run.goals_met as f64, 1.0..1.5),
+        ]
+    }),
     ("lesson-stiffness-of-hexagons", |run| {
         vec![
             ("plates before", run.before.planarity.max_distance, 0.0076..0.0077),
@@ -417,6 +424,13 @@ const STATEMENTS: &[Statement] = &[
         vec![
             ("worst panel before", run.before.planarity.max_distance, 0.0045..0.005),
             ("worst panel", run.after.planarity.max_distance, 1e-5..0.001),
+        ]
+    }),
+    ("lesson-exact-and-variations", |run| {
+        vec![
+            ("worst pane before", run.before.planarity.max_distance, 0.0085..0.0095),
+            ("worst pane", run.after.planarity.max_distance, 0.0..1e-9),
+            ("goals met", run.goals_met as f64, 1.0..1.5),
         ]
     }),
     ("limits-choice", |run| {

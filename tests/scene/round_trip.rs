@@ -172,6 +172,7 @@ prop_compose! {
             lesson: lesson.map(|(text, goals)| Lesson {
                 text,
                 lock: Lock::WORDS.iter().map(|(_, lock)| *lock).take(goals.len()).collect(),
+                given: None,
                 goals: goals.into_iter().map(|(named, of, at_most)| Goal {
                     of: match named {
                         true => GoalOf::Constraint(of),

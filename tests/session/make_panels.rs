@@ -298,7 +298,7 @@ fn exact_panels_are_those_near_the_shape_where_others_crumple() {
     let offer = trial.offer(&session).expect("nothing has changed");
     assert!(offer.met && offer.folded == 0 && offer.moved.max < 1.0, "{offer:?}");
     assert!(offer.after.energy < 4.0 * offer.before.energy, "{offer:?}");
-    let lesson = |lock| Lesson { text: "Round.".to_owned(), goals: Vec::new(), lock };
+    let lesson = |lock| Lesson { text: "Round.".to_owned(), goals: Vec::new(), lock, given: None };
     let locked = Some(lesson(vec![Lock::Constraints]));
     session.edit(Edit::SetLesson { lesson: locked, unsolved: false }).expect("it may be a lesson");
     let refused = session.make_exact(trial.shape(), &trial.positions(), false);

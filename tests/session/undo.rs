@@ -51,7 +51,7 @@ pub(crate) enum Deed {
 
 fn lesson() -> Lesson {
     let goal = Goal { of: GoalOf::Constraint("Plane".to_owned()), at_most: 0.1 };
-    Lesson { text: "Make it flat.".to_owned(), goals: vec![goal], lock: Vec::new() }
+    Lesson { text: "Make it flat.".to_owned(), goals: vec![goal], lock: Vec::new(), given: None }
 }
 
 /// One of the declared settings, with one of its values.

@@ -1,7 +1,7 @@
 // An example lesson, done by following its text. That each text leads to its goals is shown natively.
 
 import type { Page } from '@playwright/test';
-import { openExample, showStep } from '../actions.ts';
+import { openExample, runToTheEnd, showStep } from '../actions.ts';
 import { expect, openPage, test, waitForState } from '../support.ts';
 
 const lesson = (page: Page) => page.getByRole('region', { name: 'Lesson' });
@@ -36,6 +36,22 @@ test('Lesson: curvature and panels: the goals are met with Within, and missed wi
   await expectGoals(page, 'Passed: 2 goals satisfied');
   await require(page, 'Plane', 'Exact');
   await expectGoals(page, '1 of 2 goals satisfied');
+});
+
+test('Lesson: from any surface to panels: new panels meet both goals', async ({ page }) => {
+  await openPage(page);
+  await openExample(page, 'Lesson: from any surface to panels');
+  await runToTheEnd(page);
+  await showStep(page, 'Shape');
+  await expectGoals(page, '1 of 2 goals satisfied');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await page.getByRole('button', { name: 'New panels', exact: true }).click();
+  const card = page.getByRole('region', { name: 'New panels' });
+  await card.getByRole('button', { name: 'Use these panels' }).click();
+  await expect(card).toBeHidden();
+  await runToTheEnd(page);
+  await showStep(page, 'Shape');
+  await expectGoals(page, 'Passed: 2 goals satisfied');
 });
 
 test('locked controls are shown as locked with the reason, and scripts are refused', async ({

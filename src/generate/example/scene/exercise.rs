@@ -1,15 +1,15 @@
-//! Lessons: exercises with goals that students achieve and hand in.
+//! Lessons on projections, and on what they do to a design: exercises with goals that students
+//! achieve and hand in.
 
 use super::parts::{constraint, each, fixed};
 use crate::constraint::Element;
 use crate::generate::example::Example;
-use crate::generate::model::{Canopy, honeycomb};
+use crate::generate::model::Canopy;
 use crate::generate::quads::grid;
 use crate::math::{cosine, sine};
 use crate::mesh::Mesh;
 use crate::scene::{
-    BuildSettings, ClosenessTo, Goal, GoalOf, Lesson, Lock, Product, Scene, Smoothness,
-    SmoothnessOf, Weighting, Weights,
+    ClosenessTo, Goal, GoalOf, Lesson, Lock, Scene, Smoothness, SmoothnessOf, Weighting, Weights,
 };
 
 pub(super) const PROJECTION: Example = Example {
@@ -34,14 +34,14 @@ fn projection(scene: &mut Scene) -> Mesh {
     scene.weights = Weights { shape: 1.0, close: 0.1, smooth: 0.0 };
     scene.closeness.to = ClosenessTo::Rest;
     scene.solver.iterations = 2000;
-    scene.lesson = Some(Lesson {
-        text: PROJECTION_TEXT.to_owned(),
-        goals: vec![
+    scene.lesson = Some(lesson(
+        PROJECTION_TEXT,
+        vec![
             Goal { of: GoalOf::Constraint("Square".to_owned()), at_most: 0.01 },
             worst("displacement", 0.6),
         ],
-        lock: vec![Lock::Constraints, Lock::Handles, Lock::Mesh],
-    });
+        &[Lock::Constraints, Lock::Handles, Lock::Mesh],
+    ));
     let side = 0.5 * TILES as f64;
     grid([TILES; 2], |x, y| {
         let crumpled = |k: f64| {
@@ -65,8 +65,15 @@ const TEXT: &str = "Each pane of this roof will be one flat sheet of glass.
 Make every pane flat to a millimetre, and keep the roof within 5 cm of where it was drawn.
 Press Run and see which goals are missed. Then open Shape, Weights and solver, and change the weights until both are satisfied. Hand in your results.";
 
-/// A roof on four fixed feet, with two conflicting goals.
+/// A roof with two conflicting goals.
 fn glass_roof(scene: &mut Scene) -> Mesh {
+    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
+    scene.lesson = Some(lesson(TEXT, vec![worst("planarity", 0.001), worst("surface", 0.05)], &[]));
+    roof_on_feet(scene)
+}
+
+/// A roof on four fixed feet, with weights that leave room to improve them.
+pub(super) fn roof_on_feet(scene: &mut Scene) -> Mesh {
     let roof = Canopy {
         panels: [20, 14],
         span: [20.0, 14.0],
@@ -77,16 +84,10 @@ fn glass_roof(scene: &mut Scene) -> Mesh {
     };
     let [nx, ny] = roof.panels.map(|n| n as u32);
     let last_row = ny * (nx + 1);
-    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
     scene.handles = vec![fixed(vec![0, nx, last_row, last_row + nx])];
     scene.weights = Weights { shape: 1000.0, close: 10.0, smooth: 0.5 };
     scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
     scene.solver.iterations = 2000;
-    scene.lesson = Some(Lesson {
-        text: TEXT.to_owned(),
-        goals: vec![worst("planarity", 0.001), worst("surface", 0.05)],
-        lock: Vec::new(),
-    });
     roof.mesh()
 }
 
@@ -117,11 +118,11 @@ fn offsets(scene: &mut Scene) -> Mesh {
     scene.constraints = vec![constraint("circle", each(Element::Face), 1.0)];
     near_where_it_was(scene);
     let exact = Goal { of: GoalOf::Constraint("Circle".to_owned()), at_most: 0.0 };
-    scene.lesson = Some(Lesson {
-        text: OFFSETS_TEXT.to_owned(),
-        goals: vec![exact, worst("displacement", 0.6)],
-        lock: vec![Lock::Weights, Lock::Handles, Lock::Mesh],
-    });
+    scene.lesson = Some(lesson(
+        OFFSETS_TEXT,
+        vec![exact, worst("displacement", 0.6)],
+        &[Lock::Weights, Lock::Handles, Lock::Mesh],
+    ));
     roof.mesh()
 }
 
@@ -145,11 +146,11 @@ fn curvature(scene: &mut Scene) -> Mesh {
     scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
     near_where_it_was(scene);
     let flat = GoalOf::Beyond { measure: "planarity".to_owned(), tolerance: 0.001 };
-    scene.lesson = Some(Lesson {
-        text: CURVATURE_TEXT.to_owned(),
-        goals: vec![Goal { of: flat, at_most: 0.0 }, worst("displacement", 0.96)],
-        lock: vec![Lock::Weights, Lock::Handles, Lock::Mesh],
-    });
+    scene.lesson = Some(lesson(
+        CURVATURE_TEXT,
+        vec![Goal { of: flat, at_most: 0.0 }, worst("displacement", 0.96)],
+        &[Lock::Weights, Lock::Handles, Lock::Mesh],
+    ));
     // The edges of one vault are along its lines of curvature, those of the other across them.
     let mut both = vault(0.0, -6.5);
     let other = vault(1.0 / 12.0, 6.5);
@@ -171,82 +172,19 @@ fn vault(turn: f64, along: f64) -> Mesh {
     })
 }
 
-pub(super) const HEXAGONS: Example = Example {
-    id: "lesson-stiffness-of-hexagons",
-    title: "Lesson: the stiffness of hexagons",
-    summary: "An exercise to hand in: a shell of hexagonal plates. Its frame alone would fold; its plates make it stiff, once every one is exactly flat.",
-    statement: "The plates, up to 7.7 mm from flat, come within 1 mm, and one goal is missed: close is not exact.",
-    ending: "obj",
-    make: hexagons,
-};
-
-const HEXAGONS_TEXT: &str = "Three bars meet in each node of this shell. As a frame with hinges it folds: n nodes can move in 3 n ways, and there are only 1.5 n bars. If the hexagons are plates, it stands, because three planes have one point in common. That is why shells of bars are made of triangles, and shells of plates of hexagons. But a plate has to be flat.
-
-1. Under Check, set Colour by to Planarity, and press Run. The plates become nearly flat, but the first goal is missed.
-2. Under Shape, press Plane in the list, and set Required to Exact. The plates become flat at once.
-3. Look at the shapes: where the shell bends more in one direction, flat hexagons become narrow in the other.";
-
-fn hexagons(scene: &mut Scene) -> Mesh {
-    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
-    near_where_it_was(scene);
-    let exact = Goal { of: GoalOf::Constraint("Plane".to_owned()), at_most: 0.0 };
-    scene.lesson = Some(Lesson {
-        text: HEXAGONS_TEXT.to_owned(),
-        goals: vec![exact, worst("displacement", 0.25)],
-        lock: vec![Lock::Weights, Lock::Handles, Lock::Mesh],
-    });
-    honeycomb(12, |_| 10, |u, v| [7.0 * u, 6.0 * v, 4.0 - 2.4 * u * u - 1.2 * v * v])
-}
-
-pub(super) const PAPER: Example = Example {
-    id: "lesson-paper-model",
-    title: "Lesson: a model of paper",
-    summary: "An exercise to hand in: a roof becomes a model of card, on two sheets of A4, to print, cut, fold and glue.",
-    statement: "The worst panel, 4.8 mm from flat, comes within 1 mm; at 1:50 the model needs more than two sheets, at 1:100 no more.",
-    ending: "obj",
-    make: paper,
-};
-
-const PAPER_TEXT: &str = "A model of paper shows in an hour what a screen does not. Flat panels are cut together as strips or nets, folded along their edges, and glued at tabs. A panel that is not flat does not lie on the table: it has to be creased along its diagonal.
-
-1. Press Run: every panel becomes flat to less than a millimetre.
-2. Press Build, and look at the sheets: red lines are cut, blue ones are folded away from you, dashed ones towards you. The name on a tab is that of the panel to which it is glued.
-3. Choose a scale at which the model fits on two sheets. Compare nets with strips: which can you fold more easily?
-4. Save the drawings, print sheets.pdf at 100 %, and build it.";
-
-fn paper(scene: &mut Scene) -> Mesh {
-    let roof = Canopy {
-        panels: [20, 14],
-        span: [20.0, 14.0],
-        rise: 2.4,
-        crown: 2.0,
-        waist: 0.04,
-        wave: 0.12,
-    };
-    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
-    near_where_it_was(scene);
-    scene.build = Some(Box::new(BuildSettings {
-        product: Product::Paper,
-        sheet: [297.0, 210.0],
-        ..BuildSettings::default()
-    }));
-    let of_build = |id: &str, at_most| Goal { of: GoalOf::Build(id.to_owned()), at_most };
-    scene.lesson = Some(Lesson {
-        text: PAPER_TEXT.to_owned(),
-        goals: vec![of_build("panel_flatness", 0.001), of_build("sheets", 2.0)],
-        lock: vec![Lock::Weights, Lock::Handles, Lock::Mesh],
-    });
-    roof.mesh()
+/// A lesson in which students may not change the parts `lock`.
+pub(super) fn lesson(text: &str, goals: Vec<Goal>, lock: &[Lock]) -> Lesson {
+    Lesson { text: text.to_owned(), goals, lock: lock.to_vec(), given: None }
 }
 
 /// Keeps vertices near their original positions, at weights small beside the constraints.
-fn near_where_it_was(scene: &mut Scene) {
+pub(super) fn near_where_it_was(scene: &mut Scene) {
     scene.weights = Weights { shape: 10_000.0, close: 1.0, smooth: 1.0 };
     scene.closeness.to = ClosenessTo::Rest;
     scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
 }
 
 /// A goal for the worst face in a measure, given by its id.
-fn worst(measure: &str, at_most: f64) -> Goal {
+pub(super) fn worst(measure: &str, at_most: f64) -> Goal {
     Goal { of: GoalOf::Measure(measure.to_owned()), at_most }
 }

@@ -4,6 +4,7 @@ mod beyond;
 mod curves;
 mod elements;
 mod exercise;
+mod exercise_parts;
 mod first;
 mod flat_maps;
 mod new_panels;
@@ -47,8 +48,10 @@ pub const EXAMPLES: &[Example] = &[
     exercise::GLASS_ROOF,
     exercise::OFFSETS,
     exercise::CURVATURE,
-    exercise::HEXAGONS,
-    exercise::PAPER,
+    exercise_parts::SURFACE,
+    exercise_parts::HEXAGONS,
+    exercise_parts::PAPER,
+    exercise_parts::EXACT,
     beyond::CHOICE,
     beyond::FIT,
     beyond::TRANSFER,
