@@ -15,7 +15,7 @@ const WORKER = 'service-worker.js';
  * the sources; and the examples, which are there for links from elsewhere: the page makes them
  * itself, from their list.
  */
-const SELDOM = /(^|\/)(rhino|checked|licences|sources\/)|^examples\/(?!index)/;
+const SELDOM = /(^|\/)(rhino|checked|speed|licences|sources\/)|^examples\/(?!index)/;
 /** Pictures of the first screen, of which a browser shows one. */
 const FIRST = /^assets\/first-.*\.webp$/;
 /** Pictures of the gallery, a third of all other files: cached together when it is opened. */

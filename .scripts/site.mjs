@@ -11,10 +11,10 @@ export const viteConfig = at('.scripts', 'vite.config.mjs');
 export async function bundleSite() {
   const inputs = [
     ...filesUnder(at('www')),
-    ...['vite.config', 'offline', 'policy', 'licences', 'licences-page'].map((name) =>
+    ...['vite.config', 'offline', 'policy', 'licences', 'licences-page', 'speed-page'].map((name) =>
       at('.scripts', `${name}.mjs`),
     ),
-    ...['package-lock.json', 'Cargo.lock'].map((name) => at(name)),
+    ...['package-lock.json', 'Cargo.lock', 'src/solve/performance.md'].map((name) => at(name)),
   ];
   const output = at('dist', 'index.html');
   await unlessUnchanged({ name: 'site', inputs, output }, async () => {

@@ -8,6 +8,7 @@ import { assertLicensed } from './licences.mjs';
 import { writeOfflineParts } from './offline.mjs';
 import { lockPages } from './policy.mjs';
 import { at } from './project.mjs';
+import { speedTexts } from './speed-page.mjs';
 
 /** The pictures of the first screen, which `index.html` has already. */
 const FIRST = /[\\/]first-[^\\/]*$/;
@@ -74,6 +75,11 @@ const licences = {
   name: 'licences',
   transformIndexHtml: (html, { path }) => (path === '/licences.html' ? licenceTexts(html) : html),
 };
+/** Fills the page about speed with what was measured. */
+const speed = {
+  name: 'speed',
+  transformIndexHtml: (html, { path }) => (path === '/speed.html' ? speedTexts(html) : html),
+};
 const told = () => ({
   name: 'told',
   moduleParsed: ({ id }) => assertLicensed(id),
@@ -107,7 +113,7 @@ const layers = {
 };
 
 /** The pages of the site. */
-const pages = ['index', 'gallery', 'projections', 'licences', 'checked', 'rhino', 'embed'];
+const pages = ['index', 'gallery', 'projections', 'licences', 'checked', 'speed', 'rhino', 'embed'];
 
 const documents = pages.map((page) => at('www', `${page}.html`));
 /**
@@ -156,7 +162,7 @@ export default {
   define: { 'import.meta.env.ENGINE_BYTES': String(engineBytes) },
   publicDir: false,
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
-  plugins: [layers, examples, readingPages, licences, smallPages, told()],
+  plugins: [layers, examples, readingPages, licences, speed, smallPages, told()],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,

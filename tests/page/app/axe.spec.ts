@@ -191,6 +191,7 @@ test('axe: the page about projections', async ({ page }) => {
 
 for (const [name, heading] of [
   ['checked', 'What is checked'],
+  ['speed', 'How fast it is'],
   ['rhino', 'From Rhino and Grasshopper'],
 ]) {
   test(`axe: the page “${heading}”`, async ({ page }) => {

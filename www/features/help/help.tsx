@@ -112,6 +112,10 @@ function Help({ close }: InDialog) {
           What is checked
         </a>
         {' · '}
+        <a href="./speed.html" target="_blank">
+          How fast it is
+        </a>
+        {' · '}
         <a href="./rhino.html" target="_blank">
           Rhino and Grasshopper
         </a>{' '}

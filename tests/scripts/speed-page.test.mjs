@@ -1,0 +1,32 @@
+// The page about speed: what is plotted is what the text has.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import { exponent, speedTexts, timesIn } from '../../.scripts/speed-page.mjs';
+import { at } from '../../.scripts/project.mjs';
+
+test('the exponent of a power is that of the power', () => {
+  const points = [10, 100, 5000].map((n) => [n, 3 * n ** 1.5]);
+  assert.ok(Math.abs(exponent(points) - 1.5) < 1e-12);
+});
+
+test('each time of the published table is plotted, and the page has its table', () => {
+  const text = readFileSync(at('src', 'solve', 'performance.md'), 'utf8');
+  const times = timesIn(text);
+  assert.deepEqual([...times.keys()], ['A', 'B', 'C']);
+  for (const points of times.values()) {
+    assert.equal(points.length, 4);
+    assert.ok(points.flat().every((value) => value > 0));
+    // The larger the slower.
+    assert.deepEqual(
+      points.toSorted((one, other) => one[1] - other[1]),
+      points,
+    );
+  }
+  const html = speedTexts(readFileSync(at('www', 'speed.html'), 'utf8'));
+  assert.equal(html.match(/<path class="[ABC]" d="M[\d.]+ [\d.]+(L[\d.]+ [\d.]+){3}"/g)?.length, 3);
+  const [, times10000] = timesIn(text).get('A');
+  assert.ok(html.includes(`<td>${times10000[1]}</td>`));
+  assert.doesNotMatch(html, /<!-- (plot|text)/);
+});
