@@ -10,6 +10,8 @@ use std::fmt;
 pub enum RemeshError {
     /// There are no faces of positive area.
     Empty,
+    /// The mesh has tetrahedra: with other faces they would have another surface.
+    Tetrahedra,
     /// A part of the surface has too few triangles to have a curvature.
     TooFewTriangles {
         /// A point of the part.
@@ -73,7 +75,10 @@ impl RemeshError {
     pub(super) fn is_of_part(&self) -> bool {
         !matches!(
             self,
-            RemeshError::Empty | RemeshError::SizeTooSmall { .. } | RemeshError::Cancelled
+            RemeshError::Empty
+                | RemeshError::Tetrahedra
+                | RemeshError::SizeTooSmall { .. }
+                | RemeshError::Cancelled
         )
     }
 }
@@ -88,6 +93,7 @@ impl RemeshError {
         let side = |size: f64| words::limit_like(words::rounded(size, 3), units, 1.0);
         match self {
             RemeshError::Empty => "there are no faces with an area".to_owned(),
+            RemeshError::Tetrahedra => "the mesh has tetrahedra, expected a surface".to_owned(),
             RemeshError::TooFewTriangles { .. } => {
                 "a part of the surface has fewer than ten triangles".to_owned()
             }
