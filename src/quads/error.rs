@@ -44,6 +44,9 @@ pub enum RemeshError {
     },
     /// A matrix is not positive definite to working precision: coordinates are out of proportion.
     Numerical,
+    /// Each opening and each irregular vertex has to be at whole panels from all others, and there are
+    /// too many.
+    TooManyOpenings,
     /// The map exceeds the range of fixed-point coordinates.
     OutOfRange,
     /// No attempt gave a surface like the input.
@@ -120,6 +123,10 @@ impl RemeshError {
             }
             RemeshError::Numerical => {
                 "the coordinates of the surface are out of proportion".to_owned()
+            }
+            RemeshError::TooManyOpenings => {
+                "the surface has too many openings and irregular vertices for panels laid out together: keep some faces as they are"
+                    .to_owned()
             }
             RemeshError::OutOfRange => {
                 "the surface is too large for panels of this size".to_owned()

@@ -196,10 +196,9 @@ impl Stage {
         let (field, relaxed) = (&fields[level], &mut relaxed[level]);
         for (k, factor) in SCALES.into_iter().enumerate() {
             let mut at = |factor: f64, part: f64| {
-                if !observer(RemeshStage::Round, part) {
-                    return Err(RemeshError::Cancelled);
-                }
-                Ok(relaxed.round(prepared, frames, field, [wanted, factor], may_abandon))
+                let mut proceed = || observer(RemeshStage::Round, part);
+                let asked = [wanted, factor];
+                relaxed.round(prepared, frames, field, asked, may_abandon, &mut proceed)
             };
             let mut best = match at(factor, k as f64 / SCALES.len() as f64)? {
                 Attempt::Map(found) => found,
