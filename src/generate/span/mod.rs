@@ -13,13 +13,16 @@ pub use loft::loft;
 use crate::generate::quads::TooManyFaces;
 use crate::generate::sides::even_steps;
 use crate::math::{Vec3, angle_between};
-use crate::mesh::{Mesh, Topology};
+use crate::mesh::{Mesh, Point, Topology, diagonal};
 use crate::words;
 use serde::Serialize;
 use std::fmt;
 
 /// Turns of more degrees than this are corners, which are kept.
 const CORNER: f64 = 30.0;
+/// Points nearer to each other than this fraction of the extent of their curve are at one place: their
+/// numbers were computed in two ways, or rounded.
+const ONE_PLACE: f64 = 1e-6;
 
 /// Why there is no surface between curves.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,11 +118,13 @@ impl SpanCurve {
         });
         let chains = closed_chains(mesh).into_iter().map(|chain| (chain, Source::Chain));
         let through = |(vertices, source): (Vec<u32>, Source)| {
+            let near = one_place(mesh, &vertices);
             let mut points: Vec<_> =
                 vertices.iter().map(|&v| Vec3::from(mesh.positions[v as usize])).collect();
+            let meet = |a: Vec3<f64>, b: Vec3<f64>| (b - a).length() <= near;
             // Steps without length have no direction.
-            points.dedup();
-            let closed = points.len() > 3 && points.first() == points.last();
+            points.dedup_by(|next, last| meet(*last, *next));
+            let closed = points.len() > 3 && meet(points[0], points[points.len() - 1]);
             points.truncate(points.len() - usize::from(closed));
             SpanCurve { points, closed, source }
         };
@@ -176,6 +181,12 @@ impl SpanCurve {
         };
         inner.map(|k| (k, turn(k))).filter(|&(_, degrees)| degrees > CORNER).collect()
     }
+}
+
+/// The distance within which points of a curve are at one place.
+fn one_place(mesh: &Mesh, curve: &[u32]) -> f64 {
+    let points: Vec<Point> = curve.iter().map(|&v| mesh.positions[v as usize]).collect();
+    ONE_PLACE * diagonal(&points)
 }
 
 /// The length of a polyline.
