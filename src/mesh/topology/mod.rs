@@ -97,6 +97,10 @@ impl Topology {
     pub fn edge(&self, a: u32, b: u32) -> Option<u32> {
         self.edges.binary_search(&[a.min(b), a.max(b)]).ok().map(|e| e as u32)
     }
+    /// Returns the edge between two vertices if it [is of the body](Topology::is_of_body).
+    pub fn body_edge(&self, a: u32, b: u32) -> Option<u32> {
+        self.edge(a, b).filter(|&e| self.is_of_body(e))
+    }
     /// Returns the end of edge `e` that is not `v`.
     pub fn other_end(&self, e: u32, v: u32) -> u32 {
         let [a, b] = self.edges[e as usize];
