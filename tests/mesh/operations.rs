@@ -390,6 +390,20 @@ fn patches_are_joined_along_their_seam_only() {
     assert!(again.contains("boundary vertices that lie on each other"), "{again}");
 }
 
+/// Limits were lengths in any unit: defaults in micrometres were beyond them.
+#[test]
+fn lengths_are_limited_relative_to_the_mesh() {
+    for unit in [1e-9, 1.0, 1e9] {
+        let mut mesh = flat(2, 2);
+        mesh.positions.iter_mut().flatten().for_each(|x| *x *= unit);
+        let extruded = |outward: f64| {
+            apply(&mesh, "extrude", Some(&[outward * unit, 0.0]), &Picked::default())
+        };
+        assert_eq!(extruded(1.0).expect("a length as its edges").mesh.faces.len(), 12);
+        assert!(matches!(extruded(1e7), Err(OperationError::Size(_))), "{unit}");
+    }
+}
+
 #[test]
 fn each_has_a_sentence_and_sizes_within_their_limits() {
     for operation in MESH_OPERATIONS {

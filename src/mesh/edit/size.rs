@@ -1,5 +1,6 @@
 //! Numeric parameters of new meshes and of operations: quantity, default and range.
 
+use crate::words::rounded;
 use serde::Serialize;
 use std::fmt;
 
@@ -26,7 +27,8 @@ pub struct Size {
     pub label: &'static str,
     /// The quantity.
     pub of: SizeOf,
-    /// The default. Lengths are in metres for a new mesh, in mean edge lengths for an edit.
+    /// The default. Lengths, also as limits, are in metres for a new mesh, in mean edge lengths for an
+    /// edit.
     pub default: f64,
     /// The least accepted value.
     pub least: f64,
@@ -92,6 +94,16 @@ impl Size {
         [least, most]: [f64; 2],
     ) -> Size {
         Size { id, label, of: SizeOf::Degrees, default, least, most }
+    }
+
+    /// The size of an edit of a mesh with this mean edge length: lengths are rounded, and in its unit.
+    pub(crate) fn in_edges(self, mean_edge: f64) -> Size {
+        if self.of != SizeOf::Length {
+            return self;
+        }
+        let [default, least, most] =
+            [self.default, self.least, self.most].map(|edges| rounded(edges * mean_edge, 2));
+        Size { default, least, most, ..self }
     }
 
     /// Checks `values` against the declared `sizes`.

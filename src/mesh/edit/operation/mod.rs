@@ -117,7 +117,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         label: "Weld",
         summary: "Merges vertices that are closer to each other than a distance.",
         picks: Picks::AnyVertices,
-        sizes: &[Size::length("distance", "Distance", 0.01, [1e-12, 1e6])],
+        sizes: &[Size::length("distance", "Distance", 0.01, [1e-9, 1e6])],
         apply: vertices::weld,
     },
     MeshOperation {
@@ -141,7 +141,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         label: "Snap to a grid",
         summary: "Rounds the coordinates of all vertices, or of the selected ones, to multiples of a length.",
         picks: Picks::AnyVertices,
-        sizes: &[Size::length("step", "Length", 0.1, [1e-12, 1e6])],
+        sizes: &[Size::length("step", "Length", 0.1, [1e-9, 1e6])],
         apply: vertices::snap,
     },
     MeshOperation {
