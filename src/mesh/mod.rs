@@ -50,6 +50,7 @@ pub use curvature::{
     face_curvatures,
 };
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
+pub(crate) use edit::around;
 pub use edit::{
     Combinations, Edited, KEPT_TURN, MESH_OPERATIONS, MeshOperation, OperationError, Origins,
     Picks, Scheme, Size, SizeError, SizeOf, SubdivideError, SubdividedCounts, Subdivision, Task,
