@@ -1,9 +1,18 @@
 //! Polylines that together make a closed curve, as the four edges of a patch are drawn.
 
-use super::one_place;
 use crate::math::marked;
-use crate::mesh::{Mesh, first_of_part};
+use crate::mesh::{Mesh, Point, diagonal, first_of_part};
 use std::collections::BTreeMap;
+
+/// Points nearer to each other than this fraction of the extent of their curve are at one place: their
+/// numbers were computed in two ways, or rounded.
+const ONE_PLACE: f64 = 1e-6;
+
+/// The distance within which points of a curve are at one place.
+pub(super) fn one_place(mesh: &Mesh, curve: &[u32]) -> f64 {
+    let points: Vec<Point> = curve.iter().map(|&v| mesh.positions[v as usize]).collect();
+    ONE_PLACE * diagonal(&points)
+}
 
 /// Returns the vertices of the closed curves that several polylines of `mesh` make together, each
 /// ending where the next one begins; the first vertex is repeated at the end. Where more than two

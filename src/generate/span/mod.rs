@@ -6,23 +6,20 @@ mod chains;
 mod fill;
 mod loft;
 
-use chains::closed_chains;
+use chains::{closed_chains, one_place};
 pub use fill::fill;
 pub use loft::loft;
 
 use crate::generate::quads::TooManyFaces;
 use crate::generate::sides::even_steps;
 use crate::math::{Vec3, angle_between};
-use crate::mesh::{Mesh, Point, Topology, diagonal};
+use crate::mesh::{Mesh, Topology};
 use crate::words;
 use serde::Serialize;
 use std::fmt;
 
 /// Turns of more degrees than this are corners, which are kept.
 const CORNER: f64 = 30.0;
-/// Points nearer to each other than this fraction of the extent of their curve are at one place: their
-/// numbers were computed in two ways, or rounded.
-const ONE_PLACE: f64 = 1e-6;
 
 /// Why there is no surface between curves.
 #[derive(Clone, Debug, PartialEq)]
@@ -181,12 +178,6 @@ impl SpanCurve {
         };
         inner.map(|k| (k, turn(k))).filter(|&(_, degrees)| degrees > CORNER).collect()
     }
-}
-
-/// The distance within which points of a curve are at one place.
-fn one_place(mesh: &Mesh, curve: &[u32]) -> f64 {
-    let points: Vec<Point> = curve.iter().map(|&v| mesh.positions[v as usize]).collect();
-    ONE_PLACE * diagonal(&points)
 }
 
 /// The length of a polyline.
