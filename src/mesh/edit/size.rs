@@ -1,6 +1,5 @@
 //! Numeric parameters of new meshes and of operations: quantity, default and range.
 
-use crate::words::rounded;
 use serde::Serialize;
 use std::fmt;
 
@@ -27,8 +26,7 @@ pub struct Size {
     pub label: &'static str,
     /// The quantity.
     pub of: SizeOf,
-    /// The default. Lengths, also as limits, are in metres for a new mesh, in mean edge lengths for an
-    /// edit.
+    /// The default. Lengths are in metres for a new mesh, in mean edge lengths for an edit.
     pub default: f64,
     /// The least accepted value.
     pub least: f64,
@@ -67,6 +65,12 @@ impl fmt::Display for SizeError {
                     SizeOf::Count => "a whole number",
                     SizeOf::Degrees => "an angle in degrees",
                 };
+                // Limits that are those of all coordinates would have fifty digits.
+                let limit = |x: &f64| match x.abs() {
+                    0.0 | 1e-12..=1e12 => x.to_string(),
+                    _ => format!("{x:e}"),
+                };
+                let [least, most] = [least, most].map(limit);
                 write!(f, "{label}: expected {number} from {least} to {most}, found {found}")
             }
         }
@@ -94,16 +98,6 @@ impl Size {
         [least, most]: [f64; 2],
     ) -> Size {
         Size { id, label, of: SizeOf::Degrees, default, least, most }
-    }
-
-    /// The size of an edit of a mesh with this mean edge length: lengths are rounded, and in its unit.
-    pub(crate) fn in_edges(self, mean_edge: f64) -> Size {
-        if self.of != SizeOf::Length {
-            return self;
-        }
-        let [default, least, most] =
-            [self.default, self.least, self.most].map(|edges| rounded(edges * mean_edge, 2));
-        Size { default, least, most, ..self }
     }
 
     /// Checks `values` against the declared `sizes`.

@@ -1,7 +1,8 @@
 //! Operations on the mesh, and their previews.
 
 use crate::json::indices;
-use crate::mesh::{MESH_OPERATIONS, Mesh, MeshOperation};
+use crate::mesh::{MESH_OPERATIONS, Mesh, MeshOperation, Size, SizeOf};
+use crate::words::rounded;
 use serde::{Deserialize, Serialize};
 
 /// An operation on the mesh and what it is applied to: see [`crate::mesh::MeshOperation`].
@@ -35,9 +36,13 @@ pub struct OfferedOperation {
 
 /// Returns all operations, for a mesh with this mean edge length.
 pub(crate) fn offered(mean_edge: f64) -> Vec<OfferedOperation> {
+    let default = |size: &Size| match size.of {
+        SizeOf::Length => rounded(size.default * mean_edge, 2),
+        SizeOf::Count | SizeOf::Degrees => size.default,
+    };
     let offered = |operation: &MeshOperation| OfferedOperation {
         operation: *operation,
-        defaults: operation.sizes.iter().map(|size| size.in_edges(mean_edge).default).collect(),
+        defaults: operation.sizes.iter().map(default).collect(),
     };
     MESH_OPERATIONS.iter().map(offered).collect()
 }

@@ -21,7 +21,7 @@ pub struct MeshOperation {
     pub summary: &'static str,
     /// The elements that the user selects for it.
     pub picks: Picks,
-    /// Numeric parameters, in the order of [`Task::sizes`]; lengths are in mean edge lengths.
+    /// Numeric parameters, in the order of [`Task::sizes`].
     pub sizes: &'static [Size],
     #[serde(skip)]
     pub(super) apply: fn(&Task<'_>) -> Result<Edited, OperationError>,
@@ -133,9 +133,7 @@ impl MeshOperation {
     /// # Errors
     /// If a size is out of range, or a picked element or the mesh is not suitable.
     pub fn apply(&self, task: &Task<'_>) -> Result<Edited, OperationError> {
-        let mean_edge = task.topology.mean_edge(&task.mesh.positions);
-        let sizes: Vec<Size> = self.sizes.iter().map(|size| size.in_edges(mean_edge)).collect();
-        Size::check(&sizes, task.sizes).map_err(OperationError::Size)?;
+        Size::check(self.sizes, task.sizes).map_err(OperationError::Size)?;
         if !task.mesh.tets.is_empty() {
             return Err(OperationError::Tetrahedra(task.mesh.tets.len()));
         }
