@@ -1,8 +1,7 @@
 //! Polygons over a square: mostly hexagons, with pentagons and heptagons where the number of cells
 //! across changes. They are the dual of rows of triangles.
 
-use crate::math::polygon_corners;
-use crate::mesh::{Mesh, Point, Ragged};
+use crate::mesh::{Mesh, Point, Ragged, Topology, around};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -88,12 +87,7 @@ fn dual(mesh: &Mesh, is_corner: impl Fn(u32) -> bool) -> Mesh {
         sum.map(|x| x / face.len() as f64)
     };
     let mut positions: Vec<Point> = mesh.faces.iter().map(mean).collect();
-    let mut wedges: Vec<Vec<Wedge>> = vec![Vec::new(); mesh.positions.len()];
-    for (face, corners) in (0..).zip(mesh.faces.iter()) {
-        for [before, here, next] in polygon_corners(corners) {
-            wedges[here as usize].push(Wedge { face, next, before });
-        }
-    }
+    let topology = Topology::new(mesh);
     let mut middles: BTreeMap<[u32; 2], u32> = BTreeMap::new();
     let mut middle = |a: u32, b: u32, positions: &mut Vec<Point>| {
         let ends = [a.min(b), a.max(b)];
@@ -103,24 +97,17 @@ fn dual(mesh: &Mesh, is_corner: impl Fn(u32) -> bool) -> Mesh {
         })
     };
     let mut faces = Ragged::new();
-    for (v, around) in (0..).zip(&wedges) {
-        // At a boundary vertex, start with the wedge whose `next` no other wedge ends at.
-        let open = around.iter().find(|w| around.iter().all(|other| other.before != w.next));
-        let Some(first) = open.or(around.first()) else { continue };
+    for v in 0..mesh.positions.len() as u32 {
+        let steps = around(mesh, &topology, v).unwrap_or_default();
+        let (Some(first), Some(last)) = (steps.first(), steps.last()) else { continue };
+        let is_open = first.out != last.back;
         let mut polygon = Vec::new();
-        if open.is_some() {
-            polygon.push(middle(v, first.next, &mut positions));
+        if is_open {
+            polygon.push(middle(v, first.out, &mut positions));
         }
-        let mut wedge = first;
-        loop {
-            polygon.push(wedge.face);
-            match around.iter().find(|other| other.next == wedge.before) {
-                Some(next) if next.face != first.face => wedge = next,
-                _ => break,
-            }
-        }
-        if open.is_some() {
-            polygon.push(middle(v, wedge.before, &mut positions));
+        polygon.extend(steps.iter().map(|step| step.face));
+        if is_open {
+            polygon.push(middle(v, last.back, &mut positions));
             if is_corner(v) {
                 polygon.push(positions.len() as u32);
                 positions.push(mesh.positions[v as usize]);
@@ -129,14 +116,6 @@ fn dual(mesh: &Mesh, is_corner: impl Fn(u32) -> bool) -> Mesh {
         faces.push(&polygon);
     }
     Mesh { positions, faces, ..Mesh::default() }
-}
-
-/// A face at one of its vertices, between the next corner and the one before.
-#[derive(Clone, Copy)]
-struct Wedge {
-    face: u32,
-    next: u32,
-    before: u32,
 }
 
 #[cfg(test)]

@@ -62,7 +62,9 @@ pub(super) fn even_steps(
     let place = |s: f64| {
         let piece = ends[1..ends.len() - 1].partition_point(|&end| end <= s);
         let length = ends[piece + 1] - ends[piece];
-        (piece, ((s - ends[piece]) / length).clamp(0.0, 1.0))
+        // A piece too short for the sum of lengths is its first point.
+        let part = if length > 0.0 { (s - ends[piece]) / length } else { 0.0 };
+        (piece, part.clamp(0.0, 1.0))
     };
     (at.into_iter().map(place).collect(), kept)
 }

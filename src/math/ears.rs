@@ -20,9 +20,9 @@ pub fn ears(polygon: &[Point2]) -> Vec<[usize; 3]> {
 
 /// The same for a polygon in space, seen along its normal; lengths of diagonals are those in space.
 pub fn ears_in_space(corners: &[Vec3<f64>]) -> Vec<[usize; 3]> {
-    let normal = unit(twice_vector_area(corners.iter().copied()));
+    let normal = twice_vector_area(corners.iter().copied()).direction_or_zero();
     let steps = polygon_sides(corners).map(|[p, q]| q - p);
-    let along = steps.map(|step| unit(step - normal * step.dot(normal)));
+    let along = steps.map(|step| (step - normal * step.dot(normal)).direction_or_zero());
     let x = along.reduce(|a, b| if a == Vec3::zero() { b } else { a }).unwrap_or(Vec3::zero());
     let y = normal.cross(x);
     // Relative to a corner: far away, rounding would exceed what is straight.
@@ -102,11 +102,6 @@ pub fn triangles_in_space(corners: &[Vec3<f64>]) -> Vec<[usize; 3]> {
         return around(from).collect();
     }
     ears_in_space(corners)
-}
-
-/// Normalises a vector; zero if it has no direction.
-fn unit(v: Vec3<f64>) -> Vec3<f64> {
-    v.length_and_direction().1.unwrap_or(Vec3::zero())
 }
 
 /// Twice the signed area of a triangle, positive if counterclockwise.

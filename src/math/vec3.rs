@@ -107,6 +107,11 @@ impl Vec3<f64> {
         let length = v.length();
         (length * scale, Some(v * (1.0 / length)))
     }
+
+    /// Returns the direction; zero of a zero vector.
+    pub fn direction_or_zero(self) -> Self {
+        self.length_and_direction().1.unwrap_or_else(Self::zero)
+    }
 }
 
 /// Subtracts the mean from the points, `N_i` of paper Eq. 5, and returns the mean.

@@ -21,7 +21,7 @@ pub(super) fn tolerance(mesh: &Mesh) -> Option<f64> {
 /// Returns for each vertex the first one of its part within `tolerance` that does not itself lie on
 /// an earlier one. Vertices of no part, and those that are not in the file, lie on none: where the
 /// latter are is a guess.
-pub(super) fn first_of_part(
+pub(crate) fn first_of_part(
     mesh: &Mesh,
     part: impl Fn(u32) -> Option<u32>,
     tolerance: f64,

@@ -43,12 +43,14 @@ pub use bounds::{BoundingSphere, LARGEST_COORDINATE, diagonal, first_out_of_rang
 pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };
+pub(crate) use coincident::first_of_part;
 pub(crate) use curvature::form_on;
 pub use curvature::{
     Curvature, CurvatureField, CurvatureLine, CurvatureLines, Family, SurfacePoint, curvatures,
     face_curvatures,
 };
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
+pub(crate) use edit::around;
 pub use edit::{
     Combinations, Edited, KEPT_TURN, MESH_OPERATIONS, MeshOperation, OperationError, Origins,
     Picks, Scheme, Size, SizeError, SizeOf, SubdivideError, SubdividedCounts, Subdivision, Task,

@@ -10,6 +10,8 @@ use std::fmt;
 pub enum RemeshError {
     /// There are no faces of positive area.
     Empty,
+    /// The mesh has tetrahedra: with other faces they would have another surface.
+    Tetrahedra,
     /// A part of the surface has too few triangles to have a curvature.
     TooFewTriangles {
         /// A point of the part.
@@ -42,6 +44,9 @@ pub enum RemeshError {
     },
     /// A matrix is not positive definite to working precision: coordinates are out of proportion.
     Numerical,
+    /// Each opening and each irregular vertex has to be at whole panels from all others, and there are
+    /// too many.
+    TooManyOpenings,
     /// The map exceeds the range of fixed-point coordinates.
     OutOfRange,
     /// No attempt gave a surface like the input.
@@ -73,7 +78,10 @@ impl RemeshError {
     pub(super) fn is_of_part(&self) -> bool {
         !matches!(
             self,
-            RemeshError::Empty | RemeshError::SizeTooSmall { .. } | RemeshError::Cancelled
+            RemeshError::Empty
+                | RemeshError::Tetrahedra
+                | RemeshError::SizeTooSmall { .. }
+                | RemeshError::Cancelled
         )
     }
 }
@@ -88,6 +96,7 @@ impl RemeshError {
         let side = |size: f64| words::limit_like(words::rounded(size, 3), units, 1.0);
         match self {
             RemeshError::Empty => "there are no faces with an area".to_owned(),
+            RemeshError::Tetrahedra => "the mesh has tetrahedra, expected a surface".to_owned(),
             RemeshError::TooFewTriangles { .. } => {
                 "a part of the surface has fewer than ten triangles".to_owned()
             }
@@ -114,6 +123,10 @@ impl RemeshError {
             }
             RemeshError::Numerical => {
                 "the coordinates of the surface are out of proportion".to_owned()
+            }
+            RemeshError::TooManyOpenings => {
+                "the surface has too many openings and irregular vertices for panels laid out together: keep some faces as they are"
+                    .to_owned()
             }
             RemeshError::OutOfRange => {
                 "the surface is too large for panels of this size".to_owned()

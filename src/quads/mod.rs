@@ -39,7 +39,7 @@ mod system;
 pub use error::RemeshError;
 pub use fault::ResultFault;
 pub use grid_map::{FRACTION_BITS, GridMap, Side, Transition, Triangulation, UNIT};
-pub use map::{GridMapper, MapNotes, grid_map};
+pub use map::{GridMapper, MapNotes, MapVisitor};
 pub use options::{Boundary, MapOptions, PanelSize, RemeshObserver, RemeshStage};
 pub use remesh::{Remesher, remesh};
 pub use remeshed::{RemeshNote, Remeshed};

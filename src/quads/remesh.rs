@@ -58,7 +58,7 @@ impl Remesher {
     /// Triangulates the faces of a mesh and measures their curvature.
     ///
     /// # Errors
-    /// If no part of the faces is a surface.
+    /// If no part of the faces is a surface, or if the mesh has tetrahedra.
     pub fn new(mesh: &Mesh) -> Result<Remesher, RemeshError> {
         Remesher::beside(mesh, &[])
     }
@@ -67,8 +67,11 @@ impl Remesher {
     /// position is a guess. Panels beside them share no vertices with them.
     ///
     /// # Errors
-    /// If no part of the other faces is a surface.
+    /// If no part of the other faces is a surface, or if the mesh has tetrahedra.
     pub fn beside(mesh: &Mesh, stay: &[u32]) -> Result<Remesher, RemeshError> {
+        if !mesh.tets.is_empty() {
+            return Err(RemeshError::Tetrahedra);
+        }
         let is_guess = |v: &u32| mesh.unplaced.binary_search(v).is_ok();
         let guesses = (0..).zip(mesh.faces.iter()).filter(|(_, face)| face.iter().any(is_guess));
         let mut stay: Vec<u32> = stay.iter().copied().chain(guesses.map(|(f, _)| f)).collect();
@@ -79,7 +82,7 @@ impl Remesher {
             return Err(left.into_iter().next().map_or(RemeshError::Empty, |first| first.error));
         }
         let area = surfaces.iter().map(InputSurface::area).sum();
-        // Curves and tetrahedra are not covered.
+        // Curves are not covered.
         let (positions, faces) = (mesh.positions.clone(), mesh.faces.clone());
         let mesh = Mesh { positions, faces, ..Mesh::default() };
         Ok(Remesher { mesh, surfaces, area, left, stay, kept: Vec::new(), measured: None })
@@ -178,7 +181,7 @@ impl Remesher {
 /// the unit of the mesh, for sentences; empty if it is not known.
 ///
 /// # Errors
-/// If most of the surface cannot be covered.
+/// If the mesh has tetrahedra, or most of the surface cannot be covered.
 pub fn remesh(
     mesh: &Mesh,
     options: &MapOptions,

@@ -71,7 +71,12 @@ impl Problem<'_> {
     /// The Laplacian of the smoothness energy, if its weight is positive.
     pub(super) fn laplacian(&self) -> Option<Laplacian> {
         let weighting = match self.smoothness.weighting {
-            Weighting::Auto if self.topology.is_triangle_mesh() => Weighting::Cotangent,
+            // Edges inside tetrahedra have no cotangents.
+            Weighting::Auto
+                if Laplacian::has_cotangents(self.mesh) && self.mesh.tets.is_empty() =>
+            {
+                Weighting::Cotangent
+            }
             weighting => weighting,
         };
         (self.weights.smooth > 0.0).then(|| match weighting {

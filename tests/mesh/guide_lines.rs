@@ -1,7 +1,7 @@
 //! Guide lines, the outline of a site and stray vertices beside a surface: nothing that is said of the
 //! surface hangs on them.
 
-use super::operations::{Picked, apply};
+use super::operations::{Picked, apply, with_vertices};
 use crate::support::meshes::wavy;
 use shape_up::mesh::{
     Mesh, Scheme, Subdivision, Topology, curvatures, gauss_curvature, quasi_conformal,
@@ -90,4 +90,23 @@ fn an_operation_without_effect_is_refused_beside_a_line_too() {
     let refused = apply(&mesh, "triangles", None, &Picked::default());
     let refused = refused.expect_err("all faces are triangles").to_string();
     assert_eq!(refused, "this needs a face with more than three corners");
+}
+
+/// A brace was taken for an edge of faces: panels were not cut along it, and to remove the "strip" of a
+/// column pulled the roof to its foot.
+#[test]
+fn an_edit_of_faces_does_not_take_a_line_for_their_edge() {
+    let surface = wavy(6, 4);
+    let mut beside = with_guides(&surface);
+    beside.curves.push(&[9, 15]);
+    let nothing = Picked::default();
+    for (id, picked) in [("triangles", &nothing), ("split-face", &with_vertices(&[8, 16]))] {
+        let faces = |mesh: &Mesh| apply(mesh, id, None, picked).expect(id).mesh.faces;
+        assert_eq!(faces(&beside), faces(&surface), "{id}");
+    }
+    let column = with_vertices(&[16, surface.positions.len() as u32]);
+    for id in ["insert-strip", "remove-strip"] {
+        let refused = apply(&beside, id, None, &column).expect_err(id).to_string();
+        assert_eq!(refused, "this needs an edge whose two ends are selected");
+    }
 }

@@ -22,6 +22,8 @@ fn what_cannot_be_done_is_said() {
     assert_eq!(sentence(apply(&Mesh::default(), "dual", None, &nothing)), "the mesh has no faces");
     let tets = Mesh { tets: vec![[0, 1, 3, 4]], ..mesh.clone() };
     assert!(sentence(apply(&tets, "dual", None, &nothing)).contains("1 tetrahedron"));
+    let snapped = sentence(apply(&mesh, "snap", Some(&[1.0]), &nothing));
+    assert_eq!(snapped, "this would change nothing");
     let strip =
         "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 0 1 2\nv 1 1 2\nf 1 2 4 3\nf 3 4 6 5\nf 5 6 1 2\n";
     let moebius = read("moebius.obj", strip.as_bytes()).unwrap().mesh;

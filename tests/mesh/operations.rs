@@ -390,6 +390,22 @@ fn patches_are_joined_along_their_seam_only() {
     assert!(again.contains("boundary vertices that lie on each other"), "{again}");
 }
 
+/// Defaults in small units, or of large models, were beyond the limits.
+#[test]
+fn a_length_as_the_edges_is_within_the_limits_in_any_unit() {
+    for unit in [1e-15, 1.0, 1e15] {
+        let mut mesh = flat(2, 2);
+        mesh.positions.iter_mut().flatten().for_each(|x| *x *= unit);
+        let nothing = Picked::default();
+        let extruded = apply(&mesh, "extrude", Some(&[unit, 0.0]), &nothing);
+        assert_eq!(extruded.expect("a length as its edges").mesh.faces.len(), 12);
+        apply(&mesh, "snap", Some(&[0.7 * unit]), &nothing).expect("a step below its edges");
+    }
+    let refused = apply(&flat(2, 2), "extrude", Some(&[1e51, 0.0]), &Picked::default());
+    let words = refused.expect_err("too far out").to_string();
+    assert!(words.starts_with("Outward: expected a length from 0 to 1e50, found 1"), "{words}");
+}
+
 #[test]
 fn each_has_a_sentence_and_sizes_within_their_limits() {
     for operation in MESH_OPERATIONS {

@@ -303,6 +303,33 @@ fn what_cannot_be_is_refused_with_the_reason() {
     assert_eq!(fill(&curves(&[(star, true)])[0], 0.3, UP), Err(SpanError::Folded));
 }
 
+/// Points computed in two ways differ by rounding.
+#[test]
+fn ends_that_meet_but_for_rounding_do() {
+    let mut round = circle(24, 2.0, 0.0, 0.0);
+    round.push([2.0, -4.9e-16, 0.0]);
+    assert!(curves(&[(round, false)])[0].is_closed());
+
+    let [a, b] = [0.1 + 0.2, 0.3];
+    let corners = [[[0.0; 3]; 2], [[a, 0.0, 0.0], [b, 0.0, 0.0]], [[b, b, 0.0], [a, a, 0.0]]];
+    let sides = (0..3).map(|k| (vec![corners[k][1], corners[(k + 1) % 3][0]], false));
+    assert!(curves(&sides.collect::<Vec<_>>())[3].is_closed());
+
+    // A step that is lost in the length of its curve.
+    let mut arc: Vec<Point> = circle(40, 10.0, 0.0, 0.0)[..11].to_vec();
+    arc[10][0] = 6.1e-16;
+    arc.push([0.0, 10.0, 0.0]);
+    let other = circle(32, 12.0, 0.0, 0.0)[..9].to_vec();
+    let known = curves(&[(arc, false), (other, false)]);
+    let mesh = loft(&known[0], &known[1], 2.0, UP).expect("both are open");
+    let has = |point: Point| {
+        let near = |at: &Point| (Vec3::from(*at) - Vec3::from(point)).length() < 1e-12;
+        mesh.positions.iter().any(near)
+    };
+    assert!(mesh.positions.iter().flatten().all(|x| x.is_finite()));
+    assert!(has([0.0, 10.0, 0.0]) && has([10.0, 0.0, 0.0]));
+}
+
 /// Four edges drawn one by one, in any direction, as most programs write them, were no curve to fill.
 #[test]
 fn polylines_that_close_together_are_one_curve_more() {

@@ -4,6 +4,7 @@
 use crate::support::grid::grid;
 use crate::support::{meshes, shared};
 use proptest::prelude::*;
+use shape_up::math::{cosine, sine};
 use shape_up::mesh::{
     Edited, KEPT_TURN, Mesh, Scheme, SubdivideError, Subdivision, Topology, read,
 };
@@ -215,11 +216,22 @@ fn a_mesh_that_cannot_be_subdivided_is_refused_with_the_reason() {
     let mut twice = quad.clone();
     twice.faces.push(&[0, 1, 0]);
     let linear = subdivision(Scheme::Linear, 1);
+    // Each new vertex at a face depends on all its corners, unless it is a mean of two.
+    let corners = 5000;
+    let round = |k: u32| [cosine(f64::from(k) / 5e3), sine(f64::from(k) / 5e3), 0.0];
+    let large = Mesh {
+        positions: (0..corners).map(round).collect(),
+        faces: [(0..corners).collect::<Vec<u32>>()].iter().collect(),
+        ..Mesh::default()
+    };
+    assert_eq!(refused(&large, linear), None);
     for (mesh, how, why) in [
         (&quad, subdivision(Scheme::Loop, 1), SubdivideError::NotTriangles(1)),
         (&tets, linear, SubdivideError::Tetrahedra),
         (&twice, linear, SubdivideError::Repeated(1)),
         (&Mesh::default(), linear, SubdivideError::Nothing),
+        (&large, subdivision(Scheme::Linear, 2), SubdivideError::LargeFaces(5000)),
+        (&large, subdivision(Scheme::CatmullClark, 1), SubdivideError::LargeFaces(5000)),
         (&quad, subdivision(Scheme::Linear, 0), SubdivideError::Levels(0)),
         (&quad, Subdivision { keep: f64::NAN, ..linear }, SubdivideError::Turn),
     ] {

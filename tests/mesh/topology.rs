@@ -301,7 +301,6 @@ fn repeated_corners_and_doubled_faces_are_survived() {
     assert_eq!(topology.edges(), [[0, 1], [0, 2], [1, 2]]);
     assert_eq!(topology.vertex_faces().row(1), [0, 1, 2, 3]);
     assert!(topology.boundary_loops().is_empty());
-    assert!(topology.is_triangle_mesh());
     let laplacian = Laplacian::cotangent(&mesh, &topology);
     assert!(laplacian.rows().flat_map(|(_, weights)| weights).all(|w| w.is_finite()));
 }
@@ -320,22 +319,20 @@ fn curves_and_tets_have_edges_too() {
     assert_eq!(topology.edges(), expected);
     assert!(topology.neighbours().row(7).is_empty());
     assert!(topology.boundary_loops().is_empty());
-    assert!(!topology.is_triangle_mesh() && !topology.is_quad_dominant());
+    assert!(!topology.is_quad_dominant());
     let uniform = Laplacian::uniform(&topology);
     assert_eq!(uniform.row(0), (&[1, 2, 3][..], &[1.0; 3][..]));
 }
 
 #[test]
 fn the_kind_of_mesh_is_told_by_its_faces() {
-    assert!(Topology::new(&with_faces(3, &[[0, 1, 2]])).is_triangle_mesh());
-    let quads = Topology::new(&wavy(2, 2));
-    assert!(quads.is_quad_dominant() && !quads.is_triangle_mesh());
-    let nothing = Topology::new(&Mesh::default());
-    assert!(!nothing.is_quad_dominant() && !nothing.is_triangle_mesh());
-    // A mesh with a curve off the surface is not a pure triangle mesh.
-    let mut with_curve = with_faces(5, &[[0, 1, 2]]);
-    with_curve.curves.push(&[3, 4]);
-    assert!(!Topology::new(&with_curve).is_triangle_mesh());
+    let [triangle, quads, nothing] = [with_faces(3, &[[0, 1, 2]]), wavy(2, 2), Mesh::default()];
+    let kind =
+        |mesh: &Mesh| (Laplacian::has_cotangents(mesh), Topology::new(mesh).is_quad_dominant());
+    assert_eq!(
+        [&triangle, &quads, &nothing].map(kind),
+        [(true, false), (false, true), (false, false)]
+    );
 }
 
 #[test]

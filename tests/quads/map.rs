@@ -7,8 +7,8 @@ use crate::support::shared;
 use shape_up::math::{Vec3, angle, cosine, sine};
 use shape_up::mesh::Mesh;
 use shape_up::quads::{
-    Boundary, GridMap, GridMapper, InputSurface, MapNotes, MapOptions, PanelSize, Prepared, Side,
-    UNIT,
+    Boundary, GridMap, GridMapper, InputSurface, MapNotes, MapOptions, PanelSize, Prepared,
+    RemeshError, Side, UNIT,
 };
 
 /// A map with its surface.
@@ -18,17 +18,34 @@ struct Mapped {
     notes: MapNotes,
 }
 
+/// The first map without flipped triangles, else that with the fewest; with weights of curvature and of
+/// directions, and the number of quads.
+fn best(mapper: &mut GridMapper, asked: [f64; 3], go_on: bool) -> Result<Mapped, RemeshError> {
+    let mut best: Option<Mapped> = None;
+    mapper.maps(asked, &mut |_, _| go_on, &mut |prepared, map, notes, _| {
+        let is_whole = notes.flipped.is_empty();
+        // Maps that follow more creases than the last one are of another surface.
+        let is_better = best.as_ref().is_none_or(|Mapped { notes: best, .. }| {
+            notes.abandoned_creases > best.abandoned_creases
+                || notes.flipped.len() < best.flipped.len()
+        });
+        if is_better {
+            best = Some(Mapped { prepared: prepared.clone(), map, notes });
+        }
+        Ok(!is_whole)
+    })?;
+    Ok(best.expect("the last level finds a map"))
+}
+
 fn mapped(mesh: &Mesh, options: &MapOptions) -> Vec<Mapped> {
     let PanelSize::Count(count) = options.size else { panic!("tests give a number") };
     let parts = InputSurface::components(mesh).unwrap();
     let whole: f64 = parts.iter().map(InputSurface::area).sum();
     let of_part = |part: &InputSurface| {
         let prepared = part.prepare((whole / count as f64).sqrt(), options).unwrap();
-        let mut mapper = GridMapper::new(prepared);
         let wanted = count as f64 * part.area() / whole;
-        let found = mapper.map(options.follow, options.direction, wanted, &mut |_, _| true);
-        let (map, notes) = found.unwrap();
-        Mapped { prepared: mapper.prepared().clone(), map, notes }
+        let asked = [options.follow, options.direction, wanted];
+        best(&mut GridMapper::new(prepared), asked, true).unwrap()
     };
     parts.iter().map(of_part).collect()
 }
@@ -225,12 +242,11 @@ fn another_size_or_evenness_goes_on_from_what_is_kept() {
     let part = &InputSurface::components(&bumpy()).unwrap()[0];
     let prepared = part.prepare((part.area() / 300.0).sqrt(), &options).unwrap();
     let mut kept = GridMapper::new(prepared.clone());
-    kept.map(20.0, 30.0, 300.0, &mut |_, _| true).unwrap();
-    for (follow, direction, wanted) in [(20.0, 30.0, 250.0), (20.0, 5.0, 250.0), (5.0, 5.0, 330.0)]
-    {
-        let again = kept.map(follow, direction, wanted, &mut |_, _| true).unwrap();
-        let mut new = GridMapper::new(prepared.clone());
-        assert_eq!(again, new.map(follow, direction, wanted, &mut |_, _| true).unwrap());
+    best(&mut kept, [20.0, 30.0, 300.0], true).unwrap();
+    for asked in [[20.0, 30.0, 250.0], [20.0, 5.0, 250.0], [5.0, 5.0, 330.0]] {
+        let again = best(&mut kept, asked, true).unwrap();
+        let new = best(&mut GridMapper::new(prepared.clone()), asked, true).unwrap();
+        assert_eq!((again.map, again.notes), (new.map, new.notes));
     }
-    assert!(kept.map(80.0, 5.0, 330.0, &mut |_, _| false).is_err(), "it can be cancelled");
+    assert!(best(&mut kept, [80.0, 5.0, 330.0], false).is_err(), "it can be cancelled");
 }

@@ -148,6 +148,8 @@ fn what_cannot_be_remeshed_is_refused_with_the_reason() {
     one.faces.push(&[0, 1, 2]);
     let few = refused(&one, PanelSize::Count(100));
     assert!(matches!(few, RemeshError::TooFewTriangles { .. }), "{few}");
+    let filled = Mesh { tets: vec![[0, 1, 2, 3]], ..tube() };
+    assert_eq!(refused(&filled, PanelSize::Count(100)), RemeshError::Tetrahedra);
     let large = refused(&tube(), PanelSize::Length(5.0));
     assert!(matches!(large, RemeshError::SizeTooLarge { .. }), "{large}");
     let small = refused(&tube(), PanelSize::Length(1e-6));

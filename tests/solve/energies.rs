@@ -98,6 +98,23 @@ fn smoothness_is_that_of_eq_12_for_every_choice() {
     }
 }
 
+/// One guide line made the weights of the whole surface uniform.
+#[test]
+fn a_line_beside_triangles_leaves_their_weights_as_they_are() {
+    let mut mesh = grid(true);
+    let first = mesh.positions.len() as u32;
+    mesh.positions.extend([[9.0, 0.0, 0.0], [9.0, 1.0, 0.0]]);
+    mesh.curves.push(&[first, first + 1]);
+    let [chosen, asked] = [Weighting::Auto, Weighting::Cotangent].map(|weighting| {
+        let mut scene = scene(r#", "weights": { "smooth": 3 }"#);
+        scene.smoothness.weighting = weighting;
+        scene.current = Some(disturbed(&mesh));
+        let session = Session::open(scene, mesh.clone()).expect("the scene fits the mesh");
+        session.solver().energy().smooth
+    });
+    assert_eq!(chosen, asked);
+}
+
 /// For the grid of 4 by 3 quads: closeness of the first row times 5, of the first vertex times 0.
 const WEIGHTS: &str = r#""weights": [{ "on": { "set": "row" }, "weight": 5 },
     { "on": { "vertices": [0] }, "weight": 0 }]"#;

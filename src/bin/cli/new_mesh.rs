@@ -157,7 +157,6 @@ fn mesh(from: &From) -> Result<(Mesh, UnitsAndUp), Failure> {
             Ok((mesh, metres))
         }
         From::Span(Span { file, count, curves, size }) => {
-            // Welded as when it is opened: the ends of curves then meet exactly.
             let (read, _, stated) = input::read_mesh(file)?;
             let known = SpanCurve::all(&read.mesh);
             let closed = known.iter().position(SpanCurve::is_closed).unwrap_or(0);

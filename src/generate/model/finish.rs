@@ -76,21 +76,15 @@ pub fn opened(mesh: &Mesh, is_open: impl Fn(Point) -> bool) -> Mesh {
         });
         sum.map(|x| x / face.len() as f64)
     };
-    let kept: Vec<&[u32]> = mesh.faces.iter().filter(|face| !is_open(middle(face))).collect();
-    let mut number = vec![None; mesh.positions.len()];
-    kept.iter().copied().flatten().for_each(|&v| number[v as usize] = Some(0));
-    let mut positions = Vec::new();
-    for (number, &position) in number.iter_mut().zip(&mesh.positions) {
-        if let Some(number) = number {
-            *number = positions.len() as u32;
-            positions.push(position);
-        }
-    }
-    let mut faces = Ragged::new();
-    for face in kept {
-        let corners = face.iter().map(|&v| number[v as usize].expect("its corners are kept"));
-        faces.push(&corners.collect::<Vec<u32>>());
-    }
+    let kept = mesh.faces.iter().filter(|face| !is_open(middle(face)));
+    let mut faces: Ragged = kept.collect();
+    let mut used = faces.indices().to_vec();
+    used.sort_unstable();
+    used.dedup();
+    let mut name = vec![u32::MAX; mesh.positions.len()];
+    (0..).zip(&used).for_each(|(new, &old)| name[old as usize] = new);
+    faces.rename(&name);
+    let positions = used.iter().map(|&old| mesh.positions[old as usize]).collect();
     Mesh { positions, faces, ..Mesh::default() }
 }
 

@@ -3,6 +3,7 @@
 use super::finish::{Noise, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point};
+use std::f64::consts::TAU;
 
 /// Points on a pavilion: a floor, a wall at its back, and a dome on four columns, with random
 /// errors.
@@ -59,7 +60,7 @@ impl Pavilion {
             let around = if ring == 0 { 1 } else { 6 * ring };
             let lowest = (base - middle) / radius;
             // Equal steps of the angle from the top: `ring / 7` of the angle at the base.
-            let tilt = f64::from(ring) / 7.0 * turns_of_cosine(lowest);
+            let tilt = f64::from(ring) / 7.0 * libm::acos(lowest) / TAU;
             for i in 0..around {
                 let turn = (f64::from(i) + 0.5) / f64::from(around);
                 let across = radius * sine(tilt);
@@ -86,18 +87,4 @@ impl Pavilion {
         }
         (rounded(Mesh { positions: points, ..Mesh::default() }), groups)
     }
-}
-
-/// The angle in turns, up to a quarter, with this cosine, by bisection.
-fn turns_of_cosine(value: f64) -> f64 {
-    let (mut low, mut high) = (0.0, 0.25);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if cosine(middle) > value {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
 }

@@ -1,24 +1,40 @@
 //! Polylines that together make a closed curve, as the four edges of a patch are drawn.
 
-use crate::mesh::Mesh;
+use crate::math::marked;
+use crate::mesh::{Mesh, Point, diagonal, first_of_part};
 use std::collections::BTreeMap;
+
+/// Points nearer to each other than this fraction of the extent of their curve are at one place: their
+/// numbers were computed in two ways, or rounded.
+const ONE_PLACE: f64 = 1e-6;
+
+/// The distance within which points of a curve are at one place.
+pub(super) fn one_place(mesh: &Mesh, curve: &[u32]) -> f64 {
+    let points: Vec<Point> = curve.iter().map(|&v| mesh.positions[v as usize]).collect();
+    ONE_PLACE * diagonal(&points)
+}
 
 /// Returns the vertices of the closed curves that several polylines of `mesh` make together, each
 /// ending where the next one begins; the first vertex is repeated at the end. Where more than two
 /// polylines meet, none goes on.
 pub(super) fn closed_chains(mesh: &Mesh) -> Vec<Vec<u32>> {
     let curves: Vec<&[u32]> = mesh.curves.iter().collect();
-    // Ends meet at a position: curves rarely share vertices. Zero has two signs.
-    let place = |vertex: u32| mesh.positions[vertex as usize].map(|x| (x + 0.0).to_bits());
+    // Ends meet at a position: curves rarely share vertices.
+    let near = curves.iter().map(|curve| one_place(mesh, curve)).filter(|near| *near > 0.0);
+    let Some(near) = near.reduce(f64::min) else { return Vec::new() };
+    let all = curves.iter().flat_map(|curve| curve.first().into_iter().chain(curve.last()));
+    let is_end = marked(mesh.positions.len(), all);
+    let first = first_of_part(mesh, |v| is_end[v as usize].then_some(0), near);
+    let place = |vertex: u32| first[vertex as usize];
     let ends = |curve: &[u32]| Some([place(*curve.first()?), place(*curve.last()?)]);
-    let mut meeting: BTreeMap<[u64; 3], Vec<usize>> = BTreeMap::new();
+    let mut meeting: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for (k, curve) in curves.iter().enumerate() {
         if let Some([first, last]) = ends(curve).filter(|[first, last]| first != last) {
             meeting.entry(first).or_default().push(k);
             meeting.entry(last).or_default().push(k);
         }
     }
-    let next = |at: [u64; 3], from: usize| match meeting.get(&at)?[..] {
+    let next = |at: u32, from: usize| match meeting.get(&at)?[..] {
         [a, b] if a != b => Some(if a == from { b } else { a }),
         _ => None,
     };

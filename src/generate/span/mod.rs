@@ -6,7 +6,7 @@ mod chains;
 mod fill;
 mod loft;
 
-use chains::closed_chains;
+use chains::{closed_chains, one_place};
 pub use fill::fill;
 pub use loft::loft;
 
@@ -115,11 +115,13 @@ impl SpanCurve {
         });
         let chains = closed_chains(mesh).into_iter().map(|chain| (chain, Source::Chain));
         let through = |(vertices, source): (Vec<u32>, Source)| {
+            let near = one_place(mesh, &vertices);
             let mut points: Vec<_> =
                 vertices.iter().map(|&v| Vec3::from(mesh.positions[v as usize])).collect();
+            let meet = |a: Vec3<f64>, b: Vec3<f64>| (b - a).length() <= near;
             // Steps without length have no direction.
-            points.dedup();
-            let closed = points.len() > 3 && points.first() == points.last();
+            points.dedup_by(|next, last| meet(*last, *next));
+            let closed = points.len() > 3 && meet(points[0], points[points.len() - 1]);
             points.truncate(points.len() - usize::from(closed));
             SpanCurve { points, closed, source }
         };

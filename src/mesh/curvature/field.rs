@@ -52,7 +52,8 @@ impl CurvatureField {
     pub fn new(positions: &[Point], mesh: &Mesh, topology: &Topology) -> CurvatureField {
         let mut points: Vec<Vec3<f64>> = positions.iter().map(|&p| Vec3::from(p)).collect();
         let known = curvatures(positions, &mesh.faces, topology);
-        let mut forms: Vec<_> = known.iter().map(|one| one.as_ref().map(form_of)).collect();
+        let mut forms: Vec<_> =
+            known.iter().map(|one| one.map(|one| (one.tensor(), one.normal))).collect();
         let (mut triangles, mut faces) = (Vec::new(), Vec::new());
         for (f, face) in (0..).zip(mesh.faces.iter()) {
             if let &[a, b, c] = face {
@@ -270,8 +271,7 @@ impl CurvatureField {
         }
         for t in 0..count {
             let [a, b, c] = self.corners(t as u32);
-            let (_, normal) = (b - a).cross(c - a).length_and_direction();
-            self.normals[t] = normal.unwrap_or_else(Vec3::zero);
+            self.normals[t] = (b - a).cross(c - a).direction_or_zero();
         }
     }
 
@@ -292,15 +292,6 @@ impl CurvatureField {
         let sum: f64 = self.triangles[triangle].into_iter().map(of_corner).sum();
         sum * area.length()
     }
-}
-
-fn form_of(curvature: &Curvature) -> (Tensor, Vec3<f64>) {
-    let mut tensor = [0.0; 6];
-    for (value, Vec3 { x, y, z }) in curvature.principal.into_iter().zip(curvature.directions) {
-        let square = [x * x, y * y, z * z, x * y, x * z, y * z];
-        tensor.iter_mut().zip(square).for_each(|(sum, part)| *sum += value * part);
-    }
-    (tensor, curvature.normal)
 }
 
 /// Returns the mean of forms, with signs matched to the first normal; `None` if one is unknown.

@@ -52,6 +52,16 @@ impl Curvature {
         along(0) + along(1)
     }
 
+    /// The second fundamental form as a symmetric tensor: its entries xx, yy, zz, xy, xz and yz.
+    pub(crate) fn tensor(&self) -> [f64; 6] {
+        let mut tensor = [0.0; 6];
+        for (value, Vec3 { x, y, z }) in self.principal.into_iter().zip(self.directions) {
+            let square = [x * x, y * y, z * z, x * y, x * z, y * z];
+            tensor.iter_mut().zip(square).for_each(|(sum, part)| *sum += value * part);
+        }
+        tensor
+    }
+
     /// Whether the principal directions are defined: the principal curvatures differ by more than
     /// the fraction `umbilic` of the sum of their absolute values, and the surface turns by at
     /// least [`FLAT`] over `length`.

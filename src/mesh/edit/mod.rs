@@ -22,6 +22,7 @@ mod weld;
 
 pub use operation::{MESH_OPERATIONS, MeshOperation, OperationError, Picks, Task};
 pub use origins::{Combinations, Edited, Origins};
+pub(crate) use rebuild::around;
 pub use size::{Size, SizeError, SizeOf};
 pub use subdivide::{KEPT_TURN, Scheme, SubdivideError, SubdividedCounts, Subdivision};
 pub use weld::Weld;

@@ -226,7 +226,7 @@ const FEW_CORNERS: usize = 32;
 
 /// Returns the faces around a vertex in cyclic order; `None` if they are not a single fan of
 /// consistently oriented faces.
-pub(super) fn around(mesh: &Mesh, topology: &Topology, v: u32) -> Option<Vec<Step>> {
+pub(crate) fn around(mesh: &Mesh, topology: &Topology, v: u32) -> Option<Vec<Step>> {
     let faces = topology.vertex_faces().row(v as usize);
     let mut steps = Vec::with_capacity(faces.len());
     let step = |face: u32| -> Option<Step> {
@@ -259,10 +259,10 @@ pub(super) fn around(mesh: &Mesh, topology: &Topology, v: u32) -> Option<Vec<Ste
 
 /// A face at a vertex, and the two neighbours of the vertex in the face.
 #[derive(Clone, Copy)]
-pub(super) struct Step {
-    pub(super) face: u32,
+pub(crate) struct Step {
+    pub(crate) face: u32,
     /// The corner after the vertex.
-    pub(super) out: u32,
+    pub(crate) out: u32,
     /// The corner before the vertex.
-    pub(super) back: u32,
+    pub(crate) back: u32,
 }

@@ -65,6 +65,12 @@ impl fmt::Display for SizeError {
                     SizeOf::Count => "a whole number",
                     SizeOf::Degrees => "an angle in degrees",
                 };
+                // Limits that are those of all coordinates would have fifty digits.
+                let limit = |x: &f64| match x.abs() {
+                    0.0 | 1e-12..=1e12 => x.to_string(),
+                    _ => format!("{x:e}"),
+                };
+                let [least, most] = [least, most].map(limit);
                 write!(f, "{label}: expected {number} from {least} to {most}, found {found}")
             }
         }

@@ -15,6 +15,10 @@ const MOST_LEVELS: u32 = 6;
 /// Maximum number of vertices of a subdivided mesh.
 const MOST_VERTICES: usize = 4_000_000;
 
+/// Maximum sum of the squared numbers of corners of the faces, where each new vertex at a face depends
+/// on all of its corners: memory grows with it, to about 1 GB at this number.
+const MOST_SQUARED: usize = 20_000_000;
+
 /// Subdivision scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), serde(rename_all = "kebab-case"))]
@@ -69,6 +73,8 @@ pub enum SubdivideError {
     Repeated(u32),
     /// The result would have this many vertices.
     TooMany(usize),
+    /// Faces are too large, the largest of this many corners.
+    LargeFaces(usize),
 }
 
 impl fmt::Display for SubdivideError {
@@ -97,6 +103,11 @@ impl fmt::Display for SubdivideError {
                 f,
                 "the result would have {}, expected {MOST_VERTICES} at most",
                 words::count(*vertices, "vertex", "vertices")
+            ),
+            SubdivideError::LargeFaces(corners) => write!(
+                f,
+                "a face has {}, too many to refine: expected smaller faces",
+                words::count(*corners, "corner", "corners")
             ),
         }
     }
@@ -137,6 +148,12 @@ impl Subdivision {
             }
         }
         let splits_triangles = self.splits_triangles(mesh);
+        // One level of means couples no more than the ends of each edge.
+        let is_coupled = !splits_triangles && (self.scheme != Scheme::Linear || self.levels > 1);
+        let sizes = || mesh.faces.iter().map(<[u32]>::len);
+        if is_coupled && sizes().map(|n| n * n).sum::<usize>() > MOST_SQUARED {
+            return Err(SubdivideError::LargeFaces(sizes().max().unwrap_or(0)));
+        }
         let mut vertices = mesh.positions.len();
         let mut edges = topology.edges().len();
         let (mut faces, mut corners) = (mesh.faces.len(), mesh.faces.indices().len());

@@ -4,6 +4,7 @@
 use super::rebuild::has_twice;
 use crate::mesh::coincident::{first_of_part, tolerance};
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
+use std::collections::BTreeSet;
 
 /// A mesh is unwelded if at least this fraction of the vertices of faces belongs to one face only.
 const OWN: f64 = 0.9;
@@ -54,7 +55,11 @@ impl Weld {
         let parts = [whole, groups(mesh)];
         let (welded, to) = parts.iter().find_map(|parts| {
             let first = first_of_part(mesh, |v| Some(parts[v as usize]), tolerance);
-            merged(mesh, &first, SHARED * used as f64)
+            // Loose points and ends of curves at one place say nothing of faces.
+            let of_faces = first.iter().zip(&uses).filter(|(_, uses)| **uses > 0);
+            let remain = of_faces.map(|(first, _)| first).collect::<BTreeSet<_>>().len();
+            let merge = (used - remain) as f64;
+            (merge >= SHARED * used as f64).then(|| merged(mesh, &first))?
         })?;
         Some(Weld { original: std::mem::replace(mesh, welded), to, tolerance })
     }
@@ -71,14 +76,10 @@ impl Weld {
 }
 
 /// Merges the vertices that have the same `first`; returns the mesh and the new index of each
-/// vertex. `None` if fewer than `least` vertices merge, or if faces degenerate or coincide.
-fn merged(mesh: &Mesh, first: &[u32], least: f64) -> Option<(Mesh, Vec<u32>)> {
-    let merged = (0..).zip(first).filter(|(v, first)| *v != **first).count();
-    if (merged as f64) < least {
-        return None;
-    }
+/// vertex. `None` if faces degenerate or coincide.
+fn merged(mesh: &Mesh, first: &[u32]) -> Option<(Mesh, Vec<u32>)> {
     let mut to = vec![0; first.len()];
-    let mut positions = Vec::with_capacity(first.len() - merged);
+    let mut positions = Vec::new();
     for (vertex, &first) in first.iter().enumerate() {
         to[vertex] = if first as usize == vertex {
             positions.push(mesh.positions[vertex]);
@@ -182,8 +183,8 @@ mod tests {
     }
 
     #[test]
-    fn a_stray_vertex_far_away_does_not_weld_what_has_joints() {
-        // Panels with joints of 20 mm at site coordinates, and an unused vertex at the origin.
+    fn stray_vertices_far_away_do_not_weld_what_has_joints() {
+        // Panels with joints of 20 mm at site coordinates, and unused vertices at the origin.
         let mut mesh = soup(5, 0.0, 1.0);
         for face in 0..mesh.faces.len() {
             for &v in &mesh.faces.row(face).to_vec() {
@@ -192,7 +193,7 @@ mod tests {
                 at[1] += 0.02 * (face / 5) as f64;
             }
         }
-        mesh.positions.push([0.0; 3]);
+        mesh.positions.extend([[0.0; 3]; 30]);
         assert_eq!(Weld::apply(&mut mesh), None);
     }
 

@@ -1,18 +1,20 @@
 //! The file formats of models: what is read, what is written, and what is left out.
 
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Ragged};
 use crate::words::count;
 use std::collections::BTreeSet;
 
 /// A part of a mesh that not every format can store.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshPart {
-    /// Vertices of no face.
+    /// Vertices of no face and no curve.
     LoneVertices,
     /// Faces of more than four corners.
     LargeFaces,
     /// [`Mesh::curves`].
     Curves,
+    /// Curves of more than one segment, where each segment is kept for itself.
+    Polylines,
     /// [`Mesh::groups`].
     Groups,
     /// [`Mesh::tets`].
@@ -30,6 +32,7 @@ impl MeshPart {
                 ["face of more than four corners", "faces of more than four corners"]
             }
             MeshPart::Curves => ["curve", "curves"],
+            MeshPart::Polylines => ["polyline in one piece", "polylines in one piece"],
             MeshPart::Groups => ["group", "groups"],
             MeshPart::Tetrahedra => ["tetrahedron", "tetrahedra"],
             MeshPart::FacesWithHoles => ["face with a hole", "faces with holes"],
@@ -40,11 +43,12 @@ impl MeshPart {
     fn count(self, mesh: &Mesh) -> usize {
         match self {
             MeshPart::LoneVertices => {
-                let corners = mesh.faces.indices().iter().chain(mesh.untouched.indices());
-                mesh.positions.len() - corners.collect::<BTreeSet<_>>().len()
+                let used = [&mesh.faces, &mesh.untouched, &mesh.curves].map(Ragged::indices);
+                mesh.positions.len() - used.into_iter().flatten().collect::<BTreeSet<_>>().len()
             }
             MeshPart::LargeFaces => mesh.faces.iter().filter(|face| face.len() > 4).count(),
             MeshPart::Curves => mesh.curves.len(),
+            MeshPart::Polylines => mesh.curves.iter().filter(|curve| curve.len() > 2).count(),
             MeshPart::Groups => mesh.groups.len(),
             MeshPart::Tetrahedra => mesh.tets.len(),
             MeshPart::FacesWithHoles => mesh.untouched.len(),
@@ -125,8 +129,8 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "PLY",
         reads: "vertices, polygons, edges; text and binary",
         writes: "vertices, polygons, edges of curves; binary, in double precision",
-        leaves_out: "colours, normals, triangle strips; groups and tetrahedra when written",
-        lacks: &[MeshPart::Groups, MeshPart::Tetrahedra],
+        leaves_out: "colours, normals, triangle strips; groups, tetrahedra and polylines in one piece when written",
+        lacks: &[MeshPart::Groups, MeshPart::Tetrahedra, MeshPart::Polylines],
         states_frame: true,
         ..NONE
     },
@@ -229,15 +233,21 @@ mod tests {
             }
         }
         let mesh = Mesh {
-            positions: vec![[0.0; 3]; 5],
+            positions: vec![[0.0; 3]; 6],
             faces: [[0, 1, 2, 3, 4]].into_iter().collect(),
+            curves: [&[0, 5][..], &[5, 0, 1]].into_iter().collect(),
             untouched: [[0, 1, 2, 1], [2, 3, 4, 3]].into_iter().collect(),
             ..Mesh::default()
         };
         let said = |name: &str| {
             FileFormat::of_name(name).expect("it is known").cannot_store(&mesh).join(", ")
         };
-        assert_eq!(said("a.mesh"), "1 face of more than four corners, 2 faces with holes");
-        assert_eq!(said("a.ply"), "");
+        assert_eq!(
+            said("a.mesh"),
+            "1 face of more than four corners, 2 curves, 2 faces with holes"
+        );
+        assert_eq!(said("a.ply"), "1 polyline in one piece");
+        // Points of curves are lost with these.
+        assert_eq!(said("a.stl"), "2 curves");
     }
 }

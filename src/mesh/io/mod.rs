@@ -33,11 +33,12 @@ use builder::ReadFault;
 ///
 /// If the file is empty, larger than 4 GiB, of an unknown format, truncated, or has no vertices.
 pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
-    let format = Format::of_name(name).or_else(|| Format::of_binary(bytes));
+    let named = FileFormat::of_name(name).filter(|format| format.is_mesh());
+    let format = named.map(|format| format.endings[0]).or_else(|| of_binary(bytes));
     // Messages have the line of a text; of a binary file, no more than its header is one.
     let text = match format {
-        Some(Format::Ply) => decode(ply::text(bytes)),
-        Some(Format::Stl) if !stl::is_text(bytes) => "".into(),
+        Some("ply") => decode(ply::text(bytes)),
+        Some("stl") if !stl::is_text(bytes) => "".into(),
         _ => decode(bytes),
     };
     let found = match format {
@@ -45,9 +46,9 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
         _ if u32::try_from(bytes.len()).is_err() => {
             Err(ReadFault::whole("the file is larger than 4 GiB"))
         }
-        Some(Format::Ply) if ply::is_one(bytes) => ply::read(bytes),
-        Some(Format::Ply) => Err(ReadFault::whole("this is no PLY file: expected `ply` first")),
-        Some(Format::Stl) => stl::read(bytes),
+        Some("ply") if ply::is_one(bytes) => ply::read(bytes),
+        Some("ply") => Err(ReadFault::whole("this is no PLY file: expected `ply` first")),
+        Some("stl") => stl::read(bytes),
         _ => read_text(format, &text),
     };
     found.and_then(|builder| builder.finish(&text)).map_err(|fault| ReadError {
@@ -74,7 +75,7 @@ pub fn write_with_ending(
     }
 }
 
-fn read_text(format: Option<Format>, text: &str) -> Result<builder::MeshBuilder, ReadFault> {
+fn read_text(format: Option<&str>, text: &str) -> Result<builder::MeshBuilder, ReadFault> {
     if text.trim().is_empty() {
         return Err(ReadFault::whole("the file is empty"));
     }
@@ -82,51 +83,29 @@ fn read_text(format: Option<Format>, text: &str) -> Result<builder::MeshBuilder,
     if text.contains('\0') {
         return Err(ReadFault::whole(format!("this is not a text file; {}", known())));
     }
-    match format.or_else(|| Format::of_content(text)) {
-        Some(Format::Obj) => Ok(obj::read(text)),
-        Some(Format::Off) => off::read(text),
-        Some(Format::Medit) => medit::read(text),
+    match format.or_else(|| of_content(text)) {
+        Some("obj") => Ok(obj::read(text)),
+        Some("off") => off::read(text),
+        Some("mesh") => medit::read(text),
         _ => Err(ReadFault::whole(format!("the format is not known; {}", known()))),
     }
 }
 
-#[derive(Clone, Copy)]
-enum Format {
-    Obj,
-    Off,
-    Medit,
-    Ply,
-    Stl,
+/// The first ending of the format of a file that may be binary.
+fn of_binary(bytes: &[u8]) -> Option<&'static str> {
+    match () {
+        () if ply::is_one(bytes) => Some("ply"),
+        () if stl::is_one(bytes) => Some("stl"),
+        () => None,
+    }
 }
 
-impl Format {
-    fn of_name(name: &str) -> Option<Self> {
-        let format = FileFormat::of_name(name).filter(|format| format.is_mesh())?;
-        match format.endings[0] {
-            "obj" => Some(Format::Obj),
-            "off" => Some(Format::Off),
-            "mesh" => Some(Format::Medit),
-            "ply" => Some(Format::Ply),
-            "stl" => Some(Format::Stl),
-            _ => None,
-        }
-    }
-
-    /// The format of a file that may be binary.
-    fn of_binary(bytes: &[u8]) -> Option<Self> {
-        match () {
-            () if ply::is_one(bytes) => Some(Format::Ply),
-            () if stl::is_one(bytes) => Some(Format::Stl),
-            () => None,
-        }
-    }
-
-    fn of_content(text: &str) -> Option<Self> {
-        let first_words = || lines(text).filter_map(|(_, line)| lines::words(line).next());
-        match first_words().next()? {
-            medit::HEADER => Some(Format::Medit),
-            word if off::Header::parse(word).is_some() => Some(Format::Off),
-            _ => first_words().any(|word| word == "v").then_some(Format::Obj),
-        }
+/// The first ending of the format of a text.
+fn of_content(text: &str) -> Option<&'static str> {
+    let first_words = || lines(text).filter_map(|(_, line)| lines::words(line).next());
+    match first_words().next()? {
+        medit::HEADER => Some("mesh"),
+        word if off::Header::parse(word).is_some() => Some("off"),
+        _ => first_words().any(|word| word == "v").then_some("obj"),
     }
 }

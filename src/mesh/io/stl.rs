@@ -204,7 +204,7 @@ fn is_single_enough<'a>(
 }
 
 fn normal([a, b, c]: [Vec3<f64>; 3]) -> Vec3<f64> {
-    (b - a).cross(c - a).length_and_direction().1.unwrap_or(Vec3::zero())
+    (b - a).cross(c - a).direction_or_zero()
 }
 
 fn binary(triangles: impl Iterator<Item = [Vec3<f64>; 3]>) -> Vec<u8> {

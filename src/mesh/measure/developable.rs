@@ -29,14 +29,15 @@ impl UnrolledStrip {
         };
         // The ends of an open strip can be joined by edges without a quad between them.
         let is_shared = faces(first).iter().any(|face| faces(last).contains(face));
-        let meet =
-            |v: &u32| !first.contains(v) && first.iter().any(|&w| topology.edge(*v, w).is_some());
+        let meet = |v: &u32| {
+            !first.contains(v) && first.iter().any(|&w| topology.body_edge(*v, w).is_some())
+        };
         let closed = edges.len() > 2 && is_shared && last.iter().all(meet);
         let at = |v: u32| Vec3::from(positions[v as usize]);
         let mut around = edges.to_vec();
         if closed {
             // In a twisted band, the first edge comes back reversed.
-            let twisted = topology.edge(first[0], last[0]).is_none();
+            let twisted = topology.body_edge(first[0], last[0]).is_none();
             around.push(if twisted { [first[1], first[0]] } else { *first });
         }
         let mut flat = [[0.0, 0.0], [(at(first[1]) - at(first[0])).length(), 0.0]];

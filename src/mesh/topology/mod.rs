@@ -33,7 +33,6 @@ pub struct Topology {
     ascends: Vec<bool>,
     vertex_faces: Ragged,
     boundary_loops: Ragged,
-    triangle_mesh: bool,
     quad_dominant: bool,
 }
 
@@ -74,9 +73,6 @@ impl Topology {
             boundary::boundary_loops(n_vertices, &edges, &vertex_edges, (&edge_faces, &ascends));
         let quads = mesh.faces.iter().filter(|face| face.len() == 4).count();
         Topology {
-            triangle_mesh: !mesh.faces.is_empty()
-                && mesh.faces.iter().all(|face| face.len() == 3)
-                && edge_faces.iter().all(|faces| !faces.is_empty()),
             quad_dominant: 2 * quads > mesh.faces.len(),
             edges,
             neighbours,
@@ -96,6 +92,10 @@ impl Topology {
     /// Returns the edge between two vertices.
     pub fn edge(&self, a: u32, b: u32) -> Option<u32> {
         self.edges.binary_search(&[a.min(b), a.max(b)]).ok().map(|e| e as u32)
+    }
+    /// Returns the edge between two vertices if it [is of the body](Topology::is_of_body).
+    pub fn body_edge(&self, a: u32, b: u32) -> Option<u32> {
+        self.edge(a, b).filter(|&e| self.is_of_body(e))
     }
     /// Returns the end of edge `e` that is not `v`.
     pub fn other_end(&self, e: u32, v: u32) -> u32 {
@@ -173,11 +173,6 @@ impl Topology {
     pub fn is_closed_loop(&self, row: &[u32]) -> bool {
         let closing = self.edge(row[0], row[row.len() - 1]);
         row.len() > 2 && closing.is_some_and(|e| self.is_boundary_edge(e))
-    }
-    /// Whether the mesh consists of triangles only: it has faces, all have three corners, and every
-    /// edge is a side of one.
-    pub fn is_triangle_mesh(&self) -> bool {
-        self.triangle_mesh
     }
     /// Whether more than half of the faces have four corners.
     pub fn is_quad_dominant(&self) -> bool {

@@ -11,6 +11,10 @@ use crate::quads::RemeshError;
 use crate::quads::system::TOGETHER;
 use nalgebra::DMatrix;
 
+/// Most integer unknowns: each is coupled with each, so that memory grows with the square of their
+/// number and the time of a rounding with the cube, to 200 MB and some ten seconds.
+const MOST_INTEGERS: usize = 3000;
+
 /// A map whose integer unknowns are integers.
 pub(super) struct Rounded {
     /// Values of the free unknowns of the seams.
@@ -49,19 +53,26 @@ impl Integers {
     /// factored with the weights of the seamless map.
     ///
     /// # Errors
-    /// If it is not positive definite.
+    /// If there are too many unknowns, `proceed` says no, or it is not positive definite.
     pub(super) fn new(
         seams: &Seams,
         energy: &mut Energy,
         seamless: &Seamless,
+        proceed: &mut dyn FnMut(f64) -> bool,
     ) -> Result<Integers, RemeshError> {
         let integers = (0..seams.is_integer.len()).filter(|&k| seams.is_integer[k]);
         let unknowns: Vec<(usize, usize)> =
             integers.filter_map(|k| Some((k, energy.unknowns[k]?))).collect();
         let m = unknowns.len();
+        if m > MOST_INTEGERS {
+            return Err(RemeshError::TooManyOpenings);
+        }
         let right = energy.right(seams, &seamless.weights);
         let mut matrix = DMatrix::zeros(m, m);
         for first in (0..m).step_by(TOGETHER) {
+            if !proceed(1.0) {
+                return Err(RemeshError::Cancelled);
+            }
             let together = TOGETHER.min(m - first);
             let mut x = vec![[0.0; TOGETHER]; right.len()];
             (0..together).for_each(|r| x[unknowns[first + r].1][r] = 1.0);

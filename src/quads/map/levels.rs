@@ -6,7 +6,7 @@ use super::relaxed::{Attempt, Field, Found, Relaxed};
 use super::snap::snap;
 use crate::quads::field::{Frames, Steering};
 use crate::quads::surface::Prepared;
-use crate::quads::{GridMap, MapOptions, RemeshError, RemeshObserver, RemeshStage, Side};
+use crate::quads::{GridMap, RemeshError, RemeshObserver, RemeshStage, Side};
 
 /// Number of levels.
 const LEVELS: usize = 4;
@@ -63,7 +63,7 @@ struct Stage {
 
 /// Is shown each map with its surface, whose features are those that the map follows. Returns whether
 /// to go on to the next one.
-pub(super) type MapVisitor<'a> = dyn FnMut(&Prepared, GridMap, MapNotes, &mut RemeshObserver<'_>) -> Result<bool, RemeshError>
+pub type MapVisitor<'a> = dyn FnMut(&Prepared, GridMap, MapNotes, &mut RemeshObserver<'_>) -> Result<bool, RemeshError>
     + 'a;
 
 /// How the roundings of a level end.
@@ -83,47 +83,13 @@ impl GridMapper {
         GridMapper { frames, stages: vec![Stage::new(prepared, Vec::new())], stage: 0 }
     }
 
-    /// The surface; its features are those that the last map follows.
-    pub fn prepared(&self) -> &Prepared {
-        &self.stages[self.stage].prepared
-    }
-
-    /// Computes an integer-grid map with about `wanted` quads, for the weights `follow` of curvature
-    /// and `direction` of directions (see [`crate::quads::MapOptions`]). If triangles are flipped at
-    /// all levels, the map is that with the fewest, and the notes name them.
-    ///
-    /// # Errors
-    /// If the observer says no, or numbers are out of proportion.
-    pub fn map(
-        &mut self,
-        follow: f64,
-        direction: f64,
-        wanted: f64,
-        observer: &mut RemeshObserver<'_>,
-    ) -> Result<(GridMap, MapNotes), RemeshError> {
-        let mut best: Option<(GridMap, MapNotes)> = None;
-        self.maps([follow, direction, wanted], observer, &mut |_, map, notes, _| {
-            let is_whole = notes.flipped.is_empty();
-            // Maps that follow more creases than the last one are of another surface.
-            let is_better = best.as_ref().is_none_or(|(_, best)| {
-                notes.abandoned_creases > best.abandoned_creases
-                    || notes.flipped.len() < best.flipped.len()
-            });
-            if is_better {
-                best = Some((map, notes));
-            }
-            Ok(!is_whole)
-        })?;
-        Ok(best.expect("the last level finds a map"))
-    }
-
-    /// Computes map after map, for the weights of [`GridMapper::map`] and the number of quads: at each
-    /// level at one scale after another, as long as the visitor wants to see more. What was asked
-    /// before changes nothing.
+    /// Computes map after map, for the weights of curvature and of directions (see
+    /// [`crate::quads::MapOptions`]) and about this number of quads: at each level at one scale after
+    /// another, as long as the visitor wants to see more. What was asked before changes nothing.
     ///
     /// # Errors
     /// Those of the visitor; if the observer says no, or numbers are out of proportion.
-    pub(in crate::quads) fn maps(
+    pub fn maps(
         &mut self,
         [follow, direction, wanted]: [f64; 3],
         observer: &mut RemeshObserver<'_>,
@@ -196,10 +162,9 @@ impl Stage {
         let (field, relaxed) = (&fields[level], &mut relaxed[level]);
         for (k, factor) in SCALES.into_iter().enumerate() {
             let mut at = |factor: f64, part: f64| {
-                if !observer(RemeshStage::Round, part) {
-                    return Err(RemeshError::Cancelled);
-                }
-                Ok(relaxed.round(prepared, frames, field, [wanted, factor], may_abandon))
+                let mut proceed = || observer(RemeshStage::Round, part);
+                let asked = [wanted, factor];
+                relaxed.round(prepared, frames, field, asked, may_abandon, &mut proceed)
             };
             let mut best = match at(factor, k as f64 / SCALES.len() as f64)? {
                 Attempt::Map(found) => found,
@@ -234,22 +199,6 @@ impl Stage {
         }
         Ok(Rounds::Tried)
     }
-}
-
-/// Computes one map; see [`GridMapper::map`]. Without a `wanted` number of quads, panels have the size
-/// for which the surface was prepared.
-///
-/// # Errors
-/// If the observer says no, or numbers are out of proportion.
-pub fn grid_map(
-    prepared: &Prepared,
-    options: &MapOptions,
-    wanted: Option<f64>,
-    observer: &mut RemeshObserver<'_>,
-) -> Result<(GridMap, MapNotes), RemeshError> {
-    let wanted = wanted.unwrap_or(prepared.surface.area() / (prepared.size * prepared.size));
-    let mut mapper = GridMapper::new(prepared.clone());
-    mapper.map(options.follow, options.direction, wanted, observer)
 }
 
 /// The field's settings of a level: lambda, smoothing and step.

@@ -28,4 +28,4 @@ mod separation;
 mod snap;
 mod untangle;
 
-pub use levels::{GridMapper, MapNotes, grid_map};
+pub use levels::{GridMapper, MapNotes, MapVisitor};

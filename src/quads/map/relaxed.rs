@@ -96,13 +96,16 @@ impl Relaxed {
         if !(predicted > 0.0 && predicted.is_finite()) {
             return Err(RemeshError::Numerical);
         }
-        let integers = Integers::new(seams, &mut energy, &seamless)?;
+        let integers = Integers::new(seams, &mut energy, &seamless, &mut proceed)?;
         Ok(Relaxed { direction, energy, seamless, integers, predicted })
     }
 
     /// Rounds at the scale for `wanted` quads times `factor`; anew with separations as long as points
     /// or lines are thrown together, then untangled. If creases are in the way, and may be given up,
     /// these are returned.
+    ///
+    /// # Errors
+    /// If `proceed`, asked before each rounding, says no.
     pub(super) fn round(
         &mut self,
         prepared: &Prepared,
@@ -110,19 +113,23 @@ impl Relaxed {
         field: &Field,
         [wanted, factor]: [f64; 2],
         may_abandon: bool,
-    ) -> Attempt {
+        proceed: &mut dyn FnMut() -> bool,
+    ) -> Result<Attempt, RemeshError> {
         let seams = &field.seams;
         let scale = factor * (wanted / self.predicted).sqrt();
         let free: Vec<f64> = self.seamless.values.iter().map(|value| scale * value).collect();
         let mut given: Vec<Separation> = Vec::new();
         let mut stuck = 0;
         for rounding in 1.. {
+            if !proceed() {
+                return Err(RemeshError::Cancelled);
+            }
             let integers = self.integers.round(scale, &given);
             let mut rounded = self.integers.solve(seams, &mut self.energy, scale, &integers);
             let more = separations(prepared, seams, &rounded.flipped(), &free, &rounded.values);
             let creases: Vec<Side> = more.iter().flat_map(|one| one.creases.clone()).collect();
             if may_abandon && !creases.is_empty() {
-                return Attempt::Creases(creases);
+                return Ok(Attempt::Creases(creases));
             }
             stuck = if more.iter().all(|one| given.contains(one)) { stuck + 1 } else { 0 };
             if more.is_empty() || stuck == STUCK || rounding == ROUNDINGS {
@@ -134,7 +141,8 @@ impl Relaxed {
                 let quads = 0.5 * rounded.doubled.iter().sum::<f64>();
                 let flipped = rounded.flipped();
                 let separations = given.len();
-                return Attempt::Map(Found { factor, rounded, flipped, separations, quads });
+                let found = Found { factor, rounded, flipped, separations, quads };
+                return Ok(Attempt::Map(found));
             }
             // What is violated although it was given contradicts what was given before it.
             given.retain(|one| !more.contains(one));

@@ -1,6 +1,7 @@
 //! Faces of an odd number of sides, joined with another one or with the boundary.
 
-use super::panels::{Panels, merged, sides};
+use super::panels::{Panels, merged};
+use crate::math::polygon_sides;
 use crate::quads::extract::{Node, Place};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -27,7 +28,7 @@ pub(super) fn join_odd(
             }
             let ends = |panels: &Panels, index: usize| {
                 let face = panels.face(index)?;
-                let outer = sides(face).find(|&[a, b]| panels.left(b, a).is_none());
+                let outer = polygon_sides(face).find(|&[a, b]| panels.left(b, a).is_none());
                 match to_boundary {
                     true => outer.map(Some),
                     false => (index != start && is_odd(panels, index)).then_some(None),
@@ -36,7 +37,9 @@ pub(super) fn join_odd(
             let Some((path, outer)) = path(panels, start, ends) else { continue };
             let Some(mut polygon) = joined(panels, &path) else { continue };
             if let Some([a, b]) = outer {
-                let Some(at) = sides(&polygon).position(|side| side == [a, b]) else { continue };
+                let Some(at) = polygon_sides(&polygon).position(|side| side == [a, b]) else {
+                    continue;
+                };
                 polygon.insert(at + 1, nodes.len());
                 nodes.push(between(&nodes[a], &nodes[b]));
             }
@@ -81,7 +84,7 @@ fn path<T>(
         if distance >= FARTHEST {
             continue;
         }
-        for [a, b] in sides(panels.face(index).unwrap_or_default()) {
+        for [a, b] in polygon_sides(panels.face(index).unwrap_or_default()) {
             if let Some(next) = panels.left(b, a)
                 && !from.contains_key(&next)
             {
@@ -98,7 +101,8 @@ fn joined(panels: &Panels, path: &[usize]) -> Option<Vec<usize>> {
     let mut polygon = panels.face(path[0])?.to_vec();
     for index in &path[1..] {
         let face = panels.face(*index)?;
-        let shared = sides(&polygon).find(|&[a, b]| sides(face).any(|side| side == [b, a]))?;
+        let shared = polygon_sides(&polygon)
+            .find(|&[a, b]| polygon_sides(face).any(|side| side == [b, a]))?;
         polygon = merged(&polygon, face, shared);
     }
     Some(polygon)

@@ -1,5 +1,6 @@
 //! Faces that can be replaced: which face lies on the left of each directed side.
 
+use crate::math::polygon_sides;
 use std::collections::BTreeMap;
 
 /// A list of faces with the face of each side.
@@ -24,7 +25,7 @@ impl Panels {
     /// Adds a face, and returns its index.
     pub(super) fn add(&mut self, face: Vec<usize>) -> usize {
         let index = self.faces.len();
-        for side in sides(&face) {
+        for side in polygon_sides(&face) {
             self.on_left.entry(side).or_default().push(index);
         }
         self.faces.push(Some(face));
@@ -34,7 +35,7 @@ impl Panels {
     /// Removes a face, if it is there.
     pub(super) fn take(&mut self, index: usize) -> Option<Vec<usize>> {
         let face = self.faces[index].take()?;
-        for side in sides(&face) {
+        for side in polygon_sides(&face) {
             if let Some(faces) = self.on_left.get_mut(&side) {
                 faces.retain(|&other| other != index);
             }
@@ -68,16 +69,11 @@ impl Panels {
     }
 }
 
-/// The directed sides of a face.
-pub(super) fn sides(face: &[usize]) -> impl Iterator<Item = [usize; 2]> {
-    (0..face.len()).map(|k| [face[k], face[(k + 1) % face.len()]])
-}
-
 /// The polygon around two faces that share the side from `a` to `b` of the first; without spurs,
 /// that is edges that it passes in both directions one after the other.
 pub(super) fn merged(first: &[usize], second: &[usize], [a, b]: [usize; 2]) -> Vec<usize> {
     let after = |face: &[usize], [from, to]: [usize; 2]| -> Vec<usize> {
-        let at = sides(face).position(|side| side == [from, to]).unwrap_or(0);
+        let at = polygon_sides(face).position(|side| side == [from, to]).unwrap_or(0);
         (0..face.len()).map(|k| face[(at + 1 + k) % face.len()]).collect()
     };
     // From b around to a, and in the second face from a around to b.

@@ -1,7 +1,7 @@
 //! Measures of the result: irregular vertices, angles to the lines of curvature, edge lengths.
 
 use super::distance::LargestDistances;
-use super::samples::{Samples, unit};
+use super::samples::Samples;
 use crate::math::{Vec3, angle, angle_between, argsort, key_of_number};
 use crate::mesh::form_on;
 use serde::Serialize;
@@ -172,8 +172,8 @@ fn angle_to_curvature(
     size: f64,
 ) -> Option<[f64; 2]> {
     let [a, b] = ends;
-    let normal = unit(samples.normals[a] + samples.normals[b]);
-    let e = unit(along - normal * normal.dot(along));
+    let normal = (samples.normals[a] + samples.normals[b]).direction_or_zero();
+    let e = (along - normal * normal.dot(along)).direction_or_zero();
     let f = normal.cross(e);
     let form = |p: Vec3<f64>, q: Vec3<f64>| {
         0.5 * (form_on(&samples.tensors[a], p, q) + form_on(&samples.tensors[b], p, q))

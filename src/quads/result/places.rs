@@ -1,32 +1,44 @@
 //! Places that the panels cannot follow, because the surface has details there smaller than a panel.
 
 use crate::math::Vec3;
-
-/// The most points that are looked at: of more, every so many.
-const MOST: usize = 2000;
+use std::collections::BTreeMap;
 
 /// Gathers points that are nearer to each other than `near`, directly or over others, and returns the
 /// mean of each group, the largest group first.
 pub(in crate::quads) fn places(points: &[Vec3<f64>], near: f64) -> Vec<Vec3<f64>> {
-    let every = points.len().div_ceil(MOST).max(1);
-    let points: Vec<Vec3<f64>> = points.iter().copied().step_by(every).collect();
-    let mut group: Vec<usize> = (0..points.len()).collect();
-    for i in 0..points.len() {
-        for j in 0..i {
-            if group[i] != group[j] && (points[i] - points[j]).length() < near {
-                let (from, to) = (group[i].max(group[j]), group[i].min(group[j]));
-                group.iter_mut().filter(|one| **one == from).for_each(|one| *one = to);
+    let cell_of = |point: Vec3<f64>| <[f64; 3]>::from(point).map(|x| (x / near).floor() as i64);
+    // Those that are in no group yet.
+    let mut left: BTreeMap<[i64; 3], Vec<usize>> = BTreeMap::new();
+    for (k, &point) in points.iter().enumerate() {
+        left.entry(cell_of(point)).or_default().push(k);
+    }
+    let mut take = |cell: [i64; 3], is_taken: &dyn Fn(usize) -> bool| -> Vec<usize> {
+        let cell = left.get_mut(&cell);
+        cell.map_or_else(Vec::new, |cell| cell.extract_if(.., |k| is_taken(*k)).collect())
+    };
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for first in 0..points.len() {
+        let mut group = take(cell_of(points[first]), &|k| k == first);
+        let mut at = 0;
+        while let Some(&k) = group.get(at) {
+            at += 1;
+            let [x, y, z] = cell_of(points[k]);
+            for side in 0..27 {
+                let beside = [x + side % 3 - 1, y + side / 3 % 3 - 1, z + side / 9 - 1];
+                let is_near = |other: usize| (points[other] - points[k]).length() < near;
+                group.extend(take(beside, &is_near));
             }
         }
+        group.sort_unstable();
+        groups.push(group);
     }
-    let mut sums: Vec<(usize, Vec3<f64>)> = vec![(0, Vec3::zero()); points.len()];
-    for (&group, &point) in group.iter().zip(&points) {
-        sums[group].0 += 1;
-        sums[group].1 += point;
-    }
-    sums.retain(|(count, _)| *count > 0);
-    sums.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
-    sums.into_iter().map(|(count, sum)| sum * (1.0 / count as f64)).collect()
+    groups.retain(|group| !group.is_empty());
+    groups.sort_by_key(|group| std::cmp::Reverse(group.len()));
+    let mean = |group: Vec<usize>| {
+        let sum = group.iter().fold(Vec3::zero(), |sum, &k| sum + points[k]);
+        sum * (1.0 / group.len() as f64)
+    };
+    groups.into_iter().map(mean).collect()
 }
 
 #[cfg(test)]
@@ -39,5 +51,15 @@ mod tests {
         let found = places(&[at(0.0), at(9.0), at(1.0), at(2.0)], 1.5);
         assert_eq!(found, [at(1.0), at(9.0)]);
         assert!(places(&[], 1.0).is_empty());
+    }
+
+    /// Of many points every so many was looked at: small places beside a large one were not counted.
+    #[test]
+    fn every_place_counts_however_many_points_are_at_another() {
+        let large = (0..3000).map(|k| Vec3::new(f64::from(k % 100), f64::from(k / 100), 0.0));
+        let small = (1..=40).map(|k| Vec3::new(0.0, 0.0, 10.0 * f64::from(k)));
+        let points: Vec<_> = large.chain(small).collect();
+        let found = places(&points, 2.5);
+        assert_eq!((found.len(), found[0]), (41, Vec3::new(49.5, 14.5, 0.0)));
     }
 }

@@ -20,7 +20,8 @@ impl Samples {
         for (t, triangle) in surface.triangles.iter().enumerate() {
             triangle.iter().for_each(|&v| at_vertices[v] += surface.area_vector(t));
         }
-        let at_vertices: Vec<Vec3<f64>> = at_vertices.into_iter().map(unit).collect();
+        let at_vertices: Vec<Vec3<f64>> =
+            at_vertices.into_iter().map(Vec3::direction_or_zero).collect();
         let mut samples = Samples { normals: Vec::new(), tensors: Vec::new() };
         for node in nodes {
             let weights = weights(prepared, node);
@@ -31,7 +32,7 @@ impl Samples {
                 let added = tensor.iter_mut().zip(prepared.tensors[v]);
                 added.for_each(|(sum, value)| *sum += weight * value);
             }
-            samples.normals.push(unit(normal));
+            samples.normals.push(normal.direction_or_zero());
             samples.tensors.push(tensor);
         }
         samples
@@ -55,9 +56,4 @@ fn weights(prepared: &Prepared, node: &Node) -> [(usize, f64); 3] {
             [0, 1, 2].map(|k| (surface.corner(t, k), weights[k]))
         }
     }
-}
-
-/// The unit vector of a direction; zero of a zero vector.
-pub(super) fn unit(vector: Vec3<f64>) -> Vec3<f64> {
-    vector.length_and_direction().1.unwrap_or(Vec3::zero())
 }

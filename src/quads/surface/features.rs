@@ -16,8 +16,7 @@ pub(super) fn lines(
     let edges = Edges::new(triangles);
     let normal = |t: usize| {
         let [a, b, c] = triangles[t].map(|v| positions[v]);
-        let (_, normal) = (b - a).cross(c - a).length_and_direction();
-        normal.unwrap_or_else(Vec3::zero)
+        (b - a).cross(c - a).direction_or_zero()
     };
     let least = crease.map(|degrees| cosine(degrees / 360.0));
     let mut line: Vec<Line> = edges

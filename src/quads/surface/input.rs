@@ -121,11 +121,6 @@ impl InputSurface {
         area(&self.positions, &self.triangles)
     }
 
-    /// Number of triangles.
-    pub fn triangle_count(&self) -> usize {
-        self.triangles.len()
-    }
-
     /// One part: its vertices are renumbered, one for each fan of triangles.
     fn of_part(
         positions: &[Vec3<f64>],
@@ -290,15 +285,6 @@ fn tensors(positions: &[Vec3<f64>], triangles: &[[usize; 3]]) -> Vec<Tensor> {
         faces: triangles.iter().map(|t| t.map(|v| v as u32)).collect::<Ragged>(),
         ..Mesh::default()
     };
-    let of_vertex = |curvature: Option<crate::mesh::Curvature>| {
-        let mut tensor = [0.0; 6];
-        let Some(curvature) = curvature else { return tensor };
-        for (value, Vec3 { x, y, z }) in curvature.principal.into_iter().zip(curvature.directions) {
-            let square = [x * x, y * y, z * z, x * y, x * z, y * z];
-            tensor.iter_mut().zip(square).for_each(|(sum, part)| *sum += value * part);
-        }
-        tensor
-    };
     let found = curvatures(&mesh.positions, &mesh.faces, &Topology::new(&mesh));
-    found.into_iter().map(of_vertex).collect()
+    found.into_iter().map(|one| one.map_or([0.0; 6], |one| one.tensor())).collect()
 }

@@ -32,12 +32,8 @@ impl Session {
     /// `kept`, which stay as they are.
     ///
     /// # Errors
-    /// If the mesh has tetrahedra, or no face of this number.
+    /// If there is no face of this number.
     pub fn panel_layouts(&self, kept: &[u32]) -> Result<PanelLayouts, Error> {
-        if !self.mesh().tets.is_empty() {
-            let message = "the mesh has tetrahedra, expected a surface".to_owned();
-            return Err(SceneError { path: String::new(), message }.into());
-        }
         let faces = self.mesh().faces.len();
         if let Some(face) = kept.iter().find(|face| **face as usize >= faces) {
             let message = format!("there is no face {face}, expected less than {faces}");

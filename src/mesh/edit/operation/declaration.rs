@@ -51,7 +51,7 @@ pub struct Task<'a> {
     pub topology: &'a Topology,
     /// The direction that points up, a unit vector.
     pub up: Point,
-    /// The values of the sizes of the operation.
+    /// The values of the sizes of the operation; lengths are in the unit of the mesh.
     pub sizes: &'a [f64],
     /// The picked vertices.
     pub vertices: &'a [u32],
@@ -87,6 +87,8 @@ pub enum OperationError {
     Joining,
     /// The result would have no faces.
     NothingLeft,
+    /// The result would be the same mesh.
+    NoChange,
 }
 
 impl fmt::Display for OperationError {
@@ -112,6 +114,7 @@ impl fmt::Display for OperationError {
                 "more than two faces would meet at an edge: some faces have several edges in common",
             ),
             OperationError::NothingLeft => f.write_str("no faces would be left"),
+            OperationError::NoChange => f.write_str("this would change nothing"),
         }
     }
 }
@@ -158,6 +161,10 @@ impl MeshOperation {
         let edited = (self.apply)(task)?;
         if edited.mesh.faces.is_empty() {
             return Err(OperationError::NothingLeft);
+        }
+        let (old, new) = (task.mesh, &edited.mesh);
+        if (&old.positions, &old.faces, &old.curves) == (&new.positions, &new.faces, &new.curves) {
+            return Err(OperationError::NoChange);
         }
         if is_manifold(task.topology)
             && !merges(&edited)

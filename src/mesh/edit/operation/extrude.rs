@@ -100,7 +100,7 @@ fn open_sides(task: &Task<'_>) -> Vec<Open> {
         let ends = if topology.edge_ascends(e)[0] { [a, b] } else { [b, a] };
         let normal = twice_vector_area(corners.iter().map(|&v| at(v)));
         let across = (at(ends[1]) - at(ends[0])).cross(normal);
-        let outward = across.length_and_direction().1.unwrap_or(Vec3::zero());
+        let outward = across.direction_or_zero();
         sides.push(Open { face, ends, outward });
     }
     sides

@@ -65,13 +65,14 @@ fn outline(task: &Task<'_>, faces: &[u32]) -> Option<Vec<u32>> {
     (faces.len() > 1 && corners.len() == count && count > 2).then_some(corners)
 }
 
-/// Splits the face that has both picked vertices, which no edge may connect.
+/// Splits the face that has both picked vertices, which no edge of faces may connect.
 pub(super) fn split(task: &Task<'_>) -> Result<Edited, OperationError> {
     let wrong =
         OperationError::Expected("two selected corners of one face without an edge between them");
     let &[a, b] = task.vertices else { return Err(wrong) };
     let is_cut = |corners: &[u32]| {
-        corners.contains(&a) && corners.contains(&b) && a != b && task.topology.edge(a, b).is_none()
+        let is_open = a != b && task.topology.body_edge(a, b).is_none();
+        is_open && corners.contains(&a) && corners.contains(&b)
     };
     let cut = task.all_faces().find(|&face| is_cut(task.mesh.faces.row(face as usize)));
     let cut = cut.ok_or(wrong)?;

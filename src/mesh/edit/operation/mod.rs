@@ -11,8 +11,12 @@ mod vertices;
 
 pub use declaration::{MeshOperation, OperationError, Picks, Task};
 
+use crate::mesh::LARGEST_COORDINATE;
 use crate::mesh::edit::size::Size;
 use crate::mesh::edit::subdivide::KEPT_TURN;
+
+/// Lengths are in any unit, so that their limits are those of coordinates.
+const SHORTEST: f64 = 1.0 / LARGEST_COORDINATE;
 
 /// Every operation, in the order in which hosts list them.
 pub const MESH_OPERATIONS: &[MeshOperation] = &[
@@ -75,8 +79,8 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         summary: "Adds a row of quads along the boundary or its selected part: outward, in the direction of the surface, and up or down.",
         picks: Picks::AnyVertices,
         sizes: &[
-            Size::length("outward", "Outward", 1.0, [0.0, 1e6]),
-            Size::length("up", "Up", 0.0, [-1e6, 1e6]),
+            Size::length("outward", "Outward", 1.0, [0.0, LARGEST_COORDINATE]),
+            Size::length("up", "Up", 0.0, [-LARGEST_COORDINATE, LARGEST_COORDINATE]),
         ],
         apply: extrude::apply,
     },
@@ -117,7 +121,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         label: "Weld",
         summary: "Merges vertices that are closer to each other than a distance.",
         picks: Picks::AnyVertices,
-        sizes: &[Size::length("distance", "Distance", 0.01, [1e-12, 1e6])],
+        sizes: &[Size::length("distance", "Distance", 0.01, [SHORTEST, LARGEST_COORDINATE])],
         apply: vertices::weld,
     },
     MeshOperation {
@@ -141,7 +145,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         label: "Snap to a grid",
         summary: "Rounds the coordinates of all vertices, or of the selected ones, to multiples of a length.",
         picks: Picks::AnyVertices,
-        sizes: &[Size::length("step", "Length", 0.1, [1e-12, 1e6])],
+        sizes: &[Size::length("step", "Length", 0.1, [SHORTEST, LARGEST_COORDINATE])],
         apply: vertices::snap,
     },
     MeshOperation {

@@ -101,8 +101,11 @@ fn crossed(task: &Task<'_>) -> Result<Vec<bool>, OperationError> {
     let Task { mesh, topology, .. } = task;
     let is_picked = task.picked_vertices();
     let edges = topology.edges();
-    let both = |ends: &[u32; 2]| ends.iter().all(|&v| is_picked[v as usize]);
-    let mut is_crossed: Vec<bool> = edges.iter().map(both).collect();
+    // A curve between the two has no strip.
+    let both = |(e, ends): (u32, &[u32; 2])| {
+        topology.is_of_body(e) && ends.iter().all(|&v| is_picked[v as usize])
+    };
+    let mut is_crossed: Vec<bool> = (0..).zip(edges).map(both).collect();
     let mut next: Vec<u32> =
         (0..).zip(&is_crossed).filter(|(_, picked)| **picked).map(|(e, _)| e).collect();
     if next.is_empty() {

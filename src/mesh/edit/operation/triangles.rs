@@ -40,7 +40,8 @@ pub(super) fn from_faces(task: &Task<'_>) -> Result<Edited, OperationError> {
                 // A second edge between the same vertices would join separate faces.
                 let is_free = |&cut: &usize| {
                     let [p, q] = [[a, c], [b, d]][cut];
-                    task.topology.edge(p, q).is_none() && diagonals.insert([p.min(q), p.max(q)])
+                    task.topology.body_edge(p, q).is_none()
+                        && diagonals.insert([p.min(q), p.max(q)])
                 };
                 [first, 1 - first].into_iter().find(is_free).map(|cut| cuts[cut])
             }
