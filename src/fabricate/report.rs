@@ -324,7 +324,7 @@ impl Build {
             node_step_vertex,
             discs: frame.discs.iter().flatten().count(),
             placed_discs: self.discs.iter().filter(|disc| places[disc.part].is_some()).count(),
-            without_prism: frame.prisms.iter().filter(|prism| prism.is_none()).count(),
+            without_prism: frame.without_prism,
         })
     }
 

@@ -14,7 +14,7 @@
 //! E(n) = sum_e |P_e (n_j - n_i)|^2 + D(n) + mu sum_i |n_i - N_i|^2
 //! corner  D = sum_i (|n_i| - 1)^2
 //! face    D = sum over corners (i, f) of (N_f . n_i - 1)^2
-//! edge    D = sum over edges, both ends, of (|P_e n_i| - 1)^2
+//! edge    D = sum over edges with a length, both ends, of (|P_e n_i| - 1)^2
 //! ```
 //!
 //! by Newton steps from `n = N`. With `u` the direction of `x` in the previous step, `(|x| - 1)^2`
