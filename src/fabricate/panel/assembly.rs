@@ -9,7 +9,7 @@
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{Vec3, marked, polygon_sides};
 use crate::mesh::Mesh;
-use crate::scene::{Hold, Scene, UnitsAndUp, Up};
+use crate::scene::{HandleSpec, Hold, Scene, UnitsAndUp, Up};
 use std::collections::VecDeque;
 
 /// Height of the rim that stands on the ground, as a fraction of the height of its component.
@@ -24,16 +24,20 @@ const DIRECTIONS: i64 = 1 << 20;
 pub struct Stand {
     /// The axis that points up.
     pub up: Up,
-    /// The vertices that are held where they are.
+    /// The vertices that are held where they are; those that the mesh does not have hold nothing.
     pub held: Vec<u32>,
 }
 
 impl Stand {
     /// As a scene says.
     pub fn of_scene(scene: &Scene) -> Stand {
-        let fixed = scene.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
-        let held = fixed.flat_map(|handle| handle.vertices.iter().copied()).collect();
-        Stand { up: scene.up, held }
+        Stand::on(&scene.handles, scene.up)
+    }
+
+    /// On the fixed ones of some handles.
+    pub fn on(handles: &[HandleSpec], up: Up) -> Stand {
+        let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
+        Stand { up, held: fixed.flat_map(|handle| handle.vertices.iter().copied()).collect() }
     }
 
     /// As the shape of a mesh suggests, on the ground.
@@ -136,7 +140,9 @@ impl Plan<'_> {
             lowest_panel[own] = lowest_panel[own].min(self.middle(face));
         }
         let size = self.surface.mean_edge();
-        let held = marked(self.heights.len(), &stand.held);
+        let vertices = self.heights.len();
+        let is_there = |v: &&u32| (**v as usize) < vertices;
+        let held = marked(vertices, stand.held.iter().filter(is_there));
         // What each panel of a component stands on: the first of these that any of them has.
         let ranks: Vec<Option<usize>> = (0..self.component.len())
             .map(|f| {
