@@ -2,7 +2,7 @@
 
 use crate::fabricate::build::Build;
 use crate::fabricate::report::BuildReport;
-use crate::math::plane::Point2;
+use crate::math::plane::{Point2, distance};
 use crate::scene::Product;
 use crate::words::{area, brief, millimetres, millimetres_limit, part, rough_degrees};
 
@@ -87,9 +87,5 @@ fn building(build: &Build, report: &BuildReport) -> Vec<Line> {
 }
 
 fn long(line: &[Point2]) -> f64 {
-    let parts = line.windows(2).map(|ends| {
-        let [x, y] = [0, 1].map(|k| ends[1][k] - ends[0][k]);
-        (x * x + y * y).sqrt()
-    });
-    parts.sum()
+    line.windows(2).map(|ends| distance(ends[0], ends[1])).sum()
 }
