@@ -88,6 +88,12 @@ impl Frame {
         Frame { types, nodes, fins, discs, cuts, prisms, without_prism }
     }
 
+    /// Fins and discs that are not made.
+    pub fn lost(&self) -> usize {
+        let discs = self.discs.iter().flatten().filter(|disc| disc.is_err());
+        self.fins.iter().filter(|fin| fin.is_err()).count() + discs.count()
+    }
+
     /// The largest step between the upper faces of neighbouring prisms, and its node.
     pub fn largest_step(&self) -> Option<(f64, u32)> {
         let steps =
