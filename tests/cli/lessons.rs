@@ -53,7 +53,7 @@ fn what_is_left_as_it_is_in_the_mesh_is_said_wherever_it_is_read() {
         &["experiment", "s.shapeup.json", "--iterations", "2"],
     ] {
         let out = folder.run(asked).done();
-        assert!(out.contains("note: 1 face has the same vertex at two corners"), "{out}");
+        assert!(out.contains("note: 1 face with the same vertex at two corners"), "{out}");
     }
 }
 
