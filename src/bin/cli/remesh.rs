@@ -82,7 +82,7 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<Quads, String> {
             }
             "--boundary" => {
                 let all = [Boundary::Followed, Boundary::Cut];
-                options.boundary = words.word_of(&name, all, Boundary::word)?;
+                options.boundary = *words.word_of(&name, &all, |boundary| boundary.word())?;
             }
             "--out" => out = Some(words.mesh(&name, MESHES)?),
             "--report" => report = Some(words.file(&name)?),
