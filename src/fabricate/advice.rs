@@ -203,20 +203,20 @@ mod tests {
 
     #[test]
     fn no_scale_is_advised_at_which_fins_are_cut_away() {
-        // A long panel with ends of 0.3 m: fins of 15 mm at 1:20, of nothing at 1:100.
-        let frame = |width: f64, thickness: f64| {
+        // A long panel with ends of 0.28 m: fins of 8 mm at 1:20, of nothing at 1:50.
+        let frame = |width: f64| {
             let positions = vec![[0.0; 3], [20.0, 0.0, 0.0], [20.0, width, 0.0], [0.0, width, 0.0]];
             let faces = [[0, 1, 2, 3]].into_iter().collect();
             let mesh = Mesh { positions, faces, ..Mesh::default() };
             let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
             let distance = Some(0.2);
             let product = Product::Fins;
-            let scale = 20.0;
+            let (scale, thickness) = (20.0, 6.0);
             let own = BuildSettings { distance, product, scale, thickness, ..Default::default() };
             let build = Build::new(&mesh, &own, unit).expect("a panel");
             assert_eq!((build.not_cut.len(), build.layout.too_large.len()), (0, 2));
             build.advice(&build.report()).len()
         };
-        assert_eq!([frame(3.0, 6.0), frame(0.3, 6.0)], [1, 0]);
+        assert_eq!([frame(3.0), frame(0.28)], [1, 0]);
     }
 }

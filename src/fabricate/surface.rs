@@ -175,6 +175,15 @@ impl PanelSurface {
         (self.areas, self.normals) = areas_and_normals(&self.positions, &self.faces);
     }
 
+    /// The panels at each vertex, `#V`.
+    pub fn panels_around(&self) -> Vec<Vec<u32>> {
+        let mut around = vec![Vec::new(); self.positions.len()];
+        for (face, f) in self.faces.iter().zip(0..) {
+            face.iter().for_each(|&v| around[v as usize].push(f));
+        }
+        around
+    }
+
     /// The position of a vertex, relative to `centre`.
     pub fn at(&self, v: u32) -> Vec3<f64> {
         self.positions[v as usize]

@@ -96,13 +96,11 @@ impl Plan<'_> {
         let component = components(surface);
         let points: Vec<_> =
             surface.positions.iter().map(|&at| stand.height_and_plan(at)).collect();
-        let mut around = vec![Vec::new(); points.len()];
         let count = component.iter().max().map_or(0, |last| *last as usize + 1);
         let mut boxes = vec![[[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]]; count];
-        for (face, f) in surface.faces.iter().zip(0..) {
-            let [low, high] = &mut boxes[component[f as usize] as usize];
+        for (face, &own) in surface.faces.iter().zip(&component) {
+            let [low, high] = &mut boxes[own as usize];
             for &v in face {
-                around[v as usize].push(f);
                 for (k, x) in points[v as usize].1.into_iter().enumerate() {
                     (low[k], high[k]) = (low[k].min(x), high[k].max(x));
                 }
@@ -123,7 +121,7 @@ impl Plan<'_> {
         };
         let directions = surface.faces.iter().zip(&component).map(direction).collect();
         let heights = points.iter().map(|(height, _)| *height).collect();
-        Plan { surface, component, heights, directions, around }
+        Plan { surface, component, heights, directions, around: surface.panels_around() }
     }
 
     /// The panels of the first row.
