@@ -15,12 +15,12 @@ use std::rc::Rc;
 struct ClosenessFile {
     #[serde(default, skip_serializing_if = "To::is_default")]
     to: To,
-    #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
-    target: Option<TargetFile>,
     #[serde(default, deserialize_with = "objects", skip_serializing_if = "Vec::is_empty")]
     weights: Vec<ClosenessWeight>,
     #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
     boundary: Option<BoundaryCloseness>,
+    #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
+    target: Option<TargetFile>,
 }
 
 impl<'de> Deserialize<'de> for Closeness {
