@@ -273,7 +273,7 @@ impl Batch {
 
     /// Calls `each` with the projection of every constraint at positions `x`: its nodes, and their
     /// displacements to the fitted shape. The energy uses the same projection, translated to the
-    /// mean.
+    /// mean, but where a guard keeps the previous one.
     pub fn projected(&mut self, x: &[Row], each: &mut dyn FnMut(&Projected)) {
         self.displacements = Some(vec![Vec3::zero(); self.nodes.len()]);
         self.local_step(x, &mut vec![[0.0; 4]; x.len()], 0.0);

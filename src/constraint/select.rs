@@ -83,60 +83,42 @@ impl Selector {
     }
 }
 
+/// For each element, in the order of its declaration: the id in scene files, the word there for one
+/// constraint on each of its type, if there is one, and the name on the page.
+const ELEMENTS: [(&str, Option<&str>, &str); 13] = [
+    ("face", Some("faces"), "face"),
+    ("edge", Some("edges"), "edge"),
+    ("ring", Some("rings"), "vertex with its neighbours"),
+    ("tet", Some("tets"), "tetrahedron"),
+    ("curve", Some("curves"), "curve"),
+    ("polyline", Some("polylines"), "polyline of the file"),
+    ("edge-line", Some("edge-lines"), "straight line of edges"),
+    ("boundary", Some("boundary"), "boundary loop"),
+    ("strip", Some("strips"), "strip of faces"),
+    ("group", None, "group"),
+    ("corner", Some("corners"), "corner of a face"),
+    ("star", Some("stars"), "inner vertex"),
+    ("hinge", Some("hinges"), "edge between two triangles"),
+];
+
 impl Element {
     /// All elements, in the order in which hosts list them.
-    pub const ALL: [Element; 13] = [
-        Element::Face,
-        Element::Edge,
-        Element::Ring,
-        Element::Tet,
-        Element::Curve,
-        Element::Polyline,
-        Element::EdgeLine,
-        Element::Boundary,
-        Element::Strip,
-        Element::Group,
-        Element::Corner,
-        Element::Star,
-        Element::Hinge,
-    ];
+    pub const ALL: [Element; 13] = {
+        use Element::*;
+        [
+            Face, Edge, Ring, Tet, Curve, Polyline, EdgeLine, Boundary, Strip, Group, Corner, Star,
+            Hinge,
+        ]
+    };
 
     /// The id in scene files.
     pub fn id(self) -> &'static str {
-        match self {
-            Element::Face => "face",
-            Element::Edge => "edge",
-            Element::Ring => "ring",
-            Element::Tet => "tet",
-            Element::Curve => "curve",
-            Element::Polyline => "polyline",
-            Element::EdgeLine => "edge-line",
-            Element::Boundary => "boundary",
-            Element::Strip => "strip",
-            Element::Group => "group",
-            Element::Corner => "corner",
-            Element::Star => "star",
-            Element::Hinge => "hinge",
-        }
+        ELEMENTS[self as usize].0
     }
 
     /// The word in scene files for one constraint on each element of this type, if there is one.
     pub fn word_for_all(self) -> Option<&'static str> {
-        match self {
-            Element::Face => Some("faces"),
-            Element::Edge => Some("edges"),
-            Element::Ring => Some("rings"),
-            Element::Tet => Some("tets"),
-            Element::Curve => Some("curves"),
-            Element::Polyline => Some("polylines"),
-            Element::EdgeLine => Some("edge-lines"),
-            Element::Boundary => Some("boundary"),
-            Element::Strip => Some("strips"),
-            Element::Group => None,
-            Element::Corner => Some("corners"),
-            Element::Star => Some("stars"),
-            Element::Hinge => Some("hinges"),
-        }
+        ELEMENTS[self as usize].1
     }
 
     /// The least radius, which is also the default: a ring has its neighbours.
@@ -146,21 +128,7 @@ impl Element {
 
     /// The name on the page, in the singular.
     pub fn label(self) -> &'static str {
-        match self {
-            Element::Face => "face",
-            Element::Edge => "edge",
-            Element::Ring => "vertex with its neighbours",
-            Element::Tet => "tetrahedron",
-            Element::Curve => "curve",
-            Element::Polyline => "polyline of the file",
-            Element::EdgeLine => "straight line of edges",
-            Element::Boundary => "boundary loop",
-            Element::Strip => "strip of faces",
-            Element::Group => "group",
-            Element::Corner => "corner of a face",
-            Element::Star => "inner vertex",
-            Element::Hinge => "edge between two triangles",
-        }
+        ELEMENTS[self as usize].2
     }
 }
 

@@ -1,5 +1,6 @@
 //! Advice: other values of settings with which parts can be cut and joined.
 
+use super::beam::Frame;
 use super::build::Build;
 use super::panel::smallest_box_within;
 use super::report::BuildReport;
@@ -52,18 +53,17 @@ impl Build {
         self.advice_on_scale(report).into_iter().chain(self.advice_on_joint(report)).collect()
     }
 
-    /// The joints that keep panels of this thickness apart outside and inside the surface, if they
+    /// The joints that keep panels of this thickness apart outside and inside the surface, if both
     /// are wider than the present one.
     fn advice_on_joint(&self, report: &BuildReport) -> Option<Advice> {
         let words = report.joint(self.settings.thickness);
-        if words.is_empty() {
+        let needed = || report.least_joint_mm.into_iter().flatten();
+        // Panels are laid on one side: a joint that is wide enough there is one that was chosen.
+        if words.is_empty() || needed().any(|least| least - report.joint_mm < STEP) {
             return None;
         }
         let mut choices: Vec<AdvisedValue> = Vec::new();
-        for least in report.least_joint_mm.into_iter().flatten() {
-            if least - report.joint_mm < STEP {
-                continue;
-            }
+        for least in needed() {
             let joint = (least / STEP - 1e-9).ceil() * STEP;
             let label = format!("Joint {}", words::millimetres_limit(joint));
             let value = words::rounded(joint / self.mm_of_sheet(), 6);
@@ -86,6 +86,11 @@ impl Build {
                 return None;
             }
             let fits = *SCALES.iter().find(|&&scale| scale >= now * self.beyond_the_sheet())?;
+            // Plates are as thick at every scale, and cut short fins away in a smaller model.
+            let lost = |frame: &Frame| frame.lost();
+            if self.frame_at(fits).as_ref().map(lost) > self.frame.as_ref().map(lost) {
+                return None;
+            }
             let words = format!("At a scale of 1:{fits} every part fits on a sheet.");
             return Some(Advice { words, choices: vec![AdvisedValue::scale(fits)] });
         }
@@ -155,6 +160,13 @@ mod tests {
         build.words(&report).advice
     }
 
+    fn follow(own: &mut BuildSettings, AdvisedValue { setting, value, .. }: &AdvisedValue) {
+        match *setting {
+            "joint" => own.joint = *value,
+            _ => own.scale = *value,
+        }
+    }
+
     #[test]
     fn advice_that_is_followed_is_not_given_again() {
         let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
@@ -163,15 +175,48 @@ mod tests {
             let mut own = settings.clone();
             let mut given = 0;
             while let Some(first) = advice(side, &own).first().cloned() {
-                let AdvisedValue { setting, value, .. } = first.choices.last().expect("a choice");
-                match *setting {
-                    "joint" => own.joint = *value,
-                    _ => own.scale = *value,
-                }
+                follow(&mut own, first.choices.first().expect("a choice"));
                 given += 1;
                 assert!(given <= 2, "{side}: {first:?}");
             }
             assert!(given > 0, "{side}: panels of 3 mm meet inside");
         }
+    }
+
+    #[test]
+    fn the_joint_of_either_side_is_enough() {
+        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+        let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
+        let advised = |own: &BuildSettings| {
+            let build = Build::new(&ridge(5.0), own, unit.clone()).expect("panels");
+            let report = BuildReport { least_joint_mm: [Some(1.0), Some(2.0)], ..build.report() };
+            build.advice_on_joint(&report).map_or(Vec::new(), |advice| advice.choices)
+        };
+        let choices = advised(&settings);
+        assert_eq!(choices.len(), 2);
+        for choice in &choices {
+            let mut own = settings.clone();
+            follow(&mut own, choice);
+            assert_eq!(advised(&own), [], "{choice:?}");
+        }
+    }
+
+    #[test]
+    fn no_scale_is_advised_at_which_fins_are_cut_away() {
+        // A long panel with ends of 0.28 m: fins of 8 mm at 1:20, of nothing at 1:50.
+        let frame = |width: f64| {
+            let positions = vec![[0.0; 3], [20.0, 0.0, 0.0], [20.0, width, 0.0], [0.0, width, 0.0]];
+            let faces = [[0, 1, 2, 3]].into_iter().collect();
+            let mesh = Mesh { positions, faces, ..Mesh::default() };
+            let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+            let distance = Some(0.2);
+            let product = Product::Fins;
+            let (scale, thickness) = (20.0, 6.0);
+            let own = BuildSettings { distance, product, scale, thickness, ..Default::default() };
+            let build = Build::new(&mesh, &own, unit).expect("a panel");
+            assert_eq!((build.not_cut.len(), build.layout.too_large.len()), (0, 2));
+            build.advice(&build.report()).len()
+        };
+        assert_eq!([frame(3.0), frame(0.28)], [1, 0]);
     }
 }

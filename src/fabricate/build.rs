@@ -96,6 +96,8 @@ pub struct Build {
     pub types: Types,
     /// The beams, if fins are made and the surface has an outside.
     pub frame: Option<Frame>,
+    /// The edge of each fin among the parts, of which they are the first.
+    pub fins: Vec<u32>,
     /// The node discs among the parts, in the order of the parts, of which they are the last.
     pub discs: Vec<CutDisc>,
     /// The paper model, if one is made.
@@ -171,6 +173,7 @@ impl Build {
             layout: Layout::default(),
             types,
             frame: None,
+            fins: Vec::new(),
             discs: Vec::new(),
             paper: None,
             offset: None,
@@ -325,13 +328,10 @@ impl Build {
             Product::Fins => "ARROW OF A FIN: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Paper => "",
         };
-        let discs = match self.discs.is_empty() {
-            true => "",
-            false => "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT",
-        };
-        let words: Vec<&str> =
-            [side, arrow, discs].into_iter().filter(|words| !words.is_empty()).collect();
-        words.join(", ")
+        let discs = "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT";
+        let discs = if self.discs.is_empty() { "" } else { discs };
+        let words = [side, arrow, discs].into_iter().filter(|words| !words.is_empty());
+        words.collect::<Vec<_>>().join(", ")
     }
 
     /// The title of a sheet, with the units of the model and of the sheet.

@@ -23,53 +23,37 @@ fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
     }
 }
 
-/// The name of what lies beyond each side of a part.
-type Beside = Vec<Option<String>>;
-
 impl Build {
     /// Cuts all parts, lays them out, and names them.
     pub(super) fn cut(&mut self) {
-        let mut beside = match self.settings.product {
+        match self.settings.product {
             Product::Panels => self.cut_panels(),
             Product::Fins => self.cut_fins(),
             Product::Paper => self.cut_paper(),
-        };
+        }
         self.drill();
         self.cut_discs();
-        self.relieve(&mut beside);
+        self.relieve();
         let BuildSettings { sheet, margin, gap, order, outlines_only, .. } = self.settings;
         self.layout = lay_out(&self.parts, SheetSize { size: sheet, margin, gap }, order);
         if !outlines_only {
-            self.write_names(&beside);
+            self.write_names();
         }
     }
 
-    fn cut_panels(&mut self) -> Vec<Beside> {
+    fn cut_panels(&mut self) {
         let model = self.mm_of_sheet();
         let by = 0.5 * (self.settings.joint * model - self.settings.kerf);
-        let mut all = Vec::new();
         for f in 0..self.flat.len() {
-            let found = match self.cut_panel(f, model, by) {
-                Ok((cut, beside)) => {
-                    all.push(beside);
-                    Some(cut)
-                }
-                Err(why) => {
-                    self.not_cut.push(NotCut { part: self.names[f].clone(), why });
-                    None
-                }
-            };
-            self.cut.push(found);
+            let found = self.cut_panel(f, model, by);
+            if let Err(why) = found {
+                self.not_cut.push(NotCut { part: self.names[f].clone(), why });
+            }
+            self.cut.push(found.ok());
         }
-        all
     }
 
-    fn cut_panel(
-        &mut self,
-        f: usize,
-        model: f64,
-        by: f64,
-    ) -> Result<(CutPanel, Beside), &'static str> {
+    fn cut_panel(&mut self, f: usize, model: f64, by: f64) -> Result<CutPanel, &'static str> {
         let flat = self.flat[f].as_ref().ok_or("it has no area")?;
         let scaled: Vec<Point2> =
             flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
@@ -91,32 +75,41 @@ impl Build {
         // A corner that coincides with the next one is dropped.
         let n = outline.len();
         let has_first_side = outline[0] != outline[1 % n];
-        let (outline, beside) = (0..n)
+        let (outline, neighbours) = (0..n)
             .filter(|&k| outline[k] != outline[(k + 1) % n])
             .map(|k| (outline[k], across(self.surface.sides.row(f)[k])))
             .unzip();
         let cut = CutPanel { whole, turn, size, part: self.parts.len() };
         let (name, panels) = (self.names[f].clone(), vec![f as u32]);
-        self.parts.push(CutPart { name, panels, outline, has_first_side, ..CutPart::default() });
-        Ok((cut, beside))
+        self.parts.push(CutPart {
+            name,
+            panels,
+            outline,
+            neighbours,
+            has_first_side,
+            ..CutPart::default()
+        });
+        Ok(cut)
     }
 
-    fn cut_fins(&mut self) -> Vec<Beside> {
-        if self.offset.is_none() {
-            return Vec::new();
-        }
-        let discs = self.disc_size();
-        let Some((axes, _)) = &self.offset else { return Vec::new() };
-        let model = self.mm_of_sheet();
+    /// The beams of a model at this scale; none without an offset, and for other products.
+    pub(super) fn frame_at(&self, scale: f64) -> Option<Frame> {
+        let BuildSettings { product, thickness, alike_deg, mirror, .. } = self.settings;
+        let (axes, _) = self.offset.as_ref().filter(|_| product == Product::Fins)?;
+        let model = self.mm_of_building() / scale;
         let size = FrameSize {
             height: self.distance(),
             width: self.beam_width(),
-            thickness: self.settings.thickness / model,
-            discs,
+            thickness: thickness / model,
+            discs: self.disc_size(model),
         };
-        let BuildSettings { alike_deg, mirror, kerf, .. } = self.settings;
-        let frame = Frame::new(&self.surface, &axes.axes, size, alike_deg, mirror);
-        let mut all = Vec::new();
+        Some(Frame::new(&self.surface, &axes.axes, size, alike_deg, mirror))
+    }
+
+    fn cut_fins(&mut self) {
+        let Some(frame) = self.frame_at(self.settings.scale) else { return };
+        self.faults.extend(self.no_slots());
+        let (model, kerf) = (self.mm_of_sheet(), self.settings.kerf);
         for (e, fin) in frame.fins.iter().enumerate() {
             let edge = &self.surface.edges[e];
             let name = beam_name(edge.ends);
@@ -132,29 +125,28 @@ impl Build {
                 Ok((fin, outline)) => {
                     let [one, other] = fin.ends.map(|v| Some(node_name(v)));
                     let panels = edge.panels.into_iter().flatten().collect();
-                    let has_first_side = true;
+                    // The ends are the second and the last side.
+                    let mut neighbours = vec![None; fin.cut.len()];
+                    (neighbours[1], neighbours[fin.cut.len() - 1]) = (one, other);
+                    self.fins.push(e as u32);
                     self.parts.push(CutPart {
                         name,
                         panels,
                         outline,
-                        has_first_side,
+                        neighbours,
+                        has_first_side: true,
                         is_oriented: true,
                         ..CutPart::default()
                     });
-                    // The ends are the second and the last side.
-                    let mut beside = vec![None; fin.cut.len()];
-                    (beside[1], beside[fin.cut.len() - 1]) = (one, other);
-                    all.push(beside);
                 }
                 Err(why) => self.not_cut.push(NotCut { part: name, why }),
             }
         }
         self.frame = Some(frame);
-        all
     }
 
     /// Cuts the pieces of a paper model; `write_names` finds neighbours, which depend on the tabs.
-    fn cut_paper(&mut self) -> Vec<Beside> {
+    fn cut_paper(&mut self) {
         let BuildSettings { sheet, margin, pieces, tab, print_inside, .. } = self.settings;
         let room = sheet.map(|side| side - 2.0 * margin);
         let size = PaperSize { model: self.mm_of_sheet(), room, tab };
@@ -167,11 +159,10 @@ impl Build {
             self.faults.push(Fault::no_strips());
         }
         self.paper = Some(model);
-        Vec::new()
     }
 
-    /// Engraves each part on a sheet with its name and the names of its neighbours `beside` its edges.
-    fn write_names(&mut self, beside: &[Beside]) {
+    /// Engraves each part on a sheet with its name and the names of its neighbours beside its edges.
+    fn write_names(&mut self) {
         let places = self.layout.places(self.parts.len());
         let mut parts = std::mem::take(&mut self.parts);
         for (k, part) in parts.iter_mut().enumerate() {
@@ -189,7 +180,7 @@ impl Build {
                         None => label(Inscription {
                             outline: &part.outline,
                             name: &part.name,
-                            neighbours: &beside[k],
+                            neighbours: &part.neighbours,
                             is_oriented: part.is_oriented,
                             with_arrow: part.has_first_side,
                             turn,

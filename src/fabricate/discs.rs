@@ -7,6 +7,7 @@ use super::fault::Fault;
 use super::panel::inset;
 use super::sheet::{CutPart, Hole, Labels, SlotName, circle, label_disc};
 use crate::math::plane::Point2;
+use crate::scene::BuildSettings;
 
 /// Corners of the outline of a disc: it is within 1.3 thousandths of its radius from the circle.
 const CORNERS: u32 = 64;
@@ -17,18 +18,21 @@ const TENON: [f64; 2] = [2.0, 3.0];
 const STEP: f64 = 1.0;
 
 impl Build {
-    /// The dimensions of node discs, if they are asked for and can be cut; if they cannot, that becomes
-    /// a fault.
-    pub(super) fn disc_size(&mut self) -> Option<DiscSize> {
+    /// Why node discs cannot be cut although they are asked for, if so.
+    pub(super) fn no_slots(&self) -> Option<Fault> {
+        let BuildSettings { disc, thickness, clearance, kerf, .. } = self.settings;
+        let is_too_thin = thickness <= 0.0 || thickness + 2.0 * clearance <= kerf;
+        (disc != Some(0.0) && is_too_thin).then(|| Fault::no_slots(thickness > 0.0))
+    }
+
+    /// The dimensions of node discs, if they are asked for and can be cut, where a unit of the mesh is
+    /// this many mm of the sheet.
+    pub(super) fn disc_size(&self, model: f64) -> Option<DiscSize> {
         let own = &self.settings;
-        if own.disc == Some(0.0) {
+        if own.disc == Some(0.0) || self.no_slots().is_some() {
             return None;
         }
-        if own.thickness <= 0.0 || own.thickness + 2.0 * own.clearance <= own.kerf {
-            self.faults.push(Fault::no_slots(own.thickness > 0.0));
-            return None;
-        }
-        let in_mesh = 1.0 / self.mm_of_sheet();
+        let in_mesh = 1.0 / model;
         let least = |[thicknesses, mm]: [f64; 2]| (thicknesses * own.thickness).max(mm) * in_mesh;
         Some(DiscSize {
             diameter: own.disc.map(|diameter| diameter * in_mesh),
@@ -46,10 +50,7 @@ impl Build {
         };
         let model = self.mm_of_sheet();
         let half = 0.5 * self.settings.kerf;
-        let mut around = vec![Vec::new(); frame.discs.len()];
-        for (face, f) in self.surface.faces.iter().zip(0..) {
-            face.iter().for_each(|&v| around[v as usize].push(f));
-        }
+        let mut around = self.surface.panels_around();
         for (disc, v) in frame.discs.iter().zip(0..) {
             let name = node_name(v);
             let made = match disc {
@@ -113,7 +114,9 @@ pub(super) fn as_one_polygon(disc: &Disc) -> Vec<Point2> {
     let mut starts: Vec<(usize, f64, &[Point2; 4])> = Vec::new();
     for slot in &disc.slots {
         let at = turn(slot.corners[1]) * f64::from(CORNERS);
-        starts.push((at.round() as usize % CORNERS as usize, at, &slot.corners));
+        // By how far it is beyond the corner: before the first one is not after the last one.
+        let nearest = at.round();
+        starts.push((nearest as usize % CORNERS as usize, at - nearest, &slot.corners));
     }
     starts.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let mut polygon = Vec::new();
@@ -125,4 +128,24 @@ pub(super) fn as_one_polygon(disc: &Disc) -> Vec<Point2> {
         }
     }
     polygon
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cuts_to_slots_on_both_sides_of_the_first_corner_do_not_cross() {
+        let slot = |degrees: f64| {
+            let [x, y] = crate::math::cosine_and_sine_of_degrees(degrees);
+            let put = |r: f64, side: f64| [r * x - side * y, r * y + side * x];
+            let corners = [put(1.0, 0.0), put(2.0, 0.0), put(2.0, 0.05), put(1.0, 0.05)];
+            Slot { edge: 0, corners }
+        };
+        let slots = vec![slot(1.0), slot(-2.0)];
+        let disc = Disc { vertex: 0, radius: 3.0, seat: 0.0, slots, neck: 0.0, lean_deg: 0.0 };
+        // The corners on the right, in the order in which the rim is passed.
+        let first = as_one_polygon(&disc)[1];
+        assert_eq!(first, disc.slots[1].corners[1]);
+    }
 }

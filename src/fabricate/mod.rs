@@ -24,7 +24,7 @@
 //! | `beam` | beams along the edges: nodes, fins, node discs, prisms |
 //! | `paper` | paper models: nets and strips with folds and tabs |
 //! | `sheet` | parts, letters, labels, the layout on sheets |
-//! | `file` | SVG, DXF, PDF, CSV |
+//! | `file` | SVG, DXF, PDF, CSV, GLB, pictures of sheets |
 //! | `build` | everything for one shape |
 //! | `cutting` | cuts, lays out and names the parts |
 //! | `discs` | node discs as parts |
@@ -39,7 +39,7 @@
 //! | `tighten` | suggestions that the solver offers |
 //! | `report` | the report with all numbers |
 //! | `report_page` | the report as an HTML document of one page |
-//! | `sight` | directions of view |
+//! | `sight` | directions of view, and where vertices are seen |
 //! | `key` | drawings that say where each part goes |
 //! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
 //! | `space` | the shape with its offset and beams in space |

@@ -61,8 +61,8 @@ impl Build {
             return [Vec::new(), Vec::new()];
         }
         let thickness = self.settings.thickness / self.mm_of_sheet();
-        let fins = (0..).zip(&frame.fins).filter_map(|(edge, fin)| {
-            let fin = fin.as_ref().ok()?;
+        let fins = self.fins.iter().filter_map(|&edge| {
+            let fin = frame.fins[edge as usize].as_ref().ok()?;
             let plane = BeamPlane::of(&self.surface, &axes.axes, edge);
             let aside = plane.along.cross(plane.up) * (0.5 * thickness);
             let put = |corner: Point2| {

@@ -114,24 +114,21 @@ fn relief(corner: Point2, [before, after]: [Point2; 2], radius: f64, half: f64) 
 }
 
 impl Build {
-    /// Adds reliefs to all parts for the tool that is set, counts the corners that have no room for one,
-    /// and keeps what is `beside` each side.
-    pub(super) fn relieve(&mut self, beside: &mut [Vec<Option<String>>]) {
+    /// Adds reliefs to all parts for the tool that is set, and counts the corners that have no room for
+    /// one.
+    pub(super) fn relieve(&mut self) {
         let radius = 0.5 * self.settings.tool;
         // Card is cut with a knife, whatever tool was set for other products.
         if radius <= 0.0 || self.settings.product == Product::Paper {
             return;
         }
         let half = 0.5 * self.settings.kerf;
-        for (k, part) in self.parts.iter_mut().enumerate() {
+        for part in &mut self.parts {
             let Relieved { outline, sides, dropped } = relieved(&part.outline, false, radius, half);
             self.dropped_reliefs += dropped;
             part.outline = outline;
-            if let Some(own) = beside.get_mut(k) {
-                let old = std::mem::take(own);
-                let name = |side: &Option<usize>| side.and_then(|side| old.get(side)?.clone());
-                *own = sides.iter().map(name).collect();
-            }
+            let name = |side: &Option<usize>| side.and_then(|k| part.neighbours.get(k)?.clone());
+            part.neighbours = sides.iter().map(name).collect();
             for hole in &mut part.holes {
                 let Some(slot) = &hole.slot else { continue };
                 let Relieved { outline, dropped, .. } = relieved(slot, true, radius, half);

@@ -11,7 +11,6 @@ use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, Hole, NamePlace};
 use super::surface::distinct;
 use super::tighten::Tighten;
-use crate::math::plane::area;
 use crate::scene::{OffsetKind, Product};
 use serde::Serialize;
 
@@ -99,7 +98,7 @@ pub struct BuildReport {
     pub larger_sheet_mm: Option<[f64; 2]>,
     /// Parts that cannot be cut, each with the reason.
     pub not_cut: Vec<String>,
-    /// Area of all parts on sheets.
+    /// Area of all parts on sheets, without their holes.
     pub cut_area_mm2: f64,
     /// Length of their outlines and holes.
     pub cut_length_mm: f64,
@@ -178,13 +177,13 @@ impl Build {
             .iter()
             .flat_map(|sheet| sheet.places.iter().map(|place| place.part))
             .collect();
-        let sum = |of: fn(&[[f64; 2]]) -> f64| {
+        let sum = |of: fn(&CutPart) -> f64| {
             // Not `sum`, which is -0 of nothing.
-            on_sheets.iter().map(|&part| of(&self.parts[part].outline)).fold(0.0, |a, b| a + b)
+            on_sheets.iter().map(|&part| of(&self.parts[part])).fold(0.0, |a, b| a + b)
         };
         let is_nameless =
             |part: &&CutPart| part.named == NamePlace::Nowhere && !self.settings.outlines_only;
-        let cut_area_mm2 = sum(area);
+        let cut_area_mm2 = sum(CutPart::area);
         let holes = || on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
         let around_holes = holes().map(Hole::perimeter).fold(0.0, |a, b| a + b);
         let [width, height] = self.settings.sheet;
@@ -225,7 +224,7 @@ impl Build {
             larger_sheet_mm: self.larger_sheet(),
             not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
             cut_area_mm2,
-            cut_length_mm: sum(perimeter) + around_holes,
+            cut_length_mm: sum(|part| perimeter(&part.outline)) + around_holes,
             joint_mm: self.settings.joint * self.mm_of_sheet(),
             least_joint_mm: [1.0, -1.0].map(|side| self.least_joint(side).ok().flatten()),
             no_least_joint: self.least_joint(1.0).and(self.least_joint(-1.0)).err().unwrap_or(""),
@@ -324,7 +323,7 @@ impl Build {
             node_step_vertex,
             discs: frame.discs.iter().flatten().count(),
             placed_discs: self.discs.iter().filter(|disc| places[disc.part].is_some()).count(),
-            without_prism: frame.prisms.iter().filter(|prism| prism.is_none()).count(),
+            without_prism: frame.without_prism,
         })
     }
 

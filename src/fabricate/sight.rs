@@ -1,5 +1,7 @@
-//! Directions of view on the building.
+//! Directions of view on the building, and the building seen in one.
 
+use super::surface::PanelSurface;
+use crate::math::plane::{Point2, bounds};
 use crate::math::{self, Vec3};
 
 /// A direction of view as unit vectors: right, up, and away from the viewer.
@@ -26,4 +28,26 @@ pub(super) fn from_camera(z_up: bool, camera: [f64; 2]) -> Sight {
     let right = east * cosine + north * sine;
     let away = (north * cosine - east * sine) * level - up * down;
     [right, right.cross(away), away]
+}
+
+/// The vertices of a surface in a picture, in the unit of the mesh.
+pub(super) struct Seen {
+    /// Where they are, `#V`.
+    pub points: Vec<Point2>,
+    /// How far away they are, `#V`.
+    pub depths: Vec<f64>,
+    /// The lower left corner of the box of all panels.
+    pub low: Point2,
+    /// Width and height of that box.
+    pub size: [f64; 2],
+}
+
+impl Seen {
+    pub(super) fn new(surface: &PanelSurface, [right, up, away]: Sight) -> Seen {
+        let at = &surface.positions;
+        let points: Vec<Point2> = at.iter().map(|p| [p.dot(right), p.dot(up)]).collect();
+        let [low, high] = bounds(surface.faces.indices().iter().map(|&v| points[v as usize]));
+        let depths = at.iter().map(|p| p.dot(away)).collect();
+        Seen { points, depths, low, size: [high[0] - low[0], high[1] - low[1]] }
+    }
 }

@@ -105,14 +105,10 @@ impl Build {
                 }
             }
         }
-        let prisms = self.frame.iter().flat_map(|frame| &frame.prisms);
-        for (edge, prism) in surface.edges.iter().zip(prisms) {
-            if let Some(prism) = prism {
-                let name = beam_name(edge.ends);
-                let own = on("Beams", brown, &name, &prism.corners);
-                let faces = filled(&Prism::faces(), &prism.corners);
-                parts.push(SpatialPart { faces, ..own });
-            }
+        for (name, prism) in self.prisms() {
+            let own = on("Beams", brown, &name, &prism.corners);
+            let faces = filled(&Prism::faces(), &prism.corners);
+            parts.push(SpatialPart { faces, ..own });
         }
         for (layer, plates) in ["Fins", "Discs"].into_iter().zip(self.plates()) {
             parts.extend(plates.into_iter().map(|own| {
@@ -127,6 +123,13 @@ impl Build {
         }
         parts.extend(self.sheets_from([right, front]));
         parts
+    }
+
+    /// The beams as solids, with their names; none if no beams are made.
+    fn prisms(&self) -> impl Iterator<Item = (String, &Prism)> {
+        let prisms = self.frame.iter().flat_map(|frame| &frame.prisms);
+        let all = self.surface.edges.iter().zip(prisms);
+        all.filter_map(|(edge, prism)| Some((beam_name(edge.ends), prism.as_ref()?)))
     }
 
     /// The lines of all sheets at their real size, side by side to the right of this point on the
@@ -224,8 +227,7 @@ impl Build {
 /// Panels and their offset, together and each panel by its name, and every prism by its name; none if no
 /// beams are made.
 pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
-    let frame = build.frame.as_ref()?;
-    let (axes, _) = build.offset.as_ref()?;
+    let (axes, _) = build.offset.as_ref().filter(|_| build.frame.is_some())?;
     let mut mesh = Mesh::default();
     let (used, faces) = used(&build.surface);
     let moved = |by: f64| -> Vec<Vec3<f64>> {
@@ -236,11 +238,8 @@ pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
     // The faces of the panels are the first ones of the mesh.
     mesh.groups.extend((0..).zip(&build.names).map(|(face, name)| group(name, vec![face])));
     add(&mut mesh, "offset", &moved(build.distance()), centre, faces);
-    for (edge, prism) in build.surface.edges.iter().zip(&frame.prisms) {
-        if let Some(prism) = prism {
-            let faces = Prism::faces();
-            add(&mut mesh, &beam_name(edge.ends), &prism.corners, centre, faces);
-        }
+    for (name, prism) in build.prisms() {
+        add(&mut mesh, &name, &prism.corners, centre, Prism::faces());
     }
     Some(mesh)
 }

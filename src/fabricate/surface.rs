@@ -175,6 +175,15 @@ impl PanelSurface {
         (self.areas, self.normals) = areas_and_normals(&self.positions, &self.faces);
     }
 
+    /// The panels at each vertex, `#V`.
+    pub fn panels_around(&self) -> Vec<Vec<u32>> {
+        let mut around = vec![Vec::new(); self.positions.len()];
+        for (face, f) in self.faces.iter().zip(0..) {
+            face.iter().for_each(|&v| around[v as usize].push(f));
+        }
+        around
+    }
+
     /// The position of a vertex, relative to `centre`.
     pub fn at(&self, v: u32) -> Vec3<f64> {
         self.positions[v as usize]
@@ -195,6 +204,12 @@ impl PanelSurface {
         unit(self.along(edge))
     }
 
+    /// The edges with a length, along which beams are, with their `t_e`.
+    pub fn beams(&self) -> impl Iterator<Item = (&Edge, Vec3<f64>)> {
+        let all = self.edges.iter().map(|edge| (edge, self.direction(edge)));
+        all.filter(|(_, t)| *t != Vec3::zero())
+    }
+
     /// The mean length of the edges.
     pub fn mean_edge(&self) -> f64 {
         let total: f64 = self.edges.iter().map(|edge| self.length(edge)).sum();
@@ -207,11 +222,13 @@ impl PanelSurface {
     }
 
     /// The fold of an edge in radians: 180 degrees minus the dihedral angle, positive for a ridge
-    /// seen from outside. None at the rim.
+    /// seen from outside. None at the rim, and without length.
     pub fn fold(&self, edge: &Edge) -> Option<f64> {
-        let [Some(left), Some(right)] = edge.panels else { return None };
+        let ([Some(left), Some(right)], t) = (edge.panels, self.direction(edge)) else {
+            return None;
+        };
         let (n, m) = (self.normal(left), self.normal(right));
-        Some(libm::atan2(self.direction(edge).dot(n.cross(m)), n.dot(m)))
+        (t != Vec3::zero()).then(|| libm::atan2(t.dot(n.cross(m)), n.dot(m)))
     }
 }
 

@@ -4,7 +4,7 @@ use super::Session;
 use super::edit::{is_of_solver, settings_of};
 use super::state::Settings;
 use crate::constraint::Selector;
-use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres};
+use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, Stand};
 use crate::mesh::Mesh;
 use crate::scene::{
     BuildSettings, ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
@@ -116,6 +116,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     });
     let named: Vec<String> = named.collect();
     let (units, build) = (scene.units.clone(), scene.build.as_deref().cloned().unwrap_or_default());
+    let stand = Stand::on(&results.handles, scene.up);
     // Nothing may move a vertex: neither handles nor a fixed boundary.
     let mut still = Scene::new(MeshSource::Inline(Box::default()));
     still.closeness.to = scene.closeness.to;
@@ -153,7 +154,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     };
     let mut still = Session::open(still, mesh).map_err(of_results)?;
     if is_built {
-        let numbers = numbers(&still, &units, &build);
+        let numbers = numbers(&still, &units, &build, &stand);
         still.set_build_numbers(numbers);
     }
     Ok(Checked {
@@ -173,9 +174,10 @@ fn other_mesh(results: &Results, given: &Mesh) -> Result<Option<Mesh>, SceneErro
     match &results.mesh {
         None => Ok(None),
         Some(MeshSource::Inline(mesh)) => {
-            let elements =
-                |mesh: &Mesh| (mesh.positions.clone(), mesh.faces.clone(), mesh.tets.clone());
-            Ok(Some(&**mesh).filter(|mesh| elements(mesh) != elements(given)).cloned())
+            let is_given = mesh.positions == given.positions
+                && mesh.faces == given.faces
+                && mesh.tets == given.tets;
+            Ok((!is_given).then(|| (**mesh).clone()))
         }
         Some(MeshSource::File(path)) => {
             let message = format!("found the file {path:?}, expected the mesh itself");
@@ -184,11 +186,17 @@ fn other_mesh(results: &Results, given: &Mesh) -> Result<Option<Mesh>, SceneErro
     }
 }
 
-/// The build numbers of the current shape, in a unit and with settings; empty if not buildable.
-fn numbers(shape: &Session, units: &str, settings: &BuildSettings) -> Vec<(String, f64)> {
+/// The build numbers of the current shape, in a unit and with settings, as it stands; empty if not
+/// buildable.
+fn numbers(
+    shape: &Session,
+    units: &str,
+    settings: &BuildSettings,
+    stand: &Stand,
+) -> Vec<(String, f64)> {
     let Ok(unit) = LengthInMetres::of(units) else { return Vec::new() };
     let mesh = Mesh { positions: shape.positions(), ..shape.mesh().clone() };
-    let Ok(build) = Build::new(&mesh, settings, unit) else { return Vec::new() };
+    let Ok(build) = Build::standing(&mesh, settings, unit, stand) else { return Vec::new() };
     let known = BUILD_NUMBERS.iter().zip(build.numbers());
     known.filter_map(|(number, value)| Some((number.id.to_owned(), value?))).collect()
 }

@@ -38,6 +38,26 @@ fn results_that_meet_the_goals_pass() {
 }
 
 #[test]
+fn what_is_left_as_it_is_in_the_mesh_is_said_wherever_it_is_read() {
+    let folder = Folder::new("noted");
+    let text = format!("{ROOF}f 1 2 5 1 4\n");
+    let mesh = shape_up::mesh::read("roof.obj", text.as_bytes()).unwrap().mesh;
+    let scene = scene(&format!("{PLANES}{LESSON}"));
+    let mut session = Session::open(Scene::from_json(&scene).unwrap(), mesh).unwrap();
+    session.solve(false).unwrap();
+    folder.write("roof.obj", text).write("s.shapeup.json", scene);
+    folder.write("a.results.json", session.results("Ada", "").unwrap().to_json());
+    for asked in [
+        &["check", "a.results.json", "--scene", "s.shapeup.json"][..],
+        &["check", "."],
+        &["experiment", "s.shapeup.json", "--iterations", "2"],
+    ] {
+        let out = folder.run(asked).done();
+        assert!(out.contains("note: 1 face with the same vertex at two corners"), "{out}");
+    }
+}
+
+#[test]
 fn results_that_only_say_so_do_not() {
     let folder = folder("missed");
     let claimed = folder.read("bad.json").replace("\"met\": false", "\"met\": true");

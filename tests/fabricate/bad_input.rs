@@ -356,6 +356,27 @@ fn an_edge_without_length_has_no_holes() {
 }
 
 #[test]
+fn a_ridge_that_shrank_to_a_point_has_no_fold_and_no_beam() {
+    // A steep hip roof. The slopes on both sides of its ridge are 117 degrees from each other.
+    let [a, b] = [[0.0, 0.0, 1.6], [0.0, 0.0, 1.6]];
+    let ground = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
+    let positions = [a, b, ground[0], ground[1], ground[2], ground[3]];
+    let roof = faces(&[&[2, 3, 1, 0], &[3, 4, 1], &[4, 5, 0, 1], &[5, 2, 0]], &positions);
+    let (kind, product) = (Some(OffsetKind::Edge), Product::Fins);
+    let own = BuildSettings { kind, product, thickness: 3.0, ..BuildSettings::default() };
+    let made = build(&roof, &own);
+    let report = made.report();
+    let hip = made.surface.edges.iter().find_map(|edge| made.surface.fold(edge)).expect("a hip");
+    let fold = report.fold_deg.expect("hips");
+    assert!(fold.iter().all(|fold| (fold - hip.to_degrees()).abs() < 1e-9), "{fold:?}");
+    assert!(report.no_least_joint.is_empty() && report.least_joint_mm[1].is_some(), "{report:?}");
+    // No beam has an end that stands on the point with another height than its hip.
+    let offset = report.offset.expect("an outside");
+    assert!(offset.exact && offset.distance_error_mm < 1e-3, "{offset:?}");
+    assert_eq!(report.frame.expect("fins").without_prism, 0);
+}
+
+#[test]
 fn the_largest_change_by_laying_flat_is_found_on_panels_of_any_number_of_corners() {
     // The rim of a saddle: neighbours and opposite corners hardly change their distance, corners a
     // quarter apart do.

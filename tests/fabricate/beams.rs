@@ -267,8 +267,18 @@ fn the_nodes_of_a_fin_are_named_beyond_the_holes_at_its_ends() {
     };
     let [plain, drilled] = [0.0, 2.0].map(of);
     assert!(drilled.parts.iter().all(|part| part.holes.len() == 2));
-    assert_eq!((drilled.dropped_names, drilled.small_names), (0, 0));
-    assert_eq!((plain.dropped_names, plain.small_names), (0, 0));
+    assert_eq!([plain.small_names, drilled.small_names], [0, 0]);
+    let letters = |name: &str| strokes(name, 1.0, [0.0; 2], [1.0, 0.0]).len();
+    for part in plain.parts.iter().chain(&drilled.parts) {
+        let nodes = part.name[1..].split('-').map(|node| letters(&format!("N{node}")));
+        let expected = letters(&part.name) + nodes.sum::<usize>();
+        assert!(part.engraved.len() >= expected, "{}: {expected}", part.name);
+    }
+    // What is drilled is no area of a part.
+    let [whole, left] = [&plain, &drilled].map(|made| made.report().cut_area_mm2);
+    let hole = 16.0 * shape_up::math::sine(1.0 / 32.0);
+    let holes = drilled.report().holes as f64 * hole;
+    assert!((whole - left - holes).abs() < 1e-6 * whole, "{whole} {left} {holes}");
 }
 
 #[test]

@@ -88,6 +88,25 @@ fn every_plate_in_space_is_closed_and_has_the_volume_of_its_part() {
 }
 
 #[test]
+fn a_fin_that_is_not_cut_and_a_disc_that_is_on_no_sheet_do_not_count() {
+    // The clearance and half the thickness at both ends leave 0.005 mm of the fins across the gap.
+    let own = settings();
+    let gap = (3.0 + 2.0 * own.clearance + 0.005) / 100.0;
+    let at = [0.0, 1.0, 2.0, 2.0 + gap, 3.0 + gap];
+    let made = build(&grid(4, 2, |i, j| [at[i as usize], f64::from(j), 0.0]), &own);
+    let small: Vec<_> = made.not_cut.iter().filter(|not| not.part.starts_with('B')).collect();
+    assert!(!small.is_empty() && small.iter().all(|not| not.why.contains("mm")), "{small:?}");
+    let (plates, parts) = (text(&made, "plates.obj"), &made.parts);
+    let mut groups = plates.lines().filter_map(|line| line.strip_prefix("g "));
+    assert!(groups.all(|name| parts.iter().any(|part| part.name == name)), "{:?}", made.not_cut);
+    // Higher than fins, which are 20 mm.
+    let low = BuildSettings { disc: Some(31.0), sheet: [600.0, 40.0], ..own };
+    let made = build(&revolution(5, 4), &low);
+    assert_eq!(made.report().too_large.len(), made.discs.len());
+    assert!(text(&made, "summary.csv").contains("\r\nnode discs,0,\r\n"));
+}
+
+#[test]
 fn a_slot_is_wider_than_the_plate_by_the_clearance_and_narrower_by_the_kerf() {
     for (clearance, kerf) in [(0.1, 0.0), (0.0, 0.2), (0.25, 0.5)] {
         let made = build(&revolution(5, 4), &BuildSettings { clearance, kerf, ..settings() });

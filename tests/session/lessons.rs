@@ -6,8 +6,8 @@ use shape_up::constraint::Kind;
 use shape_up::fabricate::BUILD_NUMBERS;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme, Subdivision, Topology};
 use shape_up::scene::{
-    BuildSettings, ChosenAttempt, ClosenessTo, EasedFaces, Goal, GoalOf, Lesson, Lock, Pose,
-    Results, Scene, Target,
+    BuildSettings, ChosenAttempt, ClosenessTo, EasedFaces, Goal, GoalOf, HandleSpec, Hold, Lesson,
+    Lock, Pose, Results, Scene, Target,
 };
 use shape_up::session::{Edit, Session, check_results, goals_in_words};
 use shape_up::solve::Require;
@@ -378,6 +378,29 @@ fn goals_on_what_is_built_are_told_and_measured_again_when_they_are_handed_in() 
     let build = BuildSettings { scale: 1.0, ..BuildSettings::default() };
     session.edit(Edit::SetBuild { build: Box::new(build) }).expect("it is valid");
     assert_eq!(session.goals()[1].value, None);
+}
+
+#[test]
+fn sheets_are_counted_as_the_shape_stands_that_was_handed_in() {
+    // Four panels in a row. From one end two by two fit on a sheet; from what is held the short ones do.
+    let at = [0.0, 6.0, 10.0, 14.0, 20.0];
+    let strip = grid(4, 1, |i, j| [at[i as usize], 3.0 * f64::from(j), 0.0]);
+    let own: Scene = Scene::from_json(
+        r#"{ "format": "shape-up-scene", "version": 1, "units": "m", "mesh": { "file": "strip.obj" },
+        "build": { "names": "assembly", "order": "names", "sheet": [210, 70], "margin": 2, "gap": 1 },
+        "lesson": { "text": "", "goals": [{ "build": "sheets", "at_most": 3 }] } }"#,
+    )
+    .expect("the scene is valid");
+    let of = |held: Vec<u32>| {
+        let handles = vec![HandleSpec { vertices: held, targets: None, hold: Hold::Fixed }];
+        let made = Session::open(own.clone(), strip.clone()).expect("it fits").results("Ada", "");
+        let results = Results { handles, ..made.expect("there is a lesson") };
+        let checked = check_results(&results, own.clone(), strip.clone()).expect("it is its scene");
+        checked.goals[0].value
+    };
+    let middle = (0..10).filter(|&v| strip.positions[v as usize][0] == 10.0).collect();
+    // A file may name what is not there.
+    assert_eq!([of(middle), of(vec![10])], [Some(3.0), Some(2.0)]);
 }
 
 fn scene_with(lesson: &str) -> Scene {

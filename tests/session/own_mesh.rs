@@ -4,7 +4,8 @@
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Topology};
 use shape_up::scene::{
-    MeshSuggestion, Scene, UnitsAndUp, Up, offers_new_panels, panel_offers, panel_suggestion,
+    ConstraintSpec, MeshSuggestion, Scene, UnitsAndUp, Up, offers_new_panels, panel_offers,
+    panel_suggestion,
 };
 use shape_up::session::{Edit, PanelStart, Remeshing, Session};
 use shape_up::solve::Require;
@@ -113,6 +114,27 @@ fn a_scene_that_would_not_keep_its_mesh_whole_gets_the_weights_that_do() {
     own.weights.close = 10.0;
     own.request_panels("circle", Require::Soft, &mesh).unwrap();
     assert_eq!(own.weights.close, 10.0);
+}
+
+#[test]
+fn only_a_row_that_asks_for_nothing_else_is_switched_on() {
+    let level = r#"{ "kind": "plane", "on": "faces", "normal": [0, 0, 1], "enabled": false }"#;
+    let flat = r#"{ "kind": "plane", "on": "faces" }"#;
+    let off = r#"{ "kind": "plane", "on": "faces", "enabled": false }"#;
+    for (rows, then) in [
+        (vec![level], vec![false, true]),
+        (vec![level, flat], vec![false, true]),
+        (vec![off, flat], vec![false, true]),
+    ] {
+        let row = |row: &&str| ConstraintSpec::from_json(row).expect("a constraint");
+        let mut scene = Scene::opened("own.obj");
+        scene.constraints = rows.iter().map(row).collect();
+        let mesh = crate::support::grid::bumpy(4);
+        scene.request_panels("plane", Require::Exact, &mesh).unwrap();
+        let are_on: Vec<bool> = scene.constraints.iter().map(|row| row.enabled).collect();
+        assert_eq!(are_on, then, "{rows:?}");
+        assert_eq!(scene.constraints[1].require, Require::Exact, "{rows:?}");
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use crate::support::meshes::grid;
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Point, Ragged, Surface, write_obj};
-use shape_up::scene::{Scene, SceneError};
+use shape_up::scene::{ClosenessTo, Scene, SceneError};
 use shape_up::session::{Edit, Session};
 
 /// A wave over the square from -1 to 1, of triangles that are unrelated to the panels.
@@ -102,6 +102,18 @@ fn a_file_that_was_not_read_is_named_and_other_words_are_refused() {
     assert_eq!(refused.path, "closeness.to");
     let refused = scene(r#"{ "mesh": { "faces": [] } }"#).expect_err("it has no positions");
     assert!(refused.path.starts_with("closeness.to.mesh"), "{refused:?}");
+}
+
+#[test]
+fn a_surface_that_nothing_stays_near_for_now_is_kept_in_the_file() {
+    let target =
+        r#"{ "mesh": { "positions": [[0, 0, 0], [1, 0, 0], [0, 1, 0]], "faces": [[0, 1, 2]] } }"#;
+    for to in [ClosenessTo::Rest, ClosenessTo::Surface, ClosenessTo::Target] {
+        let mut own = scene(target).expect("it is valid");
+        own.closeness.to = to;
+        let again = Scene::from_json(&own.to_json(&panels())).expect("it reads what it writes");
+        assert_eq!(again.closeness, own.closeness);
+    }
 }
 
 #[test]

@@ -279,8 +279,8 @@ fn build(mut words: Words) -> Result<Command, String> {
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
             "--units" => {
-                let symbols = UNITS.map(|unit| unit.symbol);
-                build.units = Some(words.word_of(&name, symbols, |symbol| symbol)?);
+                let unit = words.word_of(&name, &UNITS, |unit| unit.symbol)?;
+                build.units = Some(unit.symbol);
             }
             "--machine" => build.presets.extend(words.preset(&name, PresetOf::Machine)?),
             "--sheet" => build.presets.extend(words.sheet(&name)?),

@@ -129,8 +129,7 @@ fn words(report: &BuildReport, said: &BuildWords, remarks: &[String]) -> String 
     lines.extend(said.advice.iter().map(advice_line));
     lines.extend(said.warnings.iter().cloned());
     lines.extend(report.problems.iter().map(|problem| format!("problem: {problem}")));
-    lines.extend(remarks.iter().map(|remark| format!("note: {remark}")));
-    lines.join("\n") + "\n"
+    lines.join("\n") + "\n" + &output::notes(remarks)
 }
 
 fn frame_line(frame: &FrameReport, report: &BuildReport) -> String {

@@ -94,7 +94,7 @@ pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
     if let Some(path) = &command.out {
         remarks.extend(output::write_changed(path, &session, &mut files));
     }
-    remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
+    text += &output::notes(&remarks);
     output::write(&files)?;
     output::print(&text)
 }

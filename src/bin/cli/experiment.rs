@@ -5,8 +5,6 @@ use super::input::{self, Input};
 use super::{Failure, output};
 use shape_up::experiment::{COMPARISON, EXPERIMENTS, Experiment, Limits, Run};
 use shape_up::generate::example::EXAMPLES;
-use shape_up::mesh::Mesh;
-use shape_up::scene::Scene;
 use shape_up::words;
 use std::path::Path;
 
@@ -21,7 +19,7 @@ pub(super) fn list() -> Result<(), Failure> {
 }
 
 pub(super) fn run(asked: &Asked) -> Result<(), Failure> {
-    let (experiment, scene, mesh) = problem(&asked.on)?;
+    let (experiment, Input { scene, mesh, remarks, .. }) = problem(&asked.on)?;
     let limits = Limits {
         iterations: asked.iterations.unwrap_or(experiment.limits.iterations),
         seconds: asked.seconds.unwrap_or(experiment.limits.seconds),
@@ -32,27 +30,28 @@ pub(super) fn run(asked: &Asked) -> Result<(), Failure> {
     let csv = asked.csv.as_ref().map(|file| (file, run.csv()));
     let svg = asked.svg.as_ref().map(|file| (file, run.svg(&name.to_string())));
     output::write(&csv.into_iter().chain(svg).collect::<Vec<_>>())?;
-    output::print(&table(&run))
+    output::print(&(table(&run) + &output::notes(&remarks)))
 }
 
 /// Returns an example with its own or the generic experiment, or a scene file with the generic one.
-fn problem(on: &Path) -> Result<(&'static Experiment, Scene, Mesh), Failure> {
+fn problem(on: &Path) -> Result<(&'static Experiment, Input), Failure> {
     let id = on.to_string_lossy();
     if let Some(example) = EXAMPLES.iter().find(|example| example.id == id) {
         let (scene, mesh) = example.build();
-        return Ok((Experiment::of(&id).unwrap_or(&COMPARISON), scene, mesh));
+        let input = Input { scene, mesh, weld: None, remarks: Vec::new() };
+        return Ok((Experiment::of(&id).unwrap_or(&COMPARISON), input));
     }
     if !on.exists() {
         let known: Vec<_> = EXAMPLES.iter().map(|example| example.id).collect();
         let expected = format!("a scene file or one of {}", known.join(", "));
         return Err(Failure::Input(format!("{id}: cannot be found, expected {expected}")));
     }
-    let Input { scene, mesh, .. } = input::read(on)?;
-    if scene.constraints.is_empty() {
+    let input = input::read(on)?;
+    if input.scene.constraints.is_empty() {
         let message = "it has no constraints, expected a scene with some";
         return Err(Failure::Input(format!("{id}: {message}")));
     }
-    Ok((&COMPARISON, scene, mesh))
+    Ok((&COMPARISON, input))
 }
 
 /// Formats the last sample of each method.

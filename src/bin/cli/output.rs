@@ -113,6 +113,11 @@ fn cannot(path: &Path, error: &io::Error) -> Failure {
     ))
 }
 
+/// Formats remarks on what was read or done, one per line.
+pub(super) fn notes(remarks: &[String]) -> String {
+    remarks.iter().map(|remark| format!("note: {remark}\n")).collect()
+}
+
 /// Writes to standard output, with numbers as programs read them. A closed pipe, as after `head`, is
 /// no error.
 pub(super) fn print(text: &str) -> Result<(), Failure> {

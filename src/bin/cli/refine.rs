@@ -80,7 +80,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     if let Some(path) = &command.out {
         remarks.extend(output::write_changed(path, &session, &mut files));
     }
-    remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
+    text += &output::notes(&remarks);
     levels.iter().for_each(|level| text += &line(level));
     if let Some(path) = &command.report {
         let report = RefineReport { levels, lost, report };

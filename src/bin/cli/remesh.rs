@@ -82,7 +82,7 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<Quads, String> {
             }
             "--boundary" => {
                 let all = [Boundary::Followed, Boundary::Cut];
-                options.boundary = words.word_of(&name, all, Boundary::word)?;
+                options.boundary = *words.word_of(&name, &all, |boundary| boundary.word())?;
             }
             "--out" => out = Some(words.mesh(&name, MESHES)?),
             "--report" => report = Some(words.file(&name)?),
@@ -134,7 +134,7 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
     }
     let mut text = format!("{path}: {}\n", summary(&found, &scene.units));
     found.notes.iter().for_each(|note| text += &format!("note: {}\n", note.words));
-    remarks.iter().for_each(|remark| text += &format!("note: {remark}\n"));
+    text += &output::notes(&remarks);
     if let Some(to) = &asked.report {
         let note = |note: &shape_up::quads::RemeshNote| Note {
             words: note.words.clone(),

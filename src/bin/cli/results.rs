@@ -72,7 +72,7 @@ pub(crate) fn check_class(
         let text: String = lines.map(|row| comma_separated(&row)).collect();
         output::write(&[(csv, text)])?;
     }
-    output::print(&aligned(&rows, &input.scene.units))?;
+    output::print(&(aligned(&rows, &input.scene.units) + &output::notes(&input.remarks)))?;
     match unreadable.into_iter().next() {
         Some(first) => Err(first),
         None => Ok(()),
@@ -167,7 +167,7 @@ pub(crate) fn check(path: &Path, scene: &Path) -> Result<(), Failure> {
     let units = input.scene.units.clone();
     let checked = check_results(&results, input.scene, input.mesh);
     let checked = checked.map_err(|error| at(error.to_string()))?;
-    output::print(&words(&results, &checked, &units))?;
+    output::print(&(words(&results, &checked, &units) + &output::notes(&input.remarks)))?;
     let missed = checked.goals.iter().filter(|goal| !goal.met).count();
     if missed > 0 {
         return Err(at(format!("{missed} of {} goals not met, expected all", checked.goals.len())));

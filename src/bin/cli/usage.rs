@@ -1,6 +1,7 @@
 //! The usage text.
 
 use shape_up::constraint::KINDS;
+use shape_up::fabricate::{PARTS, PRESENTATION};
 use shape_up::generate::NEW_KINDS;
 use shape_up::mesh::{FileFormat, MESH_OPERATIONS, Scheme, Size};
 use shape_up::scene::{
@@ -63,8 +64,10 @@ watch solves again whenever the file is saved, until it is stopped: the program 
 the shape of what it saved.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
-of where each part goes (key-*.svg, key.pdf), tables (CSV) and, with fins, the beams as solids (OBJ).
---disc makes a plate for each node that the fins there are pushed into, on tenons.
+of where each part goes (key-*.svg, key.pdf), tables (CSV), a presentation ({}) and, with fins,
+the beams as solids (beams.obj).
+--disc makes a plate for each node that the fins there are pushed into, on tenons; plates.obj has all as
+assembled. --one-file-each draws each part by itself too, in the folder {}/.
 Settings that are not given are those of `build` in the scene. Lengths are in MM on the sheet or, where
 it says so, at full size; a LENGTH is in the unit of the mesh (--units; else that of the file, or
 guessed from its size). Settings of build:
@@ -116,6 +119,8 @@ Exit code: 0 done, 1 error in the input, 2 usage error, 3 internal error.",
         ConformalWeights::list("|"),
         ConformalNorm::list("|"),
         kinds(),
+        PRESENTATION,
+        PARTS,
         build_settings(),
         presets(PresetOf::Sheet).join(", "),
         presets(PresetOf::Material).join(", "),

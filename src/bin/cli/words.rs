@@ -262,27 +262,21 @@ impl Words {
     }
 
     /// Returns the value of an option that takes the `word` of one of `all`.
-    pub(super) fn word_of<T: Copy, const N: usize>(
+    pub(super) fn word_of<'a, T>(
         &mut self,
         name: &str,
-        all: [T; N],
-        word: fn(T) -> &'static str,
-    ) -> Result<T, String> {
+        all: &'a [T],
+        word: fn(&T) -> &'static str,
+    ) -> Result<&'a T, String> {
         let value = self.text(name)?;
-        all.into_iter()
-            .find(|one| word(*one) == value)
-            .ok_or_else(|| format!("{name} takes {}, found `{value}`", all.map(word).join(" or ")))
+        let known = || all.iter().map(word).collect::<Vec<_>>().join(" or ");
+        let found = all.iter().find(|one| word(one) == value);
+        found.ok_or_else(|| format!("{name} takes {}, found `{value}`", known()))
     }
 
     /// Returns the value of an option that takes the id of a kind.
     pub(super) fn kind(&mut self, name: &str) -> Result<&'static str, String> {
-        let value = self.text(name)?;
-        let known: Vec<_> = KINDS.iter().map(|info| info.id).collect();
-        known
-            .iter()
-            .copied()
-            .find(|id| *id == value)
-            .ok_or_else(|| format!("{name} takes {}, found `{value}`", known.join(" or ")))
+        self.word_of(name, KINDS, |info| info.id).map(|info| info.id)
     }
 
     /// Returns the value of an option that takes a word of a named enum.

@@ -165,7 +165,8 @@ fn planned(
     let width = |end: &FinEnd| {
         thickness / end.lean.cosine + thickness * end.lean.drift.abs() + 2.0 * clearance
     };
-    let highest = ends.iter().map(|(.., end)| end.height).fold(0.0, f64::max);
+    let highest = ends.iter().map(|(.., end)| end.height.max(end.level(end.back)));
+    let highest = highest.fold(0.0, f64::max);
     // From the radius to the farther side of a slot: the seat is nowhere higher than the fins.
     let half = |end: &FinEnd| 0.5 * width(end) + end.lean.drift.abs() * (highest + thickness);
     let mut starts = Vec::new();

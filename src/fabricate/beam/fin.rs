@@ -6,7 +6,7 @@ use super::node::Node;
 use super::plane::BeamPlane;
 use crate::fabricate::panel::is_simple;
 use crate::fabricate::surface::PanelSurface;
-use crate::math::plane::Point2;
+use crate::math::plane::{Point2, distance};
 use crate::math::{Vec3, cosine_and_sine_of_degrees};
 
 /// A fin laid flat, in the unit of the mesh.
@@ -105,10 +105,10 @@ pub fn fin(
         (spatial[0] + tilted[0] * height, [height * flat[0][0], height * flat[0][1]]),
     ];
     let mut flattening_error: f64 = 0.0;
-    for (k, (p, [x, y])) in corners.iter().enumerate() {
-        for (q, [u, v]) in &corners[..k] {
-            let on_sheet = ((x - u) * (x - u) + (y - v) * (y - v)).sqrt();
-            flattening_error = flattening_error.max(((*p - *q).length() - on_sheet).abs());
+    for (k, &(p, own)) in corners.iter().enumerate() {
+        for &(q, other) in &corners[..k] {
+            let change = ((p - q).length() - distance(own, other)).abs();
+            flattening_error = flattening_error.max(change);
         }
     }
     let side = height.signum();

@@ -40,8 +40,10 @@ pub struct Frame {
     pub discs: Vec<Option<Result<Disc, &'static str>>>,
     /// The end cuts of prisms at each node, one for each of its beams.
     pub cuts: Vec<Vec<EndCut>>,
-    /// The prism of each edge; none if the cuts leave nothing of it.
+    /// The prism of each edge; none if there is no beam along it, or the cuts leave nothing of it.
     pub prisms: Vec<Option<Prism>>,
+    /// Beams of whose prism the cuts leave nothing.
+    pub without_prism: usize,
 }
 
 impl Frame {
@@ -63,7 +65,7 @@ impl Frame {
             .collect();
         let room = |node: &Node| room_at(surface, axes, node, size);
         let rooms: Vec<_> = nodes.iter().map(|node| node.as_ref().map(room)).collect();
-        let (mut fins, mut prisms) = (Vec::new(), Vec::new());
+        let (mut fins, mut prisms, mut without_prism) = (Vec::new(), Vec::new(), 0);
         for (edge, e) in surface.edges.iter().zip(0..) {
             let [i, j] = edge.ends.map(|v| v as usize);
             let (Some(a), Some(b), Some(first), Some(second)) =
@@ -76,12 +78,20 @@ impl Frame {
             fins.push(fin(surface, axes, [a, b], e, size.height, [first, second]));
             let cut = |node: &Node, v: usize| node.spoke_index(e).and_then(|k| cuts[v].get(k));
             let both = cut(a, i).zip(cut(b, j));
-            prisms.push(both.and_then(|(p, q)| prism(surface, axes, e, [p, q], size.height)));
+            let solid = both.and_then(|(p, q)| prism(surface, axes, e, [p, q], size.height));
+            without_prism += usize::from(both.is_some() && solid.is_none());
+            prisms.push(solid);
         }
         let discs =
             size.discs.map(|own| disc::discs((surface, axes), &nodes, &mut fins, size, own));
         let (types, discs) = (node_types(&nodes, alike_deg, mirror), discs.unwrap_or_default());
-        Frame { types, nodes, fins, discs, cuts, prisms }
+        Frame { types, nodes, fins, discs, cuts, prisms, without_prism }
+    }
+
+    /// Fins and discs that are not made.
+    pub fn lost(&self) -> usize {
+        let discs = self.discs.iter().flatten().filter(|disc| disc.is_err());
+        self.fins.iter().filter(|fin| fin.is_err()).count() + discs.count()
     }
 
     /// The largest step between the upper faces of neighbouring prisms, and its node.

@@ -1,5 +1,5 @@
 //! PDF 1.6 at 1:1: a page per sheet in mm, a layer for each role that viewers can switch on and
-//! off, a ruler of 100 mm where it has room, and a request to print without scaling.
+//! off, a ruler of 20 to 100 mm where it has room, and a request to print without scaling.
 
 use super::drawing::{Drawing, DrawnLine};
 use super::page_marks::{longest_ruler, marks};

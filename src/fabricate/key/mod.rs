@@ -14,7 +14,6 @@ use super::build::{Build, beam_name, node_name};
 use super::file::Drawing;
 use super::sight::{Sight, compass, from_above, from_camera};
 use crate::scene::Product;
-use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use view::{Element, Mark, View};
 
@@ -76,15 +75,11 @@ impl Build {
     fn marks(&self) -> Vec<Mark> {
         let surface = &self.surface;
         if self.settings.product == Product::Fins {
-            let made: BTreeSet<&str> = self.parts.iter().map(|part| &*part.name).collect();
-            let beams =
-                surface.edges.iter().zip(0..).map(|(edge, e)| (edge, beam_name(edge.ends), e));
-            let beams: Vec<_> = beams.filter(|(_, name, _)| made.contains(&**name)).collect();
-            let ends = beams.iter().flat_map(|(edge, ..)| edge.ends);
-            let nodes = super::surface::distinct(ends).into_iter();
+            let ends = |e: &u32| surface.edges[*e as usize].ends;
+            let nodes = super::surface::distinct(self.fins.iter().flat_map(ends)).into_iter();
             let nodes = nodes.map(|v| Mark { name: node_name(v), element: Element::Vertex(v) });
-            let beams =
-                beams.into_iter().map(|(_, name, e)| Mark { name, element: Element::Edge(e) });
+            let beams = self.fins.iter().map(|e| (beam_name(ends(e)), Element::Edge(*e)));
+            let beams = beams.map(|(name, element)| Mark { name, element });
             return beams.chain(nodes).collect();
         }
         let mut names = vec![Vec::new(); self.names.len()];

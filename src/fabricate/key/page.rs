@@ -34,10 +34,10 @@ pub(super) struct Page {
 impl Page {
     /// The smallest page on which nearly all names of a view are read well; else the largest.
     pub(super) fn of(view: &View<'_>, spots: &[Option<Spot>]) -> Page {
-        let is_wide = view.size[0] > view.size[1];
+        let is_wide = view.seen.size[0] > view.seen.size[1];
         let pages = PAPERS.map(|[short, long]| {
             let size = if is_wide { [long, short] } else { [short, long] };
-            let scales = [0, 1].map(|k| (size[k] - 2.0 * MARGIN) / view.size[k]);
+            let scales = [0, 1].map(|k| (size[k] - 2.0 * MARGIN) / view.seen.size[k]);
             let scale = scales[0].min(scales[1]);
             Page { size, scale: if scale.is_finite() { scale } else { 1.0 } }
         });
@@ -70,7 +70,7 @@ impl Page {
     ) -> Drawing {
         let put = |point: Point2| -> Point2 {
             std::array::from_fn(|k| {
-                let middle = view.low[k] + 0.5 * view.size[k];
+                let middle = view.seen.low[k] + 0.5 * view.seen.size[k];
                 rounded(0.5 * self.size[k] + self.scale * (point[k] - middle))
             })
         };

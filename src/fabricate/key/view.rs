@@ -4,7 +4,7 @@
 use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{direction_of, roomiest_point};
 use crate::fabricate::sheet::{text_width, upright};
-use crate::fabricate::sight::Sight;
+use crate::fabricate::sight::{Seen, Sight};
 use crate::fabricate::surface::{Edge, PanelSurface};
 use crate::math::plane::{Point2, bounds, distance, is_inside};
 
@@ -43,30 +43,22 @@ const OF_NODE: f64 = 0.15;
 pub(super) struct View<'a> {
     pub(super) surface: &'a PanelSurface,
     pub(super) sight: Sight,
-    /// The vertices in the picture, `#V`, and how far away they are.
-    pub(super) points: Vec<Point2>,
-    depths: Vec<f64>,
-    pub(super) low: Point2,
-    pub(super) size: [f64; 2],
+    pub(super) seen: Seen,
     /// The box of each panel in the picture.
     panels: Boxes,
 }
 
 impl View<'_> {
     pub(super) fn new(surface: &PanelSurface, sight: Sight) -> View<'_> {
-        let [right, up, away] = sight;
-        let points: Vec<Point2> =
-            surface.positions.iter().map(|p| [p.dot(right), p.dot(up)]).collect();
-        let depths = surface.positions.iter().map(|p| p.dot(away)).collect();
-        let around = |row: &[u32]| bounds(row.iter().map(|&v| points[v as usize]));
-        let [low, high] = around(surface.faces.indices());
-        let size = [high[0] - low[0], high[1] - low[1]];
+        let seen = Seen::new(surface, sight);
+        let around = |row: &[u32]| bounds(row.iter().map(|&v| seen.points[v as usize]));
         let panels = Boxes::of(surface.faces.iter().map(around));
-        View { surface, sight, points, depths, low, size, panels }
+        View { surface, sight, seen, panels }
     }
 
     fn corners(&self, face: u32) -> Vec<Point2> {
-        self.surface.faces.row(face as usize).iter().map(|&v| self.points[v as usize]).collect()
+        let row = self.surface.faces.row(face as usize).iter();
+        row.map(|&v| self.seen.points[v as usize]).collect()
     }
 
     /// How far away a panel is at a point; none if it is seen edge-on.
@@ -84,7 +76,7 @@ impl View<'_> {
 
     /// Whether a panel other than these hides a point at a depth.
     fn is_hidden(&self, point: Point2, depth: f64, own: &[u32]) -> bool {
-        let least = depth - NEARER * self.size[0].max(self.size[1]);
+        let least = depth - NEARER * self.seen.size[0].max(self.seen.size[1]);
         self.panels.meeting([point; 2]).any(|face| {
             !own.contains(&face)
                 && is_inside(&self.corners(face), point)
@@ -95,8 +87,8 @@ impl View<'_> {
     /// Whether the middle of an edge is seen, and where it is.
     pub(super) fn edge(&self, edge: u32) -> Option<[Point2; 2]> {
         let ends = self.surface.edges[edge as usize].ends.map(|v| v as usize);
-        let [a, b] = ends.map(|v| self.points[v]);
-        let depth = 0.5 * (self.depths[ends[0]] + self.depths[ends[1]]);
+        let [a, b] = ends.map(|v| self.seen.points[v]);
+        let depth = 0.5 * (self.seen.depths[ends[0]] + self.seen.depths[ends[1]]);
         let own = self.surface.panels.row(edge as usize);
         let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
         (!self.is_hidden(middle, depth, own)).then_some([a, b])
@@ -120,7 +112,7 @@ impl View<'_> {
                 Element::Panel(face) => self.on_panel(face, wide),
                 Element::Edge(edge) => self.on_edge(edge, wide),
                 Element::Vertex(v) => {
-                    let (at, depth) = (self.points[v as usize], self.depths[v as usize]);
+                    let (at, depth) = (self.seen.points[v as usize], self.seen.depths[v as usize]);
                     let height = OF_NODE * shortest[v as usize];
                     let is_seen = height > 0.0 && !self.is_hidden(at, depth, &around[v as usize]);
                     is_seen.then_some(Spot { at, along: [1.0, 0.0], height })
@@ -150,17 +142,13 @@ impl View<'_> {
     /// For each vertex the length of its shortest edge in the picture, and its panels. An edge without
     /// length in space leaves room for a name.
     fn around_vertices(&self) -> (Vec<f64>, Vec<Vec<u32>>) {
-        let mut shortest = vec![f64::INFINITY; self.points.len()];
+        let mut shortest = vec![f64::INFINITY; self.seen.points.len()];
         let has_length = |edge: &&Edge| self.surface.length(edge) > 0.0;
         for edge in self.surface.edges.iter().filter(has_length) {
             let [a, b] = edge.ends.map(|v| v as usize);
-            let long = distance(self.points[a], self.points[b]);
+            let long = distance(self.seen.points[a], self.seen.points[b]);
             [a, b].into_iter().for_each(|v| shortest[v] = shortest[v].min(long));
         }
-        let mut around = vec![Vec::new(); self.points.len()];
-        for (row, face) in self.surface.faces.iter().zip(0..) {
-            row.iter().for_each(|&v| around[v as usize].push(face));
-        }
-        (shortest, around)
+        (shortest, self.surface.panels_around())
     }
 }

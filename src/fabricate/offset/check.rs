@@ -7,7 +7,7 @@ use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use crate::scene::OffsetKind;
 
-/// The numbers of one beam.
+/// The numbers of one beam; zero for an edge without length, along which there is none.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BeamCheck {
     /// Largest distance of its four corners from their least-squares plane.
@@ -16,8 +16,7 @@ pub struct BeamCheck {
     pub twist_deg: f64,
     /// The smaller and the larger height of its two ends.
     pub height: [f64; 2],
-    /// `k` in the length `l (1 - d k)` of its edge in the offset by `d`; zero for an edge without
-    /// length.
+    /// `k` in the length `l (1 - d k)` of its edge in the offset by `d`.
     pub shrinking: f64,
 }
 
@@ -84,7 +83,7 @@ pub fn check(
     let mut found = OffsetCheck {
         corner_distance: empty,
         face_distance: empty,
-        edge_distance: empty,
+        edge_distance: if surface.beams().next().is_some() { empty } else { [0.0; 2] },
         nodes: vec![None; axes.len()],
         ..OffsetCheck::default()
     };
@@ -103,6 +102,10 @@ pub fn check(
     let mut slopes: [f64; 2] = [0.0; 2];
     for edge in &surface.edges {
         let t = surface.direction(edge);
+        if t == Vec3::zero() {
+            found.beams.push(BeamCheck::default());
+            continue;
+        }
         let [n, m] = edge.ends.map(|v| axes[v as usize]);
         let (p, q) = (across_edge(n, t), across_edge(m, t));
         let heights = [p.length(), q.length()].map(|height| height * distance.abs());
@@ -114,8 +117,7 @@ pub fn check(
         }
         let twist = libm::atan2(p.cross(q).length(), p.dot(q)).to_degrees();
         found.twist_deg = found.twist_deg.max(twist);
-        let length = surface.length(edge);
-        let k = if length > 0.0 { -t.dot(m - n) / length } else { 0.0 };
+        let k = -t.dot(m - n) / surface.length(edge);
         widen(&mut slopes, k);
         let beam = BeamCheck {
             warp: beam_warp(surface, edge.ends, axes, distance),
@@ -186,10 +188,9 @@ pub(super) fn within(
             let normal = surface.normal(f);
             normal == Vec3::zero() || face.iter().all(|&v| is_kept(normal.dot(axis(v))))
         }),
-        OffsetKind::Edge => surface.edges.iter().all(|edge| {
-            let t = surface.direction(edge);
-            edge.ends.iter().all(|&v| is_kept(across_edge(axis(v), t).length()))
-        }),
+        OffsetKind::Edge => surface
+            .beams()
+            .all(|(edge, t)| edge.ends.iter().all(|&v| is_kept(across_edge(axis(v), t).length()))),
     };
     keeps_distance
         && surface.edges.iter().all(|edge| beam_warp(surface, edge.ends, axes, depth) <= tolerance)

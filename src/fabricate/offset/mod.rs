@@ -14,7 +14,7 @@
 //! E(n) = sum_e |P_e (n_j - n_i)|^2 + D(n) + mu sum_i |n_i - N_i|^2
 //! corner  D = sum_i (|n_i| - 1)^2
 //! face    D = sum over corners (i, f) of (N_f . n_i - 1)^2
-//! edge    D = sum over edges, both ends, of (|P_e n_i| - 1)^2
+//! edge    D = sum over edges with a length, both ends, of (|P_e n_i| - 1)^2
 //! ```
 //!
 //! by Newton steps from `n = N`. With `u` the direction of `x` in the previous step, `(|x| - 1)^2`
@@ -77,8 +77,7 @@ pub(in crate::fabricate) fn axes_of(
 ) -> Vec<Axes> {
     let system = &mut System::new(surface);
     let of = |&kind: &OffsetKind| {
-        let normals = surface.normals.clone();
-        let fitted = descend(system, surface, kind, mu, InitialAxes::At(normals), StopWhen::Still);
+        let fitted = fitted(system, surface, kind, mu);
         let exact = can_be_exact(surface, kind, depth, tolerance)
             .then(|| exact_pass(system, surface, kind, (mu, fitted.clone())))
             .filter(|exact| {
@@ -92,28 +91,24 @@ pub(in crate::fabricate) fn axes_of(
 
 /// The least-squares axes; `mu` is the weight of following the surface.
 pub fn fit(surface: &PanelSurface, kind: OffsetKind, mu: f64) -> Vec<Vec3<f64>> {
-    descend(
-        &mut System::new(surface),
-        surface,
-        kind,
-        mu,
-        InitialAxes::At(surface.normals.clone()),
-        StopWhen::Still,
-    )
+    fitted(&mut System::new(surface), surface, kind, mu)
+}
+
+fn fitted(
+    system: &mut System,
+    surface: &PanelSurface,
+    kind: OffsetKind,
+    mu: f64,
+) -> Vec<Vec3<f64>> {
+    let start = InitialAxes::At(surface.normals.clone());
+    descend(system, surface, kind, mu, start, StopWhen::Still)
 }
 
 /// The axes of the exact pass. On a mesh without exact axes the result is useless.
 pub fn exact(surface: &PanelSurface, kind: OffsetKind) -> Vec<Vec3<f64>> {
     let system = &mut System::new(surface);
     let fitted = match kind {
-        OffsetKind::Edge => descend(
-            system,
-            surface,
-            kind,
-            1.0,
-            InitialAxes::At(surface.normals.clone()),
-            StopWhen::Still,
-        ),
+        OffsetKind::Edge => fitted(system, surface, kind, 1.0),
         _ => surface.normals.clone(),
     };
     exact_pass(system, surface, kind, (1.0, fitted))

@@ -115,8 +115,7 @@ fn assemble(
     let across_axis = |length: f64| if curved && length > 0.0 { 1.0 - 1.0 / length } else { 0.0 };
     system.reset_with_beams(mu, &surface.normals);
     if kind == OffsetKind::Edge {
-        for edge in &surface.edges {
-            let t = surface.direction(edge);
+        for (edge, t) in surface.beams() {
             for v in edge.ends {
                 let p = across_edge(axes[v as usize], t);
                 let (u, c) = (unit(p), across_axis(p.length()));
@@ -153,7 +152,7 @@ pub(super) fn energy(surface: &PanelSurface, kind: OffsetKind, mu: f64, axes: &[
         let t = surface.direction(edge);
         let [n, m] = edge.ends.map(|v| axes[v as usize]);
         sum += across_edge(m - n, t).length_squared();
-        if kind == OffsetKind::Edge {
+        if kind == OffsetKind::Edge && t != Vec3::zero() {
             sum += square(across_edge(n, t).length() - 1.0);
             sum += square(across_edge(m, t).length() - 1.0);
         }

@@ -9,7 +9,7 @@
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{Vec3, marked, polygon_sides};
 use crate::mesh::Mesh;
-use crate::scene::{Hold, Scene, UnitsAndUp, Up};
+use crate::scene::{HandleSpec, Hold, Scene, UnitsAndUp, Up};
 use std::collections::VecDeque;
 
 /// Height of the rim that stands on the ground, as a fraction of the height of its component.
@@ -24,16 +24,20 @@ const DIRECTIONS: i64 = 1 << 20;
 pub struct Stand {
     /// The axis that points up.
     pub up: Up,
-    /// The vertices that are held where they are.
+    /// The vertices that are held where they are; those that the mesh does not have hold nothing.
     pub held: Vec<u32>,
 }
 
 impl Stand {
     /// As a scene says.
     pub fn of_scene(scene: &Scene) -> Stand {
-        let fixed = scene.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
-        let held = fixed.flat_map(|handle| handle.vertices.iter().copied()).collect();
-        Stand { up: scene.up, held }
+        Stand::on(&scene.handles, scene.up)
+    }
+
+    /// On the fixed ones of some handles.
+    pub fn on(handles: &[HandleSpec], up: Up) -> Stand {
+        let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
+        Stand { up, held: fixed.flat_map(|handle| handle.vertices.iter().copied()).collect() }
     }
 
     /// As the shape of a mesh suggests, on the ground.
@@ -92,13 +96,11 @@ impl Plan<'_> {
         let component = components(surface);
         let points: Vec<_> =
             surface.positions.iter().map(|&at| stand.height_and_plan(at)).collect();
-        let mut around = vec![Vec::new(); points.len()];
         let count = component.iter().max().map_or(0, |last| *last as usize + 1);
         let mut boxes = vec![[[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]]; count];
-        for (face, f) in surface.faces.iter().zip(0..) {
-            let [low, high] = &mut boxes[component[f as usize] as usize];
+        for (face, &own) in surface.faces.iter().zip(&component) {
+            let [low, high] = &mut boxes[own as usize];
             for &v in face {
-                around[v as usize].push(f);
                 for (k, x) in points[v as usize].1.into_iter().enumerate() {
                     (low[k], high[k]) = (low[k].min(x), high[k].max(x));
                 }
@@ -119,7 +121,7 @@ impl Plan<'_> {
         };
         let directions = surface.faces.iter().zip(&component).map(direction).collect();
         let heights = points.iter().map(|(height, _)| *height).collect();
-        Plan { surface, component, heights, directions, around }
+        Plan { surface, component, heights, directions, around: surface.panels_around() }
     }
 
     /// The panels of the first row.
@@ -136,7 +138,9 @@ impl Plan<'_> {
             lowest_panel[own] = lowest_panel[own].min(self.middle(face));
         }
         let size = self.surface.mean_edge();
-        let held = marked(self.heights.len(), &stand.held);
+        let vertices = self.heights.len();
+        let is_there = |v: &&u32| (**v as usize) < vertices;
+        let held = marked(vertices, stand.held.iter().filter(is_there));
         // What each panel of a component stands on: the first of these that any of them has.
         let ranks: Vec<Option<usize>> = (0..self.component.len())
             .map(|f| {

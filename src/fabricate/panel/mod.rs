@@ -18,7 +18,7 @@ pub(super) use polygon::{
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};
 
 use crate::fabricate::surface::PanelSurface;
-use crate::math::plane::Point2;
+use crate::math::plane::{Point2, distance};
 use crate::math::{PrincipalAxes, Vec3};
 
 /// A panel in its plane. All lengths are in the unit of the mesh.
@@ -72,8 +72,7 @@ pub fn lay_flat(surface: &PanelSurface, panel: u32) -> Option<FlatPanel> {
 fn largest_change(points: &[Vec3<f64>], corners: &[Point2]) -> f64 {
     let n = points.len();
     let change = |i: usize, j: usize| {
-        let [x, y] = [corners[i][0] - corners[j][0], corners[i][1] - corners[j][1]];
-        ((points[i] - points[j]).length() - (x * x + y * y).sqrt()).abs()
+        ((points[i] - points[j]).length() - distance(corners[i], corners[j])).abs()
     };
     let step = (n * (n / 2)).div_ceil(MOST_PAIRS).max(1);
     let around = (1..=n / 2).step_by(step);

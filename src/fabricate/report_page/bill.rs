@@ -2,7 +2,7 @@
 
 use crate::fabricate::build::Build;
 use crate::fabricate::report::BuildReport;
-use crate::math::plane::Point2;
+use crate::math::plane::distance;
 use crate::scene::Product;
 use crate::words::{area, brief, millimetres, millimetres_limit, part, rough_degrees};
 
@@ -53,10 +53,9 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
                 .map(|frame| ("Cut back at nodes by up to", millimetres(frame.cut_back_mm))),
         ),
         Product::Paper => {
-            lines.push((
-                "Length of scores",
-                millimetres(folds.map(|fold| long(fold)).fold(0.0, |a, b| a + b)),
-            ));
+            let scores = folds.flat_map(|fold| fold.windows(2));
+            let scores = scores.map(|ends| distance(ends[0], ends[1])).fold(0.0, |a, b| a + b);
+            lines.push(("Length of scores", millimetres(scores)));
             lines.extend(report.paper.as_ref().map(|paper| ("Tabs", paper.tabs.to_string())));
         }
     }
@@ -84,12 +83,4 @@ fn building(build: &Build, report: &BuildReport) -> Vec<Line> {
     }));
     lines.push(("Change by laying flat", millimetres(report.flattening_error_mm)));
     lines
-}
-
-fn long(line: &[Point2]) -> f64 {
-    let parts = line.windows(2).map(|ends| {
-        let [x, y] = [0, 1].map(|k| ends[1][k] - ends[0][k]);
-        (x * x + y * y).sqrt()
-    });
-    parts.sum()
 }

@@ -78,7 +78,7 @@ impl Build {
         let plan = Picture::new(self, from_above(view.z_up));
         let building = self.mm_of_building();
         let scale = round_up(building / plan.scale_in([narrow, high]));
-        let [across, along] = plan.size.map(|size| words::millimetres(size * building));
+        let [across, along] = plan.seen.size.map(|size| words::millimetres(size * building));
         let caption = format!("Plan 1:{}, {across} by {along}", words::brief(scale));
         let shown = if view.camera.is_some() { "Current view" } else { "The shape" };
         let shown = format!("{shown}; red panels and edges exceed a limit");

@@ -5,7 +5,7 @@ use crate::fabricate::build::Build;
 use crate::fabricate::check_card::Failed;
 use crate::fabricate::file::{escaped, places};
 use crate::fabricate::panel::roomiest_point;
-use crate::fabricate::sight::Sight;
+use crate::fabricate::sight::{Seen, Sight};
 use crate::math::plane::Point2;
 use crate::math::{argsort, key_of_number, marked};
 
@@ -24,50 +24,37 @@ const LETTER: [f64; 2] = [0.6, 0.72];
 pub(super) struct Picture<'a> {
     build: &'a Build,
     sight: Sight,
-    points: Vec<Point2>,
+    pub(super) seen: Seen,
     /// The panels, farthest first.
     order: Vec<u32>,
-    low: Point2,
-    pub(super) size: [f64; 2],
 }
 
 impl Picture<'_> {
     pub(super) fn new(build: &Build, sight: Sight) -> Picture<'_> {
-        let [right, up, away] = sight;
-        let surface = &build.surface;
-        let points: Vec<Point2> =
-            surface.positions.iter().map(|p| [p.dot(right), p.dot(up)]).collect();
+        let seen = Seen::new(&build.surface, sight);
         let depth = |face: &[u32]| {
-            face.iter().map(|&v| surface.at(v).dot(away)).sum::<f64>() / face.len() as f64
+            face.iter().map(|&v| seen.depths[v as usize]).sum::<f64>() / face.len() as f64
         };
-        let order = argsort(surface.faces.iter().map(|face| key_of_number(-depth(face))));
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for &v in surface.faces.indices() {
-            for k in 0..2 {
-                low[k] = low[k].min(points[v as usize][k]);
-                high[k] = high[k].max(points[v as usize][k]);
-            }
-        }
-        let size = [0, 1].map(|k| high[k] - low[k]);
-        Picture { build, sight, points, order, low, size }
+        let order = argsort(build.surface.faces.iter().map(|face| key_of_number(-depth(face))));
+        Picture { build, sight, seen, order }
     }
 
     /// The scale at which it fills a box, in mm per unit of the mesh.
     pub(super) fn scale_in(&self, room: [f64; 2]) -> f64 {
-        let scale = (0..2).map(|k| room[k] / self.size[k]).fold(f64::INFINITY, f64::min);
+        let scale = (0..2).map(|k| room[k] / self.seen.size[k]).fold(f64::INFINITY, f64::min);
         if scale.is_finite() { scale } else { 1.0 }
     }
 
     /// A box of this width that is as high as the shape, and the vertices in it, with y downwards
     /// and centred.
     fn placed(&self, width: f64, scale: f64) -> ([f64; 2], Vec<Point2>) {
-        let [wide, high] = self.size.map(|size| scale * size);
+        let [wide, high] = self.seen.size.map(|size| scale * size);
         let room = [width, high.max(LEAST)];
         let put = |point: &Point2| {
-            let [right, up] = [0, 1].map(|k| scale * (point[k] - self.low[k]));
+            let [right, up] = [0, 1].map(|k| scale * (point[k] - self.seen.low[k]));
             [0.5 * (room[0] - wide) + right, 0.5 * (room[1] + high) - up]
         };
-        (room, self.points.iter().map(put).collect())
+        (room, self.seen.points.iter().map(put).collect())
     }
 
     /// Shaded panels that fill a box in one direction, with failing elements in red.

@@ -116,19 +116,21 @@ impl Nester {
         let mut order: Vec<&Nested> = self.parts.iter().collect();
         sort_by_number(&mut order, |own| key_of_number(-own.ranks[first as usize]));
         let grid = room.map(|side| ((side + self.gap) / self.cell).ceil() as usize + 1);
-        let mut sheets: Vec<(Bitmap, Vec<Place>)> = Vec::new();
+        let least = order.iter().map(|own| own.cells).min().unwrap_or(0);
+        // Without the cells of a sheet on which no part has room: thousands of them take hundreds of MB.
+        let mut sheets: Vec<(Option<Bitmap>, Vec<Place>)> = Vec::new();
         let mut top: f64 = 0.0;
         for own in order {
             let found = sheets.iter().enumerate().find_map(|(s, (sheet, _))| {
-                let has_room = own.cells <= sheet.free;
-                has_room.then(|| self.position(own, sheet, room, tests)).flatten().map(|at| (s, at))
+                let sheet = sheet.as_ref().filter(|sheet| own.cells <= sheet.free)?;
+                self.position(own, sheet, room, tests).map(|at| (s, at))
             });
             let (s, Position { stance, at, .. }) = match found {
                 Some(found) => found,
                 None => {
                     let sheet = Bitmap::new(grid);
                     let position = self.position(own, &sheet, room, tests)?;
-                    sheets.push((sheet, Vec::new()));
+                    sheets.push((Some(sheet), Vec::new()));
                     top = 0.0;
                     (sheets.len() - 1, position)
                 }
@@ -136,8 +138,11 @@ impl Nester {
             if sheets.len() > most || *tests == 0 {
                 return None;
             }
-            let (bitmap, places) = &mut sheets[s];
-            stance.runs.iter().for_each(|&run| bitmap.take(run, at));
+            let (sheet, places) = &mut sheets[s];
+            if let Some(bitmap) = sheet {
+                stance.runs.iter().for_each(|&run| bitmap.take(run, at));
+            }
+            *sheet = sheet.take().filter(|bitmap| bitmap.free >= least);
             let corner = at.map(|cells| cells as f64 * self.cell);
             let offset = [0, 1].map(|k| corner[k] + stance.moved[k]);
             places.push(Place { part: own.part, turn: stance.turn, offset });

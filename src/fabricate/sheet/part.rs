@@ -1,7 +1,7 @@
 //! A part to be cut from a sheet, and its position there.
 
 use crate::fabricate::panel::perimeter;
-use crate::math::plane::{Point2, bounds, distance, dot, minus, rotated};
+use crate::math::plane::{Point2, area, bounds, distance, dot, minus, rotated};
 use crate::math::{cosine, sine};
 
 /// The purpose of a line: its layer and its colour in every file.
@@ -156,6 +156,8 @@ pub struct CutPart {
     pub panels: Vec<u32>,
     /// The closed outline that is cut, counterclockwise; the first corner is not repeated.
     pub outline: Vec<Point2>,
+    /// The name of what lies beyond each side of the outline, if it is to be written there.
+    pub neighbours: Vec<Option<String>>,
     /// Whether its first side is the first one in the model, and not eaten by the joint.
     pub has_first_side: bool,
     /// Whether its letters say how it lies: they run along the x axis of the part, however it is
@@ -169,6 +171,13 @@ pub struct CutPart {
     pub ridges: Vec<Vec<Point2>>,
     /// Folds that are valleys, one line for each dash.
     pub valleys: Vec<Vec<Point2>>,
+}
+
+impl CutPart {
+    /// Its area without its holes, in square mm.
+    pub fn area(&self) -> f64 {
+        self.holes.iter().fold(area(&self.outline), |left, hole| left - area(&hole.outline()))
+    }
 }
 
 /// A sheet of material, in mm.

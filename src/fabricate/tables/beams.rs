@@ -3,7 +3,6 @@
 use crate::fabricate::beam::Frame;
 use crate::fabricate::build::{Build, beam_name, node_name};
 use crate::fabricate::file::{Cell, Table};
-use crate::math::plane::area;
 
 /// All tables, with the names of their files.
 pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
@@ -33,33 +32,25 @@ fn fins(build: &Build, frame: &Frame) -> String {
         "name_written",
     ]);
     let (places, model) = (build.layout.places(build.parts.len()), build.mm_of_sheet());
-    let mut part = 0;
-    for (edge, fin) in build.surface.edges.iter().zip(&frame.fins) {
-        let Ok(fin) = fin else { continue };
-        let name = beam_name(edge.ends);
-        // A fin with nothing left after the kerf is not a part.
-        if build.parts.get(part).is_none_or(|part| part.name != name) {
-            continue;
-        }
-        let place = places[part];
-        let [a, b] = edge.ends.map(node_name);
+    for ((&edge, part), place) in build.fins.iter().zip(&build.parts).zip(places) {
+        let Ok(fin) = &frame.fins[edge as usize] else { continue };
+        let [a, b] = build.surface.edges[edge as usize].ends.map(node_name);
         table.row([
-            Cell::from(&*name),
+            Cell::from(&*part.name),
             Cell::from(&*a),
             Cell::from(&*b),
             Cell::from(fin.cut_back[0] * model),
             Cell::from(fin.cut_back[1] * model),
             Cell::from(fin.end_deg[0]),
             Cell::from(fin.end_deg[1]),
-            Cell::from(area(&build.parts[part].outline)),
+            Cell::from(part.area()),
             Cell::from(fin.flattening_error * build.mm_of_building()),
             place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
             Cell::from(place.map(|(_, place)| place.offset[0])),
             Cell::from(place.map(|(_, place)| place.offset[1])),
             Cell::from(place.map(|(_, place)| place.turn_deg())),
-            Cell::from(build.parts[part].named.words()),
+            Cell::from(part.named.words()),
         ]);
-        part += 1;
     }
     table.into_text()
 }

@@ -3,7 +3,6 @@
 use crate::fabricate::beam::Frame;
 use crate::fabricate::build::{Build, beam_name, node_name};
 use crate::fabricate::file::{Cell, Table};
-use crate::math::plane::area;
 
 /// The discs as cut. The seat is the position of their side on the fins along the axis of the node,
 /// negative inwards; the neck is the least height of a fin there. x of a disc points away from the node
@@ -30,7 +29,6 @@ pub(super) fn discs(build: &Build, frame: &Frame) -> String {
         let (part, place) = (&build.parts[own.part], places[own.part]);
         let first = disc.slots.first();
         let first = first.map(|slot| beam_name(build.surface.edges[slot.edge as usize].ends));
-        let slots: f64 = part.holes.iter().map(|hole| area(&hole.outline())).sum();
         table.row([
             Cell::from(&*node_name(own.vertex)),
             Cell::from(2.0 * disc.radius * model),
@@ -39,7 +37,7 @@ pub(super) fn discs(build: &Build, frame: &Frame) -> String {
             Cell::from(disc.seat * model),
             Cell::from(disc.neck * model),
             Cell::from(disc.lean_deg),
-            Cell::from(area(&part.outline) - slots),
+            Cell::from(part.area()),
             place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
             Cell::from(place.map(|(_, place)| place.offset[0])),
             Cell::from(place.map(|(_, place)| place.offset[1])),

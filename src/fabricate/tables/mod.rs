@@ -65,8 +65,8 @@ fn summary(build: &Build) -> String {
     row("panels", Cell::from(report.panels), "");
     row("product", Cell::from(report.product.id()), "");
     row("parts on sheets", Cell::from(report.placed), "");
-    if !build.discs.is_empty() {
-        row("node discs", Cell::from(build.discs.len()), "");
+    if let Some(frame) = report.frame.as_ref().filter(|_| !build.discs.is_empty()) {
+        row("node discs", Cell::from(frame.placed_discs), "");
     }
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");
@@ -103,7 +103,8 @@ fn summary(build: &Build) -> String {
         };
         row(&format!("{} ({})", setting.label, setting.id), cell, unit);
     }
-    for (what, words) in reading::reading(report.product) {
+    let is_there = |what: &str| !what.starts_with("discs.csv") || !build.discs.is_empty();
+    for (what, words) in reading::reading(report.product).filter(|(what, _)| is_there(what)) {
         row(&format!("how to read {what}"), Cell::from(words), "");
     }
     table.into_text()

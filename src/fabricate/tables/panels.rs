@@ -3,7 +3,8 @@
 use crate::fabricate::build::{Build, node_name};
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::panel::perimeter;
-use crate::math::plane::{area, rotated};
+use crate::fabricate::sheet::CutPart;
+use crate::math::plane::rotated;
 
 /// The name of a type of panels.
 fn type_name(number: u32) -> String {
@@ -37,7 +38,7 @@ pub(super) fn panels(build: &Build) -> String {
         let nodes: Vec<String> = corners.iter().map(|&v| node_name(v)).collect();
         let flat = build.flat[f].as_ref();
         let cut = build.cut[f].as_ref();
-        let outline = cut.map(|cut| &build.parts[cut.part].outline[..]);
+        let part = cut.map(|cut| &build.parts[cut.part]);
         let place = cut.and_then(|cut| places[cut.part].map(|place| (cut, place)));
         // The rotation from the plane of the panel, whose x axis is its first edge.
         let turn = place.map(|(cut, (_, place))| {
@@ -48,8 +49,8 @@ pub(super) fn panels(build: &Build) -> String {
             Cell::from(&**name),
             Cell::from(&*kind),
             Cell::from(corners.len()),
-            Cell::from(outline.map(area)),
-            Cell::from(outline.map(perimeter)),
+            Cell::from(part.map(CutPart::area)),
+            Cell::from(part.map(|part| perimeter(&part.outline))),
             Cell::from(cut.map(|cut| cut.size[0])),
             Cell::from(cut.map(|cut| cut.size[1])),
             Cell::from(flat.map(|flat| flat.flatness * building)),
@@ -58,7 +59,7 @@ pub(super) fn panels(build: &Build) -> String {
             Cell::from(place.map(|(_, (_, place))| place.offset[0])),
             Cell::from(place.map(|(_, (_, place))| place.offset[1])),
             Cell::from(turn),
-            Cell::from(cut.map_or("", |cut| build.parts[cut.part].named.words())),
+            Cell::from(part.map_or("", |part| part.named.words())),
             Cell::from(build.order[f] as usize),
             Cell::from(&*nodes.join(" ")),
         ]);

@@ -3,7 +3,7 @@
 use crate::fabricate::build::{Build, beam_name};
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::paper::{JointKind, PaperModel};
-use crate::math::plane::area;
+use crate::math::plane::distance;
 
 /// Both tables, with the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
@@ -36,7 +36,7 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
             Cell::from(&*part.name),
             Cell::from(part.panels.len()),
             Cell::from(model.tabs(model.pieces[k]).count()),
-            Cell::from(area(&part.outline)),
+            Cell::from(part.area()),
             place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
             Cell::from(place.map(|(_, place)| place.offset[0])),
             Cell::from(place.map(|(_, place)| place.offset[1])),
@@ -86,7 +86,7 @@ fn joins(build: &Build, model: &PaperModel) -> String {
             tab.map(|tab| panels[usize::from((tab.side.facet, tab.side.side) != joint.sides[0])]);
         let length = |k: usize| {
             let [p, q] = net.ends(joint.sides[k]);
-            ((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1])).sqrt()
+            distance(p, q)
         };
         table.row([
             Cell::from(&*name),

@@ -5,17 +5,21 @@ use crate::scene::Product::{self, Fins, Panels, Paper};
 const ALL: &[Product] = &Product::ALL;
 
 /// What is explained, for which products, and in which words.
-const READING: [(&[Product], &str, &str); 13] = [
+const READING: [(&[Product], &str, &str); 15] = [
     (ALL, "edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     (ALL, "edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
-    (&[Panels], "outlines", "each side moved inwards by half the joint, outwards by half the kerf"),
+    (
+        &[Panels],
+        "outlines",
+        "each side moved inwards by half the joint, outwards by half the kerf; reliefs for the tool added",
+    ),
     (
         &[Panels],
         "panels.csv nodes",
         "counterclockwise seen from outside, from the edge at the arrow",
     ),
     (&[Panels], "panels.csv turn_deg", "direction of the edge at the arrow, on the sheet"),
-    (&[Fins], "fins.csv turn_deg", "direction of its name on the sheet"),
+    (&[Fins], "fins.csv turn_deg", "direction from node_a to node_b, on the sheet"),
     (&[Fins], "names of fins", "from their first node to their second, tops of letters outwards"),
     (
         &[Fins],
@@ -29,6 +33,12 @@ const READING: [(&[Product], &str, &str); 13] = [
         "node-beams.csv elevation_deg",
         "of the edge, outwards from the plane across the axis",
     ),
+    (
+        &[Fins],
+        "discs.csv seat_sheet_mm",
+        "from the node along its axis to the side on the fins, negative inwards",
+    ),
+    (&[Fins], "discs.csv turn_deg", "direction of the first beam in node-beams.csv, on the sheet"),
     (&[Paper], "joins.csv fold", "seen from outside; a tab is folded as its edge is"),
     (&[Paper], "tabs", "glued to the inside of the panel that is named on them"),
 ];

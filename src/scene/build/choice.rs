@@ -98,20 +98,6 @@ pub enum Pieces {
     Across,
 }
 
-impl Pieces {
-    /// All kinds.
-    pub const ALL: [Pieces; 3] = [Pieces::Nets, Pieces::Strips, Pieces::Across];
-
-    /// Its identifier in files and on the command line.
-    pub fn id(self) -> &'static str {
-        match self {
-            Pieces::Nets => "nets",
-            Pieces::Strips => "strips",
-            Pieces::Across => "across",
-        }
-    }
-}
-
 /// A version of DXF.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

@@ -17,9 +17,6 @@ pub enum Page {
 }
 
 impl Page {
-    /// All page sizes.
-    pub const ALL: [Page; 3] = [Page::Sheet, Page::A4, Page::A3];
-
     /// Its identifier in files and on the command line.
     pub fn id(self) -> &'static str {
         match self {

@@ -1,5 +1,5 @@
 //! "closeness": the target of the closeness energy. Another surface is written like the mesh of the
-//! scene.
+//! scene: as `to`, or as `target` while `to` is something else.
 
 use super::mesh;
 use crate::json::{Either, object, object_or_none, objects, word_or};
@@ -19,14 +19,16 @@ struct ClosenessFile {
     weights: Vec<ClosenessWeight>,
     #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
     boundary: Option<BoundaryCloseness>,
+    #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
+    target: Option<TargetFile>,
 }
 
 impl<'de> Deserialize<'de> for Closeness {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Closeness, D::Error> {
-        let ClosenessFile { to, weights, boundary } = object(from)?;
-        let (to, target) = match to {
-            To::Word(to) => (to, None),
-            To::Surface(target) => (ClosenessTo::Target, Some(target)),
+        let ClosenessFile { to, target, weights, boundary } = object(from)?;
+        let (to, target) = match (to, target) {
+            (To::Word(to), kept) => (to, kept.map(|kept| kept.mesh)),
+            (To::Surface(target), _) => (ClosenessTo::Target, Some(target)),
         };
         Ok(Closeness { to, target, weights, boundary })
     }
@@ -35,11 +37,11 @@ impl<'de> Deserialize<'de> for Closeness {
 impl Serialize for Closeness {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         let Closeness { to: word, target, weights, boundary } = self.clone();
-        let own = match (word, target) {
-            (ClosenessTo::Target, Some(target)) => To::Surface(target),
-            (word, _) => To::Word(word),
+        let (own, target) = match (word, target) {
+            (ClosenessTo::Target, Some(target)) => (To::Surface(target), None),
+            (word, kept) => (To::Word(word), kept.map(|mesh| TargetFile { mesh })),
         };
-        ClosenessFile { to: own, weights, boundary }.serialize(to)
+        ClosenessFile { to: own, target, weights, boundary }.serialize(to)
     }
 }
 
@@ -61,21 +63,26 @@ impl To {
     }
 }
 
-#[derive(serde::Deserialize)]
+#[derive(serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 struct TargetFile {
-    #[serde(deserialize_with = "mesh::mesh_or_path")]
-    mesh: MeshSource,
+    mesh: Target,
+}
+
+impl<'de> Deserialize<'de> for Target {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Target, D::Error> {
+        Ok(match mesh::mesh_or_path(from)? {
+            MeshSource::File(path) => Target::File(path),
+            MeshSource::Inline(mesh) => Target::Mesh(Rc::from(mesh)),
+        })
+    }
 }
 
 impl<'de> Deserialize<'de> for To {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<To, D::Error> {
         const FORMS: &str = "\"surface\" or \"rest\" or \"none\" or { \"mesh\": ... }";
         match word_or(from, FORMS)? {
-            Either::Object(TargetFile { mesh }) => Ok(To::Surface(match mesh {
-                MeshSource::File(path) => Target::File(path),
-                MeshSource::Inline(mesh) => Target::Mesh(Rc::from(mesh)),
-            })),
+            Either::Object(TargetFile { mesh }) => Ok(To::Surface(mesh)),
             Either::Word(word) => ClosenessTo::of_word(&word)
                 .filter(|to| *to != ClosenessTo::Target)
                 .map(To::Word)

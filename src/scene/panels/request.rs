@@ -65,9 +65,9 @@ fn fitting(info: &Info, mesh: &Mesh) -> usize {
 
 impl Scene {
     /// Requests the shape `kind`, soft or hard by `require`, for every suitable face of `mesh`, and
-    /// returns the declaration of the kind. An existing constraint of this kind on all faces is
-    /// enabled instead, and stays exact if it was. Constraints of other offered kinds on all faces
-    /// are disabled. Weights that would not keep the mesh intact are set by [`Scene::set_opened_defaults`].
+    /// returns the declaration of the kind. An existing constraint of this kind without
+    /// parameters of its own on all faces is enabled instead, and stays exact if it was. Constraints of
+    /// other offered kinds on all faces are disabled. Weights that would not keep the mesh intact are set by [`Scene::set_opened_defaults`].
     ///
     /// # Errors
     /// If there is no such kind, or no face suits it.
@@ -97,22 +97,23 @@ impl Scene {
             )));
         }
 
-        let mut found = false;
         for row in self.constraints.iter_mut().filter(|row| row.on == all_faces()) {
             let other = row.kind.info();
-            if other.id == info.id {
-                row.enabled = row.enabled || !found;
+            if info.panels.is_some() && other.panels.is_some() && other.id != info.id {
+                row.enabled = false;
+            }
+        }
+        let is_asked = |row: &ConstraintSpec| row.kind == kind && row.on == all_faces();
+        let asked = self.constraints.iter_mut().filter(|row| is_asked(row));
+        match asked.min_by_key(|row| !row.enabled) {
+            Some(row) => {
+                row.enabled = true;
                 if require.is_hard() && row.require != Require::Exact {
                     row.require = require;
                     row.eased = None;
                 }
-                found = true;
-            } else if info.panels.is_some() && other.panels.is_some() {
-                row.enabled = false;
             }
-        }
-        if !found {
-            self.constraints.push(ConstraintSpec {
+            None => self.constraints.push(ConstraintSpec {
                 kind,
                 on: all_faces(),
                 weight: 1.0,
@@ -120,7 +121,7 @@ impl Scene {
                 name: String::new(),
                 require,
                 eased: None,
-            });
+            }),
         }
         let held = self.weights.close > 0.0 || self.weights.smooth > 0.0;
         if !held || self.weights.shape == 0.0 {
