@@ -4,8 +4,7 @@
 import type { Page } from '@playwright/test';
 import { openText, showStep, tool } from '../actions.ts';
 import { tube } from '../meshes.ts';
-import { decodePng } from '../picture.ts';
-import { expect, looks, openPage, state, test } from '../support.ts';
+import { expect, looks, openPage, pictureOf, state, test } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -29,8 +28,7 @@ async function openCurvature(page: Page) {
 
 /** Counts the pixels of the view in which red, or blue, clearly dominates. */
 async function tinted(page: Page) {
-  const view = page.getByRole('application', { name: '3D view' });
-  const { pixels, channels } = decodePng(await view.screenshot());
+  const { pixels, channels } = await pictureOf(page);
   const found = { red: 0, blue: 0 };
   for (let i = 0; i < pixels.length; i += channels) {
     const [r, g, b] = [pixels[i], pixels[i + 1], pixels[i + 2]];

@@ -16,6 +16,7 @@ import {
   middleOfPicture,
   openPage,
   positionOf,
+  seen,
   state,
   test,
   waitForState,
@@ -141,7 +142,7 @@ test('a picture has the chosen size, legend and background', looks, async ({ pag
     await dialog.getByLabel('Legend').setChecked(legend);
     await dialog.getByRole('combobox', { name: 'Background' }).selectOption(ground);
     await page.keyboard.press('Escape');
-    const { bytes, name } = await exported(page, 'PNG');
+    const { bytes, name } = await seen(page, () => exported(page, 'PNG'));
     expect(name).toMatch(/\.png$/);
     // The PNG header has the size.
     expect([bytes.readUInt32BE(16), bytes.readUInt32BE(20)]).toEqual(
@@ -323,7 +324,7 @@ test('a Rhino file without readable geometry is refused with the reason', async 
 test('a script gets the same picture in one tile or in several', looks, async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer.startsWith('web'));
-  const found = await page.evaluate(async () => {
+  const compared = async () => {
     const small = async (width: number) => {
       const blob = await window.shapeUp.picture({ width, legend: false, ground: 'white' });
       const image = await createImageBitmap(blob);
@@ -343,7 +344,8 @@ test('a script gets the same picture in one tile or in several', looks, async ({
       plain += byte < 200 ? 1 : 0;
     });
     return { widths: [one.width, two.width], mean: sum / one.data.length, plain };
-  });
+  };
+  const found = await seen(page, () => page.evaluate(compared));
   expect(found.widths).toEqual([1500, 3000]);
   expect(found.plain, 'there is a picture').toBeGreaterThan(5000);
   expect(found.mean).toBeLessThan(4);
@@ -354,11 +356,12 @@ test('a film shows one turn if the browser can record', looks, async ({ page }) 
   await waitForState(page, (now) => now.renderer.startsWith('web'));
   const corner = () => page.evaluate(() => window.shapeUp.screen(0) as [number, number]);
   const before = await corner();
-  const film = await page.evaluate(async () => {
+  const record = async () => {
     const blob = await window.shapeUp.turntable(1);
     const head = new Uint8Array(await blob.slice(0, 4).arrayBuffer());
     return { type: blob.type, size: blob.size, head: [...head] };
-  });
+  };
+  const film = await seen(page, () => page.evaluate(record));
   // The signature of a Matroska file.
   expect(film.head).toEqual([0x1a, 0x45, 0xdf, 0xa3]);
   expect(film.type).toBe('video/webm');

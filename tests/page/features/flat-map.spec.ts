@@ -1,6 +1,6 @@
 // Parametrisation: a flat map beside the model.
 
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -8,8 +8,17 @@ import { join } from 'node:path';
 import { program } from '../../../.scripts/project.mjs';
 import { openExample, openText, openVariations, runToTheEnd, saved, showStep } from '../actions.ts';
 import { box, tube, wavyGrid } from '../meshes.ts';
-import { decodePng, differingBytes } from '../picture.ts';
-import { boxOf, drawn, expect, looks, openPage, screenOf, test, waitForState } from '../support.ts';
+import { differingBytes } from '../picture.ts';
+import {
+  boxOf,
+  expect,
+  looks,
+  openPage,
+  pictureOf,
+  screenOf,
+  test,
+  waitForState,
+} from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -34,12 +43,6 @@ function commandLine(obj: string, ...options: string[]) {
   } finally {
     rmSync(folder, { recursive: true });
   }
-}
-
-/** A screenshot of an element once the picture is up to date. */
-async function pictureOf(page: Page, part: Locator) {
-  await drawn(page);
-  return decodePng(await part.screenshot());
 }
 
 test('an example is flattened, and Escape returns to the model', looks, async ({ page }) => {
@@ -181,7 +184,7 @@ test(
     await expect(show).toBeHidden();
     await expect(map(page).getByText('flipped')).toBeHidden();
     const red = async () => {
-      const { pixels: drawn, channels } = decodePng(await map(page).screenshot());
+      const { pixels: drawn, channels } = await pictureOf(page, map(page));
       let count = 0;
       for (let at = 0; at < drawn.length; at += channels)
         count += Number(drawn[at] > 180 && drawn[at + 1] < 80 && drawn[at + 2] < 90);

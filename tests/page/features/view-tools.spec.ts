@@ -20,6 +20,7 @@ import {
   middleOfPicture,
   openPage,
   screenOf,
+  seen,
   state,
   test,
   waitForState,
@@ -246,7 +247,7 @@ test(
     expect((await state(page)).selection.vertices).toEqual([]);
 
     // An exported picture shows the tape.
-    const { bytes } = await exported(page, 'PNG');
+    const { bytes } = await seen(page, () => exported(page, 'PNG'));
     expect(pixelsOf(bytes, TAPE)).toBeGreaterThan(20);
 
     // The tape follows a drag; the original distance stays.
