@@ -312,6 +312,12 @@ export function known<Value>(value: Value | null | undefined): Value {
   return value;
 }
 
+/**
+ * Waits until the solver has answered all that it was asked: only then is it certain that a press
+ * changed nothing.
+ */
+export const settled = (page: Page) => page.evaluate(() => window.shapeUp.settled());
+
 /** Waits until the picture is up to date. */
 export const drawn = (page: Page) => page.evaluate(() => window.shapeUp.drawn());
 

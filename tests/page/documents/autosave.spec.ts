@@ -11,6 +11,7 @@ import {
   positionOf,
   sceneOf,
   screenOf,
+  settled,
   state,
   test,
   visit,
@@ -392,7 +393,7 @@ test('an unedited example is not saved', async ({ page }) => {
   await visit(page);
   // By now the tab has a name for its work, and all its saving has finished.
   await page.waitForFunction(() => sessionStorage.getItem('shape-up.work'));
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   await visit(page);
   await expect(back(page)).toBeHidden();
   await tool(page, 'Open recent');

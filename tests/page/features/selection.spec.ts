@@ -3,7 +3,16 @@
 import type { Page } from '@playwright/test';
 import { hidePanels, openText } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { boxOf, expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
+import {
+  boxOf,
+  expect,
+  openPage,
+  screenOf,
+  settled,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -134,6 +143,7 @@ test('a lasso selects what it encloses, and Escape restores the selection', asyn
   await page.mouse.move(...around[1], { steps: 4 });
   await page.keyboard.press('Escape');
   await page.mouse.up();
+  await settled(page);
   expect((await state(page)).selection).toEqual(selection);
 });
 

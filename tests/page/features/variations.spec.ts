@@ -4,7 +4,16 @@
 import type { Locator, Page } from '@playwright/test';
 import { openText, openVariations, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { boxOf, everything, expect, openPage, state, test, waitForState } from '../support.ts';
+import {
+  boxOf,
+  everything,
+  expect,
+  openPage,
+  settled,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -100,7 +109,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
     await next.elementHandle(),
   );
   await expect(table.getByRole('row')).toHaveCount(2);
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   await expect(page.getByRole('alert')).toBeEmpty();
 
   // The last column was cut off.

@@ -21,6 +21,7 @@ import {
   openPage,
   screenOf,
   seen,
+  settled,
   state,
   test,
   waitForState,
@@ -229,7 +230,7 @@ test(
 );
 
 test(
-  'the tape measures between two clicked vertices, follows the mesh, and Esc removes it',
+  'the tape measures between two clicked vertices, pictures have it, and Esc removes it',
   looks,
   async ({ page }) => {
     await openSteps(page);
@@ -250,9 +251,10 @@ test(
     const { bytes } = await seen(page, () => exported(page, 'PNG'));
     expect(pixelsOf(bytes, TAPE)).toBeGreaterThan(20);
 
-    // The tape follows a drag; the original distance stays.
+    // A double click makes no handle.
     await page.keyboard.press('Shift+Digit1');
     await page.mouse.dblclick(...(await screenOf(page, 6)));
+    await settled(page);
     expect((await state(page)).handles).toEqual([]);
     await page.keyboard.press('Escape');
     await expect(tape(page)).toBeHidden();
@@ -345,6 +347,7 @@ test('the original is shown while its key or the Reset button is held', async ({
   await page.mouse.up();
   await isOver();
   // A long press is no click: nothing was reset.
+  await settled(page);
   expect((await state(page)).iteration).toBe(before.iteration);
   // By its key it does what it says, although it was held before.
   await reset.press('Enter');

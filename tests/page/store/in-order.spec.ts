@@ -12,6 +12,7 @@ import {
   openPage,
   sceneOf,
   screenOf,
+  settled,
   state,
   test,
   waitForState,
@@ -132,7 +133,7 @@ test.describe('in one document', () => {
     await expect(page.getByRole('status')).toHaveText(reason);
     expect((await state(page)).handles).toEqual(before.handles);
     await page.mouse.up();
-    await page.evaluate(() => window.shapeUp.settled());
+    await settled(page);
     expect((await state(page)).handles).toEqual(before.handles);
     await expect(page.getByRole('alert')).toBeEmpty();
     // Nor by keys, nor is another one made.
@@ -148,7 +149,7 @@ test.describe('in one document', () => {
     await page.mouse.move(farX + 30, farY, { steps: 3 });
     await page.mouse.up();
     await page.keyboard.up('Alt');
-    await page.evaluate(() => window.shapeUp.settled());
+    await settled(page);
     expect((await state(page)).handles).toEqual(before.handles);
   });
 });
@@ -245,7 +246,7 @@ test.describe('on a slow network', () => {
     // The menu of the examples is filled by the same answer.
     const examples = page.getByRole('menuitem', { includeHidden: true });
     await expect.poll(() => examples.count()).toBeGreaterThan(5);
-    await page.evaluate(() => window.shapeUp.settled());
+    await settled(page);
     await page.waitForTimeout(500);
     expect((await state(page)).vertices).toBe(SIDE ** 2);
     await expect(page.getByRole('status')).toContainText('mine.obj');
