@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../../.scripts/project.mjs';
 import { openExample, openText, openVariations, runToTheEnd, saved, showStep } from '../actions.ts';
+import { holdingAnswers } from '../answers.ts';
 import { box, tube, wavyGrid } from '../meshes.ts';
 import { differingBytes } from '../picture.ts';
 import {
@@ -16,6 +17,7 @@ import {
   openPage,
   pictureOf,
   screenOf,
+  settled,
   test,
   waitForState,
 } from '../support.ts';
@@ -235,30 +237,18 @@ test.describe('with choices of their own', () => {
   });
 
   test('one that is closed meanwhile does not come back', async ({ page }) => {
-    // Maps after the first come late.
-    await page.addInitScript(() => {
-      window.Worker = class extends Worker {
-        #maps: number[] = [];
-        override postMessage(message: { id: number; name: string }, ...rest: unknown[]) {
-          if (message.name === 'parametrize') this.#maps.push(message.id);
-          super.postMessage(message, ...(rest as [StructuredSerializeOptions?]));
-        }
-        override set onmessage(listener: (event: MessageEvent) => void) {
-          super.onmessage = (event: MessageEvent) => {
-            if (this.#maps.indexOf(event.data.id) > 0) setTimeout(() => listener(event), 500);
-            else listener(event);
-          };
-        }
-      };
-    });
+    const answers = await holdingAnswers(page);
     await openPage(page);
     await openText(page, 'wavy.obj', wavyGrid(6), 49);
     await parametrize(page);
     await expect(page.getByRole('status')).toHaveText(/^Flattened in /);
+    await answers.hold('parametrize');
     await page.getByLabel('Weight of a polygon').selectOption('one');
     await expect(page.getByRole('status')).toHaveText('Flattening …');
+    await answers.come('jobs: parametrize');
     await page.keyboard.press('Escape');
-    await page.waitForTimeout(900);
+    await answers.release();
+    await settled(page);
     await expect(page.getByRole('heading', { name: 'Flat map' })).toBeHidden();
     await expect(page.getByRole('status')).not.toHaveText('Flattening …');
   });

@@ -4,6 +4,7 @@
 import type { Page } from '@playwright/test';
 import { unzipSync } from 'fflate';
 import { constraintCount, downloaded, openGrid, openText, showStep } from '../actions.ts';
+import { holdingAnswers } from '../answers.ts';
 import { wavyGrid } from '../meshes.ts';
 import {
   expect,
@@ -154,34 +155,11 @@ test.describe('in one document', () => {
   });
 });
 
-/** Delay of the answers that are held back, in ms. */
-const SLOWLY = 1500;
-
-test.describe('with slow answers', () => {
+test.describe('with answers that come late', () => {
   test.use({ fresh: true });
 
-  test.beforeEach(async ({ page }) => {
-    await page.addInitScript((slowly) => {
-      window.Worker = class extends Worker {
-        #late = new Set<unknown>();
-        override postMessage(
-          call: { id?: number; name: string },
-          ...rest: [(Transferable[] | StructuredSerializeOptions)?]
-        ) {
-          if (call.name === 'previews' || call.name === 'verdict') this.#late.add(call.id);
-          super.postMessage(call, ...(rest as [StructuredSerializeOptions?]));
-        }
-        override set onmessage(hear: (event: MessageEvent) => void) {
-          super.onmessage = (event) => {
-            if (this.#late.has(event.data.id)) setTimeout(hear, slowly, event);
-            else hear(event);
-          };
-        }
-      };
-    }, SLOWLY);
-  });
-
   test('a constraint added at once after a click is on what was clicked', async ({ page }) => {
+    const answers = await holdingAnswers(page);
     await openGrid(page, N);
     await page.keyboard.press('3');
     await page.mouse.click(...(await middleOf(page, cornersOf(4, 4))));
@@ -191,8 +169,11 @@ test.describe('with slow answers', () => {
     const dialog = page.getByRole('dialog', { name: 'New constraint' });
     await dialog.getByRole('radio', { name: 'Plane', exact: true }).check();
     await dialog.getByRole('radio', { name: 'whole selection together' }).check();
+    await answers.hold('constraintOffers');
     await page.mouse.click(...(await middleOf(page, cornersOf(2, 2))));
     await dialog.getByRole('button', { name: 'Add', exact: true }).click();
+    await answers.come('solver: constraintOffers');
+    await answers.release();
     await expect(dialog).toBeHidden();
     await expect.poll(() => constraintCount(page)).toBe(1);
     const [{ on }] = (await sceneOf(page)).constraints;
@@ -210,6 +191,7 @@ test.describe('with slow answers', () => {
   test('the verdict follows a tolerance that is set while another one is answered', async ({
     page,
   }) => {
+    const answers = await holdingAnswers(page);
     await openGrid(page, N);
     await page.getByRole('button', { name: 'Make panels circular' }).click();
     const card = page.getByRole('group', { name: 'Panels', exact: true });
@@ -220,12 +202,11 @@ test.describe('with slow answers', () => {
       await tolerance.press('Enter');
     };
     await expect(card).toContainText('Your mesh moved');
-    // Nothing is asked any more.
-    await page.waitForTimeout(2 * SLOWLY);
+    await answers.hold('verdict');
     await set('2');
-    // Half of the time of an answer.
-    await page.waitForTimeout(SLOWLY / 2);
+    await answers.come('solver: verdict');
     await set('3');
+    await answers.release();
     await expect(card).toContainText('panels are circular within 3 mm');
   });
 });
