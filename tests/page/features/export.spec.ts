@@ -46,7 +46,7 @@ v 0 0 0\nv 1000 0 10\nv 2000 0 0\nv 0 1000 0\nv 1000 1000.123456789012 0\nv 2000
 v 3000 -500 0\nv 4000 0 20\nv 4000 1000 0\nv 3000 1500 0
 g west\nf 1 2 5 4\ng middle\nf 2 3 6 5\ng east\nf 3 7 8 9 10 6\nl 1 2 3\n`;
 
-test('the exported tables equal the report of the command line', async ({ page }) => {
+test('mesh and tables equal those of the command line for the same scene', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await addConstraint(page, 'Circle', 'each face');
@@ -55,6 +55,8 @@ test('the exported tables equal the report of the command line', async ({ page }
     await page.getByRole('button', { name: 'Step' }).click();
     await waitForState(page, (now, count) => now.iteration === count, i);
   }
+  const mesh = await exported(page, 'OBJ');
+  expect(mesh.name).toBe('roof.obj');
   const errors = await exported(page, 'Errors');
   expect(errors.name).toBe('roof-errors.csv');
   const convergence = await exported(page, 'Convergence');
@@ -62,10 +64,13 @@ test('the exported tables equal the report of the command line', async ({ page }
 
   const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
   try {
-    const [input, output] = ['roof.shapeup.json', 'report.json'].map((name) => join(folder, name));
+    const [input, solved, output] = ['roof.shapeup.json', 'roof.obj', 'report.json'].map((name) =>
+      join(folder, name),
+    );
     writeFileSync(input, scene.text);
-    const options = ['solve', input, '--iterations', String(STEPS), '--trace', '--report', output];
-    execFileSync(program, options);
+    const options = ['--iterations', String(STEPS), '--trace', '--out', solved, '--report', output];
+    execFileSync(program, ['solve', input, ...options]);
+    expect(mesh.text).toBe(readFileSync(solved, 'utf8'));
     const report = JSON.parse(readFileSync(output, 'utf8'));
     expect(rowsOf(convergence.text)).toEqual(report.trace);
     const rows = rowsOf(errors.text);

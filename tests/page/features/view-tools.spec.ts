@@ -292,7 +292,7 @@ test('the tape measures two selected vertices by keyboard alone', async ({ page 
 });
 
 test(
-  'opening another model removes the tape, and a lost context does not',
+  'a lost graphics context is restored, with the tape, which opening another model removes',
   looks,
   async ({ page }) => {
     await openSteps(page, 'renderer=webgl2');
@@ -307,6 +307,8 @@ test(
       canvas.dataset.lost = 'yes';
     });
     await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
+    await waitForState(page, (now) => now.renderer === 'webgl2');
+    await expect(page.getByRole('status')).toHaveText('The 3D view was lost and is being restored');
     await expect.poll(() => coloursOfView(page)).toBeGreaterThan(20);
     await expect(tape(page).getByRole('row', { name: 'original' })).toContainText('6.1644');
     await page.keyboard.press('Shift+Digit1');

@@ -13,7 +13,8 @@ import {
   waitForState,
 } from '../support.ts';
 
-test.use({ fresh: true });
+// WebGPU fills all pixels, in software.
+test.use({ fresh: true, viewport: { width: 720, height: 450 } });
 
 /** Records the variants of the view's module that a page loads. */
 function watchModules(page: Page) {
