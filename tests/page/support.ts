@@ -283,6 +283,13 @@ export async function screenOf(page: Page, vertex: number): Promise<[number, num
   return point ?? [NaN, NaN];
 }
 
+/** The middle of some vertices on the page, [x, y] in CSS pixels. */
+export async function middleOf(page: Page, vertices: number[]): Promise<[number, number]> {
+  const at = await Promise.all(vertices.map((one) => screenOf(page, one)));
+  const mean = (axis: number) => at.reduce((sum, point) => sum + point[axis], 0) / at.length;
+  return [mean(0), mean(1)];
+}
+
 /** Drags a vertex by [dx, dy] CSS pixels with the mouse, in a few moves. */
 export async function dragVertex(page: Page, vertex: number, [dx, dy]: number[]) {
   const [x, y] = await screenOf(page, vertex);

@@ -2,7 +2,7 @@
 
 import type { BrowserContext, Page } from '@playwright/test';
 import { addConstraint, downloaded, openText, runToTheEnd, tool } from '../actions.ts';
-import { quadScene, wavyGrid } from '../meshes.ts';
+import { endlessScene, wavyGrid } from '../meshes.ts';
 import {
   boxOf,
   expect,
@@ -19,14 +19,6 @@ import {
 } from '../support.ts';
 
 test.use({ fresh: true });
-
-/** A scene that needs far more iterations than the test has time for. */
-function endlessScene() {
-  const scene = JSON.parse(quadScene(40));
-  scene.constraints = [{ kind: 'circle', on: 'faces' }];
-  scene.solver = { tolerance: 0, accelerator: 'none' };
-  return JSON.stringify(scene);
-}
 
 /** Waits until everything is saved. */
 const kept = (page: Page) =>

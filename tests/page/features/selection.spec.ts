@@ -6,6 +6,7 @@ import { wavyGrid } from '../meshes.ts';
 import {
   boxOf,
   expect,
+  middleOf,
   openPage,
   screenOf,
   settled,
@@ -31,13 +32,6 @@ test.beforeEach(async ({ page }) => {
 
 const bar = (page: Page) => page.getByRole('toolbar', { name: 'Selection' });
 const status = (page: Page) => page.getByRole('status');
-
-/** The centre of some vertices on the page. */
-async function middleOf(page: Page, vertices: number[]): Promise<[number, number]> {
-  const at = await Promise.all(vertices.map((one) => screenOf(page, one)));
-  const mean = (axis: number) => at.reduce((sum, point) => sum + point[axis], 0) / at.length;
-  return [mean(0), mean(1)];
-}
 
 /** The centre of the face whose lower left corner is in column x and row y. */
 const faceAt = (page: Page, x: number, y: number) =>

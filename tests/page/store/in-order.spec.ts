@@ -1,15 +1,15 @@
 // A press acts on what was typed, chosen and clicked before it, although the solver has not answered
 // yet; an answer that is out of date is not shown.
 
-import type { Page } from '@playwright/test';
-import { unzipSync } from 'fflate';
 import { constraintCount, downloaded, openGrid, openText, showStep } from '../actions.ts';
 import { holdingAnswers } from '../answers.ts';
 import { wavyGrid } from '../meshes.ts';
+import { filesOf } from '../sheets.ts';
 import {
   expect,
   hold,
   known,
+  middleOf,
   openPage,
   sceneOf,
   screenOf,
@@ -28,19 +28,6 @@ const cornersOf = (x: number, y: number) => [
   ...[vertex(x, y), vertex(x + 1, y)],
   ...[vertex(x + 1, y + 1), vertex(x, y + 1)],
 ];
-
-async function middleOf(page: Page, vertices: number[]): Promise<[number, number]> {
-  const at = await Promise.all(vertices.map((one) => screenOf(page, one)));
-  const mean = (axis: number) => at.reduce((sum, point) => sum + point[axis], 0) / at.length;
-  return [mean(0), mean(1)];
-}
-
-/** The names and contents of the files in an archive. */
-const filesOf = (bytes: Uint8Array) =>
-  Object.entries(unzipSync(bytes)).map(([name, content]) => [
-    name,
-    Buffer.from(content).toString('latin1'),
-  ]);
 
 test.describe('in one document', () => {
   test.use({ sameDocument: true });
