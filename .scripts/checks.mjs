@@ -1,9 +1,9 @@
 // What `npm test` runs, in two lanes side by side: a machine has at least two cores, and compilers
 // and linkers often use one. `npm run check` runs the steps that need no browser.
 
-import { readdirSync } from 'node:fs';
+import { existsSync, readdirSync } from 'node:fs';
 import { relative } from 'node:path';
-import { at, root } from './project.mjs';
+import { at, program, root } from './project.mjs';
 import { filesUnder } from './stamp.mjs';
 import { moduleArguments, modules, sourcesOf } from './wasm.mjs';
 
@@ -48,10 +48,15 @@ const pageTests = (...projects) => [
 
 /** How everything is compiled and run. */
 const common = () =>
-  ['.scripts', '.cargo', 'Cargo.toml', 'Cargo.lock', 'package-lock.json'].map((name) => at(name));
+  [
+    ...['.scripts', '.cargo', '.clippy.toml', '.rustfmt.toml'],
+    ...['Cargo.toml', 'Cargo.lock', 'package-lock.json'],
+  ].map((name) => at(name));
+/** Foreign meshes and expected results, which a clone of the repository alone has not. */
+const shared = at('..', 'shared');
 /**
  * What decides over the tests of Rust, which also read the README, the results that the gallery
- * shows and the script for Rhino. Steps with `inputs` are skipped while these are unchanged.
+ * shows, the script for Rhino and the material beside the project. Steps with `inputs` are skipped while these are unchanged.
  */
 const rust = () => [
   ...common(),
@@ -59,12 +64,17 @@ const rust = () => [
   ...filesUnder(at('tests')).filter(
     (path) => !/^tests\/(page|scripts)\//.test(relative(root, path)),
   ),
+  ...(existsSync(shared) ? [shared] : []),
 ];
-/** What decides over the tests of the page: the site without the sources that it offers. */
-const site = () => [
+/**
+ * What decides over the tests of the page: the built site without the sources that it offers and the
+ * package beside it, and the program with which it is compared.
+ */
+export const site = (built = filesUnder(at('dist'))) => [
   ...common(),
   at('tests', 'page'),
-  ...filesUnder(at('dist')).filter((path) => !path.startsWith(at('dist', 'sources'))),
+  program,
+  ...built.filter((path) => !/^dist\/(sources|npm)\//.test(relative(root, path))),
 ];
 
 const module = (feature) => ({ title: `the ${feature} module`, run: script('modules', feature) });
@@ -148,7 +158,11 @@ const native = [
   },
   {
     title: 'native tests',
-    run: ['cargo', ['test', '--no-fail-fast', ...nativeArguments, '--test', 'native']],
+    // With what they print: some say that they have nothing to look at.
+    run: [
+      'cargo',
+      ['test', '--no-fail-fast', ...nativeArguments, '--test', 'native', '--', '--show-output'],
+    ],
     env: linted,
     count: 'cargo',
     inputs: rust,
@@ -160,8 +174,8 @@ const built = [
   { title: 'sizes', run: script('sizes'), show: true },
 ];
 
-/** The program that the native tests run, with which the benchmark and the page are compared. */
-const program = {
+/** Builds the program that the native tests run, with which the benchmark and the page are compared. */
+const programBuilt = {
   title: 'the native program',
   // As the tests compile it: by itself it would be compiled anew, with fewer features of its crates.
   run: ['cargo', ['test', '--no-run', ...nativeArguments, '--test', 'native']],
@@ -201,7 +215,7 @@ const page = [
 
 const all = [
   [[...texts, ...engine, ...views.map(module), ...compiled, ...built], native],
-  [[program, ...bench, ...viewTests, ...page]],
+  [[programBuilt, ...bench, ...viewTests, ...page]],
 ];
 
 const declarations = {
@@ -212,8 +226,8 @@ const declarations = {
 /** The stages of each command, one after another; the lanes of a stage run side by side. */
 export const stages = {
   check: [[[...texts, declarations, ...compiled], native]],
-  site: [[[...engine, ...views.map(module), ...viewTests, ...built, program, ...bench]]],
-  page: [[[program, ...page]]],
+  site: [[[...engine, ...views.map(module), ...viewTests, ...built, programBuilt, ...bench]]],
+  page: [[[programBuilt, ...page]]],
   test: all,
   long: all,
 };

@@ -202,17 +202,24 @@ async function takeFlattened({ page }, address, { id }) {
   await page.setViewportSize(windowOf());
 }
 
-/** Takes the pictures of all examples, or of one. */
-async function takeGallery(browser, address, only) {
+/** Returns the results of all examples, or of one. */
+function resultsOf(only) {
+  const results = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8'));
+  const found = results.filter(({ id }) => !only || id === only);
+  const ids = () => results.map(({ id }) => id).join(', ');
+  if (found.length === 0) throw new Problem(`example=${only}: not known; there are ${ids()}`);
+  return found;
+}
+
+/** Takes the pictures of examples. */
+async function takeGallery(browser, address, results) {
   const [page, framing] = await Promise.all(
     [0, 1].map(() => browser.newPage({ viewport: windowOf() })),
   );
   page.on('pageerror', (error) => console.error(error));
   await load(framing, address);
-  const results = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8'));
-  for (const result of results.filter(({ id }) => !only || id === only)) {
+  for (const result of results)
     await (result.energy ? takeSolved : takeFlattened)({ page, framing }, address, result);
-  }
 }
 
 /** Solves the examples and writes the results that the gallery shows. */
@@ -232,6 +239,7 @@ await main(async () => {
     say('solving the examples for their results');
     await solveExamples();
   }
+  const results = resultsOf(only);
   const { address, close } = await serve(at('dist'), { port: 4273 });
   const browser = await chromium.launch({
     executablePath: await findBrowser(),
@@ -245,7 +253,7 @@ await main(async () => {
     }
     if (onlyFirst) return;
     say('taking pictures of the gallery');
-    await takeGallery(browser, address, only);
+    await takeGallery(browser, address, results);
   } finally {
     await browser.close();
     close();

@@ -1,10 +1,10 @@
 // The sources that the site offers: of the library under the LGPL, as compiled, and of Shape-Up, so
 // that the site can be built with a modified library.
 
-import { mkdirSync, readdirSync, readFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, dirname, join } from 'node:path';
 import { EXCEPTIONS, shippedCrates } from './licences.mjs';
-import { at, root } from './project.mjs';
+import { root } from './project.mjs';
 import { outputOf, Problem } from './run.mjs';
 
 /** Returns the name of the archive with the source of a crate. */
@@ -17,15 +17,28 @@ function pack(archive, folder, entries, without = []) {
     throw new Problem(`tar cannot write ${archive}`);
 }
 
+/**
+ * Returns the own sources in a folder, and build output among them: the files of its repository, so
+ * that nothing else that lies there is published; unpacked from the archive it has none, and all is.
+ */
+export function ownSources(folder) {
+  const tracked =
+    existsSync(join(folder, '.git')) && outputOf('git', ['-C', folder, 'ls-files', '-z']);
+  if (tracked) {
+    const files = tracked.split('\0').filter((path) => path && existsSync(join(folder, path)));
+    return { entries: files, built: [] };
+  }
+  const ignored = readFileSync(join(folder, '.gitignore'), 'utf8').split('\n');
+  const built = ignored.map((line) => line.replace(/^\//, '')).filter((line) => line);
+  const entries = readdirSync(folder).filter((name) => name !== '.git' && !built.includes(name));
+  return { entries, built };
+}
+
 /** Writes the archives into `folder`. */
 export function writeSources(folder) {
   mkdirSync(folder, { recursive: true });
-  const built = readFileSync(at('.gitignore'), 'utf8')
-    .split('\n')
-    .map((line) => line.replace(/^\//, ''))
-    .filter((line) => line);
-  const own = readdirSync(root).filter((name) => name !== '.git' && !built.includes(name));
-  pack(join(folder, 'shape-up.tar.gz'), root, own, built);
+  const { entries, built } = ownSources(root);
+  pack(join(folder, 'shape-up.tar.gz'), root, entries, built);
   for (const crate of shippedCrates().filter(({ name }) => name in EXCEPTIONS))
     pack(join(folder, sourceOf(crate)), dirname(crate.folder), [basename(crate.folder)]);
 }

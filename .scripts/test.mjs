@@ -4,9 +4,10 @@
 
 import { existsSync } from 'node:fs';
 import { stages } from './checks.mjs';
-import { countTests, inexcusable } from './count.mjs';
+import { findBrowser } from './browser.mjs';
+import { countTests, inexcusable, isToRunAgain } from './count.mjs';
 import { targetFolder } from './project.mjs';
-import { main, Problem } from './run.mjs';
+import { main, outputOf, Problem } from './run.mjs';
 import { setUp } from './setup.mjs';
 import { stampOf } from './stamp.mjs';
 import { step } from './step.mjs';
@@ -16,15 +17,24 @@ const MOST_FLAKY = 2;
 
 const none = { passed: 0, failed: 0, skipped: 0, flaky: 0 };
 let sum = none;
+/** The versions of the tools that are there. */
+let found = [];
 
 const add = (a, b) => Object.fromEntries(Object.keys(none).map((key) => [key, a[key] + b[key]]));
 
 const inWords = ({ passed, failed, skipped, flaky }) =>
   `${passed} passed, ${failed} failed, ${skipped} skipped, ${flaky} flaky`;
 
-/** Prints what is to be said of the tests of a step, and returns their numbers. */
+/** What runs the steps, beside what the lock files name. */
+const tools = async () => [
+  ...[process.version, outputOf('rustc', ['--version'])],
+  outputOf(await findBrowser(), ['--version']),
+];
+
+/** Prints what is to be said of the tests of a step; returns their numbers, and whether to repeat it. */
 function counted(kind, { ok, output }) {
-  const { passed, failed, skipped, flaky } = countTests(kind, output);
+  const tests = countTests(kind, output);
+  const { passed, failed, skipped, flaky } = tests;
   const numbers = { passed, failed, skipped: skipped.length, flaky: flaky.length };
   const [unrun, unsteady] = [inexcusable(skipped), inexcusable(flaky)];
   if (unrun.length > 0 || unsteady.length > MOST_FLAKY) process.exitCode = 1;
@@ -32,14 +42,16 @@ function counted(kind, { ok, output }) {
   for (const test of unrun) console.log(`    skipped without a reason: ${test}`);
   for (const test of unsteady) console.log(`    flaky without a reason: ${test}`);
   // How they failed at first: Playwright numbers its reports.
-  if (ok && unsteady.length > 0) console.log(output.slice(output.search(/^ +1\) /m)));
-  return numbers;
+  const report = output.search(/^ +1\) /m);
+  if (ok && unsteady.length > 0 && report >= 0) console.log(output.slice(report));
+  return { numbers, again: isToRunAgain(tests) };
 }
 
 /** Runs a step, unless it has passed with the same inputs; resolves with whether it passed. */
 async function perform({ title, run, env, count, show, inputs }) {
   const name = title.replaceAll(/\W+/g, '-');
-  const stamp = inputs && stampOf({ name, inputs: inputs(), settings: [run, process.env.LONG] });
+  const settings = [run, process.env.LONG, found];
+  const stamp = inputs && stampOf({ name, inputs: inputs(), settings });
   const before = stamp?.stored();
   if (before) {
     console.log(`- ${title}: unchanged since it passed, ${inWords(before)}`);
@@ -47,10 +59,10 @@ async function perform({ title, run, env, count, show, inputs }) {
     return true;
   }
   const done = await step(title, ...run, env);
-  const numbers = count ? counted(count, done) : none;
+  const { numbers, again } = count ? counted(count, done) : { numbers: none, again: false };
   sum = add(sum, numbers);
   if (show && done.ok) console.log(done.output);
-  if (done.ok && numbers.flaky === 0) stamp?.store(numbers);
+  if (done.ok && !again) stamp?.store(numbers);
   return done.ok;
 }
 
@@ -70,6 +82,7 @@ await main(async () => {
   if (!existsSync(targetFolder)) process.env.CARGO_INCREMENTAL ??= '0';
   const begun = performance.now();
   await setUp({ checks: true });
+  found = await tools();
   console.log(`- set-up\n    ok (${((performance.now() - begun) / 1000).toFixed(1)} s)`);
   for (const lanes of stages[command]) await Promise.all(lanes.map(lane));
   if (failed) {

@@ -92,14 +92,15 @@ await main(async () => {
   const [program, ...words] = process.argv.slice(2);
   const folder = mkdtempSync(join(tmpdir(), 'wasm-tests-'));
   const filters = words.filter((word) => !word.startsWith('-'));
-  if ((await prepare(program, folder, filters)) === 0) return;
-  const server = await serve(folder, { port: 4400 });
+  let server;
   try {
+    if ((await prepare(program, folder, filters)) === 0) return;
+    server = await serve(folder, { port: 4400 });
     let passed = null;
     for (let k = 0; passed === null && k < attempts; k++) passed = await runTests(server.address);
     if (!passed) process.exitCode = 1;
   } finally {
-    server.close();
+    server?.close();
     rmSync(folder, { recursive: true });
   }
 });

@@ -1,7 +1,7 @@
 // Meshes for the page tests, small enough to be solved in an instant.
 
 /** The OBJ text of a grid of n by m unit quads with these heights. */
-function gridText(n: number, height: (x: number, y: number) => number, m = n) {
+export function gridText(n: number, height: (x: number, y: number) => number, m = n) {
   const lines: string[] = [];
   for (let y = 0; y <= m; y++) {
     for (let x = 0; x <= n; x++) lines.push(`v ${x} ${y} ${height(x, y).toFixed(6)}`);
@@ -87,6 +87,14 @@ function grid(n: number) {
 export function quadScene(n: number) {
   const { positions, squares } = grid(n);
   return disturbed({ positions, faces: squares });
+}
+
+/** The scene text of 40 by 40 quads whose run never converges. */
+export function endlessScene() {
+  const scene = JSON.parse(quadScene(40));
+  scene.constraints = [{ kind: 'circle', on: 'faces' }];
+  scene.solver = { tolerance: 0, accelerator: 'none' };
+  return JSON.stringify(scene);
 }
 
 /** The scene text of n by n squares of two triangles each. */

@@ -47,7 +47,9 @@ export const NIGHTLY: Group[] = [
   },
   {
     spec: 'backends',
-    titles: ['WebGL2 draws if WebGPU has no device'],
+    titles: ['no device', 'an adapter that never answers'].map(
+      (fault) => `WebGL2 draws if WebGPU has ${fault}`,
+    ),
     heldBy: 'no adapter, before the module of WebGPU is loaded, and a lost device, after it',
   },
   {

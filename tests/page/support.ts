@@ -12,7 +12,7 @@ import {
   type Page,
 } from '@playwright/test';
 import type { ScriptApi } from '../../www/app/script-api.ts';
-import { decodePng, distinctColours } from './picture.ts';
+import { decodePng, distinctColours, type Picture } from './picture.ts';
 import {
   closeContext,
   isAtStart,
@@ -35,14 +35,26 @@ const allowed = [
   /GPU stall due to ReadPixels/,
 ];
 
-/** Runs in the page: the view does all of its own work, but no pixels are filled. */
+declare global {
+  interface Window {
+    /** How many look at the picture now. */
+    lookers?: number;
+  }
+}
+
+/** Runs in the page: the view does all of its own work, but fills pixels only while a test looks. */
 function leaveOutPixels() {
-  const prototype: Record<string, unknown> = WebGL2RenderingContext.prototype as never;
+  const prototype: Record<string, (...given: unknown[]) => void> =
+    WebGL2RenderingContext.prototype as never;
   for (const name of [
     ...['drawArrays', 'drawElements', 'drawArraysInstanced', 'drawElementsInstanced'],
     ...['blitFramebuffer', 'clear', 'clearBufferfv', 'clearBufferfi'],
-  ])
-    prototype[name] = () => {};
+  ]) {
+    const fill = prototype[name];
+    prototype[name] = function (...given) {
+      if (window.lookers) fill.apply(this, given);
+    };
+  }
 }
 
 /** Runs in the page: it starts with all steps and levels open, as if the user had opened them. */
@@ -55,23 +67,22 @@ function openEverything() {
 }
 
 /**
- * The tag of a test that examines the picture. Filling pixels in software takes longer than the
- * rest of a page: without the tag none are filled, and with it a quarter of them, as in a window
- * zoomed out to 50 %.
+ * The tag of a test that examines the picture, through `seen` or what uses it: that its window has a
+ * quarter of the pixels, as if zoomed out to 50 %. Filling them in software takes longer than the
+ * rest of a page, so they are filled only while the test looks.
  */
 export const looks = { tag: '@looks' };
+
+/** Whether the current test has looked at the picture. */
+let hasLooked = false;
 
 /** Device pixels per CSS pixel. */
 const HALF = 0.5;
 
 /** A context as Playwright makes it, in which pages start as the options of the test say. */
-async function makeContext(
-  browser: Browser,
-  options: BrowserContextOptions,
-  { opened = false, isLookedAt = false },
-) {
+async function makeContext(browser: Browser, options: BrowserContextOptions, opened = false) {
   const context = await browser.newContext(options);
-  if (!isLookedAt) await context.addInitScript(leaveOutPixels);
+  await context.addInitScript(leaveOutPixels);
   if (opened) await context.addInitScript(openEverything);
   return context;
 }
@@ -129,19 +140,18 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
     use,
     testInfo,
   ) => {
-    const isLookedAt = testInfo.tags.includes(looks.tag);
     const options = {
       ...{ baseURL, deviceScaleFactor, hasTouch, isMobile },
       ...{ serviceWorkers, permissions, proxy, reducedMotion },
     };
-    const make = () => makeContext(browser, { ...options, viewport }, { opened, isLookedAt });
+    const make = () => makeContext(browser, { ...options, viewport }, opened);
     if (fresh) {
       const context = await make();
       await use(context);
       await closeContext(context);
       return;
     }
-    const kind = JSON.stringify([options, opened, isLookedAt]);
+    const kind = JSON.stringify([options, opened]);
     const asked = { viewport, sameDocument, reducedMotion };
     await lend(sharedPages, kind, make, asked, async (context) => {
       await use(context);
@@ -152,7 +162,7 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
   otherPage: async ({ browser, baseURL }, use) => {
     const made: BrowserContext[] = [];
     await use(async () => {
-      const context = await makeContext(browser, { baseURL, serviceWorkers: 'block' }, {});
+      const context = await makeContext(browser, { baseURL, serviceWorkers: 'block' });
       made.push(context);
       return context.newPage();
     });
@@ -160,7 +170,8 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
   },
   page: async ({ context }, use) => use(context.pages()[0] ?? (await context.newPage())),
   complaints: [
-    async ({ page }, use) => {
+    async ({ page }, use, { tags }) => {
+      hasLooked = false;
       const complaints: string[] = [];
       const heard = {
         pageerror: (error: Error) => complaints.push(`uncaught: ${error.stack ?? error}`),
@@ -176,6 +187,9 @@ export const test = base.extend<Asked, { sharedPages: SharedPages }>({
       await use(complaints);
       page.off('pageerror', heard.pageerror).off('console', heard.console);
       expect(complaints, 'complaints of the browser').toEqual([]);
+      // Otherwise its window has the pixels of another kind of test, or it takes time for nothing.
+      const isTagged = tags.includes(looks.tag);
+      expect(isTagged, 'a test has the tag `looks` if it looks at the picture').toBe(hasLooked);
     },
     { auto: true },
   ],
@@ -269,6 +283,13 @@ export async function screenOf(page: Page, vertex: number): Promise<[number, num
   return point ?? [NaN, NaN];
 }
 
+/** The middle of some vertices on the page, [x, y] in CSS pixels. */
+export async function middleOf(page: Page, vertices: number[]): Promise<[number, number]> {
+  const at = await Promise.all(vertices.map((one) => screenOf(page, one)));
+  const mean = (axis: number) => at.reduce((sum, point) => sum + point[axis], 0) / at.length;
+  return [mean(0), mean(1)];
+}
+
 /** Drags a vertex by [dx, dy] CSS pixels with the mouse, in a few moves. */
 export async function dragVertex(page: Page, vertex: number, [dx, dy]: number[]) {
   const [x, y] = await screenOf(page, vertex);
@@ -298,22 +319,54 @@ export function known<Value>(value: Value | null | undefined): Value {
   return value;
 }
 
+/**
+ * Waits until the solver has answered all that it was asked: only then is it certain that a press
+ * changed nothing.
+ */
+export const settled = (page: Page) => page.evaluate(() => window.shapeUp.settled());
+
 /** Waits until the picture is up to date. */
 export const drawn = (page: Page) => page.evaluate(() => window.shapeUp.drawn());
 
-/**
- * The middle of the picture, which nothing covers, as pixels; waits until it is up to date.
- */
+/** Lets the pages that are opened from now on fill pixels from their start. */
+export async function seeFromTheStart(page: Page) {
+  hasLooked = true;
+  await page.addInitScript(() => (window.lookers = 1));
+}
+
+/** Runs in the page: begins to fill pixels, with a picture that is all drawn anew. */
+async function beginToLook() {
+  const { shapeUp } = window;
+  const camera = shapeUp?.camera();
+  // Occlusion is kept while the camera stays: it was found without pixels.
+  if (camera) shapeUp.look(camera.with(0, camera[0] + 0.001));
+  await shapeUp?.drawn();
+  window.lookers = (window.lookers ?? 0) + 1;
+  if (camera) shapeUp.look(camera);
+  await shapeUp?.drawn();
+}
+
+/** Looks at the picture, which is up to date: pixels are filled as long as `look` runs. */
+export async function seen<Found>(page: Page, look: () => Promise<Found>) {
+  hasLooked = true;
+  await page.evaluate(beginToLook);
+  const found = await look();
+  await page.evaluate(() => (window.lookers = (window.lookers ?? 1) - 1));
+  return found;
+}
+
+const viewOf = (page: Page) => page.getByRole('application', { name: '3D view' });
+
+/** A part of the page as pixels, by default the 3D view with what lies over it. */
+export const pictureOf = (page: Page, part: Locator = viewOf(page)): Promise<Picture> =>
+  seen(page, async () => decodePng(await part.screenshot()));
+
+/** The middle of the picture, which nothing covers, as pixels. */
 export async function middleOfPicture(page: Page) {
-  await drawn(page);
-  const view = page.getByRole('application', { name: '3D view' });
-  const { x, y, width, height } = await boxOf(view);
+  const { x, y, width, height } = await boxOf(viewOf(page));
   const clip = { x: x + width / 4, y: y + height / 4, width: width / 2, height: height / 2 };
-  return decodePng(await page.screenshot({ clip }));
+  return seen(page, async () => decodePng(await page.screenshot({ clip })));
 }
 
 /** The number of different colours in the 3D view; a blank one has one. */
-export async function coloursOfView(page: Page) {
-  const view = page.getByRole('application', { name: '3D view' });
-  return distinctColours(decodePng(await view.screenshot()));
-}
+export const coloursOfView = async (page: Page) => distinctColours(await pictureOf(page));

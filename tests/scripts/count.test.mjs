@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { countTests, inexcusable } from '../../.scripts/count.mjs';
+import { countTests, inexcusable, isToRunAgain } from '../../.scripts/count.mjs';
 
 const none = { skipped: [], flaky: [] };
 
@@ -23,6 +23,28 @@ test factor::slow ... ignored, takes an hour
 test result: ok. 1 passed; 0 failed; 2 ignored; 0 measured; 0 filtered out; finished in 0.02s`;
   const skipped = ['factor::large', 'factor::slow'];
   assert.deepEqual(countTests('cargo', output), { passed: 1, failed: 0, skipped, flaky: [] });
+});
+
+test('cargo: a test that passed without anything to look at is skipped', () => {
+  const output = `
+test topology::of_files ... ok
+
+successes:
+
+---- solve::speed stdout ----
+3 ms
+
+---- topology::of_files stdout ----
+2 meshes
+skipped: there is no ../shared
+skipped: there is no ../shared
+
+successes:
+    topology::of_files
+test result: ok. 12 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.02s`;
+  const skipped = ['topology::of_files: there is no ../shared'];
+  assert.deepEqual(countTests('cargo', output), { passed: 11, failed: 0, skipped, flaky: [] });
+  assert.deepEqual(inexcusable(skipped), []);
 });
 
 test('playwright: tests that did not run have not passed', () => {
@@ -64,4 +86,8 @@ test('only listed tests are excused', () => {
   const excused = [{ name: 'touch.spec', reason: 'the machine has no fingers' }];
   const tests = ['[phone] › touch.spec.ts:9:1 › pinch', '[desktop] › page.spec.ts:5:1 › paint'];
   assert.deepEqual(inexcusable(tests, excused), [tests[1]]);
+  // A step with another skip, or with anything flaky, is not stored as passed.
+  assert.ok(isToRunAgain({ skipped: tests, flaky: [] }, excused));
+  assert.ok(isToRunAgain({ skipped: [], flaky: tests.slice(0, 1) }, excused));
+  assert.ok(!isToRunAgain({ skipped: tests.slice(0, 1), flaky: [] }, excused));
 });

@@ -126,7 +126,6 @@ fn noise_order_and_position_do_not_change_what_is_chosen() {
 #[test]
 fn noise_order_and_position_change_nothing_on_real_meshes() {
     if long_or(false, true) {
-        println!("skipped: LONG is not set");
         return;
     }
     let mut different = Vec::new();

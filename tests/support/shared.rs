@@ -1,19 +1,23 @@
 //! Material beside the project, in `../shared`: foreign meshes, and results of an independent
-//! implementation. If it is absent, tests print that they skip.
+//! implementation. A clone of the repository alone has none: there, tests print that they skip, which
+//! `.scripts/count.mjs` counts.
 
 use serde_json::Value;
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, read};
 use std::path::{Path, PathBuf};
 
-/// Path of a file or folder; if it is absent, prints a line and returns `None`.
+/// Path of a file or folder, which must be there; without `../shared` prints a line and returns
+/// `None`.
 pub(crate) fn path(name: &str) -> Option<PathBuf> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared").join(name);
-    if path.exists() {
-        return Some(path);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared");
+    if !folder.exists() {
+        println!("skipped: there is no ../shared");
+        return None;
     }
-    println!("skipped: there is no {}", path.display());
-    None
+    let path = folder.join(name);
+    assert!(path.exists(), "there is no {}", path.display());
+    Some(path)
 }
 
 fn bytes(name: &str) -> Option<Vec<u8>> {

@@ -31,7 +31,7 @@ impl ViewState {
         });
     }
 
-    /// Returns the depth map, if [`ViewState::look`] has made it.
+    /// Returns the depth map, if [`ViewState::ensure_depth_map`] has made it.
     pub(crate) fn depth_map(&self) -> Option<&DepthMap> {
         self.viewpoint.depth_map.as_ref()
     }

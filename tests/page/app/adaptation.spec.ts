@@ -63,7 +63,6 @@ test.describe('at 200 % zoom', () => {
     const names = ['Run', 'Step', 'Reset', 'Undo', 'Redo', 'Drag', 'Select', 'Help'];
     for (const name of names) {
       const box = await boxOf(page.getByRole('button', { name, exact: true }));
-      expect(box, name).not.toBeNull();
       expect(box.x, name).toBeGreaterThanOrEqual(0);
       expect(box.x + box.width, name).toBeLessThanOrEqual(720);
       expect(box.y + box.height, name).toBeLessThanOrEqual(450);

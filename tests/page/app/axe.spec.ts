@@ -5,7 +5,7 @@ import type { Page, ViewportSize } from '@playwright/test';
 import AxeBuilder from '@axe-core/playwright';
 import { openText } from '../actions.ts';
 import { hiddenTexts } from '../hidden-texts.ts';
-import { quadScene, wavyGrid } from '../meshes.ts';
+import { endlessScene, wavyGrid } from '../meshes.ts';
 import { repeatedValues } from '../repeated-values.ts';
 import { expect, LONG, openPage, state, test, visit, waitForState } from '../support.ts';
 import { walks, withoutGraphics } from '../walks.ts';
@@ -28,14 +28,6 @@ async function complaintsOf(page: Page, rules?: string[]) {
       return `${impact} ${id} at ${target.join(' ')}: ${reason}`;
     }),
   );
-}
-
-/** A scene whose run never converges. */
-function endlessScene() {
-  const scene = JSON.parse(quadScene(40));
-  scene.constraints = [{ kind: 'circle', on: 'faces' }];
-  scene.solver = { tolerance: 0, accelerator: 'none' };
-  return JSON.stringify(scene);
 }
 
 /** Runs in the page: whether nothing fades any more. */

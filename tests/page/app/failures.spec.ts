@@ -3,7 +3,7 @@
 import type { Page } from '@playwright/test';
 import { addConstraint, exported, openText, runToTheEnd, tool } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
-import { coloursOfView, expect, looks, openPage, state, test, waitForState } from '../support.ts';
+import { expect, openPage, state, test, waitForState } from '../support.ts';
 
 /** Opens a grid, adds circle constraints on its faces and solves; returns the final state. */
 async function openSolved(page: Page) {
@@ -156,18 +156,4 @@ test('without graphics everything but the 3D view works', async ({ page }) => {
   const after = await runToTheEnd(page);
   expect(after.circularity?.max_distance).toBeLessThan(before.circularity?.max_distance ?? NaN);
   expect((await exported(page, 'OBJ')).text).toContain('\nf ');
-});
-
-test('a lost graphics context is restored', looks, async ({ page }) => {
-  await openPage(page, 'renderer=webgl2');
-  await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
-  await page.evaluate(() => {
-    const canvas = document.querySelector('[role="application"] canvas') as HTMLCanvasElement;
-    canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
-    canvas.dataset.lost = 'yes';
-  });
-  await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
-  await waitForState(page, (now) => now.renderer === 'webgl2');
-  await expect(page.getByRole('status')).toHaveText('The 3D view was lost and is being restored');
-  await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
 });

@@ -7,6 +7,7 @@ import {
   expect,
   openPage,
   positionOf,
+  settled,
   state,
   test,
   visit,
@@ -110,7 +111,9 @@ test('a mesh is opened, constrained, solved and exported by keyboard alone', asy
   await expect(dialog.getByRole('radio', { checked: true }).first()).toBeFocused();
   await chooseKind(page, 'Plane');
   await tabTo(page, /^whole selection together|^each/);
-  await dialog.getByRole('radio', { name: 'each selected face', exact: true }).isVisible();
+  await expect(
+    dialog.getByRole('radio', { name: 'each selected face', exact: true }),
+  ).toBeVisible();
   await chooseRadio(page, 'each selected face');
   await page.keyboard.press('Enter');
   await expect(dialog).toBeHidden();
@@ -382,6 +385,7 @@ test('shortcuts without Ctrl can be switched off, which is remembered', async ({
   const selectTool = page.locator('button[data-command="tool-select"]');
   const isOff = async () => {
     await press(page, '.', 'b', '3', '?');
+    await settled(page);
     expect((await state(page)).iteration).toBe(0);
     await expect(page.locator('button[data-command="mode-faces"]')).toHaveAttribute(
       'aria-pressed',

@@ -8,7 +8,7 @@ import type { AddressInfo } from 'node:net';
 import { at } from '../../../.scripts/project.mjs';
 import { openText, showStep, tool } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
-import { expect, openPage, state, test, waitForState } from '../support.ts';
+import { expect, openPage, settled, state, test, waitForState } from '../support.ts';
 
 declare global {
   interface Window {
@@ -182,7 +182,7 @@ test('Cancel while a Rhino file is converted leaves the solver at its work', asy
   await card(page).getByRole('button', { name: 'Cancel' }).click();
   await expect(card(page)).toBeHidden();
   await expect(status(page)).toHaveText('Cancelled');
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   expect(solver()).toHaveLength(1);
   expect(solver()[0]).toBe(before);
 });

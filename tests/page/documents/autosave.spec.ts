@@ -2,7 +2,7 @@
 
 import type { BrowserContext, Page } from '@playwright/test';
 import { addConstraint, downloaded, openText, runToTheEnd, tool } from '../actions.ts';
-import { quadScene, wavyGrid } from '../meshes.ts';
+import { endlessScene, wavyGrid } from '../meshes.ts';
 import {
   boxOf,
   expect,
@@ -11,6 +11,7 @@ import {
   positionOf,
   sceneOf,
   screenOf,
+  settled,
   state,
   test,
   visit,
@@ -18,14 +19,6 @@ import {
 } from '../support.ts';
 
 test.use({ fresh: true });
-
-/** A scene that needs far more iterations than the test has time for. */
-function endlessScene() {
-  const scene = JSON.parse(quadScene(40));
-  scene.constraints = [{ kind: 'circle', on: 'faces' }];
-  scene.solver = { tolerance: 0, accelerator: 'none' };
-  return JSON.stringify(scene);
-}
 
 /** Waits until everything is saved. */
 const kept = (page: Page) =>
@@ -392,7 +385,7 @@ test('an unedited example is not saved', async ({ page }) => {
   await visit(page);
   // By now the tab has a name for its work, and all its saving has finished.
   await page.waitForFunction(() => sessionStorage.getItem('shape-up.work'));
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   await visit(page);
   await expect(back(page)).toBeHidden();
   await tool(page, 'Open recent');

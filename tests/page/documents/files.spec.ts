@@ -1,10 +1,8 @@
 // Opening and saving files.
 
-import { execFileSync } from 'node:child_process';
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { program } from '../../../.scripts/project.mjs';
 import { addConstraint, exported, openText, runToTheEnd, saved, showStep } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import {
@@ -36,7 +34,7 @@ test('a mesh opens with a report of its errors', async ({ page }) => {
   await expect(page.getByText('1 kind of problem in the file')).toBeVisible();
 });
 
-test('a mesh without faces opens too', async ({ page }) => {
+test('a mesh without faces opens too', looks, async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer.startsWith('web'));
   const corners = 'v 0 0 0\nv 2 0 0\nv 2 1 1\nv 0 1 0\n';
@@ -52,24 +50,20 @@ test('a mesh without faces opens too', async ({ page }) => {
   }
 });
 
-test(
-  'a broken file is refused with the reason, and the old mesh stays',
-  looks,
-  async ({ page }) => {
-    await openPage(page);
-    const before = await state(page);
-    await page.getByLabel('Open file').setInputFiles(file('broken.obj', 'this is not a mesh\n'));
-    await expect(page.getByRole('alert')).toContainText('broken.obj');
-    await expect(page.getByRole('alert')).toContainText('no vertices');
-    const after = await state(page);
-    expect([after.vertices, after.faces]).toEqual([before.vertices, before.faces]);
+test('a broken file is refused with the reason, and the old mesh stays', async ({ page }) => {
+  await openPage(page);
+  const before = await state(page);
+  await page.getByLabel('Open file').setInputFiles(file('broken.obj', 'this is not a mesh\n'));
+  await expect(page.getByRole('alert')).toContainText('broken.obj');
+  await expect(page.getByRole('alert')).toContainText('no vertices');
+  const after = await state(page);
+  expect([after.vertices, after.faces]).toEqual([before.vertices, before.faces]);
 
-    // The same holds for a file that is no mesh.
-    await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
-    await expect(page.getByRole('alert')).toContainText('house.ifc');
-    expect((await state(page)).vertices).toBe(before.vertices);
-  },
-);
+  // The same holds for a file that is no mesh.
+  await page.getByLabel('Open file').setInputFiles(file('house.ifc', 'ISO-10303-21;'));
+  await expect(page.getByRole('alert')).toContainText('house.ifc');
+  expect((await state(page)).vertices).toBe(before.vertices);
+});
 
 test('a file dropped on the window opens, and a scene with its mesh beside it', async ({
   page,
@@ -180,33 +174,6 @@ test('a saved scene opens as it was', async ({ page }) => {
   await openText(page, 'other.obj', wavyGrid(2), 9);
   await openText(page, name, text, 25);
   expect((await state(page)).constraints).toEqual({ circle: 16 });
-});
-
-test('the export is identical to that of the command line for the same scene', async ({ page }) => {
-  const iterations = 5;
-  await openPage(page);
-  await openText(page, 'roof.obj', wavyGrid(4), 25);
-  await addConstraint(page, 'Circle', 'each face');
-  const scene = await saved(page, 'Save scene');
-  for (let i = 1; i <= iterations; i++) {
-    await page.getByRole('button', { name: 'Step' }).click();
-    await waitForState(page, (now, count) => now.iteration === count, i);
-  }
-  const mesh = await exported(page, 'OBJ');
-  expect(mesh.name).toBe('roof.obj');
-
-  const folder = mkdtempSync(join(tmpdir(), 'shape-up-'));
-  try {
-    const input = join(folder, 'roof.shapeup.json');
-    const output = join(folder, 'roof.obj');
-    writeFileSync(input, scene.text);
-    const options = ['solve', input, '--iterations', String(iterations), '--out', output];
-    // The build of the site has compiled the program.
-    execFileSync(program, options);
-    expect(mesh.text).toBe(readFileSync(output, 'utf8'));
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
 });
 
 test('scripts can open scenes and meshes, and get the reason for a refusal', async ({ page }) => {

@@ -2,7 +2,7 @@
 
 import { exported, openText, showStep } from '../actions.ts';
 import { file } from '../meshes.ts';
-import { expect, looks, openPage, state, test, waitForState } from '../support.ts';
+import { expect, openPage, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -16,22 +16,18 @@ const PATCHES = [0, 2]
   })
   .join('\n');
 
-test(
-  'an open seam is named, and joined by one press that can be undone',
-  looks,
-  async ({ page }) => {
-    await openPage(page);
-    await openText(page, 'patches.obj', PATCHES, 18);
-    await showStep(page, 'Shape');
-    const panel = page.getByRole('listitem').filter({ hasText: '3 boundary vertices that lie on' });
-    await expect(panel).toContainText('line 14');
-    await panel.getByRole('button', { name: 'Join them' }).click();
-    await waitForState(page, (now) => now.vertices === 15);
-    expect((await state(page)).problems).toHaveLength(0);
-    await page.getByRole('button', { name: 'Undo', exact: true }).click();
-    await waitForState(page, (now) => now.vertices === 18);
-  },
-);
+test('an open seam is named, and joined by one press that can be undone', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'patches.obj', PATCHES, 18);
+  await showStep(page, 'Shape');
+  const panel = page.getByRole('listitem').filter({ hasText: '3 boundary vertices that lie on' });
+  await expect(panel).toContainText('line 14');
+  await panel.getByRole('button', { name: 'Join them' }).click();
+  await waitForState(page, (now) => now.vertices === 15);
+  expect((await state(page)).problems).toHaveLength(0);
+  await page.getByRole('button', { name: 'Undo', exact: true }).click();
+  await waitForState(page, (now) => now.vertices === 18);
+});
 
 test('PLY and STL are opened as they are exported', async ({ page }) => {
   await openPage(page);
@@ -106,24 +102,22 @@ test('all that an opening leaves out is said, of the Rhino file and of the other
   await expect(alert).not.toContainText('left out');
 });
 
-test(
-  'the help has the table of formats, and the file chooser offers what is read',
-  looks,
-  async ({ page }) => {
-    await openPage(page);
-    await page.keyboard.press('?');
-    const help = page.getByRole('dialog', { name: 'Mouse and keys' });
-    const rows = help.getByRole('table', { name: 'Files' }).getByRole('row');
-    await expect(help.getByRole('row', { name: /^PLY/ })).toContainText('text and binary');
-    const read = await rows.evaluateAll((all) =>
-      all.flatMap((row) => {
-        const [, reads] = [...row.children].map((cell) => cell.textContent);
-        const endings = row.querySelector('span')?.textContent ?? '';
-        return row.querySelector('td') && reads !== '–' ? endings.split(' ') : [];
-      }),
-    );
-    const accepted = (await page.getByLabel('Open file').getAttribute('accept')) ?? '';
-    expect(accepted.split(',').sort()).toEqual(read.sort());
-    await page.keyboard.press('Escape');
-  },
-);
+test('the help has the table of formats, and the file chooser offers what is read', async ({
+  page,
+}) => {
+  await openPage(page);
+  await page.keyboard.press('?');
+  const help = page.getByRole('dialog', { name: 'Mouse and keys' });
+  const rows = help.getByRole('table', { name: 'Files' }).getByRole('row');
+  await expect(help.getByRole('row', { name: /^PLY/ })).toContainText('text and binary');
+  const read = await rows.evaluateAll((all) =>
+    all.flatMap((row) => {
+      const [, reads] = [...row.children].map((cell) => cell.textContent);
+      const endings = row.querySelector('span')?.textContent ?? '';
+      return row.querySelector('td') && reads !== '–' ? endings.split(' ') : [];
+    }),
+  );
+  const accepted = (await page.getByLabel('Open file').getAttribute('accept')) ?? '';
+  expect(accepted.split(',').sort()).toEqual(read.sort());
+  await page.keyboard.press('Escape');
+});

@@ -4,7 +4,16 @@
 import type { Page } from '@playwright/test';
 import { openText, tool } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
-import { expect, openPage, sceneOf, state, test, visit, waitForState } from '../support.ts';
+import {
+  expect,
+  openPage,
+  sceneOf,
+  settled,
+  state,
+  test,
+  visit,
+  waitForState,
+} from '../support.ts';
 
 test.use({ fresh: true });
 
@@ -178,7 +187,7 @@ test('an edit begun while the next file is being opened is not made to that file
   await openText(page, 'one.shapeup.json', scene(2), 9);
   await expect(page.getByRole('switch', { name: /: on$/ })).toBeChecked();
   await openText(page, 'two.shapeup.json', scene(3), 16);
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   expect((await state(page)).constraints.plane).toBe(9);
   await expect(page.getByRole('switch', { name: /: on$/ })).toBeChecked();
   await expect(page.getByRole('alert')).toBeEmpty();

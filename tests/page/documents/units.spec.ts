@@ -2,6 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import { exported, hidePanels, openText, saved, showStep } from '../actions.ts';
+import { holdingAnswers } from '../answers.ts';
 import { wavyGrid } from '../meshes.ts';
 import {
   drawn,
@@ -147,33 +148,21 @@ test('the estimate is in the unit that the user corrects', async ({ page }) => {
   await expect(estimate).toHaveText(/[\d.]+ ft on average/);
 });
 
-test.describe('with slow answers', () => {
+test.describe('with answers that come late', () => {
   test.use({ sameDocument: false });
 
   test('the unit is remembered for the file in which it was chosen', async ({ page }) => {
     // The file that was opened meanwhile had it the next time, and was a thousand times as large.
-    await page.addInitScript(() => {
-      window.Worker = class extends Worker {
-        #edits = new Set<unknown>();
-        override postMessage(
-          call: { id?: number; name: string },
-          ...rest: [(Transferable[] | StructuredSerializeOptions)?]
-        ) {
-          if (call.name === 'edit') this.#edits.add(call.id);
-          super.postMessage(call, ...(rest as [StructuredSerializeOptions?]));
-        }
-        override set onmessage(hear: (event: MessageEvent) => void) {
-          super.onmessage = (event) =>
-            this.#edits.has(event.data.id) ? setTimeout(hear, 1500, event) : hear(event);
-        }
-      };
-    });
+    const answers = await holdingAnswers(page);
     await openPage(page);
     await openText(page, 'roof.obj', wavyGrid(4), 25);
     await showStep(page, 'Shape');
     const units = page.getByRole('combobox', { name: 'Unit' });
+    await answers.hold('edit');
     await units.selectOption('mm');
+    await answers.come('solver: edit');
     await openText(page, 'other.obj', wavyGrid(5), 36);
+    await answers.release();
     const remembered = () => page.evaluate(() => localStorage.getItem('shape-up.frames') ?? '[]');
     await expect.poll(async () => JSON.parse(await remembered()).length).toBe(1);
     await expect(guess(page)).toBeVisible();

@@ -2,20 +2,12 @@
 
 import type { Page } from '@playwright/test';
 import { downloaded, showStep, tool } from '../actions.ts';
-import { decodePng, type Picture } from '../picture.ts';
-import { drawn, expect, looks, positionOf, state, test, waitForState } from '../support.ts';
-
-const view = (page: Page) => page.getByRole('application', { name: '3D view' });
+import type { Picture } from '../picture.ts';
+import { expect, looks, pictureOf, positionOf, state, test, waitForState } from '../support.ts';
 
 async function openExample(page: Page, id: string, faces: number) {
   await page.goto(`./#example=${id}`);
   await waitForState(page, (state, faces) => state.faces === faces, faces);
-}
-
-/** Returns the picture once it is up to date. */
-async function picture(page: Page) {
-  await drawn(page);
-  return decodePng(await view(page).screenshot());
 }
 
 /** Counts the differing pixels above the controls over the view. */
@@ -50,7 +42,7 @@ test(
     await tool(page, 'Reset');
     await waitForState(page, (state) => state.iteration === 0);
     const before = await positionOf(page, 100);
-    const bare = await picture(page);
+    const bare = await pictureOf(page);
 
     const status = page.getByRole('status');
     await tool(page, 'Half step');
@@ -59,7 +51,7 @@ test(
     );
     expect(await positionOf(page, 100)).toEqual(before);
     // The squares are visible.
-    expect(differing(bare, await picture(page))).toBeGreaterThan(1000);
+    expect(differing(bare, await pictureOf(page))).toBeGreaterThan(1000);
 
     await tool(page, 'Half step');
     await expect(status).toHaveText(/^Global step done: moved to the least-squares solution/);
@@ -69,7 +61,7 @@ test(
     await waitForState(page, (state) => state.iteration === 0);
     expect(await positionOf(page, 100)).toEqual(before);
     // The squares are gone.
-    expect(differing(bare, await picture(page))).toBe(0);
+    expect(differing(bare, await pictureOf(page))).toBe(0);
   },
 );
 

@@ -3,24 +3,14 @@
 
 import type { Page } from '@playwright/test';
 import { openText, showStep, tool } from '../actions.ts';
-import { tube } from '../meshes.ts';
-import { decodePng } from '../picture.ts';
-import { expect, looks, openPage, state, test } from '../support.ts';
+import { gridText, tube } from '../meshes.ts';
+import { expect, looks, openPage, pictureOf, state, test } from '../support.ts';
 
 test.use({ sameDocument: true });
 
 /** A saddle of n by n quads, in metres, whose edges are at 45° to its lines of curvature. */
-function hypar(n: number) {
-  const lines = ['# units: m'];
-  for (let y = 0; y <= n; y++)
-    for (let x = 0; x <= n; x++) lines.push(`v ${x} ${y} ${0.1 * (x - n / 2) * (y - n / 2)}`);
-  for (let y = 0; y < n; y++)
-    for (let x = 0; x < n; x++) {
-      const corner = y * (n + 1) + x + 1;
-      lines.push(`f ${corner} ${corner + 1} ${corner + n + 2} ${corner + n + 1}`);
-    }
-  return `${lines.join('\n')}\n`;
-}
+const hypar = (n: number) =>
+  `# units: m\n${gridText(n, (x, y) => 0.1 * (x - n / 2) * (y - n / 2))}`;
 
 async function openCurvature(page: Page) {
   await tool(page, 'Curvature');
@@ -29,8 +19,7 @@ async function openCurvature(page: Page) {
 
 /** Counts the pixels of the view in which red, or blue, clearly dominates. */
 async function tinted(page: Page) {
-  const view = page.getByRole('application', { name: '3D view' });
-  const { pixels, channels } = decodePng(await view.screenshot());
+  const { pixels, channels } = await pictureOf(page);
   const found = { red: 0, blue: 0 };
   for (let i = 0; i < pixels.length; i += channels) {
     const [r, g, b] = [pixels[i], pixels[i + 1], pixels[i + 2]];

@@ -130,7 +130,7 @@ test('a view never stores anything', async ({ page }) => {
 
 test('Share gives the HTML that embeds the model, and a QR code of the link', async ({
   page,
-  browser,
+  otherPage,
   elsewhere,
 }) => {
   await openPage(page);
@@ -145,13 +145,11 @@ test('Share gives the HTML that embeds the model, and a QR code of the link', as
   expect(jsqr(opaque, width, height)?.data).toBe(link);
 
   const line = await dialog.getByLabel('To embed it').inputValue();
-  const context = await browser.newContext({ serviceWorkers: 'block' });
-  const notes = await context.newPage();
+  const notes = await otherPage();
   await notes.goto(elsewhere(line));
   const frame = notes.frameLocator('iframe');
   await frame.getByRole('button', { name: 'Start the 3D model' }).click();
   await expect(frame.getByRole('contentinfo')).toContainText('Canopy');
-  await context.close();
 });
 
 test('a model that is no example is drawn before it is started, under its name', async ({

@@ -1,15 +1,26 @@
 // Parametrisation: a flat map beside the model.
 
-import type { Locator, Page } from '@playwright/test';
+import type { Page } from '@playwright/test';
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { program } from '../../../.scripts/project.mjs';
 import { openExample, openText, openVariations, runToTheEnd, saved, showStep } from '../actions.ts';
+import { holdingAnswers } from '../answers.ts';
 import { box, tube, wavyGrid } from '../meshes.ts';
-import { decodePng, differingBytes } from '../picture.ts';
-import { boxOf, drawn, expect, looks, openPage, screenOf, test, waitForState } from '../support.ts';
+import { differingBytes } from '../picture.ts';
+import {
+  boxOf,
+  expect,
+  looks,
+  openPage,
+  pictureOf,
+  screenOf,
+  settled,
+  test,
+  waitForState,
+} from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -34,12 +45,6 @@ function commandLine(obj: string, ...options: string[]) {
   } finally {
     rmSync(folder, { recursive: true });
   }
-}
-
-/** A screenshot of an element once the picture is up to date. */
-async function pictureOf(page: Page, part: Locator) {
-  await drawn(page);
-  return decodePng(await part.screenshot());
 }
 
 test('an example is flattened, and Escape returns to the model', looks, async ({ page }) => {
@@ -181,7 +186,7 @@ test(
     await expect(show).toBeHidden();
     await expect(map(page).getByText('flipped')).toBeHidden();
     const red = async () => {
-      const { pixels: drawn, channels } = decodePng(await map(page).screenshot());
+      const { pixels: drawn, channels } = await pictureOf(page, map(page));
       let count = 0;
       for (let at = 0; at < drawn.length; at += channels)
         count += Number(drawn[at] > 180 && drawn[at + 1] < 80 && drawn[at + 2] < 90);
@@ -232,30 +237,18 @@ test.describe('with choices of their own', () => {
   });
 
   test('one that is closed meanwhile does not come back', async ({ page }) => {
-    // Maps after the first come late.
-    await page.addInitScript(() => {
-      window.Worker = class extends Worker {
-        #maps: number[] = [];
-        override postMessage(message: { id: number; name: string }, ...rest: unknown[]) {
-          if (message.name === 'parametrize') this.#maps.push(message.id);
-          super.postMessage(message, ...(rest as [StructuredSerializeOptions?]));
-        }
-        override set onmessage(listener: (event: MessageEvent) => void) {
-          super.onmessage = (event: MessageEvent) => {
-            if (this.#maps.indexOf(event.data.id) > 0) setTimeout(() => listener(event), 500);
-            else listener(event);
-          };
-        }
-      };
-    });
+    const answers = await holdingAnswers(page);
     await openPage(page);
     await openText(page, 'wavy.obj', wavyGrid(6), 49);
     await parametrize(page);
     await expect(page.getByRole('status')).toHaveText(/^Flattened in /);
+    await answers.hold('parametrize');
     await page.getByLabel('Weight of a polygon').selectOption('one');
     await expect(page.getByRole('status')).toHaveText('Flattening …');
+    await answers.come('jobs: parametrize');
     await page.keyboard.press('Escape');
-    await page.waitForTimeout(900);
+    await answers.release();
+    await settled(page);
     await expect(page.getByRole('heading', { name: 'Flat map' })).toBeHidden();
     await expect(page.getByRole('status')).not.toHaveText('Flattening …');
   });

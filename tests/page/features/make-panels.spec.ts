@@ -3,7 +3,16 @@
 import type { Page } from '@playwright/test';
 import { downloaded, openText, showStep, tool } from '../actions.ts';
 import { bumpyGrid, columns, quadScene, steppedGrid, triangleScene, wavyGrid } from '../meshes.ts';
-import { boxOf, expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
+import {
+  boxOf,
+  expect,
+  openPage,
+  screenOf,
+  settled,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -353,7 +362,7 @@ test('vertices that stand still are those of the set that there is now', async (
   await page.getByRole('button', { name: 'Save set' }).click();
   const vertices = () => page.evaluate(() => window.shapeUp.scene().sets.eaves.vertices);
   await expect.poll(vertices).toEqual([VERTICES - 2, VERTICES - 1]);
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   await notice.getByRole('button', { name: 'Select' }).click();
   const { selection } = await state(page);
   expect(selection.vertices).toContain(0);

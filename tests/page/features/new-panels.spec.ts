@@ -3,7 +3,7 @@
 import type { Page } from '@playwright/test';
 import { hidePanels, openText, showStep, tool } from '../actions.ts';
 import { vault, wavyGrid } from '../meshes.ts';
-import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
+import { expect, openPage, screenOf, settled, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -33,6 +33,7 @@ test('a roof of triangles gets panels along its lines of curvature, which become
   await expect.poll(side).toBeGreaterThan(before);
   await expect(use(page)).toBeEnabled();
   // Nothing has changed until they are used.
+  await settled(page);
   expect((await state(page)).vertices).toBe(VERTICES);
 
   await card(page).getByLabel('Then').selectOption('Make panels circular');
@@ -71,6 +72,7 @@ test('a refused size changes nothing, and Escape leaves the mesh as it was', asy
     .click();
   await page.keyboard.press('Escape');
   await expect(card(page)).toBeHidden();
+  await settled(page);
   expect((await state(page)).vertices).toBe(49);
   await showStep(page, 'Check');
   await expect(page.getByRole('checkbox', { name: 'Edges', exact: true })).toBeChecked();

@@ -3,7 +3,17 @@
 import type { Page } from '@playwright/test';
 import { hidePanels, openText } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { boxOf, expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
+import {
+  boxOf,
+  expect,
+  middleOf,
+  openPage,
+  screenOf,
+  settled,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -22,13 +32,6 @@ test.beforeEach(async ({ page }) => {
 
 const bar = (page: Page) => page.getByRole('toolbar', { name: 'Selection' });
 const status = (page: Page) => page.getByRole('status');
-
-/** The centre of some vertices on the page. */
-async function middleOf(page: Page, vertices: number[]): Promise<[number, number]> {
-  const at = await Promise.all(vertices.map((one) => screenOf(page, one)));
-  const mean = (axis: number) => at.reduce((sum, point) => sum + point[axis], 0) / at.length;
-  return [mean(0), mean(1)];
-}
 
 /** The centre of the face whose lower left corner is in column x and row y. */
 const faceAt = (page: Page, x: number, y: number) =>
@@ -134,6 +137,7 @@ test('a lasso selects what it encloses, and Escape restores the selection', asyn
   await page.mouse.move(...around[1], { steps: 4 });
   await page.keyboard.press('Escape');
   await page.mouse.up();
+  await settled(page);
   expect((await state(page)).selection).toEqual(selection);
 });
 

@@ -4,7 +4,18 @@
 import type { Locator, Page } from '@playwright/test';
 import { openText, openVariations, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { boxOf, everything, expect, openPage, state, test, waitForState } from '../support.ts';
+import { holdingAnswers } from '../answers.ts';
+import {
+  boxOf,
+  drawn,
+  everything,
+  expect,
+  openPage,
+  settled,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -100,7 +111,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
     await next.elementHandle(),
   );
   await expect(table.getByRole('row')).toHaveCount(2);
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   await expect(page.getByRole('alert')).toBeEmpty();
 
   // The last column was cut off.
@@ -112,36 +123,19 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
 
 test('a variation that is left while it is made exact does not come back', async ({ page }) => {
   // Shape and leaving come from two workers.
-  await page.addInitScript(() => {
-    window.Worker = class extends Worker {
-      #isSlow;
-      #late = new Set<number>();
-      constructor(address: string | URL, options?: WorkerOptions) {
-        super(address, options);
-        this.#isSlow = options?.name === 'jobs';
-      }
-      override postMessage(message: { id: number; name: string }, ...rest: unknown[]) {
-        if (this.#isSlow && message.name === 'go') this.#late.add(message.id);
-        super.postMessage(message, ...(rest as [StructuredSerializeOptions?]));
-      }
-      override set onmessage(listener: (event: MessageEvent) => void) {
-        super.onmessage = (event: MessageEvent) => {
-          const wait = this.#late.has(event.data.id) ? 500 : 0;
-          if (wait) setTimeout(() => listener(event), wait);
-          else listener(event);
-        };
-      }
-    };
-  });
+  const answers = await holdingAnswers(page);
   const panel = await openVariations(page, N);
   await expect(panel.getByRole('slider')).not.toHaveCount(0);
   const start = await positions(page);
   const slider = panel.getByRole('slider').first();
+  await answers.hold('go');
   // Once: each further press would be made exact in its turn.
   await slide(slider, 'ArrowRight', 1);
   await panel.getByRole('button', { name: 'Back', exact: true }).click();
   await expect(slider).toHaveValue('0');
-  await page.waitForTimeout(800);
+  await answers.come('jobs: go');
+  await answers.release();
+  await drawn(page);
   expect(await positions(page)).toEqual(start);
   await expect(panel.getByRole('button', { name: 'Back', exact: true })).toBeDisabled();
 });

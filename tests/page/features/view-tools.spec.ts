@@ -20,6 +20,8 @@ import {
   middleOfPicture,
   openPage,
   screenOf,
+  seen,
+  settled,
   state,
   test,
   waitForState,
@@ -228,7 +230,7 @@ test(
 );
 
 test(
-  'the tape measures between two clicked vertices, follows the mesh, and Esc removes it',
+  'the tape measures between two clicked vertices, pictures have it, and Esc removes it',
   looks,
   async ({ page }) => {
     await openSteps(page);
@@ -246,12 +248,13 @@ test(
     expect((await state(page)).selection.vertices).toEqual([]);
 
     // An exported picture shows the tape.
-    const { bytes } = await exported(page, 'PNG');
+    const { bytes } = await seen(page, () => exported(page, 'PNG'));
     expect(pixelsOf(bytes, TAPE)).toBeGreaterThan(20);
 
-    // The tape follows a drag; the original distance stays.
+    // A double click makes no handle.
     await page.keyboard.press('Shift+Digit1');
     await page.mouse.dblclick(...(await screenOf(page, 6)));
+    await settled(page);
     expect((await state(page)).handles).toEqual([]);
     await page.keyboard.press('Escape');
     await expect(tape(page)).toBeHidden();
@@ -289,7 +292,7 @@ test('the tape measures two selected vertices by keyboard alone', async ({ page 
 });
 
 test(
-  'opening another model removes the tape, and a lost context does not',
+  'a lost graphics context is restored, with the tape, which opening another model removes',
   looks,
   async ({ page }) => {
     await openSteps(page, 'renderer=webgl2');
@@ -304,6 +307,8 @@ test(
       canvas.dataset.lost = 'yes';
     });
     await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
+    await waitForState(page, (now) => now.renderer === 'webgl2');
+    await expect(page.getByRole('status')).toHaveText('The 3D view was lost and is being restored');
     await expect.poll(() => coloursOfView(page)).toBeGreaterThan(20);
     await expect(tape(page).getByRole('row', { name: 'original' })).toContainText('6.1644');
     await page.keyboard.press('Shift+Digit1');
@@ -344,6 +349,7 @@ test('the original is shown while its key or the Reset button is held', async ({
   await page.mouse.up();
   await isOver();
   // A long press is no click: nothing was reset.
+  await settled(page);
   expect((await state(page)).iteration).toBe(before.iteration);
   // By its key it does what it says, although it was held before.
   await reset.press('Enter');

@@ -2,7 +2,16 @@
 
 import type { Page } from '@playwright/test';
 import { addConstraint, hidePanels, openGrid, showStep } from '../actions.ts';
-import { expect, positionOf, sceneOf, screenOf, state, test, waitForState } from '../support.ts';
+import {
+  expect,
+  positionOf,
+  sceneOf,
+  screenOf,
+  settled,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
@@ -132,7 +141,7 @@ test('a second press of Remove does not remove the row that comes in the place o
   await page.keyboard.press('Enter');
   await expect(rows(page)).toHaveCount(1);
   await page.keyboard.press('Enter');
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   await expect(rows(page)).toHaveCount(1);
 });
 
@@ -147,7 +156,7 @@ test('what is typed in a row goes with the row', async ({ page }) => {
   const openOther = async () => {
     await page.evaluate((text) => window.shapeUp.open(text, 'other.shapeup.json'), scene);
     await expect(rows(page)).toContainText('Circle');
-    await page.evaluate(() => window.shapeUp.settled());
+    await settled(page);
     return (await sceneOf(page)).constraints;
   };
   await rows(page)

@@ -3,7 +3,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { addConstraint, downloaded, hidePanels, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
+import { expect, openPage, screenOf, settled, state, test, waitForState } from '../support.ts';
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
@@ -187,6 +187,7 @@ test('weight, Soft and Fixed apply to all selected handles', async ({ page }) =>
   await expect(soft).toHaveAttribute('aria-pressed', 'true');
   // Handles that are already soft keep their weight.
   await soft.click();
+  await settled(page);
   expect((await state(page)).handles.map((handle) => handle.weight)).toEqual([12, 12]);
   await details(page).getByRole('button', { name: 'Fixed' }).click();
   await waitForState(page, (now) => now.handles.every((handle) => handle.fixed));

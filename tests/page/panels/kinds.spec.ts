@@ -12,6 +12,7 @@ import {
   LONG,
   openPage,
   screenOf,
+  settled,
   state,
   test,
   waitForState,
@@ -75,7 +76,7 @@ async function undoAll(page: Page) {
   await expect(undo).toBeEnabled();
   while (await undo.isEnabled()) {
     await page.keyboard.press('Control+z');
-    await page.evaluate(() => window.shapeUp.settled());
+    await settled(page);
   }
   await expect.poll(() => constraintCount(page)).toBe(0);
 }

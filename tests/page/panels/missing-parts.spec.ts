@@ -1,15 +1,14 @@
 // Parts of the page that are fetched when they are first needed, and cannot be fetched: an error is
 // shown in plain words, and Rhino's worker is fetched at the next attempt.
 
-import { addConstraint, downloaded, hidePanels, openText, showStep, tool } from '../actions.ts';
-import { file, wavyGrid } from '../meshes.ts';
-import { dragVertex, expect, openPage, screenOf, test, waitForState } from '../support.ts';
+import { addConstraint, downloaded, openText, showStep, tool } from '../actions.ts';
+import { wavyGrid } from '../meshes.ts';
+import { expect, openPage, test, waitForState } from '../support.ts';
 
 test.use({ fresh: true });
 
 const N = 6;
 const VERTICES = (N + 1) ** 2;
-const MIDDLE = (VERTICES - 1) / 2;
 
 test.beforeEach(async ({ page }) => {
   await openPage(page);
@@ -49,23 +48,4 @@ test('a Rhino file is written at the next press', async ({ page, complaints }) =
   const saved = await downloaded(page, () => format.click());
   expect(saved.name).toBe('grid.3dm');
   expectOnlyAborted(complaints);
-});
-
-test('a file is refused with its reason', async ({ page }) => {
-  await page.getByLabel('Open file').setInputFiles(file('bad.obj', 'hello\n'));
-  await expect(page.getByRole('alert')).toContainText('bad.obj');
-});
-
-test('a handle that is dragged has a label with its way', async ({ page }) => {
-  await hidePanels(page);
-  await page.mouse.click(...(await screenOf(page, MIDDLE)));
-  await page.keyboard.press('h');
-  await waitForState(page, (now) => now.handles.length === 1);
-  await dragVertex(page, MIDDLE, [60, 0]);
-  const [x, y] = await screenOf(page, MIDDLE);
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x - 60, y, { steps: 5 });
-  await expect(page.locator('#moved')).toHaveText(/ m$/);
-  await page.mouse.up();
 });

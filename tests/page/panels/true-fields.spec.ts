@@ -2,7 +2,7 @@
 
 import { addConstraint, openGrid, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { boxOf, expect, openPage, sceneOf, test, waitForState } from '../support.ts';
+import { boxOf, expect, openPage, sceneOf, settled, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -204,7 +204,7 @@ test('Escape in a field takes back what was typed there, and not the selection',
   for (let i = 0; i < 2; i++) await weight.press('Escape');
   await expect(weight).toHaveValue('1');
   await weight.press('Tab');
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   expect((await sceneOf(page)).weights.smooth).toBe(1);
   await waitForState(page, (now) => now.selection.vertices.length === 1);
 });
@@ -220,7 +220,7 @@ test('a slider that is held stays where it is when a run ends', async ({ page })
   await page.mouse.move(x + 0.8 * width, y + height / 2, { steps: 3 });
   const held = await slider.inputValue();
   await waitForState(page, (now) => now.iteration > 0 && !now.running);
-  await page.evaluate(() => window.shapeUp.settled());
+  await settled(page);
   await expect(slider).toHaveValue(held);
   await page.mouse.up();
   await expect.poll(async () => (await sceneOf(page)).weights.smooth).toBeGreaterThan(100);

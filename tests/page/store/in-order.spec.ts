@@ -1,17 +1,19 @@
 // A press acts on what was typed, chosen and clicked before it, although the solver has not answered
 // yet; an answer that is out of date is not shown.
 
-import type { Page } from '@playwright/test';
-import { unzipSync } from 'fflate';
 import { constraintCount, downloaded, openGrid, openText, showStep } from '../actions.ts';
+import { holdingAnswers } from '../answers.ts';
 import { wavyGrid } from '../meshes.ts';
+import { filesOf } from '../sheets.ts';
 import {
   expect,
   hold,
   known,
+  middleOf,
   openPage,
   sceneOf,
   screenOf,
+  settled,
   state,
   test,
   waitForState,
@@ -26,19 +28,6 @@ const cornersOf = (x: number, y: number) => [
   ...[vertex(x, y), vertex(x + 1, y)],
   ...[vertex(x + 1, y + 1), vertex(x, y + 1)],
 ];
-
-async function middleOf(page: Page, vertices: number[]): Promise<[number, number]> {
-  const at = await Promise.all(vertices.map((one) => screenOf(page, one)));
-  const mean = (axis: number) => at.reduce((sum, point) => sum + point[axis], 0) / at.length;
-  return [mean(0), mean(1)];
-}
-
-/** The names and contents of the files in an archive. */
-const filesOf = (bytes: Uint8Array) =>
-  Object.entries(unzipSync(bytes)).map(([name, content]) => [
-    name,
-    Buffer.from(content).toString('latin1'),
-  ]);
 
 test.describe('in one document', () => {
   test.use({ sameDocument: true });
@@ -132,7 +121,7 @@ test.describe('in one document', () => {
     await expect(page.getByRole('status')).toHaveText(reason);
     expect((await state(page)).handles).toEqual(before.handles);
     await page.mouse.up();
-    await page.evaluate(() => window.shapeUp.settled());
+    await settled(page);
     expect((await state(page)).handles).toEqual(before.handles);
     await expect(page.getByRole('alert')).toBeEmpty();
     // Nor by keys, nor is another one made.
@@ -148,39 +137,16 @@ test.describe('in one document', () => {
     await page.mouse.move(farX + 30, farY, { steps: 3 });
     await page.mouse.up();
     await page.keyboard.up('Alt');
-    await page.evaluate(() => window.shapeUp.settled());
+    await settled(page);
     expect((await state(page)).handles).toEqual(before.handles);
   });
 });
 
-/** Delay of the answers that are held back, in ms. */
-const SLOWLY = 1500;
-
-test.describe('with slow answers', () => {
+test.describe('with answers that come late', () => {
   test.use({ fresh: true });
 
-  test.beforeEach(async ({ page }) => {
-    await page.addInitScript((slowly) => {
-      window.Worker = class extends Worker {
-        #late = new Set<unknown>();
-        override postMessage(
-          call: { id?: number; name: string },
-          ...rest: [(Transferable[] | StructuredSerializeOptions)?]
-        ) {
-          if (call.name === 'previews' || call.name === 'verdict') this.#late.add(call.id);
-          super.postMessage(call, ...(rest as [StructuredSerializeOptions?]));
-        }
-        override set onmessage(hear: (event: MessageEvent) => void) {
-          super.onmessage = (event) => {
-            if (this.#late.has(event.data.id)) setTimeout(hear, slowly, event);
-            else hear(event);
-          };
-        }
-      };
-    }, SLOWLY);
-  });
-
   test('a constraint added at once after a click is on what was clicked', async ({ page }) => {
+    const answers = await holdingAnswers(page);
     await openGrid(page, N);
     await page.keyboard.press('3');
     await page.mouse.click(...(await middleOf(page, cornersOf(4, 4))));
@@ -190,8 +156,11 @@ test.describe('with slow answers', () => {
     const dialog = page.getByRole('dialog', { name: 'New constraint' });
     await dialog.getByRole('radio', { name: 'Plane', exact: true }).check();
     await dialog.getByRole('radio', { name: 'whole selection together' }).check();
+    await answers.hold('constraintOffers');
     await page.mouse.click(...(await middleOf(page, cornersOf(2, 2))));
     await dialog.getByRole('button', { name: 'Add', exact: true }).click();
+    await answers.come('solver: constraintOffers');
+    await answers.release();
     await expect(dialog).toBeHidden();
     await expect.poll(() => constraintCount(page)).toBe(1);
     const [{ on }] = (await sceneOf(page)).constraints;
@@ -209,6 +178,7 @@ test.describe('with slow answers', () => {
   test('the verdict follows a tolerance that is set while another one is answered', async ({
     page,
   }) => {
+    const answers = await holdingAnswers(page);
     await openGrid(page, N);
     await page.getByRole('button', { name: 'Make panels circular' }).click();
     const card = page.getByRole('group', { name: 'Panels', exact: true });
@@ -219,12 +189,11 @@ test.describe('with slow answers', () => {
       await tolerance.press('Enter');
     };
     await expect(card).toContainText('Your mesh moved');
-    // Nothing is asked any more.
-    await page.waitForTimeout(2 * SLOWLY);
+    await answers.hold('verdict');
     await set('2');
-    // Half of the time of an answer.
-    await page.waitForTimeout(SLOWLY / 2);
+    await answers.come('solver: verdict');
     await set('3');
+    await answers.release();
     await expect(card).toContainText('panels are circular within 3 mm');
   });
 });
@@ -245,7 +214,7 @@ test.describe('on a slow network', () => {
     // The menu of the examples is filled by the same answer.
     const examples = page.getByRole('menuitem', { includeHidden: true });
     await expect.poll(() => examples.count()).toBeGreaterThan(5);
-    await page.evaluate(() => window.shapeUp.settled());
+    await settled(page);
     await page.waitForTimeout(500);
     expect((await state(page)).vertices).toBe(SIDE ** 2);
     await expect(page.getByRole('status')).toContainText('mine.obj');

@@ -9,6 +9,7 @@ import {
   known,
   LONG,
   screenOf,
+  settled,
   state,
   test,
   waitForState,
@@ -98,19 +99,17 @@ test('a random sequence is undone to the start, each step by its name, and redon
   const names = Object.keys(DOINGS);
   const undo = page.getByRole('button', { name: 'Undo' });
   const redo = page.getByRole('button', { name: 'Redo' });
-  /** Waits until all messages have been answered. */
-  const settled = () => page.evaluate(() => window.shapeUp.settled());
 
   await DOINGS.constrain(page, draw);
   for (let i = 0; i < DEEDS; i++) {
     await DOINGS[names[draw(names.length)]](page, draw);
-    await settled();
+    await settled(page);
   }
   // A run is one step, with the number of iterations in its name.
   await page.getByRole('button', { name: 'Run' }).click();
   await expect(undo).toHaveAttribute('title', /Undo: Run, \d+ iterations? /);
   await waitForState(page, (now) => now.converged && !now.running);
-  await settled();
+  await settled(page);
   const end = await everything(page);
 
   const through = async (button: Locator, key: string) => {
@@ -118,7 +117,7 @@ test('a random sequence is undone to the start, each step by its name, and redon
     while (await button.isEnabled()) {
       titles.push(known(await button.getAttribute('title')).replace(/^\w+: | \(.*/g, ''));
       await page.keyboard.press(key);
-      await settled();
+      await settled(page);
     }
     return titles;
   };

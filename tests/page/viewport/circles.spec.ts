@@ -3,21 +3,21 @@
 import type { Page } from '@playwright/test';
 import { openExample, runToTheEnd, showStep } from '../actions.ts';
 import { decodePng, type Picture } from '../picture.ts';
-import { drawn, expect, looks, openPage, test } from '../support.ts';
+import { expect, looks, openPage, seen, test } from '../support.ts';
 
 test.use({ viewport: { width: 900, height: 640 } });
 
 /** The picture of the view. */
 async function picture(page: Page) {
-  await drawn(page);
-  const base64 = await page.evaluate(async () => {
+  const draw = async () => {
     const blob = await window.shapeUp.picture({ legend: false });
     return new Promise<string>((done) => {
       const reader = new FileReader();
       reader.onload = () => done((reader.result as string).split(',')[1]);
       reader.readAsDataURL(blob);
     });
-  });
+  };
+  const base64 = await seen(page, () => page.evaluate(draw));
   return decodePng(Buffer.from(base64, 'base64'));
 }
 

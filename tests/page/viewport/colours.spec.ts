@@ -20,6 +20,7 @@ import {
   middleOfPicture,
   openPage,
   screenOf,
+  seen,
   test,
   waitForState,
   windowOf,
@@ -110,8 +111,7 @@ test(
       const view = page.getByRole('application', { name: '3D view' });
       await view.focus();
       await view.hover({ position: { x: 5, y: 5 } });
-      await drawn(page);
-      const picture = decodePng(await page.screenshot());
+      const picture = await seen(page, async () => decodePng(await page.screenshot()));
       const [first, second] = [0, n * n - 1];
       return [
         await bluerThanRed(page, picture, n, first),
@@ -146,20 +146,6 @@ test(
   },
 );
 
-/** The middle of the picture once it is final: ambient occlusion is added after the shape. */
-async function stillPicture(page: Page) {
-  let last = await middleOfPicture(page);
-  await expect
-    .poll(async () => {
-      const next = await middleOfPicture(page);
-      const change = differingBytes(next, last);
-      last = next;
-      return change;
-    })
-    .toBe(0);
-  return last;
-}
-
 test(
   'residuals are arrows to the projected shapes, until they are zero',
   looks,
@@ -174,16 +160,16 @@ test(
       const [outlines, arrows] = ['Outlines of the best fit', 'Arrows to the best fit'].map(
         (name) => page.getByRole('checkbox', { name }),
       );
-      const before = await stillPicture(page);
+      const before = await middleOfPicture(page);
       await outlines.check();
-      const outlined = await stillPicture(page);
+      const outlined = await middleOfPicture(page);
       expect(differingBytes(outlined, before)).toBeGreaterThan(2000);
       await arrows.check();
-      const changed = differingBytes(await stillPicture(page), outlined);
+      const changed = differingBytes(await middleOfPicture(page), outlined);
       await arrows.uncheck();
       await outlines.uncheck();
       // Out of a million: ambient occlusion is computed anew.
-      expect(differingBytes(await stillPicture(page), before)).toBeLessThan(1500);
+      expect(differingBytes(await middleOfPicture(page), before)).toBeLessThan(1500);
       return changed;
     };
     const rough = await changes();
@@ -248,7 +234,6 @@ test('choosing a measure again restores the same picture', looks, async ({ page 
   await page.getByLabel('Tolerance').fill('0.1');
   await page.getByLabel('Tolerance').press('Enter');
   await expect(page.getByLabel('Colours from')).toHaveValue('0.100');
-  await drawn(page);
   const before = [await rangeOf(page), await middleOfPicture(page)] as const;
   await page.getByRole('button', { name: 'Fit range' }).click();
   await expect.poll(() => rangeOf(page)).not.toEqual(before[0]);

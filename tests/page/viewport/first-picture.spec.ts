@@ -4,7 +4,16 @@ import type { Page } from '@playwright/test';
 import { hidePanels } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import { decodePng, type Picture } from '../picture.ts';
-import { coloursOfView, expect, hold, looks, state, test, waitForState } from '../support.ts';
+import {
+  coloursOfView,
+  expect,
+  hold,
+  looks,
+  seeFromTheStart,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
 
 test.use({ fresh: true });
 
@@ -40,6 +49,7 @@ const shown = (page: Page) =>
 
 /** The first picture on the screen, and the view that replaces it, as pixels. */
 async function replaced(page: Page) {
+  await seeFromTheStart(page);
   const release = await holdView(page);
   await page.goto('./');
   await waitForState(page, (now) => now.converged);
@@ -110,12 +120,12 @@ test('it has the chosen theme rather than that of the system, and lets presses t
   release();
 });
 
-test('presses made before anything has loaded take effect later', looks, async ({ page }) => {
+test('presses made before anything has loaded take effect later', async ({ page }) => {
   const releaseScript = await hold(page, '**/*.js');
   const releaseModules = await hold(page, '**/{engine,view}-*.wasm');
   const list = page.waitForResponse(/\/examples\/index\.json$/);
   await page.goto('./', { waitUntil: 'commit' });
-  await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+  await expect.poll(() => shown(page)).toMatch(/^first-/);
   // On a phone the tools are in place only once the script has loaded.
   const run = page.getByRole('button', { name: 'Run' });
   const early = await run.isVisible();

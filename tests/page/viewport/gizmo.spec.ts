@@ -178,6 +178,7 @@ test('Ctrl moves a dragged handle vertically, Shift horizontally', async ({ page
   await page.keyboard.down('Control');
   await page.mouse.move(x + 20, y - 40, { steps: 4 });
   await expect.poll(async () => ways(before, await state(page))[0][2]).toBeGreaterThan(0);
+  await expect(page.locator('#moved')).toHaveText(/ m$/);
   expect(ways(before, await state(page))[0].slice(0, 2)).toEqual([0, 0]);
   await page.keyboard.up('Control');
   await page.keyboard.down('Shift');

@@ -3,7 +3,16 @@
 import type { Page } from '@playwright/test';
 import { openText } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { boxOf, expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
+import {
+  boxOf,
+  expect,
+  openPage,
+  screenOf,
+  settled,
+  state,
+  test,
+  waitForState,
+} from '../support.ts';
 
 const N = 4;
 const VERTICES = (N + 1) ** 2;
@@ -137,6 +146,7 @@ test('a brush stroke that becomes a pinch leaves the selection as it was', async
   await waitForState(page, (now) => now.selection.vertices.length === 0);
   await touch.down([x - 60, y], [x + 60, y]);
   await touch.up();
+  await settled(page);
   expect((await state(page)).selection).toEqual(selection);
 });
 
