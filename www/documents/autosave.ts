@@ -22,6 +22,7 @@ import {
   type Work,
   type Contents,
 } from './recent-documents.ts';
+import { areSameUnsolved } from './share-link.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Actions } from '../store/actions.ts';
 import type { Store } from '../store/state.ts';
@@ -196,13 +197,16 @@ export class Autosave {
     const { model } = this.#store.get();
     const { history, progress } = saved;
     if (!model || !text || !this.#id) return null;
-    const asItCame = origin.example && text === original && !progress;
-    if (kept.text === null && asItCame) return null;
+    const isSame = text === original && !progress;
+    if (kept.text === null && isSame && origin.example && !origin.edited) return null;
     const view = viewOf(this.#store.get());
     const viewWords = JSON.stringify(view);
     const isOther = text !== kept.text || progress !== kept.progress;
     if (!isOther && !(withView && viewWords !== kept.view)) return null;
     this.#kept = { text, progress, view: viewWords };
+    // The run of a link is nothing that the user has made.
+    const isAsItCame =
+      isSame || (origin.file && origin.link && original && areSameUnsolved(text, original));
     const work: Work = {
       id: this.#id,
       name,
@@ -213,7 +217,7 @@ export class Autosave {
       example: origin.example?.id ?? null,
       hash: origin.link ?? '',
       view,
-      file: text === (original ?? origin.text) && !progress ? origin.file : null,
+      file: isAsItCame ? origin.file : null,
     };
     return [work, text === kept.text ? { progress } : { text, history, progress }];
   }

@@ -37,6 +37,8 @@ export interface Origin {
   text?: string;
   /** text of its scene when it was opened first, if it is reopened */
   original?: string | null;
+  /** its scene is not that of the example: a link or a saved work has another one */
+  edited?: boolean;
   /** digest of the file that it was opened from, unless it has been changed since */
   file?: string | null;
   /** its saved history and progress */
@@ -66,7 +68,7 @@ const IS_RHINO = /\.3dm$/i;
 export class Files extends Emitter<{ opened: void }> {
   /** Source of the current model. */
   origin: Origin = {};
-  /** Text of its scene when opened; null for resumed work. */
+  /** Text of its scene when opened first; that of resumed work as it was saved. */
   original: string | null = null;
   /** All openings of models: commands given meanwhile apply to the model that is coming. */
   readonly openings = new Openings(() => this.#alerts.clear());
@@ -183,7 +185,7 @@ export class Files extends Emitter<{ opened: void }> {
       const { view, ...rest } = origin;
       if (view) restoreView(view, this.#store, this.#actions);
       this.origin = { ...(!origin.work && { file: digest }), ...rest };
-      this.original = origin.original ?? (origin.work ? null : this.#solver.sceneText);
+      this.original = origin.original ?? origin.text ?? this.#solver.sceneText;
       this.nameInAddress();
       if (!origin.first) removeFirstPicture();
       this.#actions.describeFile({
@@ -325,10 +327,11 @@ export class Files extends Emitter<{ opened: void }> {
 
   /** Opens the files of the open model in another way, as a work of its own; Undo goes back. */
   #openOtherwise(given: NamedBytes[], how: Origin, step: string) {
-    const { example, title, link, hidden, unwelded } = this.origin;
+    const { example, edited, title, link, hidden, unwelded } = this.origin;
     void this.#openInstead(async () => {
       const before = await this.asItIs();
-      const origin = { ...{ example, title, link, hidden, unwelded }, ...how, before, step };
+      const same = { example, edited, title, link, hidden, unwelded };
+      const origin = { ...same, ...how, before, step };
       return { given, origin };
     });
   }

@@ -97,6 +97,25 @@ test('a work says of which file it is, as long as it is not changed', async (con
   assert.equal(await fileOf(), 'of the roof');
 });
 
+test('a link that is only solved is not changed', async (context) => {
+  // Eight of them, followed to look at, pushed works of one's own out of the browser.
+  const { solver, files, autosave } = started(context);
+  const scene = (change: object) => JSON.stringify({ mesh: {}, constraints: [], ...change });
+  await autosave.save();
+  files.origin = { file: 'of the link', link: '#link=abc' };
+  files.original = solver.sceneText = scene({});
+  files.emit('opened', undefined);
+  const fileOf = async (change: object) => {
+    solver.scene(scene(change));
+    await autosave.save();
+    return (await recentDocuments()).find(({ id }) => id === autosave.id)?.file;
+  };
+  assert.equal(await fileOf({ current: [[0, 0, 1]] }), 'of the link');
+  solver.progress(7);
+  assert.equal(await fileOf({ current: [[0, 0, 2]] }), 'of the link');
+  assert.equal(await fileOf({ current: [[0, 0, 1]], title: 'Mine' }), null);
+});
+
 test('what is changed just before another file is opened is saved', async (context) => {
   // A change that came while the one before was being written belonged to no work any longer.
   const { solver, files, autosave } = started(context);
