@@ -14,7 +14,7 @@ import type { FromRhino } from './rhino/rhino-in.ts';
 import { digestOf, rememberedFrame } from './known-frames.ts';
 import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
+import type { NamedBytes, Saved, SceneDocument, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
 import { hideWithNextWork } from './fitted-shapes.ts';
 import { STARTS_LATER } from '../store/press.ts';
@@ -92,7 +92,7 @@ export class Files extends Emitter<{ opened: void }> {
     this.#solver = solver;
     this.#alerts = alerts;
     this.#actions = actions;
-    solver.on('scene', () => this.#forgetUndone());
+    solver.on('document', ({ document }) => this.#forgetUndone(document));
     solver.on('model', () => {
       if (solver.restoring) return;
       this.#replaced.abort(new Cancelled());
@@ -295,10 +295,10 @@ export class Files extends Emitter<{ opened: void }> {
       this.#actions.setStatus(`Redid: ${after.origin.step}`);
   }
 
-  /** Forgets the model from which Undo went back, once an edit has taken its place. */
-  #forgetUndone() {
-    const { document: scene, redoes } = this.#store.get();
-    if (!redoes || scene?.redo || this.#solver.sceneText === this.#openedText) return;
+  /** Forgets the model from which Undo went back, once an edit has taken its place: Redo has nothing. */
+  #forgetUndone({ redo }: SceneDocument) {
+    const { redoes } = this.#store.get();
+    if (!redoes || redo || this.#solver.sceneText === this.#openedText) return;
     this.#actions.describeFile({ redoes: '' });
     delete this.origin.after;
   }
