@@ -140,8 +140,8 @@ export interface State {
   tape: number[] | null;
   /** shown beside the model */
   flatMap: FlatMap | null;
-  /** on the panels, the generation of the shape that it is on, and whether the user closed it */
-  verdict: { shape: number | undefined; report: PanelVerdict; isClosed?: boolean } | null;
+  /** on the panels, and the generation of the shape that it is on */
+  verdict: { shape: number | undefined; report: PanelVerdict } | null;
   /** the last press that made all panels one shape */
   press: PanelPress | null;
   /** the model whose card of panels the user closed */

@@ -61,10 +61,7 @@ export function createViewActions(store: Store) {
       return changed;
     },
     /** Closes the card of the panels, for this model. */
-    closePanelsCard() {
-      const { model, verdict } = store.get();
-      store.set({ closedCard: model, verdict: verdict && { ...verdict, isClosed: true } });
-    },
+    closePanelsCard: () => store.set({ closedCard: store.get().model }),
 
     /** Sets the tolerance of another measure, in its unit. */
     setToleranceOf: (id: string, value: number | null) =>
