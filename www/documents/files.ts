@@ -203,14 +203,13 @@ export class Files extends Emitter<{ opened: void }> {
       if (origin.first) hideWithNextWork(this, this.#actions);
       return loaded;
     } catch (error) {
+      const isCancelled = error instanceof Cancelled;
+      const ask = () => offersToChoose(given, this.#actions, this, origin);
+      const offers = isCancelled ? [] : await ask();
+      // The question may have waited for the opening of another model.
       if (!(await opening.isWanted())) return null;
-      if (error instanceof Cancelled) {
-        this.#actions.setStatus('Cancelled');
-        throw error;
-      }
-      this.#actions.setStatus('');
-      const offers = await offersToChoose(given, this.#actions, this, origin);
-      this.#alerts.error(messageOf(error), ...offers);
+      this.#actions.setStatus(isCancelled ? 'Cancelled' : '');
+      if (!isCancelled) this.#alerts.error(messageOf(error), ...offers);
       throw error;
     }
   }
@@ -267,14 +266,14 @@ export class Files extends Emitter<{ opened: void }> {
   /**
    * Opens another model in place of the open one.
    * @param next may ask for the open one as it is: what is opened meanwhile was begun later, and wins
-   * @returns null if it is not open; an alert gives the reason of a refusal
+   * @returns null if it is not open; an alert gives the reason
    */
   #openInstead(next: () => Promise<Left> | Left): Promise<Loaded | null> {
-    const opened = this.openings.begin(async (opening) => {
-      const { given, origin } = await next();
-      return this.open(given, origin, { opening });
+    return this.openings.begin(async (opening) => {
+      const left = await this.#actions.reportErrors(next());
+      // Of a refusal the reason is told where it opens.
+      return left ? this.open(left.given, left.origin, { opening }).catch(() => null) : null;
     });
-    return opened.catch(() => null);
   }
 
   /** Reopens the model that this one has replaced. */
