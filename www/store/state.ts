@@ -224,8 +224,6 @@ export interface Store {
   get: () => Readonly<State>;
   /** The current state: a component or an effect follows the parts that it reads here. */
   state: Readonly<State>;
-  /** keys on which commands may depend */
-  steady: (keyof State)[];
   set: (patch: Partial<State>) => void;
   /**
    * calls the listener now, and after every task in which one of the keys changed, until the
@@ -315,17 +313,6 @@ const INITIAL: State = {
   status: '',
 };
 
-/** Keys that change with every frame; no command depends on them. */
-const LIVE: (keyof State)[] = [
-  'numbers',
-  'moved',
-  'pointedAt',
-  'dragMs',
-  'greatest',
-  'spread',
-  'camera',
-];
-
 /** Whether the view can draw. */
 export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
   renderer === 'webgpu' || renderer === 'webgl2';
@@ -359,7 +346,6 @@ export function createStore(): Store {
   return {
     get: () => all.peek(),
     state: followed(all, keys),
-    steady: keys.filter((key) => !LIVE.includes(key)),
     set(patch) {
       const before = all.peek();
       const others = (Object.keys(patch) as (keyof State)[]).filter(
