@@ -158,9 +158,9 @@ export class Autosave {
         this.#actions.describeFile({ saved });
       } catch {
         // Storage is blocked (as in some private windows) or full; another work may have room. What waits
-        // for this one is only what has changed since.
+        // for this one is only what has changed since. If another model is coming, this may come back.
         this.#waiting.delete(id);
-        if (id !== this.#id) continue;
+        if (id !== this.#lastId) continue;
         this.#kept = NOTHING;
         this.#actions.describeFile({ saved: OFF });
       }

@@ -179,6 +179,26 @@ test('a work for which there is no room holds up no other', async (context) => {
   assert.ok(!said.some((words) => words.includes('off')), `${said}`);
 });
 
+test('what could not be saved while another file was being opened is saved after its cancelling', async (context) => {
+  // It was taken for saved until the next edit.
+  const { solver, autosave } = started(context);
+  const { id } = autosave;
+  await autosave.save();
+  const set = Map.prototype.set.bind(records);
+  const broken = context.mock.method(records, 'set', (key: string, value: unknown) => {
+    if (value === 'with a door') throw new DOMException('Broken.', 'UnknownError');
+    return set(key, value);
+  });
+  solver.scene('with a door');
+  solver.model(false);
+  await autosave.save();
+  broken.mock.restore();
+  solver.model(true);
+  solver.scene('with a door');
+  await autosave.save();
+  assert.equal((await contentsOf(id)).text, 'with a door');
+});
+
 test('a work that has gone on is listed at its iteration, and restored from that of its scene', async (context) => {
   // "Iteration 0" was said of a run of 400.
   const { solver, autosave } = started(context);
