@@ -79,7 +79,7 @@ export class Autosave {
     });
     files.on('opened', () => this.#begin());
     solver.on('scene', () => {
-      if (this.#id && solver.sceneText !== this.#kept.text) actions.describeFile({ saved: '' });
+      if (this.#id && solver.sceneText !== this.#kept.text) actions.look({ saved: '' });
       void this.save();
     });
     solver.on('progress', ({ iteration }) => {
@@ -112,7 +112,7 @@ export class Autosave {
     // A resumed work was claimed before it was opened. One that is opened again after this tab has let
     // it go may be that of another tab by now: nothing is saved to it before it is claimed.
     this.#id = !work || claims.has(id) ? id : '';
-    this.#actions.describeFile({ saved: '' });
+    this.#actions.look({ saved: '' });
     setItem(OWN_KEY, id, 'sessionStorage');
     if (claims.get(id) !== this.#release) this.#release();
     const release = claims.get(id) ?? (await claim(id));
@@ -155,14 +155,14 @@ export class Autosave {
         this.#confirmed = kept;
         if (kept === this.#kept) forgetUnsaved(id);
         const saved = `Saved in this browser ${timeOf(work.savedAt)}`;
-        this.#actions.describeFile({ saved });
+        this.#actions.look({ saved });
       } catch {
         // Storage is blocked (as in some private windows) or full; another work may have room. What waits
         // for this one is only what has changed since. If another model is coming, this may come back.
         this.#waiting.delete(id);
         if (id !== this.#lastId) continue;
         this.#kept = NOTHING;
-        this.#actions.describeFile({ saved: OFF });
+        this.#actions.look({ saved: OFF });
       }
     }
   }

@@ -188,7 +188,7 @@ export class Files extends Emitter<{ opened: void }> {
       this.original = origin.original ?? origin.text ?? this.#solver.sceneText;
       this.nameInAddress();
       if (!origin.first) removeFirstPicture();
-      this.#actions.describeFile({
+      this.#actions.look({
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,
         example: origin.example ?? null,
@@ -298,7 +298,7 @@ export class Files extends Emitter<{ opened: void }> {
   #forgetUndone({ redo }: SceneDocument) {
     const { redoes } = this.#store.get();
     if (!redoes || redo || this.#solver.sceneText === this.#openedText) return;
-    this.#actions.describeFile({ redoes: '' });
+    this.#actions.look({ redoes: '' });
     delete this.origin.after;
   }
 

@@ -56,7 +56,7 @@ function started(context: TestContext) {
     solver as unknown as SolverClient,
     files as unknown as Files,
     store,
-    { describeFile: ({ saved }: { saved: string }) => said.push(saved) } as unknown as Actions,
+    { look: ({ saved }: { saved: string }) => said.push(saved) } as unknown as Actions,
   );
   return { solver, files, autosave, said };
 }

@@ -28,7 +28,7 @@ function opening() {
       if (name.startsWith('broken')) throw new Error(`${name} is damaged`);
       return {};
     },
-    describeFile: (about: Partial<State>) => store.set(about),
+    look: (about: Partial<State>) => store.set(about),
     setStatus() {},
     settled: async () => {},
     rest: async () => ({ text: '{}' }),

@@ -13,14 +13,17 @@ function judged() {
   const store = createStore();
   const actions = createViewActions(store);
   const verdict = { shape: 3, report: { level: 'fair', suggestions: [] } };
-  actions.judge(verdict as unknown as State['verdict']);
+  actions.look({ verdict: verdict as unknown as State['verdict'] });
   return { store, actions };
 }
 
 test('the card has a verdict only while a constraint asks the panels for a shape', () => {
   // It said that all panels are circular when that row was off, and was empty with rows on edges only.
   const model = { faces: 4, panels: [{}] };
-  const kinds = [{ id: 'circle', panels: 'circular' }, { id: 'edge', panels: null }];
+  const kinds = [
+    { id: 'circle', panels: 'circular' },
+    { id: 'edge', panels: null },
+  ];
   const shown = (...constraints: object[]) =>
     panelsCard({ model, kinds, press: { model }, document: { constraints } } as unknown as State);
   const circle = { kind: 'circle', enabled: true };
@@ -35,7 +38,7 @@ test('those for another shape are dropped, also after its verdict is gone', () =
   const { store, actions } = judged();
   actions.suggest(4, FOUND);
   assert.deepEqual(store.get().verdict?.report.suggestions, []);
-  actions.judge(null);
+  actions.look({ verdict: null });
   actions.suggest(3, FOUND);
   actions.suggest(undefined, FOUND);
   assert.equal(store.get().verdict, null);

@@ -76,9 +76,9 @@ export class Verdicts {
     // No panel is asked for a shape any longer.
     if (!verdict) {
       this.said.value = NOTHING;
-      return actions.judge(null);
+      return actions.look({ verdict: null });
     }
-    actions.judge({ shape: solver.geometry?.generation, report: verdict });
+    actions.look({ verdict: { shape: solver.geometry?.generation, report: verdict } });
     const { brief, numbers } = verdict;
     this.said.value = { words: `${this.#chosen()}${brief}`, numbers, verdict };
     if (verdict.level === 'good') this.#forget();

@@ -41,7 +41,7 @@ export function FrameFields({ model }: { model: Loaded }) {
     // Another file may be open by now.
     if (store.get().model !== model) return;
     const isGuess = frame.units === model.units && frame.up === model.up;
-    actions.choseFrame({ model, digest, isGuess });
+    actions.look({ frameChosen: { model, digest, isGuess } });
   }
 
   return (
