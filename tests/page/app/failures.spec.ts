@@ -161,6 +161,14 @@ test('without graphics everything but the 3D view works', async ({ page }) => {
 test('a lost graphics context is restored', looks, async ({ page }) => {
   await openPage(page, 'renderer=webgl2');
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await page.getByRole('button', { name: 'Make panels flat' }).first().waitFor();
+  /** Where a vertex is when the model is framed beside what covers the view. */
+  const framed = async () => {
+    await page.keyboard.press('Home');
+    return page.evaluate(() => window.shapeUp.screen(0));
+  };
+  const before = await framed();
   await page.evaluate(() => {
     const canvas = document.querySelector('[role="application"] canvas') as HTMLCanvasElement;
     canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
@@ -170,4 +178,6 @@ test('a lost graphics context is restored', looks, async ({ page }) => {
   await waitForState(page, (now) => now.renderer === 'webgl2');
   await expect(page.getByRole('status')).toHaveText('The 3D view was lost and is being restored');
   await expect.poll(() => coloursOfView(page)).toBeGreaterThan(50);
+  // The view knew of nothing that covers it.
+  expect(await framed()).toEqual(before);
 });
