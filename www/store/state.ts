@@ -43,8 +43,8 @@ export interface State {
   example: Example | null;
   document: SceneDocument | null;
   /**
-   * the model whose unit and axis the user has chosen, the digest of its file, and whether they are
-   * those that were guessed
+   * the model whose unit and axis the user has chosen, the digest of its file, and whether those that
+   * were guessed have been confirmed
    */
   frameChosen: { model: Loaded; digest: string | null; isGuess: boolean } | null;
   /** number of refused edits, after which the controls show the document again */
