@@ -93,7 +93,7 @@ export class Startup {
       if (!(await opening.isWanted())) return;
       if (!(error instanceof Cancelled)) this.#alerts.error(messageOf(error));
       if (this.#solver.isAbsent) return;
-      this.#store.set({ nothingOpen: true });
+      this.#actions.look({ nothingOpen: true });
       showNothingOpen(this.#files, async () => {
         await this.#actions.reportErrors(this.#startFresh());
       });
@@ -138,7 +138,7 @@ export class Startup {
       const loaded = await this.#openWork(taken, opening);
       if (!loaded) return;
       const { undoLost } = loaded;
-      this.#store.set({ status: `Opened ${title}` });
+      this.#actions.setStatus(`Opened ${title}`);
       if (undoLost) this.#alerts.notice(`The undo history of ${title} is lost: ${undoLost}.`);
     } catch (error) {
       if (await opening.isWanted()) this.#reportUnreadable(error);
