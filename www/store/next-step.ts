@@ -4,13 +4,7 @@ import { CARD_KEYS, shownVerdict } from './panels-card.ts';
 import type { State } from './state.ts';
 
 /** What is needed to know it. */
-export const NEXT_STEP_KEYS = [
-  ...CARD_KEYS,
-  'running',
-  'converged',
-  'numbers',
-  'verdict',
-] as const;
+export const NEXT_STEP_KEYS = [...CARD_KEYS, 'running', 'converged', 'numbers', 'verdict'] as const;
 
 /**
  * - `shape`: nothing is constrained yet, and there are panels
