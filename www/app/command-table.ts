@@ -64,8 +64,8 @@ export function commandTable(
     if (isTypedInto(document.activeElement)) return alerts.clear();
     const newConstraint: HTMLDialogElement = byId('add-constraint');
     if (newConstraint.open) return newConstraint.close();
-    if (store.get().tape) return store.set({ tape: null, status: 'Measuring ended' });
-    if (store.get().flatMap) return store.set({ flatMap: null });
+    if (store.get().tape) return actions.look({ tape: null, status: 'Measuring ended' });
+    if (store.get().flatMap) return actions.look({ flatMap: null });
     alerts.clear();
     actions.selectNothing();
   }
@@ -217,7 +217,7 @@ export function commandTable(
       group: 'Tools',
       label: 'Drag handles and orbit',
       keys: ['V'],
-      action: () => store.set({ tool: 'drag' }),
+      action: () => actions.useTool({ tool: 'drag' }),
       pressed: ({ tool }) => tool === 'drag',
     },
     {
@@ -225,7 +225,7 @@ export function commandTable(
       group: 'Tools',
       label: 'Select with a box, a lasso or a brush',
       keys: [],
-      action: () => store.set({ tool: 'select' }),
+      action: () => actions.useTool({ tool: 'select' }),
       pressed: ({ tool }) => tool === 'select',
     },
     {
@@ -233,7 +233,7 @@ export function commandTable(
       group: 'Tools',
       label: 'Select vertices',
       keys: ['1'],
-      action: () => store.set({ mode: 'vertices' }),
+      action: () => actions.look({ mode: 'vertices' }),
       pressed: ({ mode }) => mode === 'vertices',
     },
     {
@@ -241,7 +241,7 @@ export function commandTable(
       group: 'Tools',
       label: 'Select edges',
       keys: ['2'],
-      action: () => store.set({ mode: 'edges' }),
+      action: () => actions.look({ mode: 'edges' }),
       pressed: ({ mode }) => mode === 'edges',
     },
     {
@@ -249,7 +249,7 @@ export function commandTable(
       group: 'Tools',
       label: 'Select faces',
       keys: ['3'],
-      action: () => store.set({ mode: 'faces' }),
+      action: () => actions.look({ mode: 'faces' }),
       pressed: ({ mode }) => mode === 'faces',
     },
     {
@@ -285,10 +285,7 @@ export function commandTable(
       group: 'View',
       label: 'Show or hide edges',
       keys: ['W'],
-      action: () => {
-        const { display } = store.get();
-        store.set({ display: { ...display, edges: !display.edges } });
-      },
+      action: () => actions.display({ edges: !store.get().display.edges }),
     },
     {
       id: 'add-constraint',

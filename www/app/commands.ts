@@ -13,7 +13,7 @@ import {
   ofText,
 } from '../ui/keys.ts';
 import type { Command } from './context.ts';
-import type { State, Store } from '../store/state.ts';
+import type { Store } from '../store/state.ts';
 
 export function bindButtons(commands: Command[], store: Store) {
   const byName = new Map(commands.map((command) => [command.id, command]));
@@ -22,17 +22,14 @@ export function bindButtons(commands: Command[], store: Store) {
     const command = byName.get(button.dataset.command ?? '');
     if (!command) throw new Error(`no command is called ${button.dataset.command}`);
     button.addEventListener('click', () => press(command, store));
-    const entitle = (state: State) => {
+    const { state } = store;
+    effect(() => {
       const words = command.title ? command.title(state) : command.label;
+      // Its key may be switched off.
       const title = words + keyInTitle(...command.keys);
       // Assign changes only: assigning the same value also invalidates styles and notifies
       // mutation observers.
       if (button.title !== title) button.title = title;
-    };
-    // Its key may be switched off.
-    effect(() => entitle(store.get()));
-    store.subscribe(store.steady, (state) => {
-      entitle(state);
       const disabled = !isEnabled(command, state);
       if (button.disabled !== disabled) button.disabled = disabled;
       const pressed = command.pressed ? String(command.pressed(state)) : null;

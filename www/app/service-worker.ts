@@ -53,7 +53,7 @@ scope.addEventListener('fetch', (event) => {
  * old versions of them.
  */
 const request = (file: string) =>
-  new Request(file, { cache: file.startsWith('./offline/assets') ? 'default' : 'no-cache' });
+  new Request(file, { cache: file.startsWith('./assets/') ? 'default' : 'no-cache' });
 
 async function fill() {
   const cache = await caches.open(NAME);

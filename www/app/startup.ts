@@ -93,7 +93,7 @@ export class Startup {
       if (!(await opening.isWanted())) return;
       if (!(error instanceof Cancelled)) this.#alerts.error(messageOf(error));
       if (this.#solver.isAbsent) return;
-      this.#store.set({ nothingOpen: true });
+      this.#actions.look({ nothingOpen: true });
       showNothingOpen(this.#files, async () => {
         await this.#actions.reportErrors(this.#startFresh());
       });
@@ -138,7 +138,7 @@ export class Startup {
       const loaded = await this.#openWork(taken, opening);
       if (!loaded) return;
       const { undoLost } = loaded;
-      this.#store.set({ status: `Opened ${title}` });
+      this.#actions.setStatus(`Opened ${title}`);
       if (undoLost) this.#alerts.notice(`The undo history of ${title} is lost: ${undoLost}.`);
     } catch (error) {
       if (await opening.isWanted()) this.#reportUnreadable(error);
@@ -207,7 +207,8 @@ export class Startup {
     const examples = work.example ? await this.#files.examples().catch(() => []) : [];
     const example = examples.find(({ id }) => id === work.example);
     const { id, title, hash: link, view, file } = work;
-    const origin = { example, work: id, title, saved, text, link, view, file };
+    const about = { example, edited: true, title, link, view, file };
+    const origin = { ...about, work: id, saved, text };
     const files = [{ name: `${work.name}.shapeup.json`, bytes }];
     return this.#files.open(files, origin, { opening }).catch(async (error) => {
       // Neither says anything about the work.
@@ -256,10 +257,7 @@ export class Startup {
     if (!edits) return this.#files.openExample(example, { ...from, opening });
     const mesh = { name: example.mesh, bytes: await this.#files.exampleFile(example.mesh) };
     const files = [sceneFile(example.id, edits), mesh];
-    const loaded = await this.#files.open(files, { ...from, example }, { opening });
-    // The edits are stored in the link only, not in a file.
-    if (loaded) this.#files.original = null;
-    return loaded;
+    return this.#files.open(files, { ...from, example, edited: true }, { opening });
   }
 }
 

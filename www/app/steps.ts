@@ -19,16 +19,6 @@ const OPEN = 'shape-up.open';
 
 const placeOf = (step: Step): HTMLDetailsElement => byId(`step-${step}`);
 
-/** Where the next step is done. */
-const WHERE: Record<NextStep, Step> = {
-  shape: 'shape',
-  change: 'shape',
-  constrain: 'shape',
-  run: 'shape',
-  choose: 'shape',
-  build: 'build',
-};
-
 export function followSteps(store: Store) {
   const panel = byId('steps');
   const levels = [...panel.querySelectorAll<HTMLDetailsElement>('details[id]')];
@@ -68,7 +58,7 @@ export function followSteps(store: Store) {
     if (state.running) run = state.model;
     if (!state.document || nextStep(state) === next) return;
     next = nextStep(state);
-    if (run === state.model) placeOf(WHERE[next]).open = true;
+    if (run === state.model) placeOf(next === 'build' ? 'build' : 'shape').open = true;
   });
   // What can be done with a selection is there.
   let wasEmpty = true;

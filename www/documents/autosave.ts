@@ -22,6 +22,7 @@ import {
   type Work,
   type Contents,
 } from './recent-documents.ts';
+import { areSameUnsolved } from './share-link.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Actions } from '../store/actions.ts';
 import type { Store } from '../store/state.ts';
@@ -78,7 +79,7 @@ export class Autosave {
     });
     files.on('opened', () => this.#begin());
     solver.on('scene', () => {
-      if (this.#id && solver.sceneText !== this.#kept.text) actions.describeFile({ saved: '' });
+      if (this.#id && solver.sceneText !== this.#kept.text) actions.look({ saved: '' });
       void this.save();
     });
     solver.on('progress', ({ iteration }) => {
@@ -111,7 +112,7 @@ export class Autosave {
     // A resumed work was claimed before it was opened. One that is opened again after this tab has let
     // it go may be that of another tab by now: nothing is saved to it before it is claimed.
     this.#id = !work || claims.has(id) ? id : '';
-    this.#actions.describeFile({ saved: '' });
+    this.#actions.look({ saved: '' });
     setItem(OWN_KEY, id, 'sessionStorage');
     if (claims.get(id) !== this.#release) this.#release();
     const release = claims.get(id) ?? (await claim(id));
@@ -154,14 +155,14 @@ export class Autosave {
         this.#confirmed = kept;
         if (kept === this.#kept) forgetUnsaved(id);
         const saved = `Saved in this browser ${timeOf(work.savedAt)}`;
-        this.#actions.describeFile({ saved });
+        this.#actions.look({ saved });
       } catch {
         // Storage is blocked (as in some private windows) or full; another work may have room. What waits
-        // for this one is only what has changed since.
+        // for this one is only what has changed since. If another model is coming, this may come back.
         this.#waiting.delete(id);
-        if (id !== this.#id) continue;
+        if (id !== this.#lastId) continue;
         this.#kept = NOTHING;
-        this.#actions.describeFile({ saved: OFF });
+        this.#actions.look({ saved: OFF });
       }
     }
   }
@@ -196,13 +197,16 @@ export class Autosave {
     const { model } = this.#store.get();
     const { history, progress } = saved;
     if (!model || !text || !this.#id) return null;
-    const asItCame = origin.example && text === original && !progress;
-    if (kept.text === null && asItCame) return null;
+    const isSame = text === original && !progress;
+    if (kept.text === null && isSame && origin.example && !origin.edited) return null;
     const view = viewOf(this.#store.get());
     const viewWords = JSON.stringify(view);
     const isOther = text !== kept.text || progress !== kept.progress;
     if (!isOther && !(withView && viewWords !== kept.view)) return null;
     this.#kept = { text, progress, view: viewWords };
+    // The run of a link is nothing that the user has made.
+    const isAsItCame =
+      isSame || (origin.file && origin.link && original && areSameUnsolved(text, original));
     const work: Work = {
       id: this.#id,
       name,
@@ -213,7 +217,7 @@ export class Autosave {
       example: origin.example?.id ?? null,
       hash: origin.link ?? '',
       view,
-      file: text === (original ?? origin.text) && !progress ? origin.file : null,
+      file: isAsItCame ? origin.file : null,
     };
     return [work, text === kept.text ? { progress } : { text, history, progress }];
   }

@@ -77,7 +77,7 @@ function leftOut(taken: string[], files: string[], folders: string[]) {
   return `Opened ${taken.join(' with ')}. Left out: ${reasons.join(', ')}.`;
 }
 
-/** Below this fraction of the window's height, a drop sets the open model's reference surface. */
+/** Below this fraction of the window's height, one file is the open model's reference surface. */
 const FIT_FROM = 0.8;
 
 /** Accepts drops; the overlay shows what a drop will do. */
@@ -91,7 +91,8 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     event.preventDefault();
     if (isRefused() && event.dataTransfer) event.dataTransfer.dropEffect = 'none';
     if (isRefused()) return;
-    overlay.classList.toggle('fits', Boolean(store.get().document));
+    const isOne = (event.dataTransfer?.items.length ?? 1) <= 1;
+    overlay.classList.toggle('fits', isOne && Boolean(store.get().document));
     overlay.hidden = false;
   });
   window.addEventListener('dragleave', (event) => {
@@ -104,15 +105,16 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     if (isRefused()) return;
     const { files, items } = event.dataTransfer as DataTransfer;
     // A folder looks like an unreadable file.
-    const [file] = files;
-    if (store.get().document && event.clientY > FIT_FROM * window.innerHeight && file) {
-      void actions.reportErrors(readSecondFile(FIT, file, actions, app.files.replaced));
-      return;
-    }
     const folders = [...items]
       .map((item) => item.webkitGetAsEntry())
       .flatMap((entry) => (entry?.isDirectory ? [entry.name] : []));
     const chosen = [...files].filter(({ name }) => !folders.includes(name));
+    const isBelow = event.clientY > FIT_FROM * window.innerHeight;
+    // The surface is one file: several are a model, as anywhere else.
+    if (store.get().document && isBelow && files.length === 1 && chosen.length === 1) {
+      void actions.reportErrors(readSecondFile(FIT, chosen[0], actions, app.files.replaced));
+      return;
+    }
     const opened = app.files.openings.begin((opening) => openChosen(app, opening, chosen, folders));
     void actions.reportErrors(opened);
   });

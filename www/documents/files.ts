@@ -14,7 +14,7 @@ import type { FromRhino } from './rhino/rhino-in.ts';
 import { digestOf, rememberedFrame } from './known-frames.ts';
 import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { NamedBytes, Saved, Loaded } from '../solver/types.ts';
+import type { NamedBytes, Saved, SceneDocument, Loaded } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
 import { hideWithNextWork } from './fitted-shapes.ts';
 import { STARTS_LATER } from '../store/press.ts';
@@ -37,6 +37,8 @@ export interface Origin {
   text?: string;
   /** text of its scene when it was opened first, if it is reopened */
   original?: string | null;
+  /** its scene is not that of the example: a link or a saved work has another one */
+  edited?: boolean;
   /** digest of the file that it was opened from, unless it has been changed since */
   file?: string | null;
   /** its saved history and progress */
@@ -66,7 +68,7 @@ const IS_RHINO = /\.3dm$/i;
 export class Files extends Emitter<{ opened: void }> {
   /** Source of the current model. */
   origin: Origin = {};
-  /** Text of its scene when opened; null for resumed work. */
+  /** Text of its scene when opened first; that of resumed work as it was saved. */
   original: string | null = null;
   /** All openings of models: commands given meanwhile apply to the model that is coming. */
   readonly openings = new Openings(() => this.#alerts.clear());
@@ -90,7 +92,7 @@ export class Files extends Emitter<{ opened: void }> {
     this.#solver = solver;
     this.#alerts = alerts;
     this.#actions = actions;
-    solver.on('scene', () => this.#forgetUndone());
+    solver.on('document', ({ document }) => this.#forgetUndone(document));
     solver.on('model', () => {
       if (solver.restoring) return;
       this.#replaced.abort(new Cancelled());
@@ -183,10 +185,10 @@ export class Files extends Emitter<{ opened: void }> {
       const { view, ...rest } = origin;
       if (view) restoreView(view, this.#store, this.#actions);
       this.origin = { ...(!origin.work && { file: digest }), ...rest };
-      this.original = origin.original ?? (origin.work ? null : this.#solver.sceneText);
+      this.original = origin.original ?? origin.text ?? this.#solver.sceneText;
       this.nameInAddress();
       if (!origin.first) removeFirstPicture();
-      this.#actions.describeFile({
+      this.#actions.look({
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,
         example: origin.example ?? null,
@@ -201,14 +203,13 @@ export class Files extends Emitter<{ opened: void }> {
       if (origin.first) hideWithNextWork(this, this.#actions);
       return loaded;
     } catch (error) {
+      const isCancelled = error instanceof Cancelled;
+      const ask = () => offersToChoose(given, this.#actions, this, origin);
+      const offers = isCancelled ? [] : await ask();
+      // The question may have waited for the opening of another model.
       if (!(await opening.isWanted())) return null;
-      if (error instanceof Cancelled) {
-        this.#actions.setStatus('Cancelled');
-        throw error;
-      }
-      this.#actions.setStatus('');
-      const offers = await offersToChoose(given, this.#actions, this, origin);
-      this.#alerts.error(messageOf(error), ...offers);
+      this.#actions.setStatus(isCancelled ? 'Cancelled' : '');
+      if (!isCancelled) this.#alerts.error(messageOf(error), ...offers);
       throw error;
     }
   }
@@ -265,14 +266,14 @@ export class Files extends Emitter<{ opened: void }> {
   /**
    * Opens another model in place of the open one.
    * @param next may ask for the open one as it is: what is opened meanwhile was begun later, and wins
-   * @returns null if it is not open; an alert gives the reason of a refusal
+   * @returns null if it is not open; an alert gives the reason
    */
   #openInstead(next: () => Promise<Left> | Left): Promise<Loaded | null> {
-    const opened = this.openings.begin(async (opening) => {
-      const { given, origin } = await next();
-      return this.open(given, origin, { opening });
+    return this.openings.begin(async (opening) => {
+      const left = await this.#actions.reportErrors(next());
+      // Of a refusal the reason is told where it opens.
+      return left ? this.open(left.given, left.origin, { opening }).catch(() => null) : null;
     });
-    return opened.catch(() => null);
   }
 
   /** Reopens the model that this one has replaced. */
@@ -293,11 +294,11 @@ export class Files extends Emitter<{ opened: void }> {
       this.#actions.setStatus(`Redid: ${after.origin.step}`);
   }
 
-  /** Forgets the model from which Undo went back, once an edit has taken its place. */
-  #forgetUndone() {
-    const { document: scene, redoes } = this.#store.get();
-    if (!redoes || scene?.redo || this.#solver.sceneText === this.#openedText) return;
-    this.#actions.describeFile({ redoes: '' });
+  /** Forgets the model from which Undo went back, once an edit has taken its place: Redo has nothing. */
+  #forgetUndone({ redo }: SceneDocument) {
+    const { redoes } = this.#store.get();
+    if (!redoes || redo || this.#solver.sceneText === this.#openedText) return;
+    this.#actions.look({ redoes: '' });
     delete this.origin.after;
   }
 
@@ -325,10 +326,11 @@ export class Files extends Emitter<{ opened: void }> {
 
   /** Opens the files of the open model in another way, as a work of its own; Undo goes back. */
   #openOtherwise(given: NamedBytes[], how: Origin, step: string) {
-    const { example, title, link, hidden, unwelded } = this.origin;
+    const { example, edited, title, link, hidden, unwelded } = this.origin;
     void this.#openInstead(async () => {
       const before = await this.asItIs();
-      const origin = { ...{ example, title, link, hidden, unwelded }, ...how, before, step };
+      const same = { example, edited, title, link, hidden, unwelded };
+      const origin = { ...same, ...how, before, step };
       return { given, origin };
     });
   }

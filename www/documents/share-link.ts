@@ -50,11 +50,13 @@ export async function linkTo({
   const text = await actions.ask.scene();
   const { numbers, document: scene } = store.get();
   const { mesh, variants, current } = JSON.parse(text);
-  const example = (await isUnchanged(mesh, files)) ? files.origin.example : undefined;
+  const { origin } = files;
+  const example = (await isUnchanged(mesh, files)) ? origin.example : undefined;
   // A kept design needs no run: it is already solved.
   const isKept = variants?.design !== undefined && !current;
   const run = (numbers?.iteration ?? 0) > 0 && !isKept;
-  const about = { example, original: files.original, run, name: files.name };
+  const original = origin.edited ? null : files.original;
+  const about = { example, original, run, name: files.name };
   const { fragment, rounded } = await writeLink(text, {
     ...about,
     tolerance: scene?.tolerance ?? 0,
@@ -117,6 +119,10 @@ export async function writeLink(
   const { code } = await packScene({ scene: edits, example: example.id, run, tolerance });
   return { fragment: `#link=${code}`, rounded: null };
 }
+
+/** Whether two scenes are the same but for how far they are solved, of which a link has nothing. */
+export const areSameUnsolved = (text: string, other: string) =>
+  JSON.stringify(withoutPositions(text)) === JSON.stringify(withoutPositions(other));
 
 /** @param text of a scene */
 function withoutPositions(text: string) {

@@ -48,4 +48,4 @@ export function filesNamed(files: NamedBytes[], namesOf: (scene: Uint8Array) => 
 const nameOf = (path: string) => path.split('/').pop();
 
 /** A path in its shortest form. */
-const here = (path: string) => path.replace(/^(\.\/)+/, '');
+const here = (path: string) => path.replace(/(^|\/)(\.\/)+/g, '$1');

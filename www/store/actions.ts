@@ -11,6 +11,7 @@ import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { Edit, Handle, PanelStart, Require } from '../solver/types.ts';
 import { HANDLES_LOCKED, areHandlesLocked } from './handles.ts';
+import { asksPanels } from './panels-card.ts';
 import { existing, verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
 import { createViewActions } from './view-actions.ts';
@@ -26,11 +27,13 @@ export function createActions(
 ) {
   const view = createViewActions(store);
   const { setStatus } = view;
-  // A verdict on another shape is out of date.
+  // A verdict on another shape is out of date, and so is one that no constraint asks for any more.
   const forget = () => {
-    if (store.get().verdict?.shape !== solver.geometry?.generation) store.set({ verdict: null });
+    const isNow = store.get().verdict?.shape === solver.geometry?.generation;
+    if (!isNow || !asksPanels(store.get())) store.set({ verdict: null });
   };
   solver.on('frame', forget);
+  store.subscribe(['document'], forget);
   solver.on('model', () => store.set({ verdict: null }));
 
   /**

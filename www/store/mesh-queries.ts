@@ -59,9 +59,12 @@ export class Selecting {
     operation: Operation,
     { params = {}, combine = 'replace', from, including }: How,
   ): Promise<boolean> {
+    const { model } = this.#store.get();
     // The selection before may not be there yet.
     await this.#solver.settled();
-    const { mode, selection, model } = this.#store.get();
+    const { mode, selection, model: now } = this.#store.get();
+    // An element to start from is one of the mesh before.
+    if (from && now !== model) return false;
     const lists = Object.entries(from ?? selection).map(([name, items]) => [name, [...items]]);
     const found = await this.#solver.ask.select({
       operation: operation.id,
@@ -72,7 +75,7 @@ export class Selecting {
     const state = this.#store.get();
     // What the user has selected meanwhile stays.
     const isReplaced = combine === 'replace' && state.selection !== selection;
-    if (state.model !== model || isReplaced) return false;
+    if (state.model !== now || isReplaced) return false;
     const gives = MODES.find((one) => found[one].length > 0);
     if (including !== undefined && !(gives && found[gives].includes(including))) return false;
     if (!gives) {
@@ -107,8 +110,10 @@ export class Selecting {
 
   /** Applies the wider operation if its result contains the item, else the operation. */
   async #select(operation: Operation, wider: Operation | undefined, how: How, item: number) {
+    const { model } = this.#store.get();
     const isWider = wider && (await this.applyOrReport(wider, { ...how, including: item }));
-    const isDone = !isWider && (await this.applyOrReport(operation, how));
+    const goesOn = !isWider && this.#store.get().model === model;
+    const isDone = goesOn && (await this.applyOrReport(operation, how));
     const { selection } = this.#store.get();
     this.#last = isDone && how.combine === 'replace' ? { operation, selection } : null;
   }

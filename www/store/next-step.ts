@@ -1,16 +1,10 @@
 /** The next step that the page proposes: its button is filled, and the status bar names it. */
 
+import { CARD_KEYS, shownVerdict } from './panels-card.ts';
 import type { State } from './state.ts';
 
 /** What is needed to know it. */
-export const NEXT_STEP_KEYS = [
-  'document',
-  'model',
-  'running',
-  'converged',
-  'numbers',
-  'verdict',
-] as const;
+export const NEXT_STEP_KEYS = [...CARD_KEYS, 'running', 'converged', 'numbers', 'verdict'] as const;
 
 /**
  * - `shape`: nothing is constrained yet, and there are panels
@@ -18,21 +12,15 @@ export const NEXT_STEP_KEYS = [
  * - `constrain`: nothing is constrained or held yet, and no press is for these faces
  * - `run`: constraints are not met, or nothing can be built
  * - `choose`: a run has ended, but its shape is not good: something is beyond the tolerance, or its
- *   verdict offers better ones
+ *   verdict, which is shown, offers better ones
  * - `build`: all is met
  */
 export type NextStep = 'shape' | 'change' | 'constrain' | 'run' | 'choose' | 'build';
 
 type Known = Pick<State, (typeof NEXT_STEP_KEYS)[number]>;
 
-export function nextStep({
-  document,
-  model,
-  running,
-  converged,
-  numbers,
-  verdict,
-}: Known): NextStep {
+export function nextStep(state: Known): NextStep {
+  const { document, model, running, converged, numbers } = state;
   if (!document?.constraints.some(({ enabled }) => enabled)) {
     if (model?.panels.some(({ reason }) => !reason)) return 'shape';
     if (document?.handles.length) return 'run';
@@ -43,6 +31,7 @@ export function nextStep({
     ({ enabled, require }, row) =>
       enabled && require === 'soft' && (numbers?.worst[row] ?? 0) > document.tolerance,
   );
-  const isPoor = verdict && !verdict.isClosed && verdict.report.level !== 'good';
+  const verdict = shownVerdict(state);
+  const isPoor = verdict && verdict.report.level !== 'good';
   return isBeyond || isPoor ? 'choose' : 'build';
 }

@@ -6,17 +6,36 @@ import type { State } from './state.ts';
 export const offersPanels = ({ model }: Pick<State, 'model'>) =>
   Boolean(model?.faces && model.panels.length > 0);
 
-type Known = Pick<State, 'model' | 'document' | 'example' | 'flatMap' | 'press' | 'closedCard'>;
+/** Whether a constraint asks the panels for a shape, so that there is a verdict on them. */
+export const asksPanels = ({ document, kinds }: Pick<State, 'document' | 'kinds'>) =>
+  document?.constraints.some(
+    ({ enabled, kind }) => enabled && kinds.some(({ id, panels }) => id === kind && panels),
+  ) ?? false;
+
+/** What is needed to know what the card shows. */
+export const CARD_KEYS = [
+  'model',
+  'document',
+  'kinds',
+  'example',
+  'flatMap',
+  'press',
+  'closedCard',
+] as const;
+type Known = Pick<State, (typeof CARD_KEYS)[number]>;
 
 /** The buttons for a mesh just opened, or how far they came; null if the card is not shown. */
 export function panelsCard(state: Known): 'offer' | 'verdict' | null {
   const { model, document, example, flatMap, press, closedCard } = state;
   // The legend of a flat map is in the card's position.
   if (!offersPanels(state) || !document || flatMap || closedCard === model) return null;
-  const rows = document.constraints.length;
-  if (press?.model === model && rows > 0) return 'verdict';
-  return rows === 0 && !example ? 'offer' : null;
+  if (press?.model === model && asksPanels(state)) return 'verdict';
+  return document.constraints.length === 0 && !example ? 'offer' : null;
 }
+
+/** The verdict on the panels, if the card shows it. */
+export const shownVerdict = (state: Known & Pick<State, 'verdict'>) =>
+  panelsCard(state) === 'verdict' ? state.verdict : null;
 
 /** Whether a lesson locks the mesh. */
 export const isMeshLocked = ({ document }: Pick<State, 'document'>) =>

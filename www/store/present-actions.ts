@@ -6,7 +6,7 @@ import type { Store } from './state.ts';
 import type { Actions } from './actions.ts';
 
 export function presentActions(store: Store, actions: Actions) {
-  const newest = newestOnly();
+  const newest = newestOnly(() => store.get().model);
 
   return {
     /** Returns a step that shows the current view. */
@@ -32,7 +32,7 @@ export function presentActions(store: Store, actions: Actions) {
       if (running && !run) actions.runOrPause();
       const isSet = original || weights || variant !== undefined;
       const set = isSet ? actions.edit({ showStep: { index } }) : null;
-      // Null also if it is refused: the remaining parts apply even then.
+      // Null also if it is refused: the remaining parts apply even then, to the model that it is of.
       if ((await newest(Promise.resolve(set).then(() => null))) === undefined) return;
       actions.look({ parallel, measure: measure ?? null, measureChosen: true });
       if (camera) actions.look({ camera: [...camera] });

@@ -43,8 +43,8 @@ export interface State {
   example: Example | null;
   document: SceneDocument | null;
   /**
-   * the model whose unit and axis the user has chosen, the digest of its file, and whether they are
-   * those that were guessed
+   * the model whose unit and axis the user has chosen, the digest of its file, and whether those that
+   * were guessed have been confirmed
    */
   frameChosen: { model: Loaded; digest: string | null; isGuess: boolean } | null;
   /** number of refused edits, after which the controls show the document again */
@@ -140,8 +140,8 @@ export interface State {
   tape: number[] | null;
   /** shown beside the model */
   flatMap: FlatMap | null;
-  /** on the panels, the generation of the shape that it is on, and whether the user closed it */
-  verdict: { shape: number | undefined; report: PanelVerdict; isClosed?: boolean } | null;
+  /** on the panels, and the generation of the shape that it is on */
+  verdict: { shape: number | undefined; report: PanelVerdict } | null;
   /** the last press that made all panels one shape */
   press: PanelPress | null;
   /** the model whose card of panels the user closed */
@@ -224,8 +224,6 @@ export interface Store {
   get: () => Readonly<State>;
   /** The current state: a component or an effect follows the parts that it reads here. */
   state: Readonly<State>;
-  /** keys on which commands may depend */
-  steady: (keyof State)[];
   set: (patch: Partial<State>) => void;
   /**
    * calls the listener now, and after every task in which one of the keys changed, until the
@@ -315,17 +313,6 @@ const INITIAL: State = {
   status: '',
 };
 
-/** Keys that change with every frame; no command depends on them. */
-const LIVE: (keyof State)[] = [
-  'numbers',
-  'moved',
-  'pointedAt',
-  'dragMs',
-  'greatest',
-  'spread',
-  'camera',
-];
-
 /** Whether the view can draw. */
 export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
   renderer === 'webgpu' || renderer === 'webgl2';
@@ -359,7 +346,6 @@ export function createStore(): Store {
   return {
     get: () => all.peek(),
     state: followed(all, keys),
-    steady: keys.filter((key) => !LIVE.includes(key)),
     set(patch) {
       const before = all.peek();
       const others = (Object.keys(patch) as (keyof State)[]).filter(

@@ -43,8 +43,6 @@ export function createViewActions(store: Store) {
     /** Docks a panel below the view, in place of the one that is there. */
     dock: (docked: State['docked']) => store.set({ docked }),
 
-    /** Sets the verdict on the panels. */
-    judge: (verdict: State['verdict']) => store.set({ verdict }),
     /** Adds the presses that end better to the verdict, if it is still that on this shape. */
     suggest(shape: number | undefined, suggestions: BetterPress[]) {
       const { verdict } = store.get();
@@ -61,10 +59,7 @@ export function createViewActions(store: Store) {
       return changed;
     },
     /** Closes the card of the panels, for this model. */
-    closePanelsCard() {
-      const { model, verdict } = store.get();
-      store.set({ closedCard: model, verdict: verdict && { ...verdict, isClosed: true } });
-    },
+    closePanelsCard: () => store.set({ closedCard: store.get().model }),
 
     /** Sets the tolerance of another measure, in its unit. */
     setToleranceOf: (id: string, value: number | null) =>
@@ -80,58 +75,14 @@ export function createViewActions(store: Store) {
       >,
     ) => store.set(tool),
 
-    /** Sets parts of the display. */
-    look: (
-      look: Partial<
-        Pick<
-          State,
-          | 'parallel'
-          | 'flatMap'
-          | 'heldOriginal'
-          | 'build'
-          | 'status'
-          | 'renderer'
-          | 'camera'
-          | 'section'
-          | 'views'
-          | 'step'
-          | 'plot'
-          | 'presenting'
-          | 'measure'
-          | 'measureChosen'
-          | 'tolerances'
-        >
-      >,
-    ) => store.set(look),
+    /** Sets parts of the state of which nothing else depends on how they are set. */
+    look: (change: Partial<State>) => store.set(change),
 
     /** Chooses what the mouse buttons do, now and at later visits. */
     useMouse(mouse: State['mouse']) {
       store.set({ mouse });
       setItem(MOUSE, mouse);
     },
-
-    /** Says that the user has chosen unit and axis. */
-    choseFrame: (frameChosen: State['frameChosen']) => store.set({ frameChosen }),
-
-    /** Sets what the pointer is over. */
-    pointAt: (over: Pick<State, 'gizmoPart' | 'pointedAt'>) => store.set(over),
-
-    /** Sets the source and the save status of the model. */
-    describeFile: (
-      file: Partial<
-        Pick<
-          State,
-          | 'firstExample'
-          | 'nothingOpen'
-          | 'fileName'
-          | 'example'
-          | 'undoes'
-          | 'redoes'
-          | 'saved'
-          | 'status'
-        >
-      >,
-    ) => store.set(file),
 
     /** Selects only the faces if there are any, else the edges, else the vertices. */
     select({
@@ -147,8 +98,6 @@ export function createViewActions(store: Store) {
       const mode = sets.faces.size > 0 ? 'faces' : sets.edges.size > 0 ? 'edges' : 'vertices';
       store.set({ mode, selection: { ...NOTHING, [mode]: sets[mode] } });
     },
-
-    setSelection: (selection: State['selection']) => store.set({ selection }),
 
     selectNothing: () => store.set({ selection: NOTHING }),
   };

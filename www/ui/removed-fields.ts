@@ -1,27 +1,24 @@
 /** Fields that are removed while something is typed in them. */
 
-import { options } from 'preact';
+import { options, type VNode } from 'preact';
 
 /**
  * Keeps browsers from reporting such input: it was not entered, and what it was meant for is gone, as the
  * model before.
  */
 export function dropRemovedInput() {
-  let isRemoving = false;
+  const removed: WeakSet<EventTarget> = new WeakSet();
   const { unmount } = options;
-  options.unmount = (vnode) => {
+  options.unmount = (vnode: VNode & { __e?: EventTarget | null }) => {
     unmount?.(vnode);
-    if (isRemoving) return;
-    isRemoving = true;
-    queueMicrotask(() => {
-      isRemoving = false;
-    });
+    const isField = vnode.type === 'input' || vnode.type === 'textarea';
+    // The element of a node, by the name that it has in all builds of Preact.
+    if (isField && vnode.__e) removed.add(vnode.__e);
   };
   // They are reported while the field is removed.
   for (const type of ['change', 'blur']) {
     const stop = (event: Event) => {
-      const isField = event.target instanceof Element && event.target.matches('input, textarea');
-      if (isRemoving && isField) event.stopImmediatePropagation();
+      if (event.target && removed.has(event.target)) event.stopImmediatePropagation();
     };
     document.addEventListener(type, stop, true);
   }

@@ -22,12 +22,15 @@ export function useCover<Kind extends HTMLElement>(
     const element = of(place.current);
     const renew = () => told(cover(viewport, element, edge));
     renew();
+    // A view that is there later, or again, knows of nothing that covers it.
+    const stop = viewport.on('ready', renew);
     const size = new ResizeObserver(renew);
     size.observe(element);
     // A docked panel hides a card. Noticed here, before the smaller view is framed anew.
     const body = new MutationObserver(renew);
     body.observe(document.body, { attributeFilter: ['data-docked'] });
     return () => {
+      stop();
       size.disconnect();
       body.disconnect();
       uncover(viewport, element);

@@ -172,8 +172,8 @@ export class Scheduler {
     const result = this.#duringRun(edit);
     this.#goOn();
     // What leaves problem and shape as they were leaves a converged shape converged.
-    if (settles !== undefined || this.#solver.generation() !== before)
-      this.#isSettled = settles === true && result === true;
+    const isMade = settles === undefined ? this.#solver.generation() !== before : result === true;
+    if (isMade) this.#isSettled = settles === true;
     this.#activityDue = true;
     this.changed();
     this.#sliceIsNew = true;
@@ -326,8 +326,7 @@ export class Scheduler {
       action();
     } catch (thrown) {
       if (isTrap(thrown)) return this.#died(thrown);
-      this.#isRunning = this.#isDragging = false;
-      this.#isSettled = true;
+      this.#isRunning = this.#isDragging = this.#isSettled = false;
       this.#post({ type: 'trouble', message: messageOf(thrown) });
       this.#post({ type: 'activity', running: false, converged: false });
     }

@@ -44,19 +44,12 @@ function listen(solver: Solver, module: WebAssembly.Module) {
 
   function answer(call: Call, id: number) {
     post({ type: 'working', id });
-    const refuse = (thrown: unknown) => {
+    try {
+      post({ type: 'reply', id, value: called(call) });
+    } catch (thrown) {
       if (isTrap(thrown)) died(thrown);
       const path = thrown instanceof Error && 'path' in thrown ? String(thrown.path) : '';
       post({ type: 'refused', id, message: messageOf(thrown), path });
-    };
-    try {
-      const value = called(call);
-      if (!(value instanceof Promise)) return post({ type: 'reply', id, value });
-      value.then((value) => post({ type: 'reply', id, value }), refuse);
-      // The answer is found in slices.
-      post({ type: 'pong' });
-    } catch (thrown) {
-      refuse(thrown);
     }
   }
 

@@ -157,3 +157,25 @@ test('without graphics everything but the 3D view works', async ({ page }) => {
   expect(after.circularity?.max_distance).toBeLessThan(before.circularity?.max_distance ?? NaN);
   expect((await exported(page, 'OBJ')).text).toContain('\nf ');
 });
+
+test('a view that is restored knows what covers it', async ({ page }) => {
+  await openPage(page, 'renderer=webgl2');
+  await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await page.getByRole('button', { name: 'Make panels flat' }).first().waitFor();
+  /** Where a vertex is when the model is framed beside what covers the view. */
+  const framed = async () => {
+    await page.keyboard.press('Home');
+    return page.evaluate(() => window.shapeUp.screen(0));
+  };
+  const before = await framed();
+  await page.evaluate(() => {
+    const canvas = document.querySelector('[role="application"] canvas') as HTMLCanvasElement;
+    canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
+    canvas.dataset.lost = 'yes';
+  });
+  await expect(page.locator('[role="application"] canvas[data-lost]')).toHaveCount(0);
+  await waitForState(page, (now) => now.renderer === 'webgl2');
+  await expect(page.getByRole('status')).toHaveText('The 3D view was lost and is being restored');
+  // The view knew of nothing that covers it.
+  expect(await framed()).toEqual(before);
+});

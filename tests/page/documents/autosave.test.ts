@@ -56,7 +56,7 @@ function started(context: TestContext) {
     solver as unknown as SolverClient,
     files as unknown as Files,
     store,
-    { describeFile: ({ saved }: { saved: string }) => said.push(saved) } as unknown as Actions,
+    { look: ({ saved }: { saved: string }) => said.push(saved) } as unknown as Actions,
   );
   return { solver, files, autosave, said };
 }
@@ -95,6 +95,25 @@ test('a work says of which file it is, as long as it is not changed', async (con
   assert.equal(await fileOf(), null);
   solver.scene('the roof');
   assert.equal(await fileOf(), 'of the roof');
+});
+
+test('a link that is only solved is not changed', async (context) => {
+  // Eight of them, followed to look at, pushed works of one's own out of the browser.
+  const { solver, files, autosave } = started(context);
+  const scene = (change: object) => JSON.stringify({ mesh: {}, constraints: [], ...change });
+  await autosave.save();
+  files.origin = { file: 'of the link', link: '#link=abc' };
+  files.original = solver.sceneText = scene({});
+  files.emit('opened', undefined);
+  const fileOf = async (change: object) => {
+    solver.scene(scene(change));
+    await autosave.save();
+    return (await recentDocuments()).find(({ id }) => id === autosave.id)?.file;
+  };
+  assert.equal(await fileOf({ current: [[0, 0, 1]] }), 'of the link');
+  solver.progress(7);
+  assert.equal(await fileOf({ current: [[0, 0, 2]] }), 'of the link');
+  assert.equal(await fileOf({ current: [[0, 0, 1]], title: 'Mine' }), null);
 });
 
 test('what is changed just before another file is opened is saved', async (context) => {
@@ -158,6 +177,26 @@ test('a work for which there is no room holds up no other', async (context) => {
   for (let tries = 0; tries < 50 && !(await isSaved()); tries++);
   assert.ok(await isSaved());
   assert.ok(!said.some((words) => words.includes('off')), `${said}`);
+});
+
+test('what could not be saved while another file was being opened is saved after its cancelling', async (context) => {
+  // It was taken for saved until the next edit.
+  const { solver, autosave } = started(context);
+  const { id } = autosave;
+  await autosave.save();
+  const set = Map.prototype.set.bind(records);
+  const broken = context.mock.method(records, 'set', (key: string, value: unknown) => {
+    if (value === 'with a door') throw new DOMException('Broken.', 'UnknownError');
+    return set(key, value);
+  });
+  solver.scene('with a door');
+  solver.model(false);
+  await autosave.save();
+  broken.mock.restore();
+  solver.model(true);
+  solver.scene('with a door');
+  await autosave.save();
+  assert.equal((await contentsOf(id)).text, 'with a door');
 });
 
 test('a work that has gone on is listed at its iteration, and restored from that of its scene', async (context) => {

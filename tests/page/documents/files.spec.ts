@@ -90,7 +90,20 @@ test('a file dropped on the window opens, and a scene with its mesh beside it', 
   const input = page.getByLabel('Open file');
   await input.setInputFiles(file('grid.shapeup.json', scene));
   await expect(page.getByRole('alert')).toContainText('grid.obj');
-  await input.setInputFiles([file('grid.shapeup.json', scene), file('grid.obj', wavyGrid(3))]);
+  const both = await page.evaluateHandle(
+    (files) => {
+      const transfer = new DataTransfer();
+      for (const [name, text] of files) transfer.items.add(new File([text], name));
+      return transfer;
+    },
+    [
+      ['grid.shapeup.json', scene],
+      ['grid.obj', wavyGrid(3)],
+    ],
+  );
+  // At the bottom, too, where a single file is a surface: the mesh was one, and the scene was dropped.
+  const clientY = await page.evaluate(() => window.innerHeight - 10);
+  await page.dispatchEvent('footer', 'drop', { dataTransfer: both, clientY });
   await waitForState(page, (now) => now.vertices === 16 && now.constraints.circle === 9);
   await expect(page.getByRole('alert')).toBeEmpty();
 });

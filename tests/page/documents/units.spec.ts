@@ -106,6 +106,14 @@ test('what is remembered of a file follows Undo and Redo, and the log says what 
   await page.keyboard.press('Control+Shift+z');
   await expect(guess(page)).toBeHidden();
   await expect.poll(remembered).toEqual(feet);
+  // What was confirmed is not asked again: it was, and forgotten.
+  await page.keyboard.press('Control+z');
+  await looksRight(page).click();
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('ft');
+  await expect.poll(remembered).toEqual(feet);
+  await page.keyboard.press('Control+z');
+  await expect.poll(remembered).toEqual([{ units: 'm', up: 'z' }]);
+  await expect(guess(page)).toBeHidden();
 });
 
 test('another axis turns the view, and undo turns it back', async ({ page }) => {

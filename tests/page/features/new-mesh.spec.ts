@@ -154,6 +154,11 @@ test('Undo restores the model before a new mesh, with its undo history', async (
   await undo.click();
   await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
   await expect(redo).toHaveAttribute('title', /^Redo: (?!New mesh)/);
+  // Each undone step is redone, and then the new mesh is.
+  await redo.click();
+  await expect(redo).toHaveAttribute('title', /^Redo: New mesh/);
+  await undo.click();
+  await waitForState(page, (now) => Object.keys(now.constraints).length === 0);
   await page.getByRole('button', { name: 'Make panels circular', exact: true }).click();
   await waitForState(page, (now) => !now.running && now.exact?.met);
   await expect(redo).toBeDisabled();

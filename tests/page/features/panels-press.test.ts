@@ -14,11 +14,17 @@ const { makePanels } = await import('../../../www/features/make-panels/press.ts'
 function page(shown: boolean) {
   const store = createStore();
   const display = (change: object) => store.set({ display: { ...store.get().display, ...change } });
-  const open = () => store.set({ model: {} as State['model'] });
+  const panels = [{ kind: 'circle', reason: null }];
+  const open = () => store.set({ model: { panels } as State['model'] });
   open();
   display({ shapes: shown });
   const solver = new Emitter<{ activity: { running: boolean; converged: boolean } }>();
-  const actions = { display, pressed() {}, pressTurns() {}, makePanels: async () => null };
+  const made: unknown[] = [];
+  const make = async (_: string, within?: number) => {
+    made.push(within);
+    return null;
+  };
+  const actions = { display, pressed() {}, pressTurns() {}, makePanels: make };
   let end = () => {};
   const transition = () => {
     end();
@@ -26,7 +32,11 @@ function page(shown: boolean) {
   };
   const app = {
     ...{ store, solver, actions, viewport: { transition } },
-    files: { openings: { coming: null }, on: () => () => {} },
+    files: {
+      openings: { coming: null as Promise<void> | null },
+      untilOpen: () => app.files.openings.coming,
+      on: () => () => {},
+    },
   };
   const isShown = () => store.get().display.shapes;
   const press = () => {
@@ -37,7 +47,14 @@ function page(shown: boolean) {
     end();
     await new Promise((done) => setTimeout(done));
   };
-  return { press, arrive, open, isShown };
+  /** Presses while another model is being opened, or one is refused. */
+  const pressBefore = async (how: { within: number } | undefined, opens: () => void) => {
+    app.files.openings.coming = Promise.resolve().then(opens);
+    void makePanels(app as unknown as AppContext, { id: 'circle' } as KindInfo, how);
+    await new Promise((done) => setTimeout(done));
+    return made.splice(0);
+  };
+  return { press, pressBefore, arrive, open, isShown };
 }
 
 /** Whether fitted shapes are shown after a press, during whose transition another model comes. */
@@ -77,4 +94,12 @@ test('a model that is opened during the transition of a second press is shown as
   await early.arrive();
   // And so was what it had hidden.
   assert.equal(early.isShown(), true);
+});
+
+test('a press with a length is about the open model, a plain one about the next', async () => {
+  // "4 panels within 12 mm" of a model in mm was done to the next one, in m.
+  const { pressBefore, open } = page(false);
+  assert.deepEqual(await pressBefore(undefined, open), [undefined]);
+  assert.deepEqual(await pressBefore({ within: 12 }, open), []);
+  assert.deepEqual(await pressBefore({ within: 12 }, () => {}), [12]);
 });

@@ -55,7 +55,7 @@ function holding(handles: [vertex: number, fixed: boolean][], selected: number[]
   const store = createStore();
   const known = handles.map(([vertex, fixed]) => ({ vertex, fixed }));
   store.set({
-    document: { handles: known } as unknown as State['document'],
+    document: { handles: known, constraints: [] } as unknown as State['document'],
     selection: { ...store.get().selection, vertices: new Set(selected) },
   });
   const sent: unknown[] = [];

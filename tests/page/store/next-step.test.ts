@@ -6,11 +6,13 @@ import { nextStep } from '../../../www/store/next-step.ts';
 
 type Known = Parameters<typeof nextStep>[0];
 
+const model = { faces: 4, panels: [{ reason: '' }] };
+
 /** A made model with a good verdict, and what differs. */
 function after(change: object = {}) {
   const known = {
-    document: { constraints: [{ enabled: true }] },
-    model: { faces: 4, panels: [{ reason: '' }] },
+    document: { constraints: [{ enabled: true, kind: 'plane' }] },
+    ...{ model, press: { model }, kinds: [{ id: 'plane', panels: 'flat' }] },
     running: false,
     converged: true,
     numbers: { exact: { met: true } },
@@ -45,10 +47,12 @@ test('a run whose constraints are only weighed may end beyond the tolerance', ()
   assert.equal(after({ document: { ...document, ...off }, numbers: far }), 'build');
 });
 
-test('what is not good is not to be built, unless its verdict was closed', () => {
+test('what is not good is not to be built, unless its verdict is not shown', () => {
   // It used to be "Next: Build" beside the words that half of the roof is lost.
   const poor = { shape: 3, report: { level: 'poor' } };
   assert.equal(after({ verdict: poor }), 'choose');
-  assert.equal(after({ verdict: { ...poor, isClosed: true } }), 'build');
+  assert.equal(after({ verdict: poor, closedCard: model }), 'build');
+  // The user was sent to the verdict, in whose place there was the legend of a flat map.
+  assert.equal(after({ verdict: poor, flatMap: {} }), 'build');
   assert.equal(after({ verdict: null }), 'build');
 });

@@ -10,6 +10,11 @@ import {
   select,
   verticesOf,
 } from '../../../www/store/selection.ts';
+import { Selecting } from '../../../www/store/mesh-queries.ts';
+import { createStore, type State } from '../../../www/store/state.ts';
+import type { Operation } from '../../../www/solver/types.ts';
+import type { SolverClient } from '../../../www/solver/solver-client.ts';
+import type { Actions } from '../../../www/store/actions.ts';
 
 /** What a click does with these keys held. */
 const withKeys = (held: Partial<Parameters<typeof combineOf>[0]>) =>
@@ -51,4 +56,40 @@ test('selected faces and edges stand for their vertices, each listed once', () =
   const selection = { vertices: new Set([3]), edges: new Set([0]), faces: new Set([0]) };
   assert.deepEqual(verticesOf(selection, square), [0, 1, 2, 3, 9]);
   assert.equal(describe(selection), '1 vertex, 1 edge, 1 face');
+});
+
+test('a double-click on an element asks nothing about a mesh that comes meanwhile', async () => {
+  // The edge with its number was selected there, or the number was out of range.
+  const store = createStore();
+  const open = () => store.set({ model: {} as State['model'] });
+  open();
+  const again = { id: 'wide' } as Operation;
+  const loop = { id: 'loop', doubleClick: 'edges', again: 'wide' } as unknown as Operation;
+  store.set({ operations: [loop, again] });
+  const asked: string[] = [];
+  let settled = async () => {};
+  const solver = {
+    begin: (begun: unknown) => begun,
+    settled: () => settled(),
+    ask: {
+      async select({ operation }: { operation: string }) {
+        asked.push(operation);
+        return { vertices: [], edges: [7], faces: [] };
+      },
+    },
+  };
+  const actions = { setStatus() {}, reportErrors: (result: unknown) => result };
+  const selecting = new Selecting(
+    store,
+    solver as unknown as SolverClient,
+    actions as unknown as Actions,
+  );
+  const doubleClick = async () => {
+    selecting.doubleClick('edges', 7, {} as MouseEvent);
+    await new Promise((done) => setTimeout(done));
+  };
+  await doubleClick();
+  settled = async () => open();
+  await doubleClick();
+  assert.deepEqual(asked, ['loop']);
 });

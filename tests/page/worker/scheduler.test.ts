@@ -376,3 +376,55 @@ test('a half step during a drag ends it with its latest move', (context) => {
   assert.ok(sent.includes('document'));
   assert.equal(scheduler.isMoving, false);
 });
+
+/** Whether the page is told that the shape has converged, after each of some actions. */
+async function convergedAfter(solver: Partial<Solver>, ...acts: ((to: Scheduler) => unknown)[]) {
+  let converged: boolean | undefined;
+  const scheduler = new Scheduler(
+    solverWith(solver),
+    (message) => {
+      if (message.type === 'activity') ({ converged } = message);
+      if (message.type === 'frame')
+        queueMicrotask(() => scheduler.frames.takeBack(message.positions));
+    },
+    died,
+  );
+  scheduler.begin(false);
+  scheduler.frames.renew(1);
+  const told = [];
+  for (const act of acts) {
+    act(scheduler);
+    await new Promise((done) => setImmediate(done));
+    told.push(converged);
+  }
+  return told;
+}
+
+test('what was refused without an error leaves a converged shape converged', async (context) => {
+  // "Next: Run" was said after Make exact while a variation was shown.
+  closeChannel(context);
+  const solver = { singleStep: () => true, generation: () => 1 };
+  const told = await convergedAfter(
+    solver,
+    (to) => to.step(),
+    (to) => to.betweenRuns(() => false, true),
+    (to) => to.betweenRuns(() => false, false),
+    (to) => to.betweenRuns(() => true, true),
+    (to) => to.betweenRuns(() => true, false),
+  );
+  assert.deepEqual(told, [true, true, true, true, false]);
+});
+
+test('a shape at which an iteration failed has not converged, whatever follows', async (context) => {
+  // It had with the next edit that leaves the shape, as a name.
+  closeChannel(context);
+  const step = () => {
+    throw new Error('the system is singular');
+  };
+  const told = await convergedAfter(
+    { step, generation: () => 1 },
+    (to) => to.run(),
+    (to) => to.betweenRuns(() => null),
+  );
+  assert.deepEqual(told, [false, false]);
+});

@@ -1,9 +1,9 @@
 /**
  * Writes a scene as a Rhino file, in full precision. Each group of faces becomes a layer. Triangles
  * and quads form a mesh on it; panels with more corners, which rhino3dm cannot write into a mesh, and
- * faces that are left as they are become closed polylines. The user text gives the planarity distance of a panel, or the largest
- * one of a mesh. Rhino's vertical axis is z: a scene with y up is rotated. Also writes the parts to be
- * built: named objects on coloured layers.
+ * faces that are left as they are become closed polylines. The user text gives the planarity distance
+ * of a panel, or the largest one of a mesh. Rhino's vertical axis is z: a scene with y up is rotated.
+ * Also writes the parts to be built: named objects on coloured layers.
  */
 
 import { rhinoUnit } from '../../ui/words.ts';
@@ -15,11 +15,31 @@ import type { SpatialPart } from '../../solver/types.ts';
 const PLANARITY = 'shape-up:planarity';
 
 /**
+ * Writes a file.
+ * @param symbol unit of its coordinates
+ * @param fill adds its objects, on layers by their names
+ */
+async function written(
+  symbol: string,
+  fill: (api: any, file: any, layerAt: ReturnType<typeof layersIn>) => void,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const api = await rhino();
+  const file = new api.File3dm();
+  try {
+    file.settings().modelUnitSystem = api.UnitSystem[rhinoUnit(symbol) ?? 'None'];
+    file.applicationName = 'Shape-Up';
+    fill(api, file, layersIn(api, file));
+    return file.toByteArray();
+  } finally {
+    file.delete();
+  }
+}
+
+/**
  * @param text scene with its mesh
  * @param errors table of face errors from the solver (CSV)
  */
 export async function rhinoFile(text: string, errors: string): Promise<Uint8Array<ArrayBuffer>> {
-  const api = await rhino();
   const scene = JSON.parse(text);
   const { faces: own = [], untouched = [], curves = [], groups = {} } = scene.mesh;
   const faces = [...own, ...untouched];
@@ -29,12 +49,7 @@ export async function rhinoFile(text: string, errors: string): Promise<Uint8Arra
   const distances = planarities(errors);
   const inWords = (value: number) => `${value} ${scene.units ?? ''}`.trim();
 
-  const file = new api.File3dm();
-  const layerAt = layersIn(api, file);
-  try {
-    const unit = rhinoUnit(scene.units);
-    file.settings().modelUnitSystem = api.UnitSystem[unit ?? 'None'];
-    file.applicationName = 'Shape-Up';
+  return written(scene.units, (api, file, layerAt) => {
     for (const [name, members] of byLayer(faces.length, groups)) {
       const layer = layerAt(name);
       const isLine = (face: number) => face >= own.length || faces[face].length > 4;
@@ -55,10 +70,7 @@ export async function rhinoFile(text: string, errors: string): Promise<Uint8Arra
         addPolyline(api, file, line, attributesOf(api, layer, { [ROLE]: 'curve' }));
       }
     }
-    return file.toByteArray();
-  } finally {
-    file.delete();
-  }
+  });
 }
 
 /** Reads the planarity distance of each face. */
@@ -99,23 +111,11 @@ function addPanels(
  * Writes the parts to be built.
  * @param symbol unit of their coordinates
  */
-export async function rhinoParts(
-  parts: SpatialPart[],
-  symbol: string,
-): Promise<Uint8Array<ArrayBuffer>> {
-  const api = await rhino();
-  const file = new api.File3dm();
-  const layerAt = layersIn(api, file);
-  try {
-    file.settings().modelUnitSystem = api.UnitSystem[rhinoUnit(symbol) ?? 'None'];
-    file.applicationName = 'Shape-Up';
+export const rhinoParts = (parts: SpatialPart[], symbol: string) =>
+  written(symbol, (api, file, layerAt) => {
     for (const { layer, colour, name, points, faces, closed } of parts) {
       const attributes = attributesOf(api, layerAt(layer, colour), {}, name);
       if (faces.length > 0) addMesh(api, file, { points, faces }, attributes);
       else addPolyline(api, file, closed ? [...points, points[0]] : points, attributes);
     }
-    return file.toByteArray();
-  } finally {
-    file.delete();
-  }
-}
+  });

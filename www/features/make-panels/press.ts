@@ -22,14 +22,14 @@ interface How {
   label?: string;
 }
 
-/** Makes all panels of this kind, with a transition. */
-export async function makePanels(
-  app: AppContext,
-  kind: KindInfo,
-  { from = 'now', within, label = '' }: How = {},
-) {
+/**
+ * Makes all panels of this kind, with a transition. While a model is being opened, a press without
+ * `how` is meant for that one; any other is about the open model.
+ */
+export async function makePanels(app: AppContext, kind: KindInfo, how?: How) {
+  const { from = 'now', within, label = '' } = how ?? {};
   const { store, solver, viewport, actions, files } = app;
-  if (files.openings.coming && !(await nextTakes(app, kind.id))) return;
+  if (files.openings.coming && !(await isMeantAfter(app, kind.id, !how))) return;
   const { model, display } = store.get();
   if (!model) return;
   const press = { model, isUnderWay: true, label };
@@ -61,11 +61,15 @@ export async function makePanels(
   settle();
 }
 
-/** Waits for the next model. Returns whether its panels can be this kind. */
-async function nextTakes({ store, files }: AppContext, id: string) {
+/**
+ * Waits for what is being opened. Returns whether the press is meant for the model that is open then.
+ * @param forNext whether it is for the next one, whose panels have to take this kind
+ */
+async function isMeantAfter({ store, files }: AppContext, id: string, forNext: boolean) {
   const { model: before } = store.get();
   await files.untilOpen();
   const { model } = store.get();
+  if (!forNext) return model === before;
   const offered = model?.panels.find(({ kind }) => kind === id);
   return model !== before && offered !== undefined && !offered.reason;
 }

@@ -20,10 +20,11 @@ interface Better {
   presses: BetterPress[];
   isLooking: boolean;
 }
+const NOTHING: Said = { words: '', numbers: '', verdict: null };
 const NONE: Better = { presses: [], isLooking: false };
 
 export class Verdicts {
-  readonly said = signal<Said>({ words: '', numbers: '', verdict: null });
+  readonly said = signal(NOTHING);
   readonly better = signal(NONE);
   #app;
   #renewals = latestOnly(() => this.#renew());
@@ -65,14 +66,19 @@ export class Verdicts {
       const progress = await actions.ask.panelProgress().catch(() => '');
       if (!progress || !isShown() || !this.#goesOn()) return;
       const words = `${store.get().numbers?.attempt ?? ''} ${progress}`.trim();
-      this.said.value = { words, numbers: '', verdict: null };
+      this.said.value = { ...NOTHING, words };
       this.#forget();
       return;
     }
     const verdict = await actions.ask.verdict().catch(() => null);
     // Where a run has begun meanwhile, its progress comes next.
-    if (!verdict || !isShown() || this.#goesOn()) return;
-    actions.judge({ shape: solver.geometry?.generation, report: verdict });
+    if (verdict === null || !isShown() || this.#goesOn()) return;
+    // No panel is asked for a shape any longer.
+    if (!verdict) {
+      this.said.value = NOTHING;
+      return actions.look({ verdict: null });
+    }
+    actions.look({ verdict: { shape: solver.geometry?.generation, report: verdict } });
     const { brief, numbers } = verdict;
     this.said.value = { words: `${this.#chosen()}${brief}`, numbers, verdict };
     if (verdict.level === 'good') this.#forget();

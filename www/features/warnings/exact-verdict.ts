@@ -109,7 +109,9 @@ export class ExactVerdict {
       return;
     }
     const take = async () => {
-      if (!(await actions.exact.accept(found, false))) return;
+      const isTaken = await actions.exact.accept(found, false);
+      if (isTaken === false) actions.setStatus('Nothing was changed: another shape is shown now');
+      if (!isTaken) return;
       const { document: taken } = store.get();
       const exactly = await actions.ask.exactWords().catch(() => null);
       if (exactly && store.get().document === taken) this.#showMet(exactly);

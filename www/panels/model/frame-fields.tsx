@@ -40,8 +40,10 @@ export function FrameFields({ model }: { model: Loaded }) {
     if (digest) rememberFrame(digest, frame);
     // Another file may be open by now.
     if (store.get().model !== model) return;
-    const isGuess = frame.units === model.units && frame.up === model.up;
-    actions.choseFrame({ model, digest, isGuess });
+    // What was confirmed stays so, also if another one is chosen and taken back.
+    const wasGuess = frameChosen?.model === model && frameChosen.isGuess;
+    const isGuess = wasGuess || (frame.units === model.units && frame.up === model.up);
+    actions.look({ frameChosen: { model, digest, isGuess } });
   }
 
   return (

@@ -18,6 +18,8 @@ export interface Entry {
 
 /** The most entries of the journal; older ones are dropped. */
 const MOST_ENTRIES = 500;
+/** Messages are of one moment for so long, unless the user presses something between them. */
+const MOMENT_MS = 2000;
 /** The most messages at a time. */
 const MOST_SHOWN = 3;
 
@@ -31,7 +33,7 @@ export class Alerts {
   /** Whether the current message must not be replaced. */
   #isFatal = false;
 
-  /** Those that were shown before the user's last press. */
+  /** Those of a moment that is over, as by the user's last press. */
   #seen: Set<Element> = new Set();
 
   /** @param place the `role="alert"` */
@@ -136,6 +138,7 @@ export class Alerts {
     stay.splice(0, stay.length + 1 - MOST_SHOWN);
     this.#remove(...before.filter((one) => !stay.includes(one)));
     this.#place.append(shown);
+    setTimeout(() => this.#seen.add(shown), MOMENT_MS);
     showInFront(this.#place, this.#home);
     return withdraw;
   }

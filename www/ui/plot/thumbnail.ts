@@ -80,7 +80,9 @@ function viewed(
   const [down, level] = [Math.sin(above), Math.cos(above)];
   const origin = 3 * (used[0] ?? 0);
   for (let i = 0; i < positions.length; i += 3) {
-    const [x, y, z] = [0, 1, 2].map((axis) => positions[i + axis] - positions[origin + axis]);
+    const x = positions[i] - positions[origin];
+    const y = positions[i + 1] - positions[origin + 1];
+    const z = positions[i + 2] - positions[origin + 2];
     const [back, top] = up === 'z' ? [y, z] : [-z, y];
     const right = cosine * x + sine * back;
     const far = -sine * x + cosine * back;

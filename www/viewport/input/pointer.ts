@@ -107,7 +107,7 @@ export class PointerInput {
       this.#region.hide();
       this.#become({ kind: 'spent' });
     });
-    listen('pointerleave', () => actions.pointAt({ gizmoPart: undefined, pointedAt: undefined }));
+    listen('pointerleave', () => actions.look({ gizmoPart: undefined, pointedAt: undefined }));
     listen('dblclick', (event) => this.#doubleClick(event));
     listen('wheel', (event) => this.#wheel(event), { passive: false });
     listen('contextmenu', (event) => event.preventDefault());
@@ -181,7 +181,7 @@ export class PointerInput {
     const what = this.#handle === undefined ? mode : 'vertices';
     const item = this.#handle ?? this.#pick(mode, event, at);
     if (item !== undefined && !selection[what].has(item))
-      this.#actions.setSelection(select(selection, what, [item], adds ? 'add' : 'replace'));
+      this.#actions.look({ selection: select(selection, what, [item], adds ? 'add' : 'replace') });
     this.#become({ kind: 'spent' });
     this.#commands.showMenu([event.clientX, event.clientY]);
   }
@@ -364,7 +364,7 @@ export class PointerInput {
     const item = this.#handle ?? this.#pick(mode, event, at);
     if (item !== undefined) {
       const what = this.#handle === undefined ? mode : 'vertices';
-      this.#actions.setSelection(select(selection, what, [item], combine));
+      this.#actions.look({ selection: select(selection, what, [item], combine) });
     } else if (combine === 'replace') {
       this.#actions.selectNothing();
     }
@@ -423,7 +423,7 @@ export class PointerInput {
     const isMovable = this.#handle !== undefined && !areHandlesLocked(this.#store.get().document);
     this.#element.dataset.over = isMovable ? 'handle' : '';
     const pointedAt = this.#gizmoPart ? undefined : this.#handle;
-    this.#actions.pointAt({ gizmoPart: this.#gizmoPart, pointedAt });
+    this.#actions.look({ gizmoPart: this.#gizmoPart, pointedAt });
     this.#region.hover(at);
   }
 

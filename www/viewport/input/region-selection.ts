@@ -97,7 +97,7 @@ export class RegionSelection {
 
   /** Restores the previous selection. */
   cancel() {
-    this.#actions.setSelection(this.#before);
+    this.#actions.look({ selection: this.#before });
     this.hide();
   }
 
@@ -138,7 +138,7 @@ export class RegionSelection {
       return view.facesIn(outline, touching, through);
     });
     if (!found || (found.length === 0 && this.#combine !== 'replace')) return;
-    this.#actions.setSelection(select(selection, mode, found, this.#combine));
+    this.#actions.look({ selection: select(selection, mode, found, this.#combine) });
   }
 }
 
