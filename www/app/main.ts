@@ -141,6 +141,7 @@ function bindSolver(client: SolverClient) {
       // A restarted worker keeps the view settings.
       ...(!client.restoring && {
         ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
+        frameChosen: null,
       }),
       model: loaded,
       document: null,

@@ -43,10 +43,10 @@ export interface State {
   example: Example | null;
   document: SceneDocument | null;
   /**
-   * the model whose unit and axis the user has chosen, the digest of its file, and whether they are
-   * those that were guessed
+   * that the user has chosen unit or axis: the digest of the file, and which of them were confirmed as
+   * they had been guessed
    */
-  frameChosen: { model: Loaded; digest: string | null; isGuess: boolean } | null;
+  frameChosen: { digest: string | null; units: boolean; up: boolean } | null;
   /** number of refused edits, after which the controls show the document again */
   refused: number;
   numbers: Numbers | null;
