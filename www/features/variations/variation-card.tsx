@@ -2,6 +2,7 @@
 
 import { useMemo } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
+import { HeldSlider } from '../../ui/components/held-slider.tsx';
 import { signedPart } from '../../ui/words.ts';
 import { Thumbnail } from './thumbnail.tsx';
 import { STEPS, type Variations } from './variations.ts';
@@ -37,18 +38,17 @@ export function VariationCard({ index, of }: { index: number; of: Variations }) 
         <span>{index + 1}</span>
         <span class="figure">{step !== 0 && words}</span>
       </div>
-      <input
-        type="range"
+      <HeldSlider
         min={-STEPS}
         max={STEPS}
-        value={step}
+        at={step}
         aria-label={`Variation ${index + 1}`}
         aria-valuetext={`${words} of the size`}
         title={
           known ? `Possible from ${known.map(signedPart).join(' to ')} of the size` : undefined
         }
-        onInput={({ currentTarget }) => of.move(index, currentTarget.valueAsNumber)}
-        onChange={() => of.release()}
+        onMove={(to) => of.move(index, to)}
+        onRelease={() => of.release()}
         // Double click resets, as is usual.
         onDblClick={() => {
           of.move(index, 0);
