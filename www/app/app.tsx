@@ -47,11 +47,11 @@ const PLACES: Record<string, ComponentType> = {
   'lesson-place': Lesson,
   'lesson-card-place': LessonCard,
   'make-panels-place': lockable('constraints', PanelsInStep),
-  'panels-card-place': lockable('constraints', () => (
+  'panels-card-place': () => (
     <PanelsCard>
       <RunMessageOnCard />
     </PanelsCard>
-  )),
+  ),
   'more-messages': Warnings,
   'move-tools': VariationsButton,
   corner: () => (

@@ -17,7 +17,7 @@ import { share } from '../features/share/dialog-share.tsx';
 import { canVary } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
-import { isMeshLocked } from '../store/panels-card.ts';
+import { areConstraintsLocked, isMeshLocked } from '../store/panels-card.ts';
 import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
@@ -297,7 +297,7 @@ export function commandTable(
       keys: [],
       action: () => openAddConstraint(app),
       needsModel: true,
-      enabled: ({ document }) => !document?.lesson?.lock.includes('constraints'),
+      enabled: (state) => !areConstraintsLocked(state),
     },
     {
       id: 'build',

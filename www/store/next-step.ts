@@ -1,5 +1,6 @@
 /** The next step that the page proposes: its button is filled, and the status bar names it. */
 
+import { areConstraintsLocked } from './panels-card.ts';
 import type { State } from './state.ts';
 
 /** What is needed to know it. */
@@ -16,7 +17,7 @@ export const NEXT_STEP_KEYS = [
  * - `shape`: nothing is constrained yet, and there are panels
  * - `change`: as before, but another mesh is needed or suggested first
  * - `constrain`: nothing is constrained or held yet, and no press is for these faces
- * - `run`: constraints are not met, or nothing can be built
+ * - `run`: constraints are not met or cannot be added, or nothing can be built
  * - `choose`: a run has ended, but its shape is not good: something is beyond the tolerance, or its
  *   verdict offers better ones
  * - `build`: all is met
@@ -34,6 +35,7 @@ export function nextStep({
   verdict,
 }: Known): NextStep {
   if (!document?.constraints.some(({ enabled }) => enabled)) {
+    if (areConstraintsLocked({ document })) return 'run';
     if (model?.panels.some(({ reason }) => !reason)) return 'shape';
     if (document?.handles.length) return 'run';
     return model?.panelSuggestion ? 'change' : 'constrain';
