@@ -3,15 +3,15 @@
 import { useMemo } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import { HeldSlider } from '../../ui/components/held-slider.tsx';
+import { Thumbnail } from '../../ui/components/thumbnail.tsx';
 import { signedPart } from '../../ui/words.ts';
-import { Thumbnail } from './thumbnail.tsx';
 import { STEPS, type Variations } from './variations.ts';
 
 /** Slider position shown in the thumbnail, as a fraction of half the slider's length. */
 const PICTURED = 0.6;
 
 export function VariationCard({ index, of }: { index: number; of: Variations }) {
-  const { document } = useApp().store.state;
+  const { document, dark } = useApp().store.state;
   const { shape, connectivity, displacements, slide } = of.found.value[index];
   const step = of.steps.value[index];
   const range = of.ranges.value[index];
@@ -33,6 +33,7 @@ export function VariationCard({ index, of }: { index: number; of: Variations }) 
         shape={deformed}
         up={document?.up ?? 'z'}
         displacements={displacements}
+        dark={dark}
       />
       <div class="heading-row">
         <span>{index + 1}</span>
