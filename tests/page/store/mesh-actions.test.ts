@@ -8,7 +8,6 @@ import { meshActions } from '../../../www/store/mesh-actions.ts';
 import { createStore, type Store } from '../../../www/store/state.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Loaded } from '../../../www/solver/types.ts';
-import type { Remeshing } from '../../../www/pkg/engine/shape_up.js';
 import type { Actions } from '../../../www/store/actions.ts';
 
 /** Whether it runs, and whether it has converged. */
@@ -111,6 +110,6 @@ test('Refine and solve says nothing about a model that is opened meanwhile', asy
 test('whoever changes the mesh, what is left out of the scene is told', async () => {
   // It was told by each caller: "Join them" told nothing.
   const { mesh, told } = refineDuringRun();
-  await mesh.remesh({ operation: 'join', sizes: [] } as unknown as Remeshing, 'Join them');
+  await mesh.remesh({ operation: 'join', sizes: [] }, 'Join them');
   assert.deepEqual(told, ['Left out: a handle.']);
 });

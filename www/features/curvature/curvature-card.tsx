@@ -163,21 +163,24 @@ function useLines(draw: Drawn, distance: number | null) {
 
 /**
  * Colours the faces by a curvature, and by what they had before when the card is closed.
- * @returns gives them what they had before; what the scene suggests if that is a curvature
+ * @returns gives them what they had before; what the scene suggests if that is a curvature, or was on
+ *   another model
  */
 function useCurvatureColours() {
   const { store, actions } = useApp();
-  const [{ measure, measureChosen }] = useState(() => store.get());
+  const [{ model, measure, measureChosen }] = useState(() => store.get());
   const isCurvature = (id: string | null) => declared(store.get(), id)?.curvature ?? false;
+  function goBack(isBefore: boolean) {
+    const { model: now, document } = store.get();
+    const suggested = { measure: document?.measure ?? null, measureChosen: false };
+    actions.look(isBefore && now === model ? { measure, measureChosen } : suggested);
+  }
   useEffect(() => {
     const first = store.get().measures.find(({ curvature }) => curvature);
     if (!isCurvature(measure)) actions.look({ measure: first?.id ?? null });
     return () => {
-      if (isCurvature(store.get().measure)) actions.look({ measure, measureChosen });
+      if (isCurvature(store.get().measure)) goBack(true);
     };
   }, []);
-  return () => {
-    const suggested = { measure: store.get().document?.measure ?? null, measureChosen: false };
-    actions.look(isCurvature(measure) ? suggested : { measure, measureChosen });
-  };
+  return () => goBack(!isCurvature(measure));
 }
