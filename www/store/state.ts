@@ -199,7 +199,7 @@ export interface PanelPress {
 }
 
 /** User-chosen ends of the colour range and of the legend's axis; null if automatic. */
-export type OwnRange = { low: number | null; high: number | null; top: number | null };
+type OwnRange = { low: number | null; high: number | null; top: number | null };
 /** Both ends of the range and the end of the axis are automatic. */
 export const AUTOMATIC: OwnRange = { low: null, high: null, top: null };
 /**

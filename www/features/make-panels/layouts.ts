@@ -18,7 +18,7 @@ import type {
 type Fields = Required<Pick<LayoutSettings, 'count' | 'size'>>;
 
 /** What the user asks for. */
-export interface Wishes extends Fields, Pick<LayoutSettings, 'follow' | 'even'> {
+interface Wishes extends Fields, Pick<LayoutSettings, 'follow' | 'even'> {
   boundary: BoundaryForecast['boundary'] | null;
   /** whether the selected faces stay as they are */
   keeps: boolean;
