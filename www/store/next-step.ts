@@ -1,6 +1,6 @@
 /** The next step that the page proposes: its button is filled, and the status bar names it. */
 
-import { areConstraintsLocked } from './panels-card.ts';
+import { isLocked } from './panels-card.ts';
 import type { State } from './state.ts';
 
 /** What is needed to know it. */
@@ -35,7 +35,7 @@ export function nextStep({
   verdict,
 }: Known): NextStep {
   if (!document?.constraints.some(({ enabled }) => enabled)) {
-    if (areConstraintsLocked({ document })) return 'run';
+    if (isLocked({ document }, 'constraints')) return 'run';
     if (model?.panels.some(({ reason }) => !reason)) return 'shape';
     if (document?.handles.length) return 'run';
     return model?.panelSuggestion ? 'change' : 'constrain';

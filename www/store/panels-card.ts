@@ -15,13 +15,9 @@ export function panelsCard(state: Known): 'offer' | 'verdict' | null {
   if (!offersPanels(state) || !document || flatMap || closedCard === model) return null;
   const rows = document.constraints.length;
   if (press?.model === model && rows > 0) return 'verdict';
-  return rows === 0 && !example && !areConstraintsLocked(state) ? 'offer' : null;
+  return rows === 0 && !example && !isLocked(state, 'constraints') ? 'offer' : null;
 }
 
-/** Whether a lesson locks the constraints. */
-export const areConstraintsLocked = ({ document }: Pick<State, 'document'>) =>
-  document?.lesson?.lock.includes('constraints') ?? false;
-
-/** Whether a lesson locks the mesh. */
-export const isMeshLocked = ({ document }: Pick<State, 'document'>) =>
-  document?.lesson?.lock.includes('mesh') ?? false;
+/** Whether a lesson locks this. */
+export const isLocked = ({ document }: Pick<State, 'document'>, part: 'mesh' | 'constraints') =>
+  document?.lesson?.lock.includes(part) ?? false;

@@ -6,7 +6,7 @@
 import './make-panels.css';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
-import { areConstraintsLocked, panelsCard } from '../../store/panels-card.ts';
+import { isLocked, panelsCard } from '../../store/panels-card.ts';
 import { pressNamed } from '../../store/press.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
@@ -129,12 +129,12 @@ function Changes({
   const app = useApp();
   const { store, actions } = app;
   const better = verdicts.better.value;
-  const isLocked = areConstraintsLocked(store.state);
+  const isFixed = isLocked(store.state, 'constraints');
   const isPoor = verdict.level !== 'good';
-  const again = isLocked ? null : verdict.again;
-  const isSearched = !isLocked && (better.isLooking || better.presses.length > 0);
+  const again = isFixed ? null : verdict.again;
+  const isSearched = !isFixed && (better.isLooking || better.presses.length > 0);
   const helps = forecast.newPanelsHelp || forecast.suggestion !== null;
-  const changesMesh = !isLocked && isPoor && helps;
+  const changesMesh = !isFixed && isPoor && helps;
   if (!verdict.folded && again === null && !isSearched && !changesMesh) return null;
 
   const kindOf = (id: string) => store.get().kinds.find((kind) => kind.id === id);

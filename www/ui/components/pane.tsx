@@ -11,34 +11,28 @@ import { CloseButton } from './buttons.tsx';
  * @param props.close the focus then goes to the view
  */
 export function Pane({
-  id,
-  class: own,
   row,
   title,
   head,
   place,
   close,
   children,
-}: {
-  id: string;
-  class: string;
-  row: string;
-  title: string;
+  ...rest
+}: Record<'id' | 'class' | 'row' | 'title', string> & {
   head?: ComponentChildren;
   place?: Ref<HTMLElement>;
   close: () => void;
   children: ComponentChildren;
 }) {
-  const heading = `heading-${id}`;
+  const heading = `heading-${rest.id}`;
   function leave() {
     close();
     byId('viewport').focus({ preventScroll: true });
   }
   return (
     <section
-      id={id}
       ref={place}
-      class={own}
+      {...rest}
       aria-labelledby={heading}
       onKeyDown={(event) => {
         if (event.key !== 'Escape') return;
