@@ -14,6 +14,7 @@ import { makePanels } from '../features/make-panels/press.ts';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
 import { Stage } from '../features/present/stage.tsx';
 import { VariationsButton, VariationsPanel } from '../features/variations/variations-panel.tsx';
+import { SectionCard } from '../features/view-tools/section-card.tsx';
 import { ViewMenu } from '../features/view-tools/view-menu.tsx';
 import { RunMessageOnCard } from '../features/warnings/run-message.tsx';
 import { Warnings } from '../features/warnings/warnings.tsx';
@@ -47,17 +48,18 @@ const PLACES: Record<string, ComponentType> = {
   'lesson-place': Lesson,
   'lesson-card-place': LessonCard,
   'make-panels-place': lockable('constraints', PanelsInStep),
-  'panels-card-place': lockable('constraints', () => (
+  'panels-card-place': () => (
     <PanelsCard>
       <RunMessageOnCard />
     </PanelsCard>
-  )),
+  ),
   'more-messages': Warnings,
   'move-tools': VariationsButton,
   corner: () => (
     <>
       <NewPanels />
       <Curvature />
+      <SectionCard />
     </>
   ),
   'docked-place': () => (

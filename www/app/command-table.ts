@@ -17,7 +17,7 @@ import { share } from '../features/share/dialog-share.tsx';
 import { canVary } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
-import { isMeshLocked } from '../store/panels-card.ts';
+import { isLocked } from '../store/panels-card.ts';
 import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
@@ -32,7 +32,7 @@ import type { AppContext, Command } from './context.ts';
 
 /** Whether the mesh is a surface, and no lesson locks it. */
 const canChangeMesh = ({ model, document }: State) =>
-  Boolean(model?.faces && !model.tets && !isMeshLocked({ document }));
+  Boolean(model?.faces && !model.tets && !isLocked({ document }, 'mesh'));
 
 /** The second levels of the steps. */
 const LEVELS = [
@@ -294,7 +294,7 @@ export function commandTable(
       keys: [],
       action: () => openAddConstraint(app),
       needsModel: true,
-      enabled: ({ document }) => !document?.lesson?.lock.includes('constraints'),
+      enabled: (state) => !isLocked(state, 'constraints'),
     },
     {
       id: 'build',

@@ -9,6 +9,7 @@ import type { SolverClient } from '../solver/solver-client.ts';
 import type { Viewport } from '../viewport/viewport.ts';
 import type { Files } from '../documents/files.ts';
 import type { Actions } from '../store/actions.ts';
+import type { MeshActions } from '../store/mesh-actions.ts';
 import type { Selecting } from '../store/mesh-queries.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 import type { Startup } from './startup.ts';
@@ -47,6 +48,7 @@ export interface AppContext {
   viewport: Viewport;
   files: Files;
   actions: Actions;
+  mesh: MeshActions;
   selecting: Selecting;
   alerts: Alerts;
   hold: HoldOriginal;

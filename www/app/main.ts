@@ -19,6 +19,7 @@ import { createActions } from '../store/actions.ts';
 import { colourFaces } from '../store/colours/colour-scale.ts';
 import { colourRows } from '../store/colours/constraint-colours.ts';
 import { bindHalfStepSwitch } from '../store/half-step.ts';
+import { meshActions } from '../store/mesh-actions.ts';
 import { Selecting } from '../store/mesh-queries.ts';
 import { runEarlyPresses } from '../store/press.ts';
 import { NOTHING } from '../store/selection.ts';
@@ -79,6 +80,7 @@ const hold = new HoldOriginal(store, actions);
 const startup = new Startup({ store, actions, solver, files, alerts });
 const app: AppContext = {
   ...{ store, solver, jobs, viewport, files, actions, selecting, alerts, hold, commands: [] },
+  mesh: meshActions(store, solver, actions, alerts),
   works: startup,
   script: scriptApi(store, solver, viewport, files),
 };
@@ -141,6 +143,7 @@ function bindSolver(client: SolverClient) {
       // A restarted worker keeps the view settings.
       ...(!client.restoring && {
         ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
+        frameChosen: null,
       }),
       model: loaded,
       document: null,

@@ -4,6 +4,7 @@
  * whose sheet the tab that is pressed again closes.
  */
 
+import { frameOf } from '../store/frame.ts';
 import { NEXT_STEP_KEYS, nextStep, type NextStep } from '../store/next-step.ts';
 import { sizeOfSelection } from '../store/selection.ts';
 import { STEPS, type State, type Step, type Store } from '../store/state.ts';
@@ -73,7 +74,7 @@ export function followSteps(store: Store) {
   });
   // The user is to know of problems in a file, and to say its unit.
   store.subscribe(['model'], ({ model }) => {
-    const { units, up } = model?.guessed ?? {};
+    const { units, up } = frameOf(store.get()).guessed;
     const asks = units || up || (model && model.problems.length > 0);
     if (asks) placeOf('open').open = true;
   });

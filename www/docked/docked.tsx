@@ -4,7 +4,7 @@ import './docked.css';
 import { useLayoutEffect } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
 import { useApp } from '../store/use-app.ts';
-import { CloseButton } from '../ui/components/buttons.tsx';
+import { Pane } from '../ui/components/pane.tsx';
 import type { State } from '../store/state.ts';
 
 /**
@@ -22,8 +22,8 @@ export function Docked({
   head: ComponentChildren;
   children: ComponentChildren;
 }) {
-  const { actions, viewport } = useApp();
-  const [id, heading] = [`${of}-panel`, `heading-${of}`];
+  const { actions } = useApp();
+  const id = `${of}-panel`;
   useLayoutEffect(() => {
     const { dataset } = document.body;
     dataset.docked = id;
@@ -32,27 +32,14 @@ export function Docked({
       if (dataset.docked === id) delete dataset.docked;
     };
   }, [id]);
-  function close() {
-    actions.dock(null);
-    viewport.element.focus({ preventScroll: true });
-  }
   return (
-    <section
-      id={id}
+    <Pane
+      {...{ id, title, head }}
       class="docked"
-      aria-labelledby={heading}
-      onKeyDown={(event) => {
-        if (event.key !== 'Escape') return;
-        event.stopPropagation();
-        close();
-      }}
+      row="heading-row"
+      close={() => actions.dock(null)}
     >
-      <div class="heading-row">
-        <h2 id={heading}>{title}</h2>
-        {head}
-        <CloseButton label={`Close ${title.toLowerCase()}`} onClick={close} />
-      </div>
       {children}
-    </section>
+    </Pane>
   );
 }

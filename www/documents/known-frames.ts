@@ -8,12 +8,15 @@ const KEY = 'shape-up.frames';
 /** Number of files remembered. */
 const MOST_FILES = 40;
 
+/** A file and its frame, and which parts of that are only a guess. */
+type Known = [digest: string, frame: Frame, guessed?: Record<keyof Frame, boolean>];
+
 /** Other code may have written to the key. */
 const isKnown = (one: unknown) =>
   Array.isArray(one) && /^[yz]$/.test(one[1]?.up) && typeof one[1].units === 'string';
 
 /** @returns newest last */
-function remembered(): [string, Frame][] {
+function remembered(): Known[] {
   try {
     const all: unknown = JSON.parse(getItem(KEY) ?? '[]');
     return Array.isArray(all) ? all.filter(isKnown) : [];
@@ -36,16 +39,15 @@ export async function digestOf(bytes: BufferSource): Promise<string | null> {
  * @param digest of the file
  */
 export function rememberedFrame(digest: string | null) {
-  const frame = remembered().find(([known]) => known === digest)?.[1];
-  return frame ? `# units: ${frame.units}\n# up: ${frame.up}\n` : '';
+  const [, frame, guessed] = remembered().find(([known]) => known === digest) ?? [];
+  const parts = (['units', 'up'] as const).filter((part) => !guessed?.[part]);
+  return frame ? parts.map((part) => `# ${part}: ${frame[part]}\n`).join('') : '';
 }
 
-/**
- * @param digest of a file
- * @param frame null to forget what is remembered
- */
-export function rememberFrame(digest: string, frame: Frame | null) {
-  const others = remembered().filter(([known]) => known !== digest);
-  const all = [...others, ...(frame ? [[digest, frame]] : [])].slice(-MOST_FILES);
-  setItem(KEY, JSON.stringify(all));
+/** Remembers what is no guess, if anything, in place of what was remembered of the file. */
+export function rememberFrame(...known: Required<Known>) {
+  const [digest, , guessed] = known;
+  const others = remembered().filter(([other]) => other !== digest);
+  const isGuess = guessed.units && guessed.up;
+  setItem(KEY, JSON.stringify([...others, ...(isGuess ? [] : [known])].slice(-MOST_FILES)));
 }

@@ -113,6 +113,7 @@ function Save() {
 /** The range of angles of the middle half of the corners. */
 function middleHalf(counts: number[]) {
   const all = counts.reduce((sum, count) => sum + count, 0);
+  if (all === 0) return 'none';
   const binOf = (part: number) => {
     let sum = 0;
     return counts.findIndex((count) => (sum += count) >= part * all && count > 0);

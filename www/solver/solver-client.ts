@@ -9,7 +9,7 @@ import { Emitter } from './emitter.ts';
 import { Cancelled, messageOf } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
-import type { Connectivity, Measure, Snapshot, Projections, Saved } from './types.ts';
+import type { Connectivity, Loaded, Measure, Snapshot, Projections, Saved } from './types.ts';
 import type { Changes, Commands, Questions } from '../worker/interface.ts';
 
 /** The current mesh. */
@@ -33,6 +33,9 @@ export interface Geometry {
   shapes: Float64Array | null;
   projections: Projections | null;
 }
+
+/** What the model keeps from its file when its mesh is changed or restored. */
+type OfFile = Pick<Loaded, 'name' | 'guessed'> | null;
 
 /**
  * A silent worker gets a ping at each check, and is replaced after `MOST_MISSED` checks without an
@@ -87,9 +90,9 @@ export class SolverClient extends Emitter<SolverEvents> {
   #restoring = false;
   /** The latest `model` is the previous model, in a new worker or with another mesh. */
   #isSameModel = false;
-  #modelName = '';
+  #opened: OfFile = null;
   /** The previous scene, while the next one is being opened. */
-  #replaced: { name: string; text: string | null; saved: Saved } | null = null;
+  #replaced: { opened: OfFile; text: string | null; saved: Saved } | null = null;
   /** Whether the worker has begun work that may take long. */
   #working = false;
   /** The call that this work is for, unless it is for none, as that of a run. */
@@ -259,13 +262,13 @@ export class SolverClient extends Emitter<SolverEvents> {
       }
       case 'model':
         this.#mesh = message.mesh;
-        // A restored model keeps its file name.
         this.#isSameModel = this.#restoring || !message.loaded.name;
         if (!this.#isSameModel) {
-          this.#replaced = { name: this.#modelName, text: this.sceneText, saved: this.saved };
-          this.#modelName = message.loaded.name;
+          this.#replaced = { opened: this.#opened, text: this.sceneText, saved: this.saved };
+          const { name, guessed } = message.loaded;
+          this.#opened = { name, guessed };
         }
-        message.loaded.name = this.#modelName;
+        Object.assign(message.loaded, this.#opened);
         this.#sceneGeneration = null;
         this.#previous = null;
         this.geometry = {
@@ -327,7 +330,7 @@ export class SolverClient extends Emitter<SolverEvents> {
     this.#mesh = this.#replaced || this.#sceneGeneration === null ? 0 : 1;
     // A scene that has not been opened to the end is not the page's scene.
     if (this.#replaced)
-      ({ name: this.#modelName, text: this.sceneText, saved: this.saved } = this.#replaced);
+      ({ opened: this.#opened, text: this.sceneText, saved: this.saved } = this.#replaced);
     const lastScene = this.sceneText;
     const again = this.#restoring;
     const atStart = !this.#ready;

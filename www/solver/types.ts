@@ -63,10 +63,12 @@ export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
 export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
 
 /**
- * An opened model: `files` are those it was opened from; `undoLost` is the reason why its saved
- * undo history is lost, or empty.
+ * An opened model: `guessed` are unit and axis as they were guessed, null where the file states them;
+ * `files` are those it was opened from; `undoLost` is the reason why its saved undo history is lost, or
+ * empty.
  */
-export type Loaded = import('../pkg/engine/shape_up.js').Loaded & {
+export type Loaded = Omit<import('../pkg/engine/shape_up.js').Loaded, 'guessed'> & {
+  guessed: { units: string | null; up: 'y' | 'z' | null };
   files: string[];
   undoLost: string;
 };

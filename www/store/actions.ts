@@ -196,12 +196,6 @@ export function createActions(
       leave: () => reportErrors(solver.change.leaveVariation()),
     },
 
-    /**
-     * Puts panels that were laid out in place of the mesh.
-     * @returns whether they were for the current model
-     */
-    takePanels: solver.change.takePanels,
-
     exact: {
       /** Sets the hardness of a row and runs, as one step of undo. */
       require: (index: number, require: Require) =>

@@ -1,17 +1,30 @@
-/** Actions on the mesh itself. */
+/** Actions on the mesh itself, which tell what of the scene was left out. */
 
 import { endOfRun } from './end-of-run.ts';
 import { Cancelled } from '../solver/errors.ts';
 import { count } from '../ui/words.ts';
-import type { Remeshing } from '../pkg/engine/shape_up.js';
+import type { LaidOut, Remeshing } from '../pkg/engine/shape_up.js';
 import type { Edit } from '../solver/types.ts';
 import type { Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
+import type { Alerts } from '../ui/controls/alerts.ts';
 import type { Actions } from './actions.ts';
 
 type Refinement = Extract<Edit, { refine: unknown }>['refine'];
 
-export function meshActions(store: Store, solver: SolverClient, actions: Actions) {
+export function meshActions(
+  store: Store,
+  solver: SolverClient,
+  actions: Actions,
+  alerts: Pick<Alerts, 'notice'>,
+) {
+  /** What could not be transferred to the mesh as it is now. */
+  const leftOut = () => store.get().model?.notes ?? [];
+
+  function tell(lost: string[]) {
+    if (lost.length > 0) alerts.notice(lost.join(' '));
+  }
+
   /** What is found about the open mesh; rejects if another one is open by then. */
   async function ofThisMesh<Found>(found: Promise<Found>): Promise<Found> {
     const { model } = store.get();
@@ -40,35 +53,40 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
   }
 
   return {
-    /**
-     * Performs an operation.
-     * @returns what was lost
-     */
-    async remesh(asked: Remeshing, label: string): Promise<string[]> {
+    /** Performs an operation. */
+    async remesh(asked: Remeshing, label: string) {
       const { faces: before = 0 } = store.get().model ?? {};
       await solver.change.edit({ remesh: asked });
-      const { model } = store.get();
-      actions.setStatus(
-        `${label}: ${count(before, 'face')} became ${count(model?.faces ?? 0, 'face')}`,
-      );
-      return model?.notes ?? [];
+      const { faces: after = 0 } = store.get().model ?? {};
+      actions.setStatus(`${label}: ${count(before, 'face')} became ${count(after, 'face')}`);
+      tell(leftOut());
+    },
+
+    /**
+     * Puts panels that were laid out in place of the mesh.
+     * @returns whether they were for the current model
+     */
+    async takePanels(generation: number, panels: LaidOut) {
+      const taken = await solver.change.takePanels(generation, panels);
+      if (!taken) return false;
+      tell(leftOut());
+      actions.setStatus(panels.words);
+      return true;
     },
 
     /**
      * Refines; or alternately solves and refines once, until all levels are done or the user stops.
-     * @returns what could not be transferred
      */
-    async refine(how: Refinement, solves: boolean): Promise<string[]> {
+    async refine(how: Refinement, solves: boolean) {
       const lost: string[] = [];
       const refined = () => {
-        const { model } = store.get();
-        lost.push(...(model?.notes ?? []));
-        return `Refined to ${count(model?.faces ?? 0, 'face')}`;
+        lost.push(...leftOut());
+        return `Refined to ${count(store.get().model?.faces ?? 0, 'face')}`;
       };
       if (!solves) {
         await solver.change.edit({ refine: how });
         actions.setStatus(refined());
-        return lost;
+        return tell(lost);
       }
       const once: Edit = { refine: { ...how, levels: 1 } };
       store.set({ refining: true });
@@ -86,7 +104,9 @@ export function meshActions(store: Store, solver: SolverClient, actions: Actions
       } finally {
         store.set({ refining: false });
       }
-      return lost;
+      tell(lost);
     },
   };
 }
+
+export type MeshActions = ReturnType<typeof meshActions>;

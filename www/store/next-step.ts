@@ -1,6 +1,6 @@
 /** The next step that the page proposes: its button is filled, and the status bar names it. */
 
-import { CARD_KEYS, shownVerdict } from './panels-card.ts';
+import { CARD_KEYS, isLocked, shownVerdict } from './panels-card.ts';
 import type { State } from './state.ts';
 
 /** What is needed to know it. */
@@ -10,7 +10,7 @@ export const NEXT_STEP_KEYS = [...CARD_KEYS, 'running', 'converged', 'numbers', 
  * - `shape`: nothing is constrained yet, and there are panels
  * - `change`: as before, but another mesh is needed or suggested first
  * - `constrain`: nothing is constrained or held yet, and no press is for these faces
- * - `run`: constraints are not met, or nothing can be built
+ * - `run`: constraints are not met or cannot be added, or nothing can be built
  * - `choose`: a run has ended, but its shape is not good: something is beyond the tolerance, or its
  *   verdict, which is shown, offers better ones
  * - `build`: all is met
@@ -22,6 +22,7 @@ type Known = Pick<State, (typeof NEXT_STEP_KEYS)[number]>;
 export function nextStep(state: Known): NextStep {
   const { document, model, running, converged, numbers } = state;
   if (!document?.constraints.some(({ enabled }) => enabled)) {
+    if (isLocked({ document }, 'constraints')) return 'run';
     if (model?.panels.some(({ reason }) => !reason)) return 'shape';
     if (document?.handles.length) return 'run';
     return model?.panelSuggestion ? 'change' : 'constrain';

@@ -30,13 +30,14 @@ export function panelsCard(state: Known): 'offer' | 'verdict' | null {
   // The legend of a flat map is in the card's position.
   if (!offersPanels(state) || !document || flatMap || closedCard === model) return null;
   if (press?.model === model && asksPanels(state)) return 'verdict';
-  return document.constraints.length === 0 && !example ? 'offer' : null;
+  const isOffered = document.constraints.length === 0 && !example;
+  return isOffered && !isLocked(state, 'constraints') ? 'offer' : null;
 }
 
 /** The verdict on the panels, if the card shows it. */
 export const shownVerdict = (state: Known & Pick<State, 'verdict'>) =>
   panelsCard(state) === 'verdict' ? state.verdict : null;
 
-/** Whether a lesson locks the mesh. */
-export const isMeshLocked = ({ document }: Pick<State, 'document'>) =>
-  document?.lesson?.lock.includes('mesh') ?? false;
+/** Whether a lesson locks this. */
+export const isLocked = ({ document }: Pick<State, 'document'>, part: 'mesh' | 'constraints') =>
+  document?.lesson?.lock.includes(part) ?? false;

@@ -43,10 +43,10 @@ export interface State {
   example: Example | null;
   document: SceneDocument | null;
   /**
-   * the model whose unit and axis the user has chosen, the digest of its file, and whether those that
-   * were guessed have been confirmed
+   * that the user has chosen unit or axis: the digest of the file, and which of them were confirmed as
+   * they had been guessed
    */
-  frameChosen: { model: Loaded; digest: string | null; isGuess: boolean } | null;
+  frameChosen: { digest: string | null; units: boolean; up: boolean } | null;
   /** number of refused edits, after which the controls show the document again */
   refused: number;
   numbers: Numbers | null;
@@ -199,7 +199,7 @@ export interface PanelPress {
 }
 
 /** User-chosen ends of the colour range and of the legend's axis; null if automatic. */
-export type OwnRange = { low: number | null; high: number | null; top: number | null };
+type OwnRange = { low: number | null; high: number | null; top: number | null };
 /** Both ends of the range and the end of the axis are automatic. */
 export const AUTOMATIC: OwnRange = { low: null, high: null, top: null };
 /**

@@ -5,7 +5,7 @@ const NAMESPACE = 'http://www.w3.org/2000/svg';
 type Tags = HTMLElementTagNameMap;
 export type Attributes = Record<string, string | number | boolean | ((event: never) => void)>;
 /** Falsy children are skipped. */
-export type Child = Node | string | false | null | undefined;
+type Child = Node | string | false | null | undefined;
 
 /** Makes an SVG element: `svgElement('circle', { class: 'dot', r: 3 })`. */
 export function svgElement<Tag extends keyof SVGElementTagNameMap>(

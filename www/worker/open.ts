@@ -31,6 +31,10 @@ export function open(
   const read = scheduler.replace(() => solver.load(main.name, main.bytes));
   const loaded: Loaded = {
     ...read,
+    guessed: {
+      units: read.guessed.units ? read.units : null,
+      up: read.guessed.up ? read.up : null,
+    },
     files: [main.name, ...named.map(({ file }) => file?.name ?? '')],
     undoLost: saved ? restore(solver, saved) : '',
   };

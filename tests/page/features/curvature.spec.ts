@@ -106,6 +106,18 @@ test('the high end of a range around zero stays above zero', async ({ page }) =>
   await expect(page.getByLabel('Colours to')).not.toHaveValue(/^−/);
 });
 
+test('the colours from before the card are not those of another model', async ({ page }) => {
+  // The next model had the measure of the first one, as if the user had chosen it there.
+  await openPage(page);
+  await openText(page, 'hypar.obj', hypar(12), 169);
+  await showStep(page, 'Check');
+  await page.getByLabel('Colour by').selectOption('planarity');
+  await openCurvature(page);
+  await openText(page, 'other.obj', hypar(10), 121);
+  await page.getByRole('button', { name: 'Close curvature' }).click();
+  await expect(page.getByLabel('Colour by')).not.toHaveValue('planarity');
+});
+
 test('another measure than a curvature is the one before', async ({ page }) => {
   // The faces lost their colours.
   await openPage(page);

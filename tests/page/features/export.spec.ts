@@ -403,3 +403,22 @@ test('a film ends with its model, and leaves the camera of the next one', async 
   expect(await camera()).toEqual(during);
   expect(names).toEqual([]);
 });
+
+test('what goes wrong after the dialog was closed is told in the page', async ({ page }) => {
+  // It was told in the dialog that was gone.
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  let answer = () => {};
+  const closed = new Promise<void>((resolve) => (answer = resolve));
+  const part = '**/rhino-worker-*.js';
+  await page.route(part, (route) => closed.then(() => route.abort()));
+  await tool(page, 'More formats');
+  const dialog = page.getByRole('dialog', { name: 'More formats' });
+  await dialog.getByRole('button', { name: /^3DM/ }).click();
+  await expect(dialog.getByText('Working …')).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(dialog).toBeHidden();
+  answer();
+  await expect(page.getByRole('alert')).toContainText('.3dm converter could not be loaded');
+  await page.unroute(part);
+});

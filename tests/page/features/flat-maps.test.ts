@@ -18,13 +18,15 @@ test('a map that is made during a run is of the shape at which that ends', async
     solver.emit('frame', undefined);
   };
   const found = { seconds: 0, parts: 1, closedParts: 0, flipped: 0 };
+  let parametrize: (weights: string) => Promise<object> = async () => found;
   const app = {
     ...{ store, solver, viewport: {} },
-    jobs: { copy: () => ({ parametrize: async () => found }) },
+    jobs: { copy: () => ({ parametrize: (weights: string) => parametrize(weights) }) },
     actions: {
       rest: async () => ({ text: '', generation: 5 }),
       setStatus: (status: string) => store.set({ status }),
       look: (look: Partial<State>) => store.set(look),
+      reportErrors: (refused: Promise<unknown>) => refused.catch(() => {}),
     },
   } as unknown as AppContext;
   const maps = flatMaps(app);
@@ -40,4 +42,14 @@ test('a map that is made during a run is of the shape at which that ends', async
   assert.equal(maps.isCurrent(flatMap), false);
   show(8, 1);
   assert.equal(maps.isCurrent(flatMap), true, 'undone');
+
+  // Weights of a map that was refused were those of the next one, although others were shown.
+  parametrize = () => Promise.reject(new Error('refused'));
+  maps.choose({ weights: 'lscm' });
+  await new Promise((done) => setTimeout(done, 5));
+  const asked: string[] = [];
+  parametrize = async (weights) => (asked.push(weights), found);
+  show(5, 1);
+  await maps.flatten();
+  assert.deepEqual(asked, [flatMap.weights]);
 });

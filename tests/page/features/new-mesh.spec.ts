@@ -47,6 +47,23 @@ test('a new mesh follows its sizes, is kept, and is constrained', async ({ page 
   await waitForState(page, (now) => !now.running && now.exact?.met);
 });
 
+test('another unit changes no size', async ({ page }) => {
+  // What was typed was rounded, and the mesh grew by 4.4 mm.
+  await openPage(page);
+  const dialog = await openNewMesh(page);
+  const [first] = await dialog.getByRole('spinbutton').all();
+  await first.fill('12.345678');
+  const unit = dialog.getByLabel('Unit');
+  await unit.selectOption('mm');
+  await expect(first).toHaveValue('12345.7');
+  const width = async () =>
+    // It stands in the middle.
+    2 * Math.max(...(await sceneOf(page)).mesh.positions.map(([x]: number[]) => x));
+  await expect.poll(width).toBeCloseTo(12345.678, 6);
+  await unit.selectOption('m');
+  await expect(first).toHaveValue('12.345678');
+});
+
 test('a size that is taken out of its field is back in another unit', async ({ page }) => {
   await openPage(page);
   const dialog = await openNewMesh(page);

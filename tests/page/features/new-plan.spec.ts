@@ -252,3 +252,20 @@ test('a plan and sizes are there again after a look at another shape, also in an
   await shape.selectOption({ label: 'Dome' });
   await expect(size).toHaveValue('9000');
 });
+
+test('a length that the plan cannot have is refused with the reason, and an angle need not be whole', async ({
+  page,
+}) => {
+  // It went back without a word; 22.5 was refused.
+  const dialog = await openPlan(page);
+  await point(dialog, 2).focus();
+  const wrong = async (name: string, text: string) => {
+    const field = dialog.getByLabel(name);
+    await field.fill(text);
+    return field.evaluate((input: HTMLInputElement) => input.validationMessage);
+  };
+  expect(await wrong('Side', '0')).toBe('Expected a number above 0.');
+  expect(await wrong('Rise', '1000')).toMatch(/^Expected at most/);
+  await dialog.getByLabel('Panels').selectOption({ label: 'A grid, cut to fit' });
+  expect(await wrong('Turned by', '22.5')).toBe('');
+});

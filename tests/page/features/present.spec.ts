@@ -163,6 +163,26 @@ test('another view for a step leaves its shape', async ({ page }) => {
   await expect(step.getByLabel('Shape of step 1')).toHaveValue('original');
 });
 
+test('a step without a shape of its own is called and drawn as it will be shown', async ({
+  page,
+}) => {
+  // It was called the current shape and drawn so, and the audience saw the original.
+  await makeSteps(page);
+  const shape = dialogOf(page).getByLabel('Shape of step 2');
+  await expect(shape.getByRole('option').first()).toHaveText('As the step before leaves it');
+  const pictures = () =>
+    dialogOf(page)
+      .getByRole('img', { name: /Picture of step/ })
+      .evaluateAll((all: HTMLCanvasElement[]) => new Set(all.map((one) => one.toDataURL())).size);
+  // From the same side.
+  const replace = { name: 'Replace by this view' };
+  await dialogOf(page).getByRole('button', replace).first().click();
+  await expect.poll(pictures).toBe(1);
+  await dialogOf(page).getByLabel('Shape of step 1').selectOption('Current shape');
+  await dialogOf(page).getByLabel('Shape of step 2').selectOption('original');
+  await expect.poll(pictures).toBe(2);
+});
+
 /** The colours of each step's picture, as one string per step. */
 const picturesOf = (page: Page) =>
   dialogOf(page)

@@ -308,6 +308,23 @@ test('elements are selected by valence, number of sides and error; wrong input i
   await expect.poll(() => counts(page)).toEqual([0, 0, 0]);
 });
 
+test('faces are found by a curvature in the unit in which the legend has it', async ({ page }) => {
+  // In a mesh in mm what was typed as 1/m was taken as 1/mm, so that nothing was found.
+  await openText(page, 'wave.obj', `# units: mm\n${wavyGrid(6)}`, 49);
+  for (const key of 'b3') await page.keyboard.press(key);
+  await selectBy(page, 'By error…');
+  const menu = page.getByRole('dialog', { name: 'Select' });
+  const above = menu.getByRole('spinbutton', { name: 'Above' });
+  await above.fill('1 m');
+  await above.press('Tab');
+  await expect(above).toHaveValue('1000');
+  await menu.getByRole('combobox', { name: 'Error: kind of value' }).selectOption('Mean curvature');
+  await expect(menu.getByText('1/m', { exact: true })).toBeVisible();
+  await above.fill('10');
+  await menu.getByRole('button', { name: 'Find' }).click();
+  await expect.poll(async () => (await counts(page))[2]).toBeGreaterThan(9);
+});
+
 test('a selection is saved as a set in the scene, selected again, and removed', async ({
   page,
 }) => {

@@ -27,9 +27,9 @@ class FakeWorker {
   say(message: object) {
     this.onmessage({ data: message });
   }
-  model(name: string, mesh: number = 1) {
+  model(name: string, mesh: number = 1, guessed: object = {}) {
     this.say({
-      ...{ type: 'model', mesh, loaded: { name }, connectivity: {} },
+      ...{ type: 'model', mesh, loaded: { name, guessed }, connectivity: {} },
       positions: new Float64Array(3),
     });
   }
@@ -91,6 +91,24 @@ test('a file whose opening is cancelled before its answer does not replace the s
   assert.equal(FakeWorker.latest.reopened, 'the roof');
   FakeWorker.latest.model('restored.shapeup.json');
   assert.deepEqual(names, ['large.obj', 'roof.obj']);
+});
+
+test('what was guessed of a file stays a guess when its mesh is changed or restored', async () => {
+  // It was then told as stated by the file, and the question about it was gone.
+  const client = await clientWithRoof();
+  const guesses: object[] = [];
+  client.on('model', ({ loaded }) => guesses.push(loaded.guessed));
+  const opened = client.change.open({ files: [] });
+  const guessed = { units: 'm', up: null };
+  FakeWorker.latest.model('dome.stl', 2, guessed);
+  FakeWorker.latest.scene('the dome', 0);
+  FakeWorker.latest.opened();
+  await opened;
+  FakeWorker.latest.model('', 3);
+  client.abandon();
+  FakeWorker.latest.say({ type: 'ready' });
+  FakeWorker.latest.model('restored.shapeup.json');
+  assert.deepEqual(guesses, [guessed, guessed, guessed]);
 });
 
 test('progress is saved beside the scene that it continues, and not beside a newer one', async () => {

@@ -44,6 +44,10 @@ class RunningSolver extends Emitter<{ activity: Activity }> {
       this.refinements += 1;
       this.#turn(true, false);
     },
+    edit: async () => {
+      const model = { faces: 20, notes: ['Left out: a handle.'] } as unknown as Loaded;
+      this.store.set({ model });
+    },
   };
 
   async endRun(converged: boolean) {
@@ -60,9 +64,12 @@ function refineDuringRun() {
     setStatus: (words: string) => said.push(words),
     ask: { panelProgress: async () => undefined },
   };
-  const given = [store, solver as unknown as SolverClient, actions as unknown as Actions] as const;
+  const told: string[] = [];
+  const alerts = { notice: (words: string) => (told.push(words), () => {}) };
+  const given = [solver as unknown as SolverClient, actions as unknown as Actions, alerts] as const;
   const how = { scheme: 'catmull-clark' as const, levels: 1, keep: 75 };
-  return { store, solver, said, ended: meshActions(...given).refine(how, true) };
+  const mesh = meshActions(store, ...given);
+  return { store, solver, said, told, mesh, ended: mesh.refine(how, true) };
 }
 
 test('Refine and solve during a run refines when that run has converged', async () => {
@@ -98,4 +105,11 @@ test('Refine and solve says nothing about a model that is opened meanwhile', asy
   await given;
   assert.deepEqual(said, []);
   assert.equal(store.get().refining, false);
+});
+
+test('whoever changes the mesh, what is left out of the scene is told', async () => {
+  // It was told by each caller: "Join them" told nothing.
+  const { mesh, told } = refineDuringRun();
+  await mesh.remesh({ operation: 'join', sizes: [] }, 'Join them');
+  assert.deepEqual(told, ['Left out: a handle.']);
 });

@@ -3,6 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { nextStep } from '../../../www/store/next-step.ts';
+import { panelsCard } from '../../../www/store/panels-card.ts';
+import type { State } from '../../../www/store/state.ts';
 
 type Known = Parameters<typeof nextStep>[0];
 
@@ -55,4 +57,15 @@ test('what is not good is not to be built, unless its verdict is not shown', () 
   // The user was sent to the verdict, in whose place there was the legend of a flat map.
   assert.equal(after({ verdict: poor, flatMap: {} }), 'build');
   assert.equal(after({ verdict: null }), 'build');
+});
+
+test('what a lesson locks is not the next step, and no card over the view offers it', () => {
+  // The card was disabled with its cross, and stayed over the view.
+  const lesson = { lock: ['constraints'] };
+  const document = { constraints: [], handles: [], lesson };
+  assert.equal(after({ document }), 'run');
+  const model = { faces: 4, panels: [{}] };
+  const card = (more: object) => panelsCard({ model, ...more } as unknown as State);
+  assert.equal(card({ document }), null);
+  assert.equal(card({ document: { ...document, lesson: null } }), 'offer');
 });

@@ -3,9 +3,8 @@
  * with the error of each, and the weight of following the surface.
  */
 
-import { useLayoutEffect, useRef } from 'preact/hooks';
+import { HeldSlider } from '../../ui/components/held-slider.tsx';
 import { rounded } from '../../ui/words.ts';
-import type { ComponentProps } from 'preact';
 import type { BuildChoice, BuildSetting } from '../../solver/types.ts';
 import type { Parts } from './parts.ts';
 
@@ -35,20 +34,16 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
         <label for="parts-distance">{distance?.label}</label>
         <output for="parts-distance">{words?.distance}</output>
       </div>
-      <Slider
+      <HeldSlider
         id="parts-distance"
         min={Math.max(-far, INSIDE * (inwards ?? -Infinity)) / scale}
         max={Math.min(far, INSIDE * (outwards ?? Infinity)) / scale}
         step="any"
         aria-valuetext={words?.distance}
         at={at}
-        onInput={({ currentTarget: { valueAsNumber: to } }) => to !== 0 && parts.tryDistance(to)}
-        onChange={({ currentTarget: slider }) => {
-          if (slider.valueAsNumber !== 0) return parts.change({ distance: slider.valueAsNumber });
-          // Parts cannot have it.
-          slider.value = String(at);
-          parts.tryDistance(null);
-        }}
+        // Parts cannot have 0.
+        onMove={(to) => to !== 0 && parts.tryDistance(to)}
+        onRelease={(to) => (to === 0 ? parts.tryDistance(null) : parts.change({ distance: to }))}
       />
       <p class="quiet">{words?.safe}</p>
       <span id="parts-keeps">{kind?.label}</span>
@@ -79,33 +74,17 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
       {!offset.exact && (
         <div class="field-row">
           <label for="parts-follow">{follow?.label}</label>
-          <Slider
+          <HeldSlider
             id="parts-follow"
             min={LEAST_FOLLOW}
             max="0"
             step="0.5"
             title={follow?.summary}
             at={Math.log10(settings.follow)}
-            onChange={({ currentTarget: { valueAsNumber: exponent } }) =>
-              parts.change({ follow: rounded(10 ** exponent, 2) })
-            }
+            onRelease={(exponent) => parts.change({ follow: rounded(10 ** exponent, 2) })}
           />
         </div>
       )}
     </div>
   );
-}
-
-/** A slider that stays where it is held, whatever value comes meanwhile. */
-function Slider({
-  at,
-  ...rest
-}: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role' | 'list'> & { at: number }) {
-  const slider = useRef<HTMLInputElement>(null);
-  useLayoutEffect(() => {
-    const { current } = slider;
-    // Each time: browsers clamp the value when the range changes.
-    if (current && !current.matches(':active')) current.value = String(at);
-  });
-  return <input ref={slider} type="range" {...rest} />;
 }

@@ -8,8 +8,8 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { declared } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useForecastWords } from '../../store/use-forecast-words.ts';
-import { CloseButton } from '../../ui/components/buttons.tsx';
 import { AmountField, Choice } from '../../ui/components/fields.tsx';
+import { Pane } from '../../ui/components/pane.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { number, writtenUnit } from '../../ui/words.ts';
 import { curvatureLines } from './curvature-lines.ts';
@@ -29,7 +29,7 @@ export function Curvature() {
 }
 
 function Card() {
-  const { store, actions, viewport } = useApp();
+  const { store, actions } = useApp();
   const { document, model } = store.state;
   const [draw, setDraw] = useState<Drawn>('strokes');
   /** Between lines; null for one that suits the model. */
@@ -41,22 +41,7 @@ function Card() {
   useEffect(() => place.current?.querySelector('select')?.focus(), []);
   const close = () => actions.leaveCorner('curvature');
   return (
-    <section
-      id="curvature"
-      ref={place}
-      class="card"
-      aria-labelledby="heading-curvature"
-      onKeyDown={(event) => {
-        if (event.key !== 'Escape') return;
-        event.stopPropagation();
-        close();
-        viewport.element.focus();
-      }}
-    >
-      <div class="title">
-        <h2 id="heading-curvature">Curvature</h2>
-        <CloseButton label="Close curvature" onClick={close} />
-      </div>
+    <Pane id="curvature" title="Curvature" class="card" row="title" {...{ place, close }}>
       <Choice
         aria-label="Lines"
         value={draw}
@@ -87,7 +72,7 @@ function Card() {
         {refused || wordsOf(draw, answer)}
       </p>
       <Consequences />
-    </section>
+    </Pane>
   );
 }
 
@@ -163,21 +148,24 @@ function useLines(draw: Drawn, distance: number | null) {
 
 /**
  * Colours the faces by a curvature, and by what they had before when the card is closed.
- * @returns gives them what they had before; what the scene suggests if that is a curvature
+ * @returns gives them what they had before; what the scene suggests if that is a curvature, or was on
+ *   another model
  */
 function useCurvatureColours() {
   const { store, actions } = useApp();
-  const [{ measure, measureChosen }] = useState(() => store.get());
+  const [{ model, measure, measureChosen }] = useState(() => store.get());
   const isCurvature = (id: string | null) => declared(store.get(), id)?.curvature ?? false;
+  function goBack(isBefore: boolean) {
+    const { model: now, document } = store.get();
+    const suggested = { measure: document?.measure ?? null, measureChosen: false };
+    actions.look(isBefore && now === model ? { measure, measureChosen } : suggested);
+  }
   useEffect(() => {
     const first = store.get().measures.find(({ curvature }) => curvature);
     if (!isCurvature(measure)) actions.look({ measure: first?.id ?? null });
     return () => {
-      if (isCurvature(store.get().measure)) actions.look({ measure, measureChosen });
+      if (isCurvature(store.get().measure)) goBack(true);
     };
   }, []);
-  return () => {
-    const suggested = { measure: store.get().document?.measure ?? null, measureChosen: false };
-    actions.look(isCurvature(measure) ? suggested : { measure, measureChosen });
-  };
+  return () => goBack(!isCurvature(measure));
 }

@@ -1,7 +1,7 @@
 /** The dialog More formats: the file formats, grouped by purpose. */
 
 import { signal } from '@preact/signals';
-import { useState } from 'preact/hooks';
+import { useEffect } from 'preact/hooks';
 import type { ComponentProps } from 'preact';
 import { exportAs, exportForRhino, exportMesh, exportUnwelded } from '../../documents/exports.ts';
 import { messageOf } from '../../solver/errors.ts';
@@ -38,6 +38,8 @@ const picture = signal<{ scale: number; legend: boolean; ground: Ground }>({
 
 /** Whether a file is being made, perhaps of a dialog that was closed meanwhile. */
 const isMaking = signal(false);
+/** Why the last file could not be made, empty if it could; null where no dialog shows it. */
+const problem = signal<string | null>(null);
 
 /** Makes a file. A second one meanwhile would be the same, or a second film of the same view. */
 const makeOne = oneAtATime(async ({ actions }: AppContext, file: () => Promise<unknown>) => {
@@ -58,20 +60,27 @@ function ExportDialog({ close }: InDialog) {
   const app = useApp();
   const { store, files, viewport, actions } = app;
   const { model, document: scene, flatMap } = store.state;
-  const [problem, setProblem] = useState('');
   const canDraw = isDrawn(store.state);
   const curvesOnly = (model?.faces ?? 0) === 0;
+
+  useEffect(() => {
+    problem.value = '';
+    return () => {
+      problem.value = null;
+    };
+  }, []);
 
   /** Makes a file, after which the dialog is closed. */
   const make = (file: () => Promise<unknown>) => async () => {
     const made = makeOne(app, file);
     if (!made) return;
-    setProblem('');
+    problem.value = '';
     try {
       await made;
       close();
     } catch (error) {
-      setProblem(messageOf(error));
+      if (problem.peek() === null) await actions.reportErrors(Promise.reject(error));
+      else problem.value = messageOf(error);
     }
   };
   const makeTable = (name: 'errors' | 'convergence' | 'angles') =>
@@ -196,7 +205,7 @@ function ExportDialog({ close }: InDialog) {
         />
       </section>
       <p class="working quiet" aria-live="polite">
-        {isMaking.value ? 'Working …' : problem}
+        {isMaking.value ? 'Working …' : problem.value}
       </p>
     </div>
   );

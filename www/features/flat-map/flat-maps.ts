@@ -141,6 +141,9 @@ class FlatMaps {
       if (found.flipped > 0 && isOpen && found.seconds < QUICK) await this.findFewerFlips();
     } catch (error) {
       this.#actions.setStatus('');
+      // The panel shows those of the map that is there, and the next one begins with them.
+      const { flatMap } = this.#store.get();
+      if (flatMap) Object.assign(this.#choices, { weights: flatMap.weights, norm: flatMap.norm });
       await this.#actions.reportErrors(Promise.reject(error));
     }
   }

@@ -130,7 +130,7 @@ function firstGoals(state: Readonly<State>, scene: SceneDocument, subjects: Subj
 const focusRow = (row: HTMLElement | null) => row?.querySelector('select')?.focus();
 
 /** What the limit of a goal may be. */
-const LIMIT = { min: 0 };
+const limitOf = ({ isCount }: Subject) => ({ min: 0, isWhole: isCount });
 const ERROR_AT = /^lesson\.goals\[(\d+)\]/;
 
 function LessonDialog({
@@ -162,7 +162,7 @@ function LessonDialog({
     if (!form.current?.reportValidity()) return;
     const entered = new FormData(form.current);
     const fields = [...form.current.querySelectorAll<HTMLInputElement>('[name="at-most"]')];
-    const limits = fields.map((field) => numberIn(field, LIMIT) ?? 0);
+    const limits = fields.map((field, i) => numberIn(field, limitOf(goals[i].subject)) ?? 0);
     const lesson = {
       text: text.current?.value.trim() ?? '',
       goals: goals.map(({ subject: { goal, factor } }, i) => ({
@@ -221,7 +221,7 @@ function LessonDialog({
               />
               at most
               <NumberInput
-                accepted={LIMIT}
+                accepted={limitOf(goal.subject)}
                 name="at-most"
                 required
                 aria-label={`${what} at most${unit && `, ${unit}`}`}

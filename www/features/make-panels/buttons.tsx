@@ -5,7 +5,7 @@
 
 import './make-panels.css';
 import type { ComponentChildren } from 'preact';
-import { isMeshLocked, offersPanels, panelsCard } from '../../store/panels-card.ts';
+import { isLocked, offersPanels, panelsCard } from '../../store/panels-card.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Drawing } from '../../ui/kinds/drawing.tsx';
@@ -115,13 +115,13 @@ function KindButton({
 /** Changes the mesh, which is needed first. */
 function ChangeFirst({ label, operation }: { label: string; operation: string }) {
   const app = useApp();
-  const isLocked = isMeshLocked(app.store.state);
+  const isFixed = isLocked(app.store.state, 'mesh');
   return (
     <Button
       aria-haspopup="dialog"
       aria-describedby={REASON}
-      disabled={isLocked}
-      title={isLocked ? 'Locked by the lesson' : ''}
+      disabled={isFixed}
+      title={isFixed ? 'Locked by the lesson' : ''}
       onClick={() => app.actions.reportErrors(openEdit(app, operation))}
     >
       {label}
@@ -134,10 +134,10 @@ export function MeshTools() {
   const app = useApp();
   const { store, actions } = app;
   const { model, document } = store.state;
-  const isLocked = isMeshLocked({ document });
+  const isFixed = isLocked({ document }, 'mesh');
   const tools = {
-    disabled: !model?.faces || model.tets > 0 || !document || isLocked,
-    title: isLocked ? 'Locked by the lesson' : '',
+    disabled: !model?.faces || model.tets > 0 || !document || isFixed,
+    title: isFixed ? 'Locked by the lesson' : '',
   };
   return (
     <>

@@ -6,7 +6,7 @@
 import './make-panels.css';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
-import { panelsCard } from '../../store/panels-card.ts';
+import { isLocked, panelsCard } from '../../store/panels-card.ts';
 import { pressNamed } from '../../store/press.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
@@ -129,10 +129,13 @@ function Changes({
   const app = useApp();
   const { store, actions } = app;
   const better = verdicts.better.value;
+  const isFixed = isLocked(store.state, 'constraints');
   const isPoor = verdict.level !== 'good';
-  const isSearched = better.isLooking || better.presses.length > 0;
-  const changesMesh = isPoor && (forecast.newPanelsHelp || forecast.suggestion !== null);
-  if (!verdict.folded && verdict.again === null && !isSearched && !changesMesh) return null;
+  const again = isFixed ? null : verdict.again;
+  const isSearched = !isFixed && (better.isLooking || better.presses.length > 0);
+  const helps = forecast.newPanelsHelp || forecast.suggestion !== null;
+  const changesMesh = !isFixed && isPoor && helps;
+  if (!verdict.folded && again === null && !isSearched && !changesMesh) return null;
 
   const kindOf = (id: string) => store.get().kinds.find((kind) => kind.id === id);
   /** Makes the panels again from the original, within the tolerance that is shown. */
@@ -154,7 +157,7 @@ function Changes({
       {verdict.folded > 0 && (
         <Button onClick={() => actions.begin(showFolds())}>Show the folds</Button>
       )}
-      {verdict.again !== null && <Button onClick={makeAgain}>{verdict.again}</Button>}
+      {again !== null && <Button onClick={makeAgain}>{again}</Button>}
       {isSearched && (
         <div class="better" role="group" aria-label="Suggestions">
           {better.presses.map((press, k) => (

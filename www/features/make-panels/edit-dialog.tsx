@@ -3,7 +3,6 @@
 import './refine.css';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { messageOf } from '../../solver/errors.ts';
-import { meshActions } from '../../store/mesh-actions.ts';
 import { newestOnly } from '../../store/latest-only.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
@@ -55,7 +54,7 @@ function EditDialog({
   picked,
   first,
 }: InDialog & { operations: Operations; picked: Picked; first: string }) {
-  const { store, solver, actions, alerts } = useApp();
+  const { store, actions, mesh } = useApp();
   const operationOf = (id: string) => operations.find((one) => one.id === id) ?? operations[0];
   const [asked, setAsked] = useState(() => beginWith(operationOf(first)));
   const { operation, sizes, problems } = asked;
@@ -64,12 +63,10 @@ function EditDialog({
   const { words, lost, isReady } = usePreview(operation, sizes, picked, wrong);
   const units = store.state.document?.units ?? '';
 
-  async function apply() {
+  function apply() {
     last = operation;
     close();
-    const mesh = meshActions(store, solver, actions);
-    const notes = await actions.reportErrors(mesh.remesh({ operation, sizes, ...picked }, label));
-    if (notes?.length) alerts.notice(notes.join(' '));
+    void actions.reportErrors(mesh.remesh({ operation, sizes, ...picked }, label));
   }
 
   return (

@@ -18,7 +18,7 @@ import type {
 type Fields = Required<Pick<LayoutSettings, 'count' | 'size'>>;
 
 /** What the user asks for. */
-export interface Wishes extends Fields, Pick<LayoutSettings, 'follow' | 'even'> {
+interface Wishes extends Fields, Pick<LayoutSettings, 'follow' | 'even'> {
   boundary: BoundaryForecast['boundary'] | null;
   /** whether the selected faces stay as they are */
   keeps: boolean;
@@ -134,20 +134,16 @@ export class Layouts {
    * @returns whether this was done
    */
   async use() {
-    const { store, actions, alerts } = this.#app;
+    const { mesh, actions } = this.#app;
     // A number that was typed last.
     await this.#laying;
     const laidOut = this.laidOut.value;
     if (!laidOut || !this.#isOpen) return false;
     const { panels, generation } = laidOut;
-    const taken = await actions.reportErrors(actions.takePanels(generation, panels));
+    const taken = await actions.reportErrors(mesh.takePanels(generation, panels));
     if (taken === false) this.#update();
     // The new model has ended the layouts.
-    if (!taken) return false;
-    const lost = store.get().model?.notes ?? [];
-    if (lost.length) alerts.notice(lost.join(' '));
-    actions.setStatus(panels.words);
-    return true;
+    return taken ?? false;
   }
 
   #update() {

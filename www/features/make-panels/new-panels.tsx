@@ -6,8 +6,9 @@
 import './new-panels.css';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
-import { Button, CloseButton } from '../../ui/components/buttons.tsx';
+import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { Pane } from '../../ui/components/pane.tsx';
 import { groupDigits } from '../../ui/words.ts';
 import { fly, narrow } from '../../viewport/camera.ts';
 import { useCover, useNarrow } from '../../viewport/use-cover.ts';
@@ -29,7 +30,7 @@ export function NewPanels() {
 
 function Card() {
   const app = useApp();
-  const { store, actions, viewport } = app;
+  const { store, actions } = app;
   const close = () => actions.leaveCorner('new-panels');
   const layouts = useMemo(() => new Layouts(app, close), [app]);
   useEffect(() => layouts.begin(), [layouts]);
@@ -46,31 +47,13 @@ function Card() {
   const shapes = kinds.filter((kind) => kind.panels !== null).reverse();
   const doing = layouts.doing.value;
 
-  function leave() {
-    close();
-    viewport.element.focus();
-  }
   async function use() {
     const kind = store.get().kinds.find(({ id }) => id === then);
     if ((await layouts.use()) && kind) await makePanels(app, kind);
   }
 
   return (
-    <section
-      id="new-panels"
-      ref={place}
-      class="card"
-      aria-labelledby="heading-new-panels"
-      onKeyDown={(event) => {
-        if (event.key !== 'Escape') return;
-        event.stopPropagation();
-        leave();
-      }}
-    >
-      <div class="title">
-        <h2 id="heading-new-panels">New panels</h2>
-        <CloseButton label="Close new panels" onClick={leave} />
-      </div>
+    <Pane id="new-panels" title="New panels" class="card" row="title" {...{ place, close }}>
       <Sizes layouts={layouts} />
       <Slider layouts={layouts} of="follow" low="Fewer irregular points" high="Moves less" />
       <Slider layouts={layouts} of="even" low="Small panels where it curves" high="Even sizes" />
@@ -102,7 +85,7 @@ function Card() {
           Use these panels
         </Button>
       </div>
-    </section>
+    </Pane>
   );
 }
 

@@ -2,6 +2,7 @@
 
 import { endOfRun } from '../../store/end-of-run.ts';
 import { hideWithNextWork } from '../../documents/fitted-shapes.ts';
+import { isLocked } from '../../store/panels-card.ts';
 import type { KindInfo, PanelStart } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
@@ -89,7 +90,7 @@ export function offerPanelCommands(app: AppContext) {
       keys: [],
       needsModel: true,
       enabled: ({ model, document }: Readonly<State>) =>
-        !document?.lesson?.lock.includes('constraints') &&
+        !isLocked({ document }, 'constraints') &&
         model?.panels.find((one) => one.kind === kind.id)?.reason === null,
       action: () => makePanels(app, kind),
     }));

@@ -3,7 +3,6 @@
 import './refine.css';
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { messageOf } from '../../solver/errors.ts';
-import { meshActions } from '../../store/mesh-actions.ts';
 import { newestOnly } from '../../store/latest-only.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
@@ -39,7 +38,7 @@ export function openRefine(app: AppContext) {
 }
 
 function RefineDialog({ close }: InDialog) {
-  const { store, solver, actions, alerts } = useApp();
+  const { store, solver, actions, mesh } = useApp();
   const { geometry } = solver;
   const { document, model } = store.state;
   const hasRows = document?.constraints.some((row) => row.enabled) ?? false;
@@ -66,12 +65,11 @@ function RefineDialog({ close }: InDialog) {
     const times = OFTEN[i] ?? `${i + 1} times`;
     return [String(i + 1), `${times}: ${count(faces, 'face')} of about ${far}`] as const;
   }
-  async function start(solves: boolean) {
+
+  function start(solves: boolean) {
     close();
     const how = { scheme, levels: level, keep, adopt: solves && isAdopted };
-    const refining = meshActions(store, solver, actions);
-    const lost = await actions.reportErrors(refining.refine(how, solves));
-    if (lost?.length) alerts.notice(lost.join(' '));
+    void actions.reportErrors(mesh.refine(how, solves));
   }
 
   return (

@@ -1,6 +1,6 @@
 /** How far the mesh will move for one shape of all panels, and what would reduce that. */
 
-import { isMeshLocked } from '../../store/panels-card.ts';
+import { isLocked } from '../../store/panels-card.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useForecastWords } from '../../store/use-forecast-words.ts';
 import type { ForecastWords, MeshSuggestion } from '../../pkg/engine/shape_up.js';
@@ -18,8 +18,8 @@ export interface Forecast {
 export function useForecast(isWanted: boolean): Forecast {
   const { model, document } = useApp().store.state;
   const found = useForecastWords(isWanted);
-  const isLocked = isMeshLocked({ document });
-  const newPanelsHelp = !isLocked && Boolean(model?.newPanels || found?.newPanels);
-  const suggestion = !isLocked && !newPanelsHelp && found ? found.suggestion : null;
+  const isFixed = isLocked({ document }, 'mesh');
+  const newPanelsHelp = !isFixed && Boolean(model?.newPanels || found?.newPanels);
+  const suggestion = !isFixed && !newPanelsHelp && found ? found.suggestion : null;
   return { found, newPanelsHelp, suggestion };
 }

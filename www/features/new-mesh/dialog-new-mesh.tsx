@@ -8,7 +8,7 @@ import { Choice } from '../../ui/components/fields.tsx';
 import { SizeField } from '../../ui/components/size-field.tsx';
 import { rounded, unitsOfLength } from '../../ui/words.ts';
 import init, { newKinds, newMesh as meshOf } from '../../pkg/engine/shape_up.js';
-import { metresOrOne, PLAN } from './plan.ts';
+import { metresOrOne, PLAN, roundedPlace } from './plan.ts';
 import { PlanForm } from './plan-form.tsx';
 import { openMesh, SPAN, SpanForm } from './span-form.tsx';
 import { Trial, type Asked } from './trial.ts';
@@ -92,7 +92,7 @@ function NewMesh({
   );
 }
 
-/** Significant digits of sizes. */
+/** Significant digits of the first sizes. */
 const DIGITS = 4;
 
 const isWithin = (value: number, { least, most }: Size) => value >= least && value <= most;
@@ -109,44 +109,39 @@ function SizesForm({
   kept: Kept;
   ask: (asked: Asked) => void;
 }) {
-  /** In their unit. */
-  const [{ values, of }, set] = useKept(kept, id, () => ({
-    values: sizes.map(({ of, default: value }) =>
-      of === 'length' ? rounded(value, DIGITS) : value,
-    ),
-    of: METRE,
-  }));
+  /** Each as it was typed, in the unit of that time: another unit changes no mesh. */
+  const [typed, set] = useKept(kept, id, () =>
+    sizes.map((size) => ({ value: rounded(size.default, DIGITS), of: METRE })),
+  );
+  const values = typed.map(({ value, of }, i) => {
+    const factor = sizes[i].of === 'length' ? metresOrOne(of) / metresOrOne(unit) : 1;
+    return factor * value;
+  });
   /** What is wrong with what is typed for each. */
   const [problems, setProblems] = useState(sizes.map(() => ''));
   useLayoutEffect(() => {
-    if (of === unit) return;
-    const factor = metresOrOne(of) / metresOrOne(unit);
-    const now = values.map((value, i) =>
-      sizes[i].of === 'length' ? rounded(value * factor, DIGITS) : value,
-    );
-    setProblems(problems.map((problem, i) => (isWithin(now[i], sizes[i]) ? '' : problem)));
-    set({ values: now, of: unit });
+    setProblems(problems.map((problem, i) => (isWithin(values[i], sizes[i]) ? '' : problem)));
   }, [unit]);
   useLayoutEffect(() => {
     function make() {
       const wrong = problems.findIndex(Boolean);
       if (wrong >= 0) throw new Error(`${sizes[wrong].label}: ${problems[wrong]}`);
-      return { text: meshOf(id, Float64Array.from(values), of), supports: [] };
+      return { text: meshOf(id, Float64Array.from(values), unit), supports: [] };
     }
     ask({ make });
-  }, [values, problems]);
+  }, [typed, problems, unit]);
   return (
     <div class="kind">
       <p class="quiet">{summary}</p>
       <div class="sizes">
         {sizes.map((size, i) => (
           <SizeField
-            key={`${size.id} ${of}`}
+            key={`${size.id} ${unit}`}
             size={size}
-            value={values[i]}
-            unit={of}
+            value={typed[i].of === unit ? values[i] : roundedPlace(values[i])}
+            unit={unit}
             onSize={(value, problem) => {
-              set({ values: values.with(i, value), of });
+              if (!problem) set(typed.with(i, { value, of: unit }));
               setProblems(problems.with(i, problem));
             }}
           />

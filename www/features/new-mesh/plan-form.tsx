@@ -11,6 +11,7 @@ import { bulgeOf } from '../../pkg/engine/shape_up.js';
 import { DrawnPlan, nameOf, PLAN, roundedPlace, type Plan, type Sketch } from './plan.ts';
 import { PlanDrawing } from './plan-drawing.tsx';
 import { useKept, type Kept } from './use-kept.ts';
+import type { Accepted } from '../../ui/components/number-input.tsx';
 import type { Asked } from './trial.ts';
 
 const HINT = 'Drag points; pull the middle of a side to make it an arc. Hold Alt to move freely.';
@@ -121,29 +122,31 @@ function SelectedPoint({ drawn }: { drawn: DrawnPlan }) {
   const unit = drawn.unit.value;
   // Those with a sign cross 0.
   const step = firstIn(unit);
-  const lengths: [string, number, (to: number) => void, step?: number][] = [
-    ['x', point.at[0], (to) => drawn.step((_, __, { at }) => (at[0] = to)), step],
-    ['y', point.at[1], (to) => drawn.step((_, __, { at }) => (at[1] = to)), step],
-    ['Side', side.chord, (to) => drawn.setLength(to)],
+  const place = { step, min: -Infinity };
+  // An arc rises at most as a half circle.
+  const most = roundedPlace(side.chord / 2);
+  const lengths: [string, number, (to: number) => void, Accepted][] = [
+    ['x', point.at[0], (to) => drawn.step((_, __, { at }) => (at[0] = to)), place],
+    ['y', point.at[1], (to) => drawn.step((_, __, { at }) => (at[1] = to)), place],
+    ['Side', side.chord, (to) => drawn.setLength(to), { isPositive: true }],
     [
       'Rise',
       side.rise,
       (to) => drawn.step((_, __, point) => (point.bulge = bulgeOf(to, side.chord))),
-      step,
+      { step, min: -most, max: most },
     ],
   ];
   return (
     <section class="point">
       <h3>{nameOf(spot)}</h3>
       <div class="lengths">
-        {lengths.map(([name, value, change, step]) => (
+        {lengths.map(([name, value, change, accepted]) => (
           <label key={name}>
             <span>{name}</span>
             <AmountField
               name={name}
-              min={-Infinity}
               unit={unit}
-              step={step}
+              {...accepted}
               value={roundedPlace(value)}
               onAmount={change}
             />

@@ -2,15 +2,15 @@
 
 import './present.css';
 import { useSignal } from '@preact/signals';
-import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { useMemo, useRef } from 'preact/hooks';
 import { presentActions } from '../../store/present-actions.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { TextField } from '../../ui/components/text-field.tsx';
+import { Thumbnail } from '../../ui/components/thumbnail.tsx';
 import { count } from '../../ui/words.ts';
-import { drawShape } from '../../ui/plot/thumbnail.ts';
 import { present } from './stage.tsx';
 import type { Slide } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -26,9 +26,9 @@ function StepsDialog({ close }: InDialog) {
   /** The steps before the solver has answered: presses and typing can be quicker. */
   const sent = useSignal<Slide[] | null>(null);
   const saving = useRef<Promise<unknown>>(Promise.resolve());
-  const { document: scene } = store.state;
-  /** The original and the kept shapes, of which the steps show some. */
-  const { mesh, variants } = useMemo(() => JSON.parse(solver.sceneText ?? '{}'), [scene]);
+  const { document: scene, dark } = store.state;
+  const { connectivity } = solver.geometry ?? {};
+  const shapes = useMemo(() => shapesIn(solver.sceneText ?? '{}'), [scene]);
   const steps = sent.value ?? scene?.steps ?? [];
 
   /** @param made from the steps as they are at the press */
@@ -53,10 +53,11 @@ function StepsDialog({ close }: InDialog) {
     await actions.reportErrors(present(app, withNotes));
   }
 
-  function shapeOf({ original, variant }: Slide): Float64Array | number[] | undefined {
-    const kept = variant === undefined ? undefined : variants?.kept[variant]?.positions;
-    const rows: number[][] | undefined = original ? mesh?.positions : kept;
-    return rows?.flat() ?? solver.geometry?.positions;
+  /** The shape of a step, unless a run changes it before. */
+  function shapeOf(index: number): ArrayLike<number> {
+    const { original, variant = -1 } = steps.slice(0, index + 1).findLast(saysShape) ?? {};
+    const said = original ? shapes.original : shapes.kept[variant];
+    return said ?? solver.geometry?.positions ?? [];
   }
 
   return (
@@ -69,7 +70,16 @@ function StepsDialog({ close }: InDialog) {
       <ol class="steps">
         {steps.map((step, i) => (
           <li key={i}>
-            <Picture label={`Picture of step ${i + 1}`} step={step} shape={shapeOf(step)} />
+            {connectivity && scene && (
+              <Thumbnail
+                label={`Picture of step ${i + 1}`}
+                connectivity={connectivity}
+                shape={shapeOf(i)}
+                up={scene.up}
+                from={directionOf(step)}
+                dark={dark}
+              />
+            )}
             <div>
               <TextField
                 aria-label={`Title of step ${i + 1}`}
@@ -100,7 +110,12 @@ function StepsDialog({ close }: InDialog) {
                 aria-label={`Shape of step ${i + 1}`}
                 value={step.original ? 'original' : String(step.variant ?? '')}
                 options={[
-                  ['', 'Current shape'],
+                  [
+                    '',
+                    steps.slice(0, i).some(saysShape)
+                      ? 'As the step before leaves it'
+                      : 'Current shape',
+                  ],
                   ['original', 'The original'],
                   ...(scene?.variants ?? []).map((name, k) => [String(k), name] as const),
                 ]}
@@ -172,18 +187,15 @@ function StepsDialog({ close }: InDialog) {
 /** Indices of turn and tilt in the array of a camera. */
 const [TURN, TILT] = [4, 5];
 
-/** The shape of a step, from its camera. */
-function Picture(props: { label: string; step: Slide; shape?: ArrayLike<number> }) {
-  const { label, step, shape } = props;
-  const { store, solver } = useApp();
-  const { document: scene, dark } = store.state;
-  const canvas = useRef<HTMLCanvasElement>(null);
-  useEffect(() => {
-    const { connectivity } = solver.geometry ?? {};
-    if (!canvas.current || !connectivity || !scene || !shape) return;
-    const { camera } = step;
-    const from = camera && { turn: camera[TURN], above: camera[TILT] };
-    drawShape(canvas.current, connectivity, shape, { up: scene.up, from });
-  }, [scene?.up, dark, shape, step.camera?.[TURN], step.camera?.[TILT]]);
-  return <canvas ref={canvas} role="img" aria-label={label} />;
+const directionOf = ({ camera }: Slide) => camera && { turn: camera[TURN], above: camera[TILT] };
+
+/** Whether a step says what shape it shows: without it, that of the step before stays. */
+const saysShape = ({ original, variant }: Slide) => original || variant !== undefined;
+
+/** The original and the kept shapes of a scene, `#V by 3`, of which the steps show some. */
+function shapesIn(scene: string) {
+  const { mesh, variants } = JSON.parse(scene);
+  const flat = (positions?: number[][]) => positions?.flat();
+  const kept: { positions: number[][] }[] = variants?.kept ?? [];
+  return { original: flat(mesh?.positions), kept: kept.map(({ positions }) => flat(positions)) };
 }

@@ -4,8 +4,8 @@ import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/ho
 import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
+import { Thumbnail } from '../../ui/components/thumbnail.tsx';
 import { areaOf, groupDigits, length } from '../../ui/words.ts';
-import { Thumbnail } from './thumbnail.tsx';
 import type { Connectivity, Edit, SceneDocument, VariantRow } from '../../solver/types.ts';
 
 /** Headings and tooltips of the table. */
@@ -83,6 +83,7 @@ function KeptCard({
   shape: Float64Array;
   change: ReturnType<typeof useKeptChange>;
 }) {
+  const { dark } = useApp().store.state;
   const place = useRef<HTMLButtonElement>(null);
   useLayoutEffect(() => {
     if (isCurrent) place.current?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
@@ -97,7 +98,7 @@ function KeptCard({
         aria-current={isCurrent || undefined}
         onClick={() => change(name, (index) => ({ goToVariant: { index } }))}
       >
-        <Thumbnail connectivity={connectivity} shape={shape} up={scene.up} />
+        <Thumbnail connectivity={connectivity} shape={shape} up={scene.up} dark={dark} />
         <span>{name}</span>
       </button>
       <div>

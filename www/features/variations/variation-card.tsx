@@ -2,15 +2,16 @@
 
 import { useMemo } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
+import { HeldSlider } from '../../ui/components/held-slider.tsx';
+import { Thumbnail } from '../../ui/components/thumbnail.tsx';
 import { signedPart } from '../../ui/words.ts';
-import { Thumbnail } from './thumbnail.tsx';
 import { STEPS, type Variations } from './variations.ts';
 
 /** Slider position shown in the thumbnail, as a fraction of half the slider's length. */
 const PICTURED = 0.6;
 
 export function VariationCard({ index, of }: { index: number; of: Variations }) {
-  const { document } = useApp().store.state;
+  const { document, dark } = useApp().store.state;
   const { shape, connectivity, displacements, slide } = of.found.value[index];
   const step = of.steps.value[index];
   const range = of.ranges.value[index];
@@ -32,23 +33,23 @@ export function VariationCard({ index, of }: { index: number; of: Variations }) 
         shape={deformed}
         up={document?.up ?? 'z'}
         displacements={displacements}
+        dark={dark}
       />
       <div class="heading-row">
         <span>{index + 1}</span>
         <span class="figure">{step !== 0 && words}</span>
       </div>
-      <input
-        type="range"
+      <HeldSlider
         min={-STEPS}
         max={STEPS}
-        value={step}
+        at={step}
         aria-label={`Variation ${index + 1}`}
         aria-valuetext={`${words} of the size`}
         title={
           known ? `Possible from ${known.map(signedPart).join(' to ')} of the size` : undefined
         }
-        onInput={({ currentTarget }) => of.move(index, currentTarget.valueAsNumber)}
-        onChange={() => of.release()}
+        onMove={(to) => of.move(index, to)}
+        onRelease={() => of.release()}
         // Double click resets, as is usual.
         onDblClick={() => {
           of.move(index, 0);

@@ -1,19 +1,16 @@
 /**
  * The view tools: flights to named views, the original for the ghost and the ground grid, the
- * scale, the section card and the measuring tape.
+ * scale and the measuring tape.
  */
 
 import './view-tools.css';
 import { newestOnly } from '../../store/latest-only.ts';
-import { button, choice, closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { limit, rounded } from '../../ui/words.ts';
 import { fly } from '../../viewport/camera.ts';
 import { Tape } from './tape.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { Actions } from '../../store/actions.ts';
-import type { Section, Store } from '../../store/state.ts';
-import type { Label, Viewport } from '../../viewport/viewport.ts';
+import type { Label } from '../../viewport/viewport.ts';
 
 /** Maximum length of the scale bar in CSS pixels. */
 const BAR = 120;
@@ -38,7 +35,6 @@ export class ViewTools {
     this.#actions = actions;
     this.#viewport = viewport;
     this.#tape = new Tape(store, viewport, actions);
-    new SectionCard(store, viewport, actions);
     viewport.element.after(this.#scale);
     viewport.on('ready', () => this.#handOver());
     viewport.on('drawn', () => this.#show());
@@ -112,51 +108,4 @@ export class ViewTools {
  */
 function roundLength(value: number, units: string) {
   return limit(rounded(value, 3), units);
-}
-
-const AXES = ['x', 'y', 'z'];
-
-/**
- * The card of the section plane: its axis, its position and the side that stays visible. Shown while
- * there is a section.
- */
-class SectionCard {
-  #card;
-  #axis;
-  #at;
-  #turn;
-
-  constructor(store: Store, viewport: Viewport, actions: Actions) {
-    const set = (change: Partial<Section>) => {
-      const { section } = store.get();
-      if (section) actions.look({ section: { ...section, ...change } });
-    };
-    this.#axis = choice(
-      { 'aria-label': 'Section across' },
-      (axis) => set({ axis: Number(axis) }),
-      AXES.map((axis, i) => [`${i}`, axis] as const),
-    );
-    this.#at = element('input', {
-      ...{ type: 'range', min: '0', max: '1', step: '0.005' },
-      'aria-label': 'Position of the section',
-      oninput: () => set({ at: this.#at.valueAsNumber }),
-    });
-    this.#turn = button('Other side', () => set({ turned: !store.get().section?.turned }));
-    this.#card = element(
-      'div.card',
-      { id: 'section', role: 'group', 'aria-label': 'Section', hidden: true },
-      element('label', 'Section ', this.#axis),
-      this.#at,
-      this.#turn,
-      closeButton('End the section', () => actions.look({ section: null })),
-    );
-    viewport.element.after(this.#card);
-    store.subscribe(['section'], ({ section }) => {
-      this.#card.hidden = !section;
-      if (!section) return;
-      this.#axis.value = `${section.axis}`;
-      this.#at.valueAsNumber = section.at;
-      this.#turn.setAttribute('aria-pressed', `${section.turned}`);
-    });
-  }
 }

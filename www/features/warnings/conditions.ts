@@ -5,7 +5,6 @@
 
 import { isInLegend } from '../../store/colours/measures.ts';
 import { isHard } from '../../store/state.ts';
-import { meshActions } from '../../store/mesh-actions.ts';
 import { untilChanged } from '../../store/until-changed.ts';
 import { count, length } from '../../ui/words.ts';
 import { once } from '../../ui/once.ts';
@@ -57,12 +56,11 @@ class Conditions {
 
   /** Reports the problems of the opened file. */
   #showProblems() {
-    const { store, solver, actions, alerts } = this.#app;
+    const { store, actions, mesh, alerts } = this.#app;
     const { problems = [] } = store.get().model ?? {};
     const isListed = document.getElementById('model')?.checkVisibility();
     if (problems.length === 0 || isListed) return void this.#lookForFlatFaces();
     const { message, suggestion } = problems.find((problem) => problem.suggestion) ?? problems[0];
-    const mesh = meshActions(store, solver, actions);
     const mend = suggestion && {
       label: suggestion.label,
       action: () =>

@@ -3,6 +3,7 @@
 import { useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
+import { HeldSlider } from '../../ui/components/held-slider.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { energyOrZero, number, rounded } from '../../ui/words.ts';
 import { Settings } from './settings.tsx';
@@ -72,11 +73,11 @@ function TermRow({ term: { id, label, words } }: { term: Term }) {
   const weight = held?.weight ?? document?.weights[id] ?? 0;
   const send = (value: number) => actions.edit({ setWeights: { [id]: value } });
 
-  // The weight is set on release, so that one gesture is one edit.
-  async function release(value: number) {
-    const released = { weight: value };
+  // The weight is set on release, so that one gesture is one edit; none if it has come back.
+  async function release(place: number) {
+    const released = { weight: weightAt(place) };
     setHeld(released);
-    await send(value);
+    if (document && place !== placeOf(document.weights[id])) await send(released.weight);
     setHeld((now) => (now === released ? null : now));
   }
 
@@ -94,16 +95,15 @@ function TermRow({ term: { id, label, words } }: { term: Term }) {
       </span>
       <span class="words">{document && words(document)}</span>
       <span class="slider">
-        <input
-          type="range"
+        <HeldSlider
           min="0"
           max={LAST}
           step="1"
           aria-label={`${label} weight, slider`}
           aria-valuetext={String(weight)}
-          value={placeOf(weight)}
-          onInput={({ currentTarget }) => setHeld({ weight: weightAt(currentTarget) })}
-          onChange={({ currentTarget }) => release(weightAt(currentTarget))}
+          at={placeOf(weight)}
+          onMove={(place) => setHeld({ weight: weightAt(place) })}
+          onRelease={release}
         />
       </span>
     </div>
@@ -111,7 +111,7 @@ function TermRow({ term: { id, label, words } }: { term: Term }) {
 }
 
 /** Returns the weight at the position of a slider: 0 at its left end, else two digits. */
-function weightAt({ valueAsNumber: place }: HTMLInputElement) {
+function weightAt(place: number) {
   return place === 0 ? 0 : rounded(10 ** (LEAST + place / STEPS_PER_DECADE), 2);
 }
 

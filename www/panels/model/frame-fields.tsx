@@ -10,7 +10,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
 import { unitsOfLength } from '../../ui/words.ts';
-import type { Edit, Loaded } from '../../solver/types.ts';
+import type { Loaded } from '../../solver/types.ts';
 
 /** Units, and the empty string for a mesh without a unit. */
 const SYMBOLS = [...unitsOfLength(), ''];
@@ -25,25 +25,19 @@ export function FrameFields({ model }: { model: Loaded }) {
 
   // Undo and Redo change what was chosen, or take it back.
   useEffect(() => {
-    if (!document || frameChosen?.model !== model || !frameChosen.digest) return;
-    rememberFrame(frameChosen.digest, guess ? null : { units, up });
+    if (!document || !frameChosen?.digest) return;
+    rememberFrame(frameChosen.digest, { units, up }, guessed);
   }, [frameChosen, units, up]);
 
-  /** Changes unit and axis, each as one step of undo, and remembers them if they are not refused. */
-  async function change(part: Partial<Frame>) {
-    const frame = { units, up, ...part };
+  /** Changes unit or axis, or confirms a guess. */
+  function change(part: Partial<Frame>) {
     const { digest } = files;
-    const edits: Edit[] = [];
-    if (frame.units !== units) edits.push({ setUnits: { units: frame.units } });
-    if (frame.up !== up) edits.push({ setUp: { up: frame.up } });
-    for (const edit of edits) if ((await actions.edit(edit)) === undefined) return;
-    if (digest) rememberFrame(digest, frame);
-    // Another file may be open by now.
-    if (store.get().model !== model) return;
-    // What was confirmed stays so, also if another one is chosen and taken back.
-    const wasGuess = frameChosen?.model === model && frameChosen.isGuess;
-    const isGuess = wasGuess || (frame.units === model.units && frame.up === model.up);
-    actions.look({ frameChosen: { model, digest, isGuess } });
+    const isConfirmed = (one: keyof Frame) =>
+      frameChosen?.[one] || part[one] === model.guessed[one];
+    actions.look({ frameChosen: { digest, units: isConfirmed('units'), up: isConfirmed('up') } });
+    if (part.units !== undefined && part.units !== units)
+      void actions.edit({ setUnits: { units: part.units } });
+    if (part.up && part.up !== up) void actions.edit({ setUp: { up: part.up } });
   }
 
   return (
@@ -55,7 +49,7 @@ export function FrameFields({ model }: { model: Loaded }) {
         <p class="guess">
           <span>{guess}</span>
           {/* Confirms the guess: nothing changes, but the file is remembered. */}
-          <Button class="small bordered" onClick={() => change({})}>
+          <Button class="small bordered" onClick={() => change({ units, up })}>
             Yes
           </Button>
         </p>
@@ -84,7 +78,7 @@ export function FrameFields({ model }: { model: Loaded }) {
 /**
  * Asks about the unit or axis that was guessed because the file has none; empty if nothing was.
  */
-function guessInWords(guessed: Loaded['guessed']) {
+function guessInWords(guessed: Record<keyof Frame, boolean>) {
   if (guessed.units && guessed.up) return 'Unit and up axis are not in the file. Are these right?';
   if (guessed.units) return 'The unit is not in the file. Is this right?';
   return guessed.up ? 'The up axis is not in the file. Is this right?' : '';

@@ -1,7 +1,5 @@
 /** The contents of the model, and the problems of its file. */
 
-import { useMemo } from 'preact/hooks';
-import { meshActions } from '../../store/mesh-actions.ts';
 import { showPlot } from '../../store/show-plot.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -84,8 +82,7 @@ function Report({ model: { problems, notes } }: { model: Loaded }) {
 
 /** Changes the mesh so that a problem is gone. */
 function Mend({ suggestion: { label, words, operation } }: { suggestion: MeshSuggestion }) {
-  const { store, solver, actions } = useApp();
-  const mesh = useMemo(() => meshActions(store, solver, actions), []);
+  const { actions, mesh } = useApp();
   return (
     <Button
       class="small bordered"

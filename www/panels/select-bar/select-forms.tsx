@@ -3,6 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { useSignal } from '@preact/signals';
 import { frameOf } from '../../store/frame.ts';
+import { toleranceOf } from '../../store/colours/measures.ts';
 import { verticesOf, type Combine } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -10,8 +11,7 @@ import { writtenUnit } from '../../ui/words.ts';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
 import type { ComponentChildren } from 'preact';
-import type { State } from '../../store/state.ts';
-import type { Operation, ParamValue } from '../../solver/types.ts';
+import type { Operation, ParamInfo, ParamValue } from '../../solver/types.ts';
 
 export const Heading = ({ children }: { children: ComponentChildren }) => (
   <p class="heading quiet">{children}</p>
@@ -24,33 +24,33 @@ function useFocusedForm() {
   return form;
 }
 
-/** The symbol of the unit of the face measure that is chosen in a form; empty without one. */
-function unitOfMeasure(state: Readonly<State>, values: Record<string, ParamValue>) {
-  const chosen = state.measures.find(({ id }) => Object.values(values).includes(id));
-  if (!chosen) return '';
-  // What is entered is a number of this unit, so lengths are in that of the mesh.
-  const { units } = frameOf(state);
-  if (chosen.unit === 'length') return units;
-  const { symbol, factor } = writtenUnit(chosen.unit, units, 1);
-  return factor === 1 ? symbol : '';
-}
-
 /** The parameters of an operation. */
 export function OperationForm(props: { operation: Operation; close: () => void }) {
   const { operation, close } = props;
   const { store, actions, selecting } = useApp();
-  const { params, label } = operation;
+  const { label } = operation;
+  const { state } = store;
   const form = useFocusedForm();
-  const { refusal, refuse, forget } = useRefusal(params);
-  const values = useSignal<Record<string, ParamValue>>(
-    Object.fromEntries(params.map((param) => [param.id, param.default])),
+  const { refusal, refuse, forget } = useRefusal(operation.params);
+  const entered = useSignal<Record<string, ParamValue>>({});
+  const valuesOf = (params: ParamInfo[]) => ({
+    ...Object.fromEntries(params.map((param) => [param.id, param.default])),
+    ...entered.value,
+  });
+  /** The face measure that is chosen here, if any: its limits begin at its tolerance. */
+  const chosen = Object.values(valuesOf(operation.params));
+  const measure = state.measures.find(({ id }) => chosen.includes(id));
+  const tolerance = measure ? toleranceOf(state, measure) : null;
+  const params = operation.params.map((param) =>
+    typeof param.default === 'number' ? { ...param, default: tolerance ?? param.default } : param,
   );
+  const { units } = frameOf(state);
 
   async function find(combine: Combine) {
     // What is wrong is said at its field.
     if (!form.current?.checkValidity()) return;
     try {
-      if (await selecting.apply(operation, { params: values.value, combine })) close();
+      if (await selecting.apply(operation, { params: valuesOf(params), combine })) close();
     } catch (error) {
       if (!refuse(error)) await actions.reportErrors(Promise.reject(error));
     }
@@ -71,13 +71,13 @@ export function OperationForm(props: { operation: Operation; close: () => void }
       <p class="quiet">{operation.summary}</p>
       <Parameters
         params={params}
-        values={values.value}
-        frame={frameOf(store.state)}
-        unit={unitOfMeasure(store.state, values.value)}
+        values={entered.value}
+        frame={frameOf(state)}
+        unit={measure && writtenUnit(measure.unit, units, 1)}
         refusal={refusal}
         onValue={(id, value) => {
           forget();
-          values.value = { ...values.value, [id]: value };
+          entered.value = { ...entered.value, [id]: value };
         }}
       />
       <div class="verbs">

@@ -44,5 +44,5 @@ export function hintOf(state: Readonly<State>) {
   const build = next === 'build' ? 'Next: Build · ' : '';
   if (isLocked) return `${build}Drag to orbit, wheel to zoom`;
   if (!one) return `${build}Double-click a vertex to make a handle · drag elsewhere to orbit`;
-  return `Drag ${one} · drag elsewhere to orbit, wheel to zoom`;
+  return `${build}Drag ${one} · drag elsewhere to orbit, wheel to zoom`;
 }

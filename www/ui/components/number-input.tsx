@@ -67,7 +67,7 @@ export function NumberInput({
   const text = rest.value ?? rest.defaultValue;
   useLayoutEffect(() => {
     if (place.current) numberIn(place.current, accepted);
-  }, [text, unit, min, max]);
+  }, [text, unit, min, max, isWhole]);
   const [now] = readNumber(typeof text === 'string' ? text : '', accepted);
   // The keys for decimals of a phone have neither signs nor letters.
   const isPlain = !unit && (min ?? -1) >= 0;

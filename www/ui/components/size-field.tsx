@@ -22,8 +22,12 @@ export function SizeField({
   onSize: (value: number, problem: string) => unknown;
 }) {
   const [text, setText] = useState(String(value));
-  const isLength = of === 'length';
-  const accepted = { unit: isLength ? unit : '', min: least, max: most, isWhole: !isLength };
+  const accepted = {
+    unit: of === 'length' ? unit : '',
+    min: least,
+    max: most,
+    isWhole: of === 'count',
+  };
   return (
     <label>
       <span>{label}</span>

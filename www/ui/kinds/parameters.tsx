@@ -17,8 +17,15 @@ import {
   unitOf,
   type Frame,
 } from './parameter-forms.ts';
+import { rounded } from '../words.ts';
 import type { ParamInfo, ParamValue } from '../../solver/types.ts';
 import type { Refusal } from './parameter-refusal.ts';
+
+/** A unit of numbers, and what they are multiplied by to be shown in it. */
+type WrittenUnit = { symbol: string; factor: number };
+const PLAIN: WrittenUnit = { symbol: '', factor: 1 };
+/** Digits of a number that is shown in another unit. */
+const DIGITS = 12;
 
 /** The parameters of one kind as rows of controls; nothing for a kind without parameters. */
 export function Parameters({
@@ -26,7 +33,7 @@ export function Parameters({
   values,
   frame,
   name = '',
-  unit = '',
+  unit = PLAIN,
   refusal = null,
   onValue,
 }: {
@@ -37,8 +44,8 @@ export function Parameters({
   frame: Frame;
   /** prefixes the accessible names of the controls */
   name?: string;
-  /** the symbol of numbers that declare no unit of their own */
-  unit?: string;
+  /** in which numbers that declare no unit of their own are shown and entered */
+  unit?: WrittenUnit;
   /** shown at its parameter until that is edited */
   refusal?: Refusal | null;
   /** called with a value that is entered, unless a field of it is invalid */
@@ -99,7 +106,7 @@ function Parameter({
   usualUnit,
   refusal,
   onValue,
-}: Of & { frame: Frame; usualUnit: string; refusal: Refusal | null }) {
+}: Of & { frame: Frame; usualUnit: WrittenUnit; refusal: Refusal | null }) {
   const [{ texts, problems }, setTyped] = useTyped(NOTHING);
   /** The refusal after which a field was edited. */
   const [settled, setSettled] = useState<Refusal | null>(null);
@@ -108,17 +115,22 @@ function Parameter({
   const key = keyOfValue(value);
   const numbers = Array.isArray(value) ? value : typeof value === 'number' ? [value] : [];
   const isVector = key === 'vector';
-  const unit = isVector || numbers.length === 0 ? '' : unitOf(param, frame.units) || usualUnit;
+  const own = unitOf(param, frame.units);
+  const { symbol, factor } = own || isVector ? { symbol: own, factor: 1 } : usualUnit;
+  const unit = isVector || numbers.length === 0 ? '' : symbol;
+  const shown = numbers.map((number) =>
+    number === null || factor === 1 ? number : rounded(factor * number, DIGITS),
+  );
   const error = `error-${name.replace(/\W+/g, '-')}`;
 
   const [min, max] = isVector ? [] : param.range;
   /** What a number may be; a null is an infinite limit. */
   const accepted = (at: number): Accepted => ({
-    unit: param.unit === 'length' ? frame.units : '',
+    unit: param.unit === 'length' || unit === frame.units ? frame.units : '',
     step: param.unit === 'degrees' ? 1 : isVector ? firstIn('') : undefined,
-    min: min ?? -Infinity,
-    max: max ?? Infinity,
-    present: numbers[at],
+    min: factor * (min ?? -Infinity),
+    max: factor * (max ?? Infinity),
+    present: shown[at],
   });
 
   const wrong = problems.findIndex(Boolean);
@@ -141,7 +153,9 @@ function Parameter({
     if (!field.validity.valid || problems.some((problem, i) => i !== at && problem)) return;
     const entered = numbers.map((number, i) => {
       const text = i === at ? field.value : texts[i];
-      return text === undefined ? number : readNumber(text, accepted(i))[0];
+      if (text === undefined) return number;
+      const [read] = readNumber(text, accepted(i));
+      return read === null ? null : read / factor;
     });
     setTyped(NOTHING);
     onValue((entered.length === 1 ? entered[0] : entered) as ParamValue);
@@ -164,7 +178,7 @@ function Parameter({
       )}
       <span class={`fields ${key.split(' ')[0]}`}>
         {isVector && <Axes {...{ name, value, onValue }} />}
-        {numbers.map((number, i) => (
+        {shown.map((number, i) => (
           <Fragment key={i}>
             {key === 'range' && i === 1 && '–'}
             <NumberInput

@@ -1,0 +1,41 @@
+/** A small picture of a shape. */
+
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import { drawShape } from '../plot/thumbnail.ts';
+import type { Connectivity } from '../../solver/types.ts';
+
+export function Thumbnail({
+  connectivity,
+  shape,
+  up,
+  from,
+  displacements,
+  dark,
+  label,
+}: {
+  connectivity: Connectivity;
+  /** `#V by 3` */
+  shape: ArrayLike<number>;
+  up: 'y' | 'z';
+  /** the direction of view, if other than usual */
+  from?: { turn: number; above: number };
+  /** of the vertices, which colour it; `#V by 3` */
+  displacements?: Float32Array;
+  /** whether its colours are those for a dark page */
+  dark: boolean;
+  /** what it is, where that is not said beside it */
+  label?: string;
+}) {
+  const canvas = useRef<HTMLCanvasElement>(null);
+  useLayoutEffect(() => {
+    if (canvas.current) drawShape(canvas.current, connectivity, shape, { up, from, displacements });
+  }, [connectivity, shape, up, from?.turn, from?.above, displacements, dark]);
+  return (
+    <canvas
+      ref={canvas}
+      role={label ? 'img' : undefined}
+      aria-label={label}
+      aria-hidden={label ? undefined : 'true'}
+    />
+  );
+}
