@@ -9,7 +9,7 @@ use crate::session::edit::check_lock;
 use crate::session::report::{Exactness, TrialNumbers, TrialWords};
 use crate::session::requirements::Required;
 use crate::session::run::{ExactReport, Met};
-use crate::session::state::{Part, RowValues};
+use crate::session::state::{Part, RowValues, leave_search};
 use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -162,6 +162,9 @@ impl Session {
         // What panels are judged by stays, though no constraint has it any more.
         if let Some(Require::Within(length)) = self.panel_requirement()
             && !shape.rows.is_empty()
+        if !shape.rows.is_empty() {
+            change.scene.parts.extend(leave_search(self.document()));
+        }
         {
             let length = self.document().tolerance.unwrap_or(length);
             change.scene.parts.push(Part::Tolerance(Some(length)));
