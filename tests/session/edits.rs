@@ -209,6 +209,12 @@ fn what_is_refused_or_changes_nothing_leaves_a_run_under_way() {
     }
     let refused = Edit::Set { id: "window".to_owned(), value: json!(0.5) };
     assert!(session.edit(refused).is_err());
+    // What is found only where the mesh is asked.
+    for (id, value) in [("weighting", "cotangent"), ("closeness", "target")] {
+        let refused = Edit::Set { id: id.to_owned(), value: json!(value) };
+        assert!(session.edit(refused).is_err(), "{id}");
+        assert!(session.is_running(), "{id}");
+    }
     let same = Edit::SetWeights(session.document().weights.into());
     assert!(!session.edit(same).expect("it is valid"));
     assert!(session.is_running());

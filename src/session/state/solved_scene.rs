@@ -187,7 +187,7 @@ impl SolvedScene {
     /// then.
     ///
     /// # Errors
-    /// Those of `propose`.
+    /// Those of `propose`, and where the document would not fit the mesh.
     pub(crate) fn would_change<T>(
         &mut self,
         rest: &RestMesh,
@@ -196,7 +196,13 @@ impl SolvedScene {
         let (_, mut change) = self.proposed(rest, propose)?;
         let differs = self.differs(&change);
         change.exchange_parts(&mut self.document);
-        Ok(differs)
+        fits.map(|()| differs)
+    }
+
+    /// The rows of the document, which is checked with them.
+    fn resolved(&self, rest: &RestMesh) -> Result<Vec<ResolvedRow>, SceneError> {
+        self.document.validate(rest.mesh())?;
+        resolve_rows(&self.document, rest.mesh(), rest.topology())
     }
 
     /// Changes the document as `propose` does with a draft, and returns its result with the parts as
@@ -205,6 +211,10 @@ impl SolvedScene {
     /// # Errors
     /// Those of `propose`; nothing has changed then.
     fn proposed<T>(
+        let fits = match change.effect(&self.document) {
+            Effect::Nothing => Ok(()),
+            Effect::Weights | Effect::Problem => self.resolved(rest).map(|_| ()),
+        };
         &mut self,
         rest: &RestMesh,
         propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
@@ -309,8 +319,7 @@ impl SolvedScene {
                 }
             }
             Effect::Weights | Effect::Problem => {
-                self.document.validate(rest.mesh())?;
-                let rows = resolve_rows(&self.document, rest.mesh(), rest.topology())?;
+                let rows = self.resolved(rest)?;
                 let handles = handles.unwrap_or_else(|| self.solver.handles().to_vec());
                 let positions = positions.unwrap_or_else(|| self.positions());
                 let cache = self.solver.setup_cache();
