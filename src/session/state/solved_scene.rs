@@ -122,6 +122,16 @@ impl SolvedScene {
         self.positions.get_or_init(|| self.solver.positions().collect())
     }
 
+    /// The row whose constraints are farthest from being met, as found by the last local step, and this
+    /// distance in the unit of the mesh. Without a weight nothing is drawn to a row, so that its distance
+    /// says nothing; none if no row has one.
+    pub(crate) fn worst_row(&self) -> Option<(usize, f64)> {
+        let rows = self.enabled_rows().zip(self.solver.found());
+        rows.filter(|(row, _)| self.document.constraints[*row].weight > 0.0)
+            .map(|(row, found)| (row, found.worst_squared.sqrt()))
+            .reduce(|worst, other| if other.1 > worst.1 { other } else { worst })
+    }
+
     /// See [`Solver::projected`].
     pub(crate) fn projected(&mut self, each: impl FnMut(usize, &Projected)) {
         self.solver.projected(each);
@@ -195,6 +205,10 @@ impl SolvedScene {
     ) -> Result<bool, SceneError> {
         let (_, mut change) = self.proposed(rest, propose)?;
         let differs = self.differs(&change);
+        let fits = match change.effect(&self.document) {
+            Effect::Nothing => Ok(()),
+            Effect::Weights | Effect::Problem => self.resolved(rest).map(|_| ()),
+        };
         change.exchange_parts(&mut self.document);
         fits.map(|()| differs)
     }
@@ -211,10 +225,6 @@ impl SolvedScene {
     /// # Errors
     /// Those of `propose`; nothing has changed then.
     fn proposed<T>(
-        let fits = match change.effect(&self.document) {
-            Effect::Nothing => Ok(()),
-            Effect::Weights | Effect::Problem => self.resolved(rest).map(|_| ()),
-        };
         &mut self,
         rest: &RestMesh,
         propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
