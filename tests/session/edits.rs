@@ -246,6 +246,15 @@ fn a_set_cannot_take_the_name_of_a_group() {
     let mut session = Session::open(both, mesh).expect("it fits");
     session.edit(roof).expect("it is a set already");
     session.edit(Edit::RemoveSet { name: "Roof".to_owned() }).expect_err("it is used");
+    // Nor does a set that gets its name of itself.
+    let mut mesh = session.mesh().clone();
+    mesh.groups[0].name = "selection 1".to_owned();
+    let mut session =
+        Session::open(Scene::new(MeshSource::Inline(Box::default())), mesh).expect("it fits");
+    let on = json!({ "each": "face", "in": { "faces": [3] } });
+    let add = json!({ "addConstraint": { "kind": "plane", "on": on } }).to_string();
+    session.edit(Edit::from_json(&add).expect("it is an edit")).expect("it fits");
+    assert_eq!(session.document().sets.keys().collect::<Vec<_>>(), ["selection 2"]);
 }
 
 #[test]
@@ -273,6 +282,12 @@ fn an_attempt_is_that_of_the_hard_constraints_for_which_it_was_chosen() {
     let mut scene = session().scene();
     scene.attempt.from = AttemptStart::Rest;
     scene.constraints[0].require = Require::Within(0.01);
+    scene.constraints[0].eased = Some(EasedFaces { within: 0.1, faces: vec![3, 4] });
+    let sphere = scene.constraints[0].clone();
+    scene.constraints.push(ConstraintSpec { on: Selector::Vertices((0..9).collect()), ..sphere });
+    let eased = |session: &Session| session.document().constraints[0].eased.clone();
+    let found = scene.constraints[0].eased.clone();
+    scene.constraints[1].eased = None;
     let mut session = Session::open(scene, session().mesh().clone()).expect("it fits");
     let from = |session: &Session| session.document().attempt.from;
     let edit = |text: &str| Edit::from_json(text).expect("it is an edit");
@@ -281,6 +296,8 @@ fn an_attempt_is_that_of_the_hard_constraints_for_which_it_was_chosen() {
     for other in [
         r#"{ "setConstraint": { "index": 0, "require": "exact" } }"#,
         r#"{ "setConstraint": { "index": 0, "enabled": false } }"#,
+        r#"{ "setConstraint": { "index": 1, "enabled": false } }"#,
+        r#"{ "removeConstraint": { "index": 1 } }"#,
         r#"{ "fitTo": { "name": "a.obj", "text": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3" } }"#,
     ] {
         session.edit(edit(other)).expect("it is valid");
@@ -289,12 +306,4 @@ fn an_attempt_is_that_of_the_hard_constraints_for_which_it_was_chosen() {
         let back = (from(&session), eased(&session));
         assert_eq!(back, (AttemptStart::Rest, found.clone()), "{other}");
     }
-    scene.constraints[0].eased = Some(EasedFaces { within: 0.1, faces: vec![3, 4] });
-    let sphere = scene.constraints[0].clone();
-    scene.constraints.push(ConstraintSpec { on: Selector::Vertices((0..9).collect()), ..sphere });
-    let eased = |session: &Session| session.document().constraints[0].eased.clone();
-    let found = scene.constraints[0].eased.clone();
-    scene.constraints[1].eased = None;
 }
-        r#"{ "setConstraint": { "index": 1, "enabled": false } }"#,
-        r#"{ "removeConstraint": { "index": 1 } }"#,

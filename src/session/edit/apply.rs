@@ -297,7 +297,7 @@ pub(crate) fn apply(
 /// Refuses that a name stands for the group of the mesh no longer, or from now on: what is on it would
 /// be on other elements.
 fn check_name_of_group(name: &str, draft: &Draft<'_>) -> Result<(), SceneError> {
-    if draft.mesh().groups.iter().all(|group| group.name != name) {
+    if !draft.mesh().has_group(name) {
         return Ok(());
     }
     let message =
@@ -315,7 +315,8 @@ fn read_text(name: &str, text: &str) -> Result<Read, SceneError> {
 fn add(new: NewConstraint, draft: &mut Draft<'_>) -> String {
     let NewConstraint { mut spec, set } = new;
     let name = format!("Add {}", label_of(&spec));
-    let (on, named) = ConstraintTarget { on: spec.on, set }.named_in(&draft.document().sets);
+    let target = ConstraintTarget { on: spec.on, set };
+    let (on, named) = target.named_in(&draft.document().sets, draft.mesh());
     spec.on = on;
     if let Some((name, set)) = named {
         draft.put(Part::Set(name, Some(set)));
