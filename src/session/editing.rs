@@ -217,8 +217,8 @@ impl Session {
     /// or the system would be singular; nothing has changed then.
     fn refine(&mut self, how: &Subdivision, adopts: bool) -> Result<(String, Change), Error> {
         let shape = if adopts { self.scene.positions() } else { self.rest.positions() };
-        let mesh = Mesh { positions: shape.to_vec(), ..self.mesh().clone() };
-        let refined = how.apply(&mesh, self.topology()).map_err(cannot_be_refined)?;
+        let refined =
+            how.apply(&self.mesh().at(shape), self.topology()).map_err(cannot_be_refined)?;
         let name = format!("Refine to {}", words::count(refined.mesh.faces.len(), "face", "faces"));
         let (rest, mut carried) = self.carried_to(&refined, shape, shape);
         if adopts {
@@ -300,7 +300,7 @@ impl Session {
         let refused =
             |why: OperationError| SceneError { path: String::new(), message: why.to_string() };
         let operation = MeshOperation::of(operation).map_err(refused)?;
-        let mesh = Mesh { positions: self.scene.positions().to_vec(), ..self.mesh().clone() };
+        let mesh = self.current_shape();
         let up = self.document().up.direction();
         let topology = self.topology();
         let task = Task { mesh: &mesh, topology, up, sizes, vertices, faces };

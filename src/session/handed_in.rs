@@ -142,7 +142,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
 /// The build numbers of the current shape, in a unit and with settings; empty if not buildable.
 fn numbers(shape: &Session, units: &str, settings: &BuildSettings) -> Vec<(String, f64)> {
     let Ok(unit) = LengthInMetres::of(units) else { return Vec::new() };
-    let mesh = Mesh { positions: shape.positions(), ..shape.mesh().clone() };
+    let mesh = shape.current_shape();
     let Ok(build) = Build::new(&mesh, settings, unit) else { return Vec::new() };
     let known = BUILD_NUMBERS.iter().zip(build.numbers());
     known.filter_map(|(number, value)| Some((number.id.to_owned(), value?))).collect()
