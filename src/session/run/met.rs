@@ -1,6 +1,6 @@
 //! How well hard constraints are met, for the report.
 
-use super::attempts::Tried;
+use super::attempt::Tried;
 use crate::mesh::Point;
 use crate::scene::Scene;
 use crate::session::state::{SolvedScene, same_problem};
