@@ -89,7 +89,8 @@ pub struct Eased {
 /// Maximum number of unmet constraints that are listed.
 const MOST_NAMED: usize = 1000;
 
-/// How well hard constraints are met. Lengths are in the unit of the mesh.
+/// How well hard constraints are met. Lengths are in the unit of the mesh; numbers of work are of the
+/// attempt that found the shape.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ExactReport {
@@ -110,7 +111,7 @@ pub struct ExactReport {
     pub misses: usize,
     /// The worst of them, with indices of rows in the list.
     pub worst: Vec<Unmet>,
-    /// Displacements from the soft solution.
+    /// Displacements from where the attempt began.
     pub moved: Moved,
     /// Number of edges that are as short as allowed.
     pub on_guard: usize,
@@ -128,7 +129,7 @@ pub struct ExactReport {
     pub eased: Option<Eased>,
     /// The gain of an improvement, if one was requested.
     pub improved: Option<Improved>,
-    /// Total time in seconds.
+    /// Time of the attempt in seconds.
     pub seconds: f64,
 }
 
