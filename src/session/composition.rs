@@ -20,8 +20,6 @@ pub struct Session {
     pub(super) measured: MeasureCache,
     /// How the hard constraints were met, and the shape that this holds for.
     pub(super) met: Option<Met>,
-    /// The same for the shape before the variation that is shown.
-    pub(super) met_before: Option<Met>,
     /// The solver by which the current run meets its hard constraints.
     pub(super) meeting: Option<Meeting>,
     /// What the current run may do to meet its hard constraints.

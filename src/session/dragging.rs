@@ -4,7 +4,7 @@ use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
 use super::run::{Collapse, Search};
 use super::state::check_targets;
-use super::undo::{Change, Transaction};
+use super::undo::{Change, Transaction, TransactionKind};
 use crate::mesh::Point;
 use crate::scene::{Lock, SceneError};
 use crate::session::Error;
@@ -77,7 +77,7 @@ impl Session {
 
     /// Begins a drag of vertices that are handles, until [`Session::end_drag`].
     pub fn begin_drag(&mut self) {
-        self.begin(Transaction::drag);
+        self.begin(TransactionKind::Drag);
         self.guard.forget_start();
     }
 
@@ -146,7 +146,7 @@ impl Session {
             self.search = self.search_of_scene();
         }
         if self.transaction.is_none() {
-            self.begin(Transaction::run);
+            self.begin(TransactionKind::Run);
         }
     }
 
@@ -248,7 +248,7 @@ impl Session {
         }
     }
 
-    pub(super) fn begin(&mut self, kind: impl FnOnce(Change) -> Transaction) {
+    pub(super) fn begin(&mut self, kind: TransactionKind) {
         self.end_transaction();
         self.transaction = Some(kind(self.snapshot()));
         self.progress.leave_half();

@@ -45,4 +45,4 @@ mod transaction;
 
 pub(crate) use history::{Change, History};
 pub(crate) use saved::{SavedState, read_history, read_state, write_history, write_state};
-pub(crate) use transaction::{ShownVariation, Transaction};
+pub(crate) use transaction::{ShownVariation, Transaction, TransactionKind};
