@@ -118,6 +118,6 @@ impl Session {
 
     /// Sets the time that reading the files took, in seconds, for the report.
     pub fn set_load_seconds(&mut self, seconds: f64) {
-        self.progress.set_load_seconds(seconds);
+        self.progress.load_seconds = seconds;
     }
 }

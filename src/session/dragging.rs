@@ -170,12 +170,6 @@ impl Session {
         Ok(())
     }
 
-    /// Begins a run that may ease the required `tolerance` of panels (unit of the mesh).
-    pub(super) fn begin_search(&mut self, tolerance: f64) {
-        self.begin_run();
-        self.search = Search::Panels(tolerance);
-    }
-
     /// Makes an edit and begins a run, as one step of undo.
     ///
     /// # Errors
@@ -250,7 +244,7 @@ impl Session {
 
     pub(super) fn begin(&mut self, kind: TransactionKind) {
         self.end_transaction();
-        self.transaction = Some(kind(self.snapshot()));
+        self.transaction = Some(Transaction::new(kind, self.snapshot()));
         self.progress.leave_half();
     }
 }

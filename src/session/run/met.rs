@@ -41,7 +41,7 @@ impl SolvedFor {
 pub(crate) struct Met {
     state: SolvedFor,
     /// Whether all attempts ended without interruption.
-    is_whole: bool,
+    pub(crate) is_whole: bool,
     /// Whether the iterations before them had converged.
     pub(crate) converged: bool,
     pub(crate) report: ExactReport,
@@ -55,10 +55,6 @@ impl Met {
     pub(crate) fn new(scene: &SolvedScene, report: ExactReport) -> Met {
         let state = SolvedFor::new(scene);
         Met { state, is_whole: true, converged: false, report, tried: Vec::new(), chosen: None }
-    }
-
-    pub(crate) fn interrupt(&mut self) {
-        self.is_whole = false;
     }
 
     /// Whether the report holds for the current state of the scene.
