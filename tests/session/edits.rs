@@ -252,7 +252,7 @@ fn a_set_cannot_take_the_name_of_a_group() {
     let mut session =
         Session::open(Scene::new(MeshSource::Inline(Box::default())), mesh).expect("it fits");
     let on = json!({ "each": "face", "in": { "faces": [3] } });
-    let add = json!({ "addConstraint": { "kind": "plane", "on": on } }).to_string();
+    let add = json!({ "addConstraint": { "kind": "plane", "on": on, "weight": 1 } }).to_string();
     session.edit(Edit::from_json(&add).expect("it is an edit")).expect("it fits");
     assert_eq!(session.document().sets.keys().collect::<Vec<_>>(), ["selection 2"]);
 }

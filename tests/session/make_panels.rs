@@ -243,7 +243,7 @@ fn a_press_that_was_undone_says_nothing_about_the_same_constraint_by_hand() {
     (0..20).for_each(|_| assert!(!session.step().expect("it stays finite").ended));
     session.undo().expect("solvable");
     for own in [
-        json!({ "addConstraint": { "kind": "plane", "on": "faces" } }),
+        json!({ "addConstraint": { "kind": "plane", "on": "faces", "weight": 1 } }),
         json!({ "setConstraint": { "index": 0, "require": { "within": asked } } }),
     ] {
         session.edit(Edit::from_json(&own.to_string()).expect("an edit")).expect("it fits");
