@@ -38,6 +38,16 @@ impl Mesh {
     pub(crate) fn all_faces(&self) -> impl Iterator<Item = &[u32]> + Clone {
         self.faces.iter().chain(self.untouched.iter())
     }
+
+    /// Whether one of its groups has this name.
+    pub(crate) fn has_group(&self, name: &str) -> bool {
+        self.groups.iter().any(|group| group.name == name)
+    }
+
+    /// Returns the mesh with other positions, `#V by 3`.
+    pub(crate) fn at(&self, positions: &[Point]) -> Mesh {
+        Mesh { positions: positions.to_vec(), ..self.clone() }
+    }
 }
 
 /// A named set of faces and curves.

@@ -20,8 +20,6 @@ pub struct Session {
     pub(super) measured: MeasureCache,
     /// How the hard constraints were met, and the shape that this holds for.
     pub(super) met: Option<Met>,
-    /// The same for the shape before the variation that is shown.
-    pub(super) met_before: Option<Met>,
     /// The solver by which the current run meets its hard constraints.
     pub(super) meeting: Option<Meeting>,
     /// What the current run may do to meet its hard constraints.
@@ -120,6 +118,6 @@ impl Session {
 
     /// Sets the time that reading the files took, in seconds, for the report.
     pub fn set_load_seconds(&mut self, seconds: f64) {
-        self.progress.set_load_seconds(seconds);
+        self.progress.load_seconds = seconds;
     }
 }

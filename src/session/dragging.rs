@@ -4,7 +4,7 @@ use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
 use super::run::{Collapse, Search};
 use super::state::check_targets;
-use super::undo::{Change, Transaction};
+use super::undo::{Change, Transaction, TransactionKind};
 use crate::mesh::Point;
 use crate::scene::{Lock, SceneError};
 use crate::session::Error;
@@ -77,7 +77,7 @@ impl Session {
 
     /// Begins a drag of vertices that are handles, until [`Session::end_drag`].
     pub fn begin_drag(&mut self) {
-        self.begin(Transaction::drag);
+        self.begin(TransactionKind::Drag);
         self.guard.forget_start();
     }
 
@@ -146,7 +146,7 @@ impl Session {
             self.search = self.search_of_scene();
         }
         if self.transaction.is_none() {
-            self.begin(Transaction::run);
+            self.begin(TransactionKind::Run);
         }
     }
 
@@ -168,12 +168,6 @@ impl Session {
             self.search = Search::Panels(asked);
         }
         Ok(())
-    }
-
-    /// Begins a run that may ease the required `tolerance` of panels (unit of the mesh).
-    pub(super) fn begin_search(&mut self, tolerance: f64) {
-        self.begin_run();
-        self.search = Search::Panels(tolerance);
     }
 
     /// Makes an edit and begins a run, as one step of undo.
@@ -248,9 +242,9 @@ impl Session {
         }
     }
 
-    pub(super) fn begin(&mut self, kind: impl FnOnce(Change) -> Transaction) {
+    pub(super) fn begin(&mut self, kind: TransactionKind) {
         self.end_transaction();
-        self.transaction = Some(kind(self.snapshot()));
+        self.transaction = Some(Transaction::new(kind, self.snapshot()));
         self.progress.leave_half();
     }
 }

@@ -6,7 +6,7 @@ use super::edit::{
     apply, carry, check_lock, check_locks, offered,
 };
 use super::report::{MeasureCache, check_lesson, check_presentation};
-use super::run::Start;
+use super::run::{Search, Start};
 use super::state::{Draft, RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{
     Change, SavedState, Transaction, read_history, read_state, write_history, write_state,
@@ -185,6 +185,7 @@ impl Session {
         let mut state = IterationState { iteration, start: kept_start };
         let (name, back) = self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut state))?;
         let Some(scene) = back else { return Ok(None) };
+        self.leave_search_of(&scene);
         self.arrive(state.iteration, state.start);
         Ok(Some((name, Change { scene, other: None, iteration, start })))
     }
@@ -195,7 +196,10 @@ impl Session {
     /// When the system would be singular; nothing has changed then.
     pub(super) fn exchange(&mut self, change: &mut Change) -> Result<(), Error> {
         match change.other.take() {
-            None => self.scene.exchange(&self.rest, &mut change.scene)?,
+            None => {
+                self.scene.exchange(&self.rest, &mut change.scene)?;
+                self.leave_search_of(&change.scene);
+            }
             Some(other) => self.exchange_mesh(*other, change)?,
         }
         let (iteration, start) = (self.iteration(), self.guard.start());
@@ -213,8 +217,8 @@ impl Session {
     /// or the system would be singular; nothing has changed then.
     fn refine(&mut self, how: &Subdivision, adopts: bool) -> Result<(String, Change), Error> {
         let shape = if adopts { self.scene.positions() } else { self.rest.positions() };
-        let mesh = Mesh { positions: shape.to_vec(), ..self.mesh().clone() };
-        let refined = how.apply(&mesh, self.topology()).map_err(cannot_be_refined)?;
+        let refined =
+            how.apply(&self.mesh().at(shape), self.topology()).map_err(cannot_be_refined)?;
         let name = format!("Refine to {}", words::count(refined.mesh.faces.len(), "face", "faces"));
         let (rest, mut carried) = self.carried_to(&refined, shape, shape);
         if adopts {
@@ -296,7 +300,7 @@ impl Session {
         let refused =
             |why: OperationError| SceneError { path: String::new(), message: why.to_string() };
         let operation = MeshOperation::of(operation).map_err(refused)?;
-        let mesh = Mesh { positions: self.scene.positions().to_vec(), ..self.mesh().clone() };
+        let mesh = self.current_shape();
         let up = self.document().up.direction();
         let topology = self.topology();
         let task = Task { mesh: &mesh, topology, up, sizes, vertices, faces };
@@ -358,8 +362,18 @@ impl Session {
         );
         change.other = Some(Box::new(before));
         self.measured = MeasureCache::default();
-        (self.met, self.met_before, self.meeting) = (None, None, None);
+        (self.met, self.meeting) = (None, None);
+        self.search = Search::Scene;
         Ok(())
+    }
+
+    /// Leaves the search of a press where others than its hard constraints are asked for since a
+    /// change, also by undo: a run would ease those.
+    fn leave_search_of(&mut self, change: &SceneChange) {
+        let document = self.scene.document();
+        if change.parts.iter().any(|part| part.asks_otherwise(document)) {
+            self.search = Search::Scene;
+        }
     }
 
     /// Returns a change that restores the current state.

@@ -26,7 +26,7 @@ impl Session {
     fn comments(&self, mesh: &Mesh, positions: &[Point]) -> Vec<String> {
         let document = self.document();
         // What will be guessed of the file is guessed of this shape.
-        let shape = Mesh { positions: positions.to_vec(), ..mesh.clone() };
+        let shape = mesh.at(positions);
         UnitsAndUp::comments(&document.units, Some(document.up), &shape)
     }
 

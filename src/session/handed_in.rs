@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::edit::{is_of_solver, settings_of};
-use super::state::Settings;
+use super::state::as_asked;
 use crate::constraint::Selector;
 use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, Stand};
 use crate::mesh::Mesh;
@@ -21,7 +21,7 @@ impl Session {
         let goals = self.goals();
         // As it was asked for, before a search chose how to solve it.
         let mut asked = self.scene();
-        Settings::leave_attempt(&mut asked);
+        as_asked(&mut asked);
         let settings = settings_of(&asked).into_iter();
         let Scene { title, constraints, handles, weights, .. } = asked;
         Some(Results {
@@ -94,7 +94,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     }
     // The scene as written if it is handed in unchanged.
     let mut given = Session::open(scene.clone(), mesh.clone())?.scene();
-    Settings::leave_attempt(&mut given);
+    as_asked(&mut given);
     let different = differences(results, &given);
     let (altered, changed) =
         different.into_iter().partition::<Vec<_>, _>(|(part, _)| locks.contains(part));
@@ -195,7 +195,7 @@ fn numbers(
     stand: &Stand,
 ) -> Vec<(String, f64)> {
     let Ok(unit) = LengthInMetres::of(units) else { return Vec::new() };
-    let mesh = Mesh { positions: shape.positions(), ..shape.mesh().clone() };
+    let mesh = shape.current_shape();
     let Ok(build) = Build::standing(&mesh, settings, unit, stand) else { return Vec::new() };
     let known = BUILD_NUMBERS.iter().zip(build.numbers());
     known.filter_map(|(number, value)| Some((number.id.to_owned(), value?))).collect()

@@ -156,12 +156,9 @@ impl Session {
         if let Some(met) = &mut self.met {
             (met.report.attempts, met.report.eased) = (tried.len() as u32, eased);
             (met.tried, met.chosen) = (tried, chosen);
-            met.converged = converged;
+            (met.converged, met.is_whole) = (converged, is_whole);
             if let Some((_, tolerance, _)) = allowed {
                 met.report.tolerance = tolerance;
-            }
-            if !is_whole {
-                met.interrupt();
             }
         }
         Ok(improved.map(|()| true)?)

@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::edit::PanelStart;
-use super::run::{HalfStep, Step, fitted};
+use super::run::{HalfStep, Search, Step, fitted};
 use crate::scene::SolverSettings;
 use crate::session::Error;
 
@@ -125,7 +125,10 @@ impl Session {
         }
         match kind {
             Some(kind) => self.make_panels(kind, tolerance, PanelStart::Now)?,
-            None => self.begin_search(tolerance),
+            None => {
+                self.begin_run();
+                self.search = Search::Panels(tolerance);
+            }
         }
         let (first, most) = (self.iteration(), self.document().solver.iterations);
         // In the page a run without an end is ended by its button.

@@ -144,7 +144,6 @@ impl Checked {
             transaction,
             measured,
             met: None,
-            met_before: None,
             meeting: None,
             search: Search::Scene,
         })

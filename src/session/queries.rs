@@ -394,8 +394,9 @@ impl Session {
         FewerFlips::of(&self.current_shape(), self.topology(), flipped)
     }
 
-    fn current_shape(&self) -> Mesh {
-        Mesh { positions: self.positions(), ..self.mesh().clone() }
+    /// The mesh at its current positions.
+    pub(super) fn current_shape(&self) -> Mesh {
+        self.mesh().at(self.scene.positions())
     }
 
     fn measuring(&mut self) -> Measuring<'_> {

@@ -5,7 +5,7 @@ use super::Session;
 use super::edit::Edit;
 use super::requirements::Required;
 use super::run::{ExactReport, Met};
-use super::undo::{Change, ShownVariation, Transaction};
+use super::undo::{Change, ShownVariation, Transaction, TransactionKind};
 use crate::mesh::Point;
 use crate::session::Error;
 use crate::solve::{Handle, Problem, Requirements, ShapeSpace, Variation};
@@ -109,9 +109,10 @@ impl Session {
             if self.is_dragging() || self.generation() != of {
                 return false;
             }
-            let shown = ShownVariation { of, report: report.clone() };
-            self.begin(|back| Transaction::variation(back, shown));
-            self.met_before = self.met.take();
+            self.end_transaction();
+            let met_before = self.met.take();
+            let shown = ShownVariation { of, report: report.clone(), met_before };
+            self.begin(TransactionKind::Variation(Box::new(shown)));
         }
         self.scene.show(positions);
         self.met = report.map(|report| Met::new(&self.scene, report));
@@ -147,11 +148,13 @@ impl Session {
     /// whether there was one.
     pub fn leave_variation(&mut self) -> bool {
         let shown = self.transaction.as_mut().and_then(Transaction::variation_shown);
-        let Some(of) = shown.map(|shown| shown.of) else { return false };
+        let Some((of, met)) = shown.map(|shown| (shown.of, shown.met_before.take())) else {
+            return false;
+        };
         let Some(transaction) = self.transaction.take() else { return false };
         let mut back: Change = transaction.into_back();
         self.exchange(&mut back).expect("the state was solvable before");
-        self.met = self.met_before.take();
+        self.met = met;
         self.scene.restored(of);
         true
     }

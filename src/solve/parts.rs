@@ -110,7 +110,7 @@ impl Parts {
         });
         let (close, mut corners) = if weights.close > 0.0 {
             let of_design = problem.design.map(|design| {
-                let mesh = Mesh { positions: design.to_vec(), ..mesh.clone() };
+                let mesh = mesh.at(design);
                 move || Rc::new(rest_surface(&mesh, centre))
             });
             let rest_shape = RestShape {

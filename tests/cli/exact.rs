@@ -43,7 +43,7 @@ fn a_tolerance_is_met_and_moves_less() {
 }
 
 #[test]
-fn a_requirement_of_the_command_line_replaces_eased_faces_too() {
+fn a_requirement_of_the_command_line_replaces_what_a_search_chose() {
     let folder = Folder::new("eased");
     let eased = r#""require": { "within": 0.001 }, "eased": { "within": 0.5, "faces": "0-3" }"#;
     let planes = format!(r#", "constraints": [{{ "kind": "plane", "on": "faces", {eased} }}]"#);
@@ -55,6 +55,10 @@ fn a_requirement_of_the_command_line_replaces_eased_faces_too() {
         assert!(number(&exact["tolerance"]) <= 0.01, "{exact}");
         assert!(number(&exact["max_distance"]) <= number(&exact["tolerance"]), "{exact}");
     }
+    // The attempt of other requirements was the only one.
+    folder.write("s.shapeup.json", scene(&format!(r#"{planes}, "attempt": {{ "from": "rest" }}"#)));
+    folder.run(&["solve", "s.shapeup.json", "--report", "r.json", "--within", "auto"]).done();
+    assert_eq!(folder.json("r.json")["verdict"]["attempts"][0]["name"], "soft");
 }
 
 #[test]

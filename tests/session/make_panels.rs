@@ -235,6 +235,26 @@ fn only_the_tolerance_of_all_panels_is_eased_where_another_row_has_the_same() {
 }
 
 #[test]
+fn a_press_that_was_undone_says_nothing_about_the_same_constraint_by_hand() {
+    // Its run went on as the press had: panels were given a larger tolerance.
+    let mut session = session(few_bumps(), "");
+    let asked = session.tolerance();
+    session.make_panels("plane", asked, PanelStart::Now).expect("it has quads");
+    (0..20).for_each(|_| assert!(!session.step().expect("it stays finite").ended));
+    session.undo().expect("solvable");
+    for own in [
+        json!({ "addConstraint": { "kind": "plane", "on": "faces", "weight": 1 } }),
+        json!({ "setConstraint": { "index": 0, "require": { "within": asked } } }),
+    ] {
+        session.edit(Edit::from_json(&own.to_string()).expect("an edit")).expect("it fits");
+    }
+    session.begin_run();
+    run(&mut session);
+    let row = &session.document().constraints[0];
+    assert_eq!((row.require, &row.eased), (Require::Within(asked), &None));
+}
+
+#[test]
 fn a_press_that_is_interrupted_eases_no_more_than_one_that_is_not() {
     let asked = session(few_bumps(), "").tolerance();
     let eased = |interruptions: &[usize]| {

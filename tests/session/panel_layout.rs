@@ -242,6 +242,9 @@ fn selected_faces_stay_as_they_are() {
     assert!(session.take_panels(generation, &layout.mesh).expect("it can be solved"));
     let after = corners(session.mesh());
     assert!(before.iter().all(|face| after.contains(face)));
+    // The step has the number of the dialogue.
+    let name = format!("Lay out {} panels", layout.count);
+    assert_eq!(session.undo_and_redo()[0], Some(&*name));
     assert!(session.panel_layouts(&[1000]).is_err());
 }
 

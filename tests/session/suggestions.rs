@@ -125,3 +125,21 @@ fn weighing_constraints_more_brings_all_panels_within_the_tolerance() {
     let verdict = session.verdict(session.tolerance()).expect("all panels are asked to be circles");
     assert_eq!(verdict.within, verdict.of, "worst {:e}", verdict.worst);
 }
+
+#[test]
+fn what_has_no_weight_hides_no_suggestion() {
+    // Its distance, which nothing makes smaller, was taken for the worst.
+    let mesh =
+        grid(6, 6, |i, j| [f64::from(i), f64::from(j), f64::from((i * 5 + j * 7) % 4) / 8.0]);
+    let rows = |more: &str| {
+        let planes = r#"{ "kind": "plane", "on": "faces", "weight": 1e-4 }"#;
+        let mut session = session(mesh.clone(), &format!(r#""constraints": [{planes}{more}]"#));
+        run(&mut session, 300);
+        let found = suggestions(&session).into_iter();
+        found.map(|it| it.label).collect::<Vec<_>>()
+    };
+    let alone = rows("");
+    assert!(!alone.is_empty());
+    let beside = rows(r#", { "kind": "line", "on": { "vertices": [0, 6, 48] }, "weight": 0 }"#);
+    assert!(alone.iter().all(|label| beside.contains(label)), "{beside:?} {alone:?}");
+}

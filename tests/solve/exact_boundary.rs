@@ -229,3 +229,20 @@ fn hard_constraints_are_met_with_the_boundary_on_its_curve() {
     let exact = session.exact().expect("it was met");
     assert!(exact.met, "{exact:?}");
 }
+
+#[test]
+fn hard_constraints_of_a_mesh_that_is_all_boundary_are_met_along_it() {
+    // Nothing was tried: all of its vertices counted as fixed, though they glide.
+    let strip = grid(6, 1, |i, j| {
+        let along = f64::from(j) * 0.2 * libm::sin(std::f64::consts::PI * f64::from(i) / 6.0);
+        let x = f64::from(i) + along;
+        [x, f64::from(j), 0.05 * x * x]
+    });
+    let panels = r#""on": "faces", "require": { "within": 1e-3 }"#;
+    let mut session = opened(&strip, &OWN.replace(r#""on": "faces""#, panels));
+    session.solve(false).expect("positions stay finite");
+    let exact = session.exact().expect("it was tried");
+    assert!(exact.met && exact.iterations > 0, "{exact:?}");
+    let [off, corner] = off_curve(&strip, &session.positions());
+    assert!(off <= 1e-15 * size(&strip) && corner == 0.0, "{off} {corner}");
+}

@@ -5,7 +5,9 @@ use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::constraint::describe;
 use shape_up::session::Error;
-use shape_up::session::{EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of};
+use shape_up::session::{
+    EndWords, ExactReport, Report, Session, VerdictReport, as_asked, tolerance_of,
+};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
 use std::fmt::Write;
@@ -26,6 +28,10 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         Failure::Input(format!("{}: {message}", command.input.display()))
     };
     let is_press = command.require == Some(Required::Auto);
+    if command.panels.is_some() || command.require.is_some() {
+        // What a search chose was for other requirements.
+        as_asked(&mut scene);
+    }
     if let Some(kind) = command.panels.filter(|_| !is_press) {
         scene.request_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
     }
@@ -37,9 +43,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     if let Some(require) = require {
         // That of the command takes its place.
         scene.tolerance = None;
-        for row in &mut scene.constraints {
-            (row.require, row.eased) = (require, None);
-        }
+        scene.constraints.iter_mut().for_each(|row| row.require = require);
     }
     scene.closeness.boundary = command.boundary.or(scene.closeness.boundary);
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);

@@ -9,14 +9,14 @@ use super::shapes::{
     IterationState, back_to_rest, go_to_variant, keep_variant, remove_variant, renumber_variants,
     reset, set_steps, show_step,
 };
-use crate::constraint::{Kind, KindError, Selector, Set};
+use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
-    AttemptStart, ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose,
-    Scene, SceneError, Target, Variants, check_tolerance,
+    ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, Scene,
+    SceneError, Target, Variants, check_tolerance,
 };
 use crate::session::report::{check_lesson, check_presentation, panel_row};
-use crate::session::state::{Draft, Part, RowValues, Settings, uses};
+use crate::session::state::{Draft, Part, RowValues, Settings, leave_search, uses};
 use crate::solve::{Handle, HandleIndex, Require};
 use crate::words;
 use serde_json::{Map, Value};
@@ -40,8 +40,7 @@ pub(crate) fn apply(
     state: &mut IterationState,
 ) -> Result<String, SceneError> {
     let handles = draft.shared_handles();
-    let is_chosen = draft.document().attempt.from != AttemptStart::Soft;
-    let chosen_for = is_chosen.then(|| HardRow::all(draft.document()));
+    let from = draft.document().attempt.from;
     let name = match edit {
         Edit::AddConstraint(new) => add(new, draft),
         Edit::MakePanels { kind, within, from } => {
@@ -284,9 +283,9 @@ pub(crate) fn apply(
             "Reset".to_owned()
         }
     };
-    if chosen_for.is_some_and(|rows| rows != HardRow::all(draft.document())) {
-        let settings = Settings::of(draft.document());
-        draft.put(Part::Settings(settings.of_other_constraints()));
+    let asked = draft.document();
+    if asked.attempt.from != from || draft.changed().any(|part| part.asks_otherwise(asked)) {
+        leave_search(asked).into_iter().for_each(|part| draft.put(part));
     }
     check_changes(draft, &handles)?;
     // Renaming or removing a row can break these too; the saved scene could not be opened.
@@ -295,33 +294,10 @@ pub(crate) fn apply(
     Ok(name)
 }
 
-/// A hard constraint, as far as an attempt was chosen for it.
-#[derive(PartialEq)]
-struct HardRow {
-    kind: Kind,
-    on: Selector,
-    set: Option<Set>,
-    require: Require,
-}
-
-impl HardRow {
-    /// Those of a scene.
-    fn all(document: &Scene) -> Vec<HardRow> {
-        let hard = document.constraints.iter().filter(|row| row.enabled && row.require.is_hard());
-        let of_row = |row: &ConstraintSpec| HardRow {
-            kind: row.kind.clone(),
-            on: row.on.clone(),
-            set: row.on.named().and_then(|name| document.sets.get(name)).cloned(),
-            require: row.require,
-        };
-        hard.map(of_row).collect()
-    }
-}
-
 /// Refuses that a name stands for the group of the mesh no longer, or from now on: what is on it would
 /// be on other elements.
 fn check_name_of_group(name: &str, draft: &Draft<'_>) -> Result<(), SceneError> {
-    if draft.mesh().groups.iter().all(|group| group.name != name) {
+    if !draft.mesh().has_group(name) {
         return Ok(());
     }
     let message =
@@ -339,7 +315,8 @@ fn read_text(name: &str, text: &str) -> Result<Read, SceneError> {
 fn add(new: NewConstraint, draft: &mut Draft<'_>) -> String {
     let NewConstraint { mut spec, set } = new;
     let name = format!("Add {}", label_of(&spec));
-    let (on, named) = ConstraintTarget { on: spec.on, set }.named_in(&draft.document().sets);
+    let target = ConstraintTarget { on: spec.on, set };
+    let (on, named) = target.named_in(&draft.document().sets, draft.mesh());
     spec.on = on;
     if let Some((name, set)) = named {
         draft.put(Part::Set(name, Some(set)));

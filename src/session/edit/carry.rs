@@ -8,8 +8,8 @@
 use crate::constraint::{Element, Selector, describe, resolve};
 use crate::math::marked;
 use crate::mesh::{Edited, Origins, Point, Topology};
-use crate::scene::{ConstraintSpec, EasedFaces, Hold, Lock, MeshSource, Pose, Scene};
-use crate::session::state::{RestMesh, Settings, resolve_row};
+use crate::scene::{ConstraintSpec, Hold, Lock, MeshSource, Pose, Scene};
+use crate::session::state::{RestMesh, as_asked, resolve_row};
 use crate::solve::Handle;
 use crate::words;
 use serde_json::Value;
@@ -60,7 +60,7 @@ pub(crate) fn carry(
     // No file contains this mesh.
     document.mesh = MeshSource::Inline(Box::default());
     // How the constraints were met says nothing about another mesh: it has the user's settings.
-    Settings::leave_attempt(&mut document);
+    as_asked(&mut document);
     if let Some(Pose::Positions(pose)) = &mut document.pose {
         *pose = moved(pose).into();
     }
@@ -94,7 +94,6 @@ pub(crate) fn carry(
     let rows = std::mem::take(&mut document.constraints);
     for mut row in rows {
         let label = named(&row);
-        row.eased = row.eased.take().and_then(|eased| carry_eased(eased, origins));
         let resolved = carry_row(&mut row, before.topology(), origins).and_then(|()| {
             let resolved = resolve_row(&row, &document, after.mesh(), after.topology());
             resolved.map_err(|why| why.to_string())
@@ -115,12 +114,6 @@ pub(crate) fn carry(
         }
     }
     Carried { document, handles: carried, positions: now, lost, dropped }
-}
-
-/// Carries over the faces with an eased tolerance, if any are left.
-fn carry_eased(eased: EasedFaces, origins: &Origins) -> Option<EasedFaces> {
-    let faces = carry_faces(&eased.faces, origins);
-    (!faces.is_empty()).then_some(EasedFaces { faces, ..eased })
 }
 
 /// Carries over the vertices of a row.

@@ -30,9 +30,9 @@ impl ConstraintTarget {
     /// The placeholder for `set` in the selector.
     pub const UNNAMED: &str = "";
 
-    /// Returns the selector with the name that its set has in `sets`. If it has none, chooses an
-    /// unused name and also returns it with the set.
-    pub(crate) fn named_in(self, sets: &Sets) -> (Selector, Option<(String, Set)>) {
+    /// Returns the selector with the name that its set has in `sets`. If it has none, chooses a name
+    /// that no set has, and no group of the `mesh`, and also returns it with the set.
+    pub(crate) fn named_in(self, sets: &Sets, mesh: &Mesh) -> (Selector, Option<(String, Set)>) {
         let ConstraintTarget { mut on, set } = self;
         let Some(set) = set else { return (on, None) };
         let known = sets.iter().find(|(_, other)| **other == set);
@@ -40,7 +40,7 @@ impl ConstraintTarget {
             Some((name, _)) => name.clone(),
             None => (1..)
                 .map(|k| format!("selection {k}"))
-                .find(|name| !sets.contains_key(name))
+                .find(|name| !sets.contains_key(name) && !mesh.has_group(name))
                 .expect("some number is free"),
         };
         if let Selector::Each { within: Some(within), .. } = &mut on {

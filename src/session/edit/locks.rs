@@ -73,6 +73,8 @@ fn locks_of(before: &Part, now: &Scene) -> Vec<Lock> {
         Part::RowValues(index, before) if before.weight != now.constraints[*index].weight => {
             vec![Lock::Weights, Lock::Constraints]
         }
+        // Not what a search has eased.
+        Part::RowValues(index, before) if before.asks_as(&now.constraints[*index]) => Vec::new(),
         Part::RowValues(..) => vec![Lock::Constraints],
         Part::Set(name, before) => {
             let [by_rows, by_weights] = uses(name, now);

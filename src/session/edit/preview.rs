@@ -52,7 +52,7 @@ fn sizes<'a>(
     rest: &RestMesh,
 ) -> Result<Sizes<'a>, SceneError> {
     let (mesh, topology) = (rest.mesh(), rest.topology());
-    let (on, named) = place.clone().named_in(sets);
+    let (on, named) = place.clone().named_in(sets, mesh);
     // A selector refers to at most one set.
     let own = named.map(|named| Sets::from([named]));
     let selected = select(&on, mesh, topology, own.as_ref().unwrap_or(sets))

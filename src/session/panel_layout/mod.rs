@@ -25,6 +25,7 @@ use crate::quads::RemeshObserver;
 use crate::scene::{Lock, SceneError};
 use crate::session::Error;
 use crate::words;
+use std::collections::HashSet;
 use std::rc::Rc;
 
 impl Session {
@@ -39,7 +40,7 @@ impl Session {
             let message = format!("there is no face {face}, expected less than {faces}");
             return Err(SceneError { path: String::new(), message }.into());
         }
-        Ok(PanelLayouts::new(self.current_mesh(), &self.document().units, kept))
+        Ok(PanelLayouts::new(self.current_shape(), &self.document().units, kept))
     }
 
     /// Lays out panels once; see [`PanelLayouts::lay_out`].
@@ -66,18 +67,20 @@ impl Session {
         }
         check_lock(Lock::Mesh, self.document())?;
         self.end_transaction();
-        let edited = Edited::covering(&self.current_mesh(), panels);
+        let shape = self.current_shape();
+        // Faces that stay as they are have not been laid out.
+        let corners = |mesh: &Mesh| -> Vec<Vec<[u64; 3]>> {
+            let at = |&v: &u32| mesh.positions[v as usize].map(f64::to_bits);
+            mesh.faces.iter().map(|face| face.iter().map(at).collect()).collect()
+        };
+        let there: HashSet<_> = corners(&shape).into_iter().collect();
+        let new = corners(panels).iter().filter(|face| !there.contains(*face)).count();
+        let edited = Edited::covering(&shape, panels);
         let Mesh { positions: rest, faces, .. } = self.mesh().clone();
         let positions = self.document().variants.design_positions().map_or(rest, <[_]>::to_vec);
         let original = Rc::new(Mesh { positions, faces, ..Mesh::default() });
         let change = self.replace_mesh(&edited, |scene| scene.closeness.stay_on(&original))?;
-        let count = words::count(panels.faces.len(), "panel", "panels");
-        self.history.push(format!("Lay out {count}"), change);
+        self.history.push(format!("Lay out {}", words::count(new, "panel", "panels")), change);
         Ok(true)
-    }
-
-    /// The mesh at its current positions.
-    fn current_mesh(&self) -> Mesh {
-        Mesh { positions: self.positions(), ..self.mesh().clone() }
     }
 }

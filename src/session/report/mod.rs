@@ -10,8 +10,7 @@
 //! | `face_measure` | the measures of faces, by which hosts colour and list them |
 //! | `measuring` | the shapes to be measured |
 //! | `measure_cache` | measures of the current shape, each computed once |
-//! | `angles` | the angles at the corners of the faces |
-//! | `tables` | errors and energies as CSV |
+//! | `tables` | errors, energies and angles as CSV |
 //! | `worst` | the elements that are farthest from their constraints |
 //! | `projected` | the projections of the constraints, for drawing |
 //! | `constraint_map` | the row of constraints of each face and vertex |
@@ -19,7 +18,6 @@
 //! | `mesh_diagnostics` | elements of the mesh that have a problem |
 //! | `lesson` | the goals of a lesson |
 
-mod angles;
 mod constraint_map;
 mod exact_words;
 mod face_measure;
@@ -36,7 +34,6 @@ mod verdict;
 mod verdict_words;
 mod worst;
 
-pub(crate) use angles::{angles, angles_csv};
 pub(crate) use constraint_map::{ConstraintCoverage, acting_rows};
 pub use constraint_map::{ConstraintMap, RowPalette};
 pub use exact_words::{ExactWords, TrialWords, WeakerRequirement};
@@ -57,7 +54,7 @@ pub use projected::Projections;
 pub(crate) use projected::projections;
 pub use run_report::{EnergyReport, Report, Seconds, Unpaired};
 pub use run_verdict::{EndWords, RunVerdict};
-pub(crate) use tables::{convergence_csv, errors_csv};
+pub(crate) use tables::{angles, angles_csv, convergence_csv, errors_csv};
 pub use verdict::{EasedPanels, Verdict, tolerance_of};
 pub(crate) use verdict::{panel_progress, tolerance};
 pub use verdict_words::VerdictWords;

@@ -172,7 +172,7 @@ impl Report {
             folded: NonZeroUsize::new(rest.folded_by(scene.positions()).len()),
             exact,
             seconds: Seconds {
-                load: progress.load_seconds(),
+                load: progress.load_seconds,
                 assemble: set_up.assemble,
                 order: set_up.order,
                 factor: set_up.factor,

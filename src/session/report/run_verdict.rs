@@ -47,14 +47,8 @@ impl RunVerdict {
     pub(crate) fn of(model: &mut Measuring<'_>, tolerance: f64) -> Option<RunVerdict> {
         let document = model.scene.document();
         let units = document.units.clone();
-        let rows = document.constraints.iter().enumerate().filter(|(_, row)| row.enabled);
-        let errors = rows.zip(model.scene.solver().found());
-        let weighed = errors.filter(|((_, row), _)| row.weight > 0.0);
-        let (row, label, error) = weighed
-            .map(|((index, row), found)| {
-                (index, row.label().to_owned(), found.worst_squared.sqrt())
-            })
-            .reduce(|worst, other| if other.2 > worst.2 { other } else { worst })?;
+        let (row, error) = model.scene.worst_row()?;
+        let label = document.constraints[row].label().to_owned();
         let within = words::limit(tolerance, &units);
         if error <= tolerance {
             let brief = format!("All constraints are satisfied within {within}.");

@@ -1,13 +1,18 @@
-//! Tables for export as CSV: the errors of the faces, and the energies of the iterations. They are
-//! comma-separated with a decimal point and one header line. Numbers have the fewest digits that
-//! read back to the same bits. Units are in the header, in brackets, if known.
+//! Tables for export as CSV: the errors of the faces, the energies of the iterations, and the angles
+//! at the corners of the faces (paper Fig. 7). They are comma-separated with a decimal point and one
+//! header line. Numbers have the fewest digits that read back to the same bits. Units are in the header,
+//! in brackets, if known.
 
 use super::face_measure::{FACE_MEASURES, face_values};
-use super::measuring::{Measuring, Shape};
+use super::measuring::{Measuring, Shape, positions};
 use crate::fabricate::file::text_field;
-use crate::mesh::Decimal;
+use crate::mesh::{Decimal, angle_histogram};
 use crate::session::run::TraceEntry;
+use crate::session::state::{RestMesh, SolvedScene};
 use crate::words::MeasureUnit;
+
+/// Number of bins of equal width from 0 to 180 degrees.
+const ANGLE_BINS: usize = 36;
 
 /// One line per face, from 0: its corners, its groups, and every measure of [`FACE_MEASURES`],
 /// empty if the face has no value.
@@ -63,6 +68,24 @@ pub(crate) fn convergence_csv(trace: &[TraceEntry], units: &str) -> String {
     for TraceEntry { iteration, energy: e } in trace {
         let numbers = [e.shape, e.close, e.smooth, e.handles, e.total];
         row(&mut text, &[iteration.to_string()], &numbers);
+    }
+    text
+}
+
+/// Histogram of the face angles, in bins of five degrees from 0 to 180.
+pub(crate) fn angles(scene: &SolvedScene, rest: &RestMesh, shape: Shape) -> Vec<u32> {
+    angle_histogram(&positions(scene, rest, shape), &rest.mesh().faces, ANGLE_BINS)
+}
+
+/// One line per bin: its lower and upper angle, and the number of corners of the original and of
+/// the current shape in it.
+pub(crate) fn angles_csv(scene: &SolvedScene, rest: &RestMesh) -> String {
+    let [original, now] = [Shape::Original, Shape::Now].map(|shape| angles(scene, rest, shape));
+    let mut text = "from (°),to (°),original,now\n".to_owned();
+    let width = 180 / ANGLE_BINS;
+    for (bin, (original, now)) in original.iter().zip(&now).enumerate() {
+        let from = bin * width;
+        text.push_str(&format!("{from},{},{original},{now}\n", from + width));
     }
     text
 }

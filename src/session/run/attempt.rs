@@ -1,8 +1,10 @@
 //! One way to meet hard constraints, and which ways a search may take.
 
 use super::easing::Tolerances;
+use super::outcome::Level;
 use crate::scene::{AttemptStart, ChosenAttempt};
 use crate::solve::Requirements;
+use serde::Serialize;
 
 /// What the search may do.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,11 +55,6 @@ impl Attempt {
         }
     }
 
-    /// The factor of the smoothness weight.
-    fn smoother(&self) -> f64 {
-        if let Attempt::Smoother(times) = self { *times } else { 1.0 }
-    }
-
     /// Maximum number of iterations of the approach.
     pub(crate) fn iterations(&self) -> u32 {
         match self {
@@ -76,7 +73,23 @@ impl Attempt {
             Attempt::Eased(_) => AttemptStart::Eased,
         };
         let on_surface = *self == Attempt::OnSurface;
-        let smoother = self.smoother();
+        let smoother = if let Attempt::Smoother(times) = self { *times } else { 1.0 };
         ChosenAttempt { from, smoother, on_surface, ..ChosenAttempt::default() }
     }
+}
+
+/// An attempt that has ended.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Tried {
+    /// Its name: `soft`, `rest`, `exact`, `surface`, `smoother 10`, `eased`.
+    pub name: String,
+    /// The level of its shape.
+    pub level: Level,
+    /// Number of constraints that it did not meet.
+    pub misses: usize,
+    /// Number of faces that it folded.
+    pub folded: usize,
+    /// Largest distance of a vertex from its rest position, in the unit of the mesh.
+    pub moved: f64,
 }

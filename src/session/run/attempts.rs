@@ -12,11 +12,10 @@
 //! Of two shapes one is taken for better only if it is so by a margin: results within rounding of
 //! each other do not change the choice. A scene that names an attempt is solved by that one alone.
 
-use super::attempt::{Attempt, Search};
+use super::attempt::{Attempt, Search, Tried};
 use super::easing::Easing;
 use super::outcome::{Flaw, Level, Outcome};
 use crate::scene::{AttemptStart, ChosenAttempt};
-use serde::Serialize;
 
 /// Factors of the smoothness weight, in order.
 const SMOOTHER: [f64; 2] = [10.0, 30.0];
@@ -36,22 +35,6 @@ const FEW: f64 = 0.01;
 /// less where a shape has been found that can be built.
 const MOST_WORK: u64 = 10_000_000;
 const MOST_WORK_ONCE_WHOLE: u64 = 4_000_000;
-
-/// An attempt that has ended.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct Tried {
-    /// Its name: `soft`, `rest`, `exact`, `surface`, `smoother 10`, `eased`.
-    pub name: String,
-    /// The level of its shape.
-    pub level: Level,
-    /// Number of constraints that it did not meet.
-    pub misses: usize,
-    /// Number of faces that it folded.
-    pub folded: usize,
-    /// Largest distance of a vertex from its rest position, in the unit of the mesh.
-    pub moved: f64,
-}
 
 /// The attempts of one run.
 #[derive(Debug)]
@@ -133,7 +116,6 @@ impl Attempts {
         around: &dyn Fn(&[u32]) -> Vec<u32>,
     ) -> Option<Attempt> {
         self.work += outcome.work;
-        self.record(outcome);
         if matches!(self.now, Attempt::Eased(_)) {
             let easing = self.easing.as_mut()?;
             let easing_all = easing.eases_all();
@@ -179,30 +161,28 @@ impl Attempts {
         std::mem::take(&mut self.is_best).then_some(before)
     }
 
-    /// Adds an attempt to the list; steps within larger tolerances are one.
-    fn record(&mut self, outcome: &Outcome) {
+    /// Adds an attempt to the list, where steps within larger tolerances are one; if it is the best so
+    /// far, it is kept as that.
+    fn keep(&mut self, outcome: &Outcome, is_best: bool) {
         let is_eased = matches!(self.now, Attempt::Eased(_));
         let name = self.named.then(self.now.chosen()).name();
-        if is_eased && self.tried.last().is_some_and(|last| last.name == name) {
-            // Of the steps within larger tolerances, the last that can be built counts.
-            if !outcome.is_whole() {
-                return;
-            }
-            self.tried.pop();
+        let is_again = is_eased && self.tried.last().is_some_and(|last| last.name == name);
+        let place = self.tried.len() - usize::from(is_again);
+        let was_best = self.best.as_ref().is_some_and(|(best, _)| *best == place);
+        // Of the steps within larger tolerances, the best counts, or else the last that can be built.
+        if is_best || !is_again || (outcome.is_whole() && !was_best) {
+            self.tried.truncate(place);
+            self.tried.push(Tried {
+                name,
+                level: outcome.level(is_eased, self.edge),
+                misses: outcome.misses,
+                folded: outcome.measure.folded.len(),
+                moved: outcome.measure.moved.max,
+            });
         }
-        self.tried.push(Tried {
-            name,
-            level: outcome.level(is_eased, self.edge),
-            misses: outcome.misses,
-            folded: outcome.measure.folded.len(),
-            moved: outcome.measure.moved.max,
-        });
-    }
-
-    fn keep(&mut self, outcome: &Outcome, is_best: bool) {
         self.is_best = is_best;
         if is_best {
-            self.best = Some((self.tried.len() - 1, outcome.clone()));
+            self.best = Some((place, outcome.clone()));
         }
     }
 
@@ -333,10 +313,21 @@ mod tests {
         outcome
     }
 
+    fn flat(folded: u32) -> Outcome {
+        let mut outcome = folds(folded);
+        let change = Some(BendChange::Flatter);
+        outcome.measure.bend = Bend { rest: 4.0, now: 1.0, change };
+        outcome
+    }
+
+    fn attempts(search: Search, from: AttemptStart) -> Attempts {
+        let named = ChosenAttempt { from, ..ChosenAttempt::default() };
+        Attempts::new(search, named, [true; 3], 1000, [EDGE; 2])
+    }
+
     /// The attempts that follow these `outcomes`, and whether each was the best so far.
     fn follow(search: Search, outcomes: &[Outcome]) -> Vec<(bool, Option<Attempt>)> {
-        let mut attempts =
-            Attempts::new(search, ChosenAttempt::default(), [true; 3], 1000, [EDGE; 2]);
+        let mut attempts = attempts(search, AttemptStart::Soft);
         let each = outcomes.iter().map(|outcome| {
             let next = attempts.after(outcome, &|faces| faces.to_vec());
             let is_best = attempts.is_best();
@@ -436,18 +427,30 @@ mod tests {
 
     #[test]
     fn some_larger_tolerances_are_better_than_another_design() {
-        let flat = |folded: u32| {
-            let mut outcome = folds(folded);
-            let change = Some(BendChange::Flatter);
-            outcome.measure.bend = Bend { rest: 4.0, now: 1.0, change };
-            outcome
-        };
         let outcomes = [folds(20), flat(0), flat(0), flat(0), folds(0), folds(0), folds(0)];
         let best: Vec<bool> = press(&outcomes).iter().map(|(is_best, _)| *is_best).collect();
         // Only the last of them has the required tolerance.
         assert_eq!(best, [true, true, false, false, false, false, true]);
         // Where nothing folds, nothing is eased.
         assert_eq!(press(&[flat(0), flat(0), flat(0)])[2], (false, None));
+    }
+
+    #[test]
+    fn what_is_listed_as_chosen_is_the_shape_that_is_kept() {
+        // A later step within larger tolerances was listed, though it was not taken.
+        let moved = |mut outcome: Outcome, far: f64| {
+            outcome.measure.moved.max = far;
+            outcome
+        };
+        let mut attempts = attempts(Search::Panels(4e-4), AttemptStart::Soft);
+        let before = [folds(20), flat(0), flat(0), flat(0), folds(0), folds(0), folds(1)];
+        for outcome in before.into_iter().chain([moved(folds(0), 0.1), moved(flat(0), 0.5)]) {
+            let next = attempts.after(&outcome, &|faces| faces.to_vec());
+            next.into_iter().for_each(|next| drop(attempts.begin(next)));
+        }
+        let (tried, chosen) = attempts.tried();
+        let listed = chosen.map(|place| (&*tried[place].name, tried[place].moved));
+        assert_eq!(listed, Some(("eased", 0.1)), "{tried:?}");
     }
 
     #[test]
@@ -463,23 +466,19 @@ mod tests {
 
     #[test]
     fn a_scene_is_run_as_it_was_solved() {
-        let named = |from| ChosenAttempt { from, ..ChosenAttempt::default() };
-        let first =
-            |from, search| Attempts::new(search, named(from), [true; 3], 1000, [EDGE; 2]).now;
+        let first = |from, search| attempts(search, from).now;
         let press = Search::Panels(4e-4);
         assert_eq!(first(AttemptStart::Rest, Search::Scene), Attempt::FromRest);
         assert_eq!(first(AttemptStart::Exact, Search::Scene), Attempt::Exact);
         assert_eq!(first(AttemptStart::Rest, Search::Off), Attempt::FromSoft);
         // The tolerance was eased because the first attempt folded.
-        let mut attempts =
-            Attempts::new(press, named(AttemptStart::Eased), [true; 3], 1000, [EDGE; 2]);
-        assert_eq!(attempts.now, Attempt::FromSoft);
-        let next = attempts.after(&folds(3), &|faces| faces.to_vec());
+        let mut eased = attempts(press, AttemptStart::Eased);
+        assert_eq!(eased.now, Attempt::FromSoft);
+        let next = eased.after(&folds(3), &|faces| faces.to_vec());
         assert!(matches!(next, Some(Attempt::Eased(_))), "{next:?}");
         // The settings of the attempt are those of the scene: nothing is added to them.
-        let mut attempts =
-            Attempts::new(Search::Scene, named(AttemptStart::Rest), [true; 3], 1000, [EDGE; 2]);
-        assert_eq!(attempts.after(&folds(3), &|faces| faces.to_vec()), None);
+        let mut rest = attempts(Search::Scene, AttemptStart::Rest);
+        assert_eq!(rest.after(&folds(3), &|faces| faces.to_vec()), None);
     }
 
     #[test]

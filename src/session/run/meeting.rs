@@ -1,7 +1,7 @@
 //! Meeting hard constraints in a run.
 
-use super::attempt::Attempt;
-use super::attempts::{Attempts, Tried};
+use super::attempt::{Attempt, Tried};
+use super::attempts::Attempts;
 use super::outcome::Outcome;
 use crate::mesh::Point;
 use crate::solve::{Exact, SolveError, Solver, Stage, clock};

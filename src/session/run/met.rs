@@ -1,6 +1,6 @@
 //! How well hard constraints are met, for the report.
 
-use super::attempts::Tried;
+use super::attempt::Tried;
 use crate::mesh::Point;
 use crate::scene::Scene;
 use crate::session::state::{SolvedScene, same_problem};
@@ -41,7 +41,7 @@ impl SolvedFor {
 pub(crate) struct Met {
     state: SolvedFor,
     /// Whether all attempts ended without interruption.
-    is_whole: bool,
+    pub(crate) is_whole: bool,
     /// Whether the iterations before them had converged.
     pub(crate) converged: bool,
     pub(crate) report: ExactReport,
@@ -55,10 +55,6 @@ impl Met {
     pub(crate) fn new(scene: &SolvedScene, report: ExactReport) -> Met {
         let state = SolvedFor::new(scene);
         Met { state, is_whole: true, converged: false, report, tried: Vec::new(), chosen: None }
-    }
-
-    pub(crate) fn interrupt(&mut self) {
-        self.is_whole = false;
     }
 
     /// Whether the report holds for the current state of the scene.
@@ -89,7 +85,8 @@ pub struct Eased {
 /// Maximum number of unmet constraints that are listed.
 const MOST_NAMED: usize = 1000;
 
-/// How well hard constraints are met. Lengths are in the unit of the mesh.
+/// How well hard constraints are met. Lengths are in the unit of the mesh; numbers of work are of the
+/// attempt that found the shape.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ExactReport {
@@ -110,7 +107,7 @@ pub struct ExactReport {
     pub misses: usize,
     /// The worst of them, with indices of rows in the list.
     pub worst: Vec<Unmet>,
-    /// Displacements from the soft solution.
+    /// Displacements from where the attempt began.
     pub moved: Moved,
     /// Number of edges that are as short as allowed.
     pub on_guard: usize,
@@ -128,7 +125,7 @@ pub struct ExactReport {
     pub eased: Option<Eased>,
     /// The gain of an improvement, if one was requested.
     pub improved: Option<Improved>,
-    /// Total time in seconds.
+    /// Time of the attempt in seconds.
     pub seconds: f64,
 }
 

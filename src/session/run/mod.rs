@@ -30,9 +30,9 @@ mod progress;
 mod shape_measure;
 mod trace;
 
+pub use attempt::Tried;
 pub(crate) use attempt::{Attempt, Search};
 pub(crate) use attempts::Attempts;
-pub use attempts::Tried;
 pub(crate) use collapse::Start;
 pub use collapse::{Collapse, CollapseReason};
 pub(crate) use collapse_guard::CollapseGuard;

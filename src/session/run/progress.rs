@@ -9,7 +9,8 @@ pub(crate) struct Progress {
     initial: Energy,
     trace: Option<Trace>,
     halfway: bool,
-    load_seconds: f64,
+    /// The time that reading the files took, in seconds.
+    pub(crate) load_seconds: f64,
     /// Whether the next jump is to the end of the run: see [`Trace::end_with`].
     ends: bool,
 }
@@ -44,15 +45,6 @@ impl Progress {
     /// Clears the mark of the local step, because something other than the global step follows.
     pub(crate) fn leave_half(&mut self) {
         self.halfway = false;
-    }
-
-    /// The time that reading the files took, in seconds.
-    pub(crate) fn load_seconds(&self) -> f64 {
-        self.load_seconds
-    }
-
-    pub(crate) fn set_load_seconds(&mut self, seconds: f64) {
-        self.load_seconds = seconds;
     }
 
     /// Counts an iteration without recording its energies.

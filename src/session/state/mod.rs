@@ -18,7 +18,8 @@ mod solved_scene;
 
 pub use handles::check_targets;
 pub(crate) use handles::{flat, grouped};
-pub(crate) use part::{Part, RowValues, Settings, same_problem, uses};
+pub use part::as_asked;
+pub(crate) use part::{Part, RowValues, Settings, leave_search, same_problem, uses};
 pub(crate) use rest_mesh::RestMesh;
 pub use rows::{Paired, ResolvedRow};
 pub(crate) use rows::{edges_among, resolve_row, resolve_rows};

@@ -76,6 +76,29 @@ impl RowValues {
         let ConstraintSpec { kind, weight, enabled, require, eased, .. } = row.clone();
         RowValues { kind, weight, enabled, require, eased }
     }
+
+    /// Whether a row asks for the same: how much it weighs is no question of what is asked for, and
+    /// what is eased is what a search has found.
+    pub(crate) fn asks_as(&self, row: &ConstraintSpec) -> bool {
+        (&self.kind, self.enabled, self.require) == (&row.kind, row.enabled, row.require)
+    }
+}
+
+/// Takes back what a search has chosen to meet the hard constraints of a scene: the settings of its
+/// attempt, and larger tolerances. The scene is then as it was asked for.
+pub fn as_asked(scene: &mut Scene) {
+    Settings::of(scene).before_attempt().put_in(scene);
+    scene.constraints.iter_mut().for_each(|row| row.eased = None);
+}
+
+/// Returns the parts that a scene has where other hard constraints are asked for than those that a
+/// search has met, or elsewhere: how it met them, and its larger tolerances, say nothing about these.
+pub(crate) fn leave_search(scene: &Scene) -> Vec<Part> {
+    let rows = scene.constraints.iter().enumerate().filter(|(_, row)| row.eased.is_some());
+    let whole =
+        |(index, row)| Part::RowValues(index, RowValues { eased: None, ..RowValues::of(row) });
+    let attempt = ChosenAttempt { from: AttemptStart::Soft, ..scene.attempt };
+    rows.map(whole).chain([Part::Settings(Settings { attempt, ..Settings::of(scene) })]).collect()
 }
 
 impl Settings {
@@ -120,11 +143,6 @@ impl Settings {
         self
     }
 
-    /// Gives a scene the settings before a search chose an attempt.
-    pub(crate) fn leave_attempt(scene: &mut Scene) {
-        Settings::of(scene).before_attempt().put_in(scene);
-    }
-
     /// Returns the attempt that the settings `now` name: what the user has changed is not the search's.
     pub(crate) fn attempt_beside(&self, now: &Settings) -> ChosenAttempt {
         let mut attempt = now.attempt;
@@ -151,12 +169,6 @@ impl Settings {
         let is_elsewhere = meshes(self) != meshes(now);
         let differs = [(is_reweighed, Lock::Weights), (is_elsewhere, Lock::Mesh)];
         differs.into_iter().filter_map(|(differs, lock)| differs.then_some(lock)).collect()
-    }
-
-    /// Returns the settings as for other hard constraints than those of which the attempt was chosen.
-    pub(crate) fn of_other_constraints(mut self) -> Settings {
-        self.attempt.from = AttemptStart::Soft;
-        self
     }
 
     /// Returns the settings with closeness to the surface, and to its boundary.
@@ -274,6 +286,25 @@ impl Part {
             Part::RowValues(index, values) => *values == RowValues::of(&scene.constraints[*index]),
             Part::Row(..) => false,
             Part::Rows(rows) => *rows == scene.constraints,
+        }
+    }
+
+    /// Whether `scene`, with which the part was exchanged, asks for other hard constraints than before.
+    pub(crate) fn asks_otherwise(&self, scene: &Scene) -> bool {
+        let is_hard = |enabled: bool, require: Require| enabled && require.is_hard();
+        let is_hard_row = |row: &ConstraintSpec| is_hard(row.enabled, row.require);
+        let rows = &scene.constraints;
+        match self {
+            Part::Rows(_) => true,
+            Part::Row(index, row) => row.as_ref().or(rows.get(*index)).is_some_and(is_hard_row),
+            Part::RowValues(index, before) => rows.get(*index).is_some_and(|row| {
+                let was_hard = is_hard(before.enabled, before.require);
+                !before.asks_as(row) && (was_hard || is_hard_row(row))
+            }),
+            Part::Set(name, _) => {
+                rows.iter().any(|row| is_hard_row(row) && row.on.named() == Some(name))
+            }
+            _ => false,
         }
     }
 

@@ -122,6 +122,16 @@ impl SolvedScene {
         self.positions.get_or_init(|| self.solver.positions().collect())
     }
 
+    /// The row whose constraints are farthest from being met, as found by the last local step, and this
+    /// distance in the unit of the mesh. Without a weight nothing is drawn to a row, so that its distance
+    /// says nothing; none if no row has one.
+    pub(crate) fn worst_row(&self) -> Option<(usize, f64)> {
+        let rows = self.enabled_rows().zip(self.solver.found());
+        rows.filter(|(row, _)| self.document.constraints[*row].weight > 0.0)
+            .map(|(row, found)| (row, found.worst_squared.sqrt()))
+            .reduce(|worst, other| if other.1 > worst.1 { other } else { worst })
+    }
+
     /// See [`Solver::projected`].
     pub(crate) fn projected(&mut self, each: impl FnMut(usize, &Projected)) {
         self.solver.projected(each);
@@ -187,7 +197,7 @@ impl SolvedScene {
     /// then.
     ///
     /// # Errors
-    /// Those of `propose`.
+    /// Those of `propose`, and where the document would not fit the mesh.
     pub(crate) fn would_change<T>(
         &mut self,
         rest: &RestMesh,
@@ -195,8 +205,18 @@ impl SolvedScene {
     ) -> Result<bool, SceneError> {
         let (_, mut change) = self.proposed(rest, propose)?;
         let differs = self.differs(&change);
+        let fits = match change.effect(&self.document) {
+            Effect::Nothing => Ok(()),
+            Effect::Weights | Effect::Problem => self.resolved(rest).map(|_| ()),
+        };
         change.exchange_parts(&mut self.document);
-        Ok(differs)
+        fits.map(|()| differs)
+    }
+
+    /// The rows of the document, which is checked with them.
+    fn resolved(&self, rest: &RestMesh) -> Result<Vec<ResolvedRow>, SceneError> {
+        self.document.validate(rest.mesh())?;
+        resolve_rows(&self.document, rest.mesh(), rest.topology())
     }
 
     /// Changes the document as `propose` does with a draft, and returns its result with the parts as
@@ -309,8 +329,7 @@ impl SolvedScene {
                 }
             }
             Effect::Weights | Effect::Problem => {
-                self.document.validate(rest.mesh())?;
-                let rows = resolve_rows(&self.document, rest.mesh(), rest.topology())?;
+                let rows = self.resolved(rest)?;
                 let handles = handles.unwrap_or_else(|| self.solver.handles().to_vec());
                 let positions = positions.unwrap_or_else(|| self.positions());
                 let cache = self.solver.setup_cache();

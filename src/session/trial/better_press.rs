@@ -45,16 +45,6 @@ pub struct BetterPress {
     pub surface: f64,
 }
 
-/// A press to be tried.
-#[derive(Clone)]
-struct Press {
-    id: &'static str,
-    label: String,
-    kind: &'static str,
-    within: f64,
-    from: PanelStart,
-}
-
 /// The verdict in a report, with its words, and with what would end better.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
@@ -95,9 +85,9 @@ pub struct BetterPresses {
     before: Verdict,
     /// The mean edge at rest, in the unit of the mesh.
     edge: f64,
-    /// Presses still to be tried, the next one last.
-    untried: Vec<Press>,
-    current: Option<(Press, Box<Session>)>,
+    /// Presses still to be tried, the next one last; what they come to is not known.
+    untried: Vec<BetterPress>,
+    current: Option<(BetterPress, Box<Session>)>,
     found: Vec<BetterPress>,
 }
 
@@ -157,7 +147,7 @@ impl BetterPresses {
     }
 
     /// Returns the suggestion of a press that ends like `after`, if that is better.
-    fn offer(&self, press: Press, after: &Verdict) -> Option<BetterPress> {
+    fn offer(&self, press: BetterPress, after: &Verdict) -> Option<BetterPress> {
         let before = &self.before;
         let is_nearer = after.surface.max <= NEARER * before.surface.max;
         // What is mended may not be paid for by another flaw.
@@ -173,17 +163,8 @@ impl BetterPresses {
                 && is_nearer
                 && is_as_many
                 && after.level != Level::Poor);
-        let Press { id, label, kind, within, from } = press;
-        is_better.then(|| BetterPress {
-            id,
-            words: self.words(id, after),
-            label,
-            kind,
-            within,
-            from,
-            level: after.level,
-            surface: after.surface.max,
-        })
+        let (words, level, surface) = (self.words(press.id, after), after.level, after.surface.max);
+        is_better.then_some(BetterPress { words, level, surface, ..press })
     }
 
     /// Says what a press comes to.
@@ -215,10 +196,14 @@ impl BetterPresses {
 }
 
 /// Returns the presses to try, in order.
-fn presses(session: &Session, before: &Verdict) -> Vec<Press> {
+fn presses(session: &Session, before: &Verdict) -> Vec<BetterPress> {
     let Verdict { kind, tolerance, .. } = *before;
     let units = session.document().units.clone();
-    let press = |id, label: String, kind, within, from| Press { id, label, kind, within, from };
+    let (level, surface) = (before.level, before.surface.max);
+    let press = |id, label, kind, within, from| {
+        let words = String::new();
+        BetterPress { id, label, words, kind, within, from, level, surface }
+    };
     let mut presses = Vec::new();
     let edge = session.mean_edge();
     for within in LARGER.map(|times| times * tolerance).into_iter().filter(|w| *w <= LARGEST * edge)

@@ -9,7 +9,7 @@ use crate::session::edit::check_lock;
 use crate::session::report::{Exactness, TrialNumbers, TrialWords};
 use crate::session::requirements::Required;
 use crate::session::run::{ExactReport, Met};
-use crate::session::state::{Part, RowValues};
+use crate::session::state::{Part, RowValues, leave_search};
 use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -57,12 +57,8 @@ pub struct ExactOffer {
     pub met: bool,
     /// Whether the mesh is too large, so that nothing was tried.
     pub too_large: bool,
-    /// Number of constraints that cannot be met.
-    pub misses: usize,
     /// Number of faces that are folded or dented in the exact shape but not at rest.
     pub folded: usize,
-    /// The largest remaining distance.
-    pub max_distance: f64,
     /// The cost of the current shape.
     pub before: Cost,
     /// The cost of the exact shape.
@@ -166,6 +162,9 @@ impl Session {
             let length = self.document().tolerance.unwrap_or(length);
             change.scene.parts.push(Part::Tolerance(Some(length)));
         }
+        if !shape.rows.is_empty() {
+            change.scene.parts.extend(leave_search(self.document()));
+        }
         change.scene.positions = positions.into();
         self.exchange(&mut change)?;
         let name = if shape.rows.is_empty() { "Improve" } else { "Make exact" };
@@ -230,11 +229,11 @@ impl ExactTrial {
         if session.generation() != self.generation {
             return None;
         }
-        let ExactAnswer { met, unmet, max_distance, moved, .. } = self.exact.answer();
+        let ExactAnswer { met, unmet, moved, .. } = self.exact.answer();
         let positions = self.exact.positions();
         let moved_by = session.rest.moved_by(&positions);
         let after = Cost { energy: self.exact.energy().total, moved: moved_by };
-        let (too_large, misses) = (!self.exact.can_polish(), unmet.len());
+        let too_large = !self.exact.can_polish();
         let folded = session.rest.folded_by(&positions).len();
         let numbers = TrialNumbers {
             units: &session.document().units,
@@ -246,21 +245,10 @@ impl ExactTrial {
         let words = match (self.rows.is_empty(), too_large, met) {
             (true, ..) => TrialWords::of_improvement(&numbers),
             (_, true, _) => TrialWords::of_exactness(&numbers, &Exactness::TooLarge),
-            (.., false) => TrialWords::of_exactness(&numbers, &Exactness::Missed(misses)),
+            (.., false) => TrialWords::of_exactness(&numbers, &Exactness::Missed(unmet.len())),
             _ => TrialWords::of_exactness(&numbers, &Exactness::Met(folded)),
         };
-        let before = self.before;
-        Some(ExactOffer {
-            met,
-            too_large,
-            misses,
-            folded,
-            max_distance,
-            before,
-            after,
-            moved,
-            words,
-        })
+        Some(ExactOffer { met, too_large, folded, before: self.before, after, moved, words })
     }
 
     /// Returns the current shape, to be accepted.

@@ -58,7 +58,7 @@ impl Suggestions {
         let mut untried = candidates(session);
         untried.reverse();
         let copy = Session::open(session.scene(), session.mesh().clone())?;
-        let before = session.worst_distance();
+        let before = worst(session);
         Ok(Suggestions { session: copy, before, untried, current: None, found: Vec::new() })
     }
 
@@ -97,7 +97,7 @@ impl Suggestions {
 
     fn end_current(&mut self) -> Result<(), Error> {
         let Some(Trial { label, edit, .. }) = self.current.take() else { return Ok(()) };
-        let worst = self.session.worst_distance();
+        let worst = worst(&self.session);
         if worst < HELPS * self.before && self.session.moved().max < self.far() {
             let place = self.found.partition_point(|other| other.worst <= worst);
             self.found.insert(place, Suggestion { label, edit, worst });
@@ -111,11 +111,16 @@ impl Suggestions {
     }
 }
 
+/// The distance by which edits are compared.
+fn worst(session: &Session) -> f64 {
+    session.scene.worst_row().map_or(0.0, |(_, far)| far)
+}
+
 /// Returns the factor of the weight of the constraints, a power of ten, that brings all of them
 /// within the tolerance of the mesh. Distances are about inversely proportional to the weight.
 fn sufficient_factor(session: &Session) -> f64 {
     let mut factor = FACTOR;
-    while factor < MOST_FACTOR && session.worst_distance() > factor * session.tolerance() {
+    while factor < MOST_FACTOR && worst(session) > factor * session.tolerance() {
         factor *= FACTOR;
     }
     factor
@@ -149,11 +154,7 @@ fn candidates(session: &Session) -> Vec<(String, Value)> {
         );
     }
     let enabled = session.rows().iter().filter(|row| row.enabled).count();
-    let rows = (0..).zip(session.rows()).filter(|(_, row)| row.enabled);
-    let worst = rows
-        .zip(session.solver().found())
-        .max_by(|(_, a), (_, b)| a.worst_squared.total_cmp(&b.worst_squared));
-    if let Some(((index, _), _)) = worst.filter(|_| enabled > 1) {
+    if let Some((index, _)) = session.scene.worst_row().filter(|_| enabled > 1) {
         let spec = &document.constraints[index];
         let label = format!("More weight on {}", spec.label());
         offer(

@@ -29,7 +29,8 @@
 //! - If the solver cannot follow, because its system would be singular, the parts are exchanged
 //!   once more, and nothing has changed.
 //! - A drag or a run is a [`Transaction`]: it begins with a change that leads back to its start,
-//!   and becomes a step when it ends. Edits during it add their parts to that change.
+//!   and becomes a step when it ends, as it does before an edit. What the solver changes of the
+//!   document during it is added to that change.
 //! - Positions and handles are shared by all changes between which they stay the same.
 //!
 //! | file | holds |
@@ -44,4 +45,4 @@ mod transaction;
 
 pub(crate) use history::{Change, History};
 pub(crate) use saved::{SavedState, read_history, read_state, write_history, write_state};
-pub(crate) use transaction::{ShownVariation, Transaction};
+pub(crate) use transaction::{ShownVariation, Transaction, TransactionKind};

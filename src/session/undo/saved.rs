@@ -63,41 +63,17 @@ impl SavedState {
         self.iteration = change.iteration;
     }
 
-    /// The state that `change` leads to, on the mesh `other`.
-    fn on_other_mesh(change: &Change, document: &Scene) -> SavedState {
-        let SceneChange { handles, positions, .. } = &change.scene;
-        SavedState {
-            document: document.clone(),
-            handles: Rc::clone(handles),
-            positions: Rc::clone(positions),
-            iteration: change.iteration,
-        }
-    }
-
-    /// Returns the change to this state, which is on the mesh `rest`, from one on another mesh.
-    fn with_mesh(&self, rest: RestMesh) -> Change {
+    /// Returns the change to this state, of which these parts differ, or the mesh with all of them.
+    fn as_change(&self, parts: Vec<Part>, other: Option<RestMesh>) -> Change {
         let SavedState { document, handles, positions, iteration } = self.clone();
-        Change {
-            scene: SceneChange { parts: Vec::new(), handles, positions },
-            other: Some(Box::new((rest, document))),
-            iteration,
-            start: None,
-        }
+        let scene = SceneChange { parts, handles, positions };
+        let other = other.map(|rest| Box::new((rest, document)));
+        Change { scene, other, iteration, start: None }
     }
 
     /// Returns the difference to the state `to`.
     pub(crate) fn change_to(&self, to: &SavedState) -> Change {
-        let SavedState { document, handles, positions, iteration } = to;
-        Change {
-            scene: SceneChange {
-                parts: Part::between(&self.document, document),
-                handles: Rc::clone(handles),
-                positions: Rc::clone(positions),
-            },
-            other: None,
-            iteration: *iteration,
-            start: None,
-        }
+        to.as_change(Part::between(&self.document, &to.document), None)
     }
 }
 
@@ -135,7 +111,8 @@ pub(crate) fn write_history(
             write_bytes(&mut written, name.as_bytes());
             if let Some((rest, document)) = change.other.as_deref() {
                 mesh = rest.mesh();
-                at = SavedState::on_other_mesh(change, document);
+                at.document.clone_from(document);
+                at.follow(change);
                 written.push(OTHER);
                 let holder = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
                 write_bytes(&mut written, holder.to_json(mesh).as_bytes());
@@ -202,10 +179,8 @@ pub(crate) fn read_history(
                     };
                     mesh = Cow::Owned(*other);
                     let state = read(&mut bytes, None, source, &mesh)?;
-                    (
-                        state.with_mesh(RestMesh::numbered(mesh.clone().into_owned(), generation)),
-                        state,
-                    )
+                    let rest = RestMesh::numbered(mesh.clone().into_owned(), generation);
+                    (state.as_change(Vec::new(), Some(rest)), state)
                 }
                 _ => return Err(bytes.damaged("whether the mesh is another one").into()),
             };

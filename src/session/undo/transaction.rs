@@ -1,21 +1,22 @@
 //! A drag or run under way: many changes that become one step of undo.
 
 use super::history::Change;
-use crate::session::run::ExactReport;
+use crate::session::run::{ExactReport, Met};
 use crate::session::state::SceneChange;
 use crate::solve::Handle;
 use crate::words;
 
 /// A drag, run or variation that has begun and is not yet a step of undo.
 pub(crate) struct Transaction {
-    kind: Kind,
+    kind: TransactionKind,
     /// The change back to the state at which it began.
     back: Change,
     /// Whether it joins the last step of undo instead of becoming one.
     joins_last: bool,
 }
 
-enum Kind {
+/// What a transaction is.
+pub(crate) enum TransactionKind {
     Drag,
     Run,
     Variation(Box<ShownVariation>),
@@ -27,45 +28,37 @@ pub(crate) struct ShownVariation {
     pub(crate) of: u32,
     /// How well the shape meets the hard constraints, if it was brought back onto them.
     pub(crate) report: Option<ExactReport>,
+    /// How the shape that is varied meets them.
+    pub(crate) met_before: Option<Met>,
 }
 
 impl Transaction {
     /// The name of a variation that is shown.
     pub(crate) const VARIATION: &str = "Variation";
 
-    /// Begins a drag; `back` leads to the state before it.
-    pub(crate) fn drag(back: Change) -> Transaction {
-        Transaction { kind: Kind::Drag, back, joins_last: false }
-    }
-
-    /// Begins a run; `back` leads to the state before it.
-    pub(crate) fn run(back: Change) -> Transaction {
-        Transaction { kind: Kind::Run, back, joins_last: false }
-    }
-
-    /// Begins to show a shape that is not kept; `back` leads to the state before it.
-    pub(crate) fn variation(back: Change, shown: ShownVariation) -> Transaction {
-        Transaction { kind: Kind::Variation(Box::new(shown)), back, joins_last: false }
+    /// Begins one; `back` leads to the state before it.
+    pub(crate) fn new(kind: TransactionKind, back: Change) -> Transaction {
+        Transaction { kind, back, joins_last: false }
     }
 
     /// The variation that is shown, if it is one.
     pub(crate) fn variation_shown(&mut self) -> Option<&mut ShownVariation> {
         match &mut self.kind {
-            Kind::Variation(shown) => Some(shown),
-            Kind::Drag | Kind::Run => None,
+            TransactionKind::Variation(shown) => Some(shown),
+            TransactionKind::Drag | TransactionKind::Run => None,
         }
     }
 
     pub(crate) fn is_variation(&self) -> bool {
-        matches!(self.kind, Kind::Variation(_))
+        matches!(self.kind, TransactionKind::Variation(_))
     }
 
     pub(crate) fn is_drag(&self) -> bool {
-        matches!(self.kind, Kind::Drag)
+        matches!(self.kind, TransactionKind::Drag)
     }
 
     pub(crate) fn is_run(&self) -> bool {
-        matches!(self.kind, Kind::Run)
+        matches!(self.kind, TransactionKind::Run)
     }
 
     pub(crate) fn back(&self) -> &Change {
@@ -94,10 +87,10 @@ impl Transaction {
     /// number of iterations; none if it would be none of its own.
     pub(crate) fn name_of_step(&self, now: &[Handle], iteration: u32) -> Option<String> {
         match self.kind {
-            Kind::Variation(_) => Some(Transaction::VARIATION.to_owned()),
+            TransactionKind::Variation(_) => Some(Transaction::VARIATION.to_owned()),
             _ if self.joins_last => None,
-            Kind::Drag => self.name_of_drag(now),
-            Kind::Run => self.name_of_run(iteration),
+            TransactionKind::Drag => self.name_of_drag(now),
+            TransactionKind::Run => self.name_of_run(iteration),
         }
     }
 

@@ -8,11 +8,19 @@ use crate::solve::assemble::Terms;
 /// calls.
 const BLOCK: usize = 64;
 
+/// A row with more neighbours is in the metric as [`springs`]: it would couple each with all others,
+/// which a cap of many thousand triangles about one vertex has no memory for.
+const MOST_COUPLED: usize = 1000;
+
 /// The terms of `L^T L` over vertices: one for each row `sum_j w_ij (l_j - l_i)`.
 pub(crate) fn terms(laplacian: &Laplacian) -> Terms {
     let mut terms = Terms::default();
     let mut nodes = Vec::new();
     for (i, (neighbours, weights)) in laplacian.rows().enumerate() {
+        if neighbours.len() > MOST_COUPLED {
+            push_springs(i as u32, (neighbours, weights), &mut terms);
+            continue;
+        }
         nodes.clear();
         nodes.push(i as u32);
         nodes.extend_from_slice(neighbours);
@@ -27,13 +35,15 @@ pub(crate) fn terms(laplacian: &Laplacian) -> Terms {
 /// neighbours: on a mesh of quads its factor has twice the nonzeros, and takes four times as long.
 pub(crate) fn springs(laplacian: &Laplacian) -> Terms {
     let mut terms = Terms::default();
-    for (i, (neighbours, weights)) in laplacian.rows().enumerate() {
-        let sum: f64 = weights.iter().map(|weight| weight.abs()).sum();
-        for (&j, weight) in neighbours.iter().zip(weights) {
-            terms.push(&[i as u32, j], [1.0, -1.0], 0.0, sum * weight.abs());
-        }
-    }
+    (0..).zip(laplacian.rows()).for_each(|(i, row)| push_springs(i, row, &mut terms));
     terms
+}
+
+fn push_springs(i: u32, (neighbours, weights): (&[u32], &[f64]), terms: &mut Terms) {
+    let sum: f64 = weights.iter().map(|weight| weight.abs()).sum();
+    for (&j, weight) in neighbours.iter().zip(weights) {
+        terms.push(&[i, j], [1.0, -1.0], 0.0, sum * weight.abs());
+    }
 }
 
 /// The Laplacian in the elimination order.

@@ -160,7 +160,7 @@ impl Exact {
             seconds: 0.0,
         };
         let goal = if can_polish { exact.model.goal() } else { near };
-        if exact.model.is_met(goal) || exact.model.holding.fixed.iter().all(|fixed| *fixed) {
+        if exact.model.is_met(goal) || exact.model.fixed_in_approach().iter().all(|fixed| *fixed) {
             exact.stage = Stage::Ended;
         } else if worst <= near && can_polish {
             exact.begin_polish();
@@ -270,6 +270,11 @@ impl Exact {
 
     fn polish_step(&mut self) -> Result<(), SolveError> {
         let Some(polish) = &mut self.polish else { return Ok(()) };
+        if !self.model.has_free() {
+            // Only the approach moves vertices along their curves.
+            self.polish_failed();
+            return Ok(());
+        }
         let polished = polish.step(&mut self.model, self.began.0)?;
         self.keep_best();
         if polished == Polished::Contradicts {
@@ -288,11 +293,10 @@ impl Exact {
 
     fn begin_improvement(&mut self) {
         let model = &mut self.model;
-        let is_free = model.holding.fixed.iter().any(|fixed| !*fixed);
         if self.stage != Stage::Ended || !std::mem::take(&mut self.is_to_improve) {
             return;
         }
-        if self.can_polish && is_free && model.is_met(model.tolerance()) {
+        if self.can_polish && model.has_free() && model.is_met(model.tolerance()) {
             let polish = self.polish.get_or_insert_with(|| Polish::new(model, HELD, springs));
             polish.restart(false);
             self.improve = Some(Improve::new(model, polish));

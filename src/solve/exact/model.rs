@@ -144,6 +144,11 @@ impl Model {
         met
     }
 
+    /// Whether a node is free outside of the approach.
+    pub(in crate::solve) fn has_free(&self) -> bool {
+        self.holding.fixed.iter().any(|fixed| !*fixed)
+    }
+
     /// Whether each node is fixed in the approach, `#nodes`: those on curves move along them.
     pub(in crate::solve) fn fixed_in_approach(&self) -> Vec<bool> {
         let mut fixed = self.holding.fixed.clone();

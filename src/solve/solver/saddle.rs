@@ -10,6 +10,7 @@ use super::Solver;
 use crate::constraint::Row;
 use crate::math::symmetric_eigen;
 use crate::solve::accelerate::Iterate;
+use crate::solve::rows::add_scaled;
 use nalgebra::DMatrix;
 
 /// Greatest number of directions. Extreme eigenvalues come first: 60 tell a curvature of a thousandth
@@ -79,10 +80,10 @@ impl Solver {
             // Differences of gradients over a step of this greatest length of a vertex.
             let by = step / dot_max(&direction).sqrt();
             self.x.copy_from_slice(start);
-            add(&mut self.x, &direction, by);
+            add_scaled(&mut self.x, by, &direction);
             self.evaluate();
             let mut next_image = self.gradient.clone();
-            add(&mut next_image, &gradient, -1.0);
+            add_scaled(&mut next_image, -1.0, &gradient);
             scale(&mut next_image, 1.0 / by);
             self.parts.system.clear_fixed(&mut next_image);
             let mut next = self.solve_with_normal_matrix(&next_image);
@@ -91,8 +92,8 @@ impl Solver {
             images.push(std::mem::take(&mut image));
             for (known, its_image) in directions.iter().zip(&images) {
                 let part = dot(its_image, &next);
-                add(&mut next, known, -part);
-                add(&mut next_image, its_image, -part);
+                add_scaled(&mut next, -part, known);
+                add_scaled(&mut next_image, -part, its_image);
             }
             (direction, image) = (next, next_image);
             squared = dot(&direction, &image);
@@ -110,7 +111,7 @@ impl Solver {
         }
         let mut softest = vec![[0.0; 4]; start.len()];
         for (known, part) in directions.iter().zip(vectors.column(least).iter()) {
-            add(&mut softest, known, *part);
+            add_scaled(&mut softest, *part, known);
         }
         let length = dot_max(&softest).sqrt();
         scale(&mut softest, 1.0 / length);
@@ -126,7 +127,7 @@ impl Solver {
             let mut last = f64::INFINITY;
             for _ in 0..DOUBLINGS {
                 self.x.copy_from_slice(start);
-                add(&mut self.x, direction, by);
+                add_scaled(&mut self.x, by, direction);
                 self.evaluate();
                 let total = self.energy.total;
                 if total.is_nan() || total >= last {
@@ -171,12 +172,6 @@ fn dot(a: &[Row], b: &[Row]) -> f64 {
 /// Returns the greatest squared length of a row.
 fn dot_max(a: &[Row]) -> f64 {
     a.iter().map(|[x, y, z, _]| x * x + y * y + z * z).fold(f64::MIN_POSITIVE, f64::max)
-}
-
-fn add(to: &mut [Row], from: &[Row], times: f64) {
-    for (to, from) in to.as_flattened_mut().iter_mut().zip(from.as_flattened()) {
-        *to += times * from;
-    }
 }
 
 fn scale(rows: &mut [Row], by: f64) {
