@@ -8,6 +8,38 @@ import { AUTOMATIC, MICE, type PanelPress, type State, type Store } from './stat
 /** Storage key of the mouse. */
 const MOUSE = 'shape-up.mouse';
 
+/** What is only set: no other part of the state has to change with it. */
+type Free =
+  | 'parallel'
+  | 'flatMap'
+  | 'heldOriginal'
+  | 'build'
+  | 'renderer'
+  | 'camera'
+  | 'section'
+  | 'views'
+  | 'step'
+  | 'plot'
+  | 'presenting'
+  | 'measure'
+  | 'measureChosen'
+  | 'tolerances'
+  | 'verdict'
+  | 'mode'
+  | 'selection'
+  | 'tape'
+  | 'gizmoPart'
+  | 'pointedAt'
+  | 'frameChosen'
+  | 'firstExample'
+  | 'nothingOpen'
+  | 'fileName'
+  | 'example'
+  | 'undoes'
+  | 'redoes'
+  | 'saved'
+  | 'status';
+
 export function createViewActions(store: Store) {
   const mouse = MICE.find((one) => one === getItem(MOUSE));
   if (mouse) store.set({ mouse });
@@ -75,8 +107,8 @@ export function createViewActions(store: Store) {
       >,
     ) => store.set(tool),
 
-    /** Sets parts of the state of which nothing else depends on how they are set. */
-    look: (change: Partial<State>) => store.set(change),
+    /** Sets parts of the state that nothing else has to follow. */
+    look: (change: Partial<Pick<State, Free>>) => store.set(change),
 
     /** Chooses what the mouse buttons do, now and at later visits. */
     useMouse(mouse: State['mouse']) {
