@@ -53,8 +53,8 @@ impl Build {
         self.advice_on_scale(report).into_iter().chain(self.advice_on_joint(report)).collect()
     }
 
-    /// The joints that keep panels of this thickness apart outside and inside the surface, if both
-    /// are wider than the present one.
+    /// The joints that keep panels of this thickness apart outside and inside the surface, if each of
+    /// the sides that need one needs a wider one than there is.
     fn advice_on_joint(&self, report: &BuildReport) -> Option<Advice> {
         let words = report.joint(self.settings.thickness);
         let needed = || report.least_joint_mm.into_iter().flatten();

@@ -56,6 +56,15 @@ impl Closeness {
         self.target.as_ref().filter(|_| self.to == ClosenessTo::Target)?.mesh()
     }
 
+    /// Returns the path of the file with the surface that the shape is kept close to, if it is not read
+    /// yet. That of a surface to which nothing is close may be anywhere.
+    pub fn file_to_read(&self) -> Option<&str> {
+        match &self.target {
+            Some(Target::File(path)) if self.to == ClosenessTo::Target => Some(path),
+            _ => None,
+        }
+    }
+
     /// Replaces closeness to the mesh itself by closeness to the surface `original` from which it was
     /// made, and to its own boundary.
     pub fn stay_on(&mut self, original: &Rc<Mesh>) {

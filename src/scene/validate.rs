@@ -135,7 +135,7 @@ impl Scene {
             (ClosenessTo::Target, Some(Target::File(path))) => at_mesh(format!(
                 "the mesh file {path} was not read, expected the mesh itself in the scene"
             )),
-            (_, Some(Target::Mesh(mesh))) => {
+            (ClosenessTo::Target, Some(Target::Mesh(mesh))) => {
                 if mesh.faces.is_empty() && mesh.curves.is_empty() {
                     return at_mesh("it has neither faces nor curves to be close to".to_owned());
                 }

@@ -216,6 +216,13 @@ impl Session {
     /// If the mesh cannot be subdivided in this way, something that the lesson locks would be left out,
     /// or the system would be singular; nothing has changed then.
     fn refine(&mut self, how: &Subdivision, adopts: bool) -> Result<(String, Change), Error> {
+        if adopts && self.document().lesson.is_some() {
+            let message = "the goals of the lesson are measured from the shape that was given, expected \
+                           the original to be refined";
+            return Err(
+                SceneError { path: "lesson".to_owned(), message: message.to_owned() }.into()
+            );
+        }
         let shape = if adopts { self.scene.positions() } else { self.rest.positions() };
         let refined =
             how.apply(&self.mesh().at(shape), self.topology()).map_err(cannot_be_refined)?;

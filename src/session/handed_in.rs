@@ -2,12 +2,13 @@
 
 use super::Session;
 use super::edit::{is_of_solver, settings_of};
-use super::state::as_asked;
+use super::state::{as_asked, resolve_row};
 use crate::constraint::Selector;
 use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, Stand};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, Topology};
 use crate::scene::{
-    BuildSettings, ConstraintSpec, GoalOf, GoalResult, Lock, MeshSource, Results, Scene, SceneError,
+    BuildSettings, ConstraintSpec, Goal, GoalOf, GoalResult, Lock, MeshSource, Results, Scene,
+    SceneError,
 };
 use crate::session::Error;
 use crate::solve::Require;
@@ -73,8 +74,8 @@ pub struct Checked {
 
 /// Measures the shape of `results` with the lesson and the constraints of `scene`, on its `mesh`, or
 /// on the one that the student put in its place: then with the constraints of all elements of a kind,
-/// since the numbers of others are those of the first mesh. The measurements and the constraints in the
-/// results are not trusted.
+/// since the numbers of others are those of the first mesh, and a goal on another constraint is not
+/// met. The measurements and the constraints in the results are not trusted.
 ///
 /// # Errors
 /// If the results are of another scene, or the scene has no lesson.
@@ -95,13 +96,22 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     // The scene as written if it is handed in unchanged.
     let mut given = Session::open(scene.clone(), mesh.clone())?.scene();
     as_asked(&mut given);
-    let different = differences(results, &given);
+    let other = other_mesh(results, &mesh)?;
+    let topology = other.as_ref().map(Topology::new);
+    let bare = Scene::new(MeshSource::Inline(Box::default()));
+    let is_left = |row: &ConstraintSpec| match (&other, &topology) {
+        (Some(other), Some(topology)) => {
+            matches!(row.on, Selector::Each { within: None, .. })
+                && resolve_row(row, &bare, other, topology).is_ok()
+        }
+        _ => true,
+    };
+    let different = differences(results, &given, other.is_some(), is_left);
     let (altered, changed) =
         different.into_iter().partition::<Vec<_>, _>(|(part, _)| locks.contains(part));
     let mut altered: Vec<Lock> = altered.into_iter().map(|(part, _)| part).collect();
     altered.dedup();
     let mut changed: Vec<String> = changed.into_iter().map(|(_, words)| words).collect();
-    let other = other_mesh(results, &mesh)?;
     if other.is_some() {
         match locks.contains(&Lock::Mesh) {
             true => altered.push(Lock::Mesh),
@@ -122,9 +132,18 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     still.closeness.to = scene.closeness.to;
     // What the distance to the original is measured to.
     still.closeness.target = scene.closeness.target;
-    still.lesson = scene.lesson;
     still.sets = scene.sets;
     still.constraints = scene.constraints;
+    still.constraints.retain(is_left);
+    let is_measured = |goal: &Goal| match &goal.of {
+        GoalOf::Constraint(name) => still.constraints.iter().any(|row| row.label() == name),
+        _ => true,
+    };
+    let mut lesson = lesson.clone();
+    let goals = std::mem::take(&mut lesson.goals);
+    let (measured, left_out): (Vec<Goal>, Vec<Goal>) = goals.into_iter().partition(is_measured);
+    lesson.goals = measured;
+    still.lesson = Some(lesson);
     // To switch a constraint on may be the task.
     for name in named {
         let mut own: Vec<_> =
@@ -138,7 +157,6 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         Some(other) => {
             still.closeness.stay_on(&Rc::new(mesh));
             (still.sets, still.pose) = Default::default();
-            still.constraints.retain(|row| matches!(row.on, Selector::Each { within: None, .. }));
             still.constraints.iter_mut().for_each(|row| row.eased = None);
             other
         }
@@ -157,8 +175,9 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         let numbers = numbers(&still, &units, &build, &stand);
         still.set_build_numbers(numbers);
     }
+    let unmeasured = |goal| GoalResult { goal, value: None, met: false };
     Ok(Checked {
-        goals: still.goals(),
+        goals: still.goals().into_iter().chain(left_out.into_iter().map(unmeasured)).collect(),
         moved: still.moved().max,
         distance: still.worst_distance(),
         altered,
@@ -202,7 +221,15 @@ fn numbers(
 }
 
 /// Returns the differences from the given scene in words, with the part they concern.
-fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
+/// On another mesh only what has no numbers of elements, and not what is carried over to it by itself;
+/// rows that `is_left` on it.
+fn differences(
+    results: &Results,
+    given: &Scene,
+    is_other_mesh: bool,
+    is_left: impl Fn(&ConstraintSpec) -> bool,
+) -> Vec<(Lock, String)> {
+    let is_carried = |id: &str| is_other_mesh && ["closeness", "boundary"].contains(&id);
     let mut found = Vec::new();
     match results.weights {
         Some(weights) => {
@@ -220,14 +247,15 @@ fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
     }
     for (id, from) in &settings_of(given) {
         let to = results.settings.get(id);
-        if !is_of_solver(id) && to.is_none_or(|to| !same_value(to, from)) {
+        if !is_of_solver(id) && !is_carried(id) && to.is_none_or(|to| !same_value(to, from)) {
             found.push((Lock::Weights, format!("setting {id}")));
         }
     }
     // Which panels have a relaxed tolerance is found by the search, and not set by anybody; and what is
     // met within a distance becomes exact by itself where that costs nothing.
     let own = |specs: &[ConstraintSpec]| -> Vec<ConstraintSpec> {
-        specs.iter().map(|spec| ConstraintSpec { eased: None, ..spec.clone() }).collect()
+        let left = specs.iter().filter(|spec| is_left(spec));
+        left.map(|spec| ConstraintSpec { eased: None, ..spec.clone() }).collect()
     };
     let (mut now, before) = (own(&results.constraints), own(&given.constraints));
     for (now, before) in now.iter_mut().zip(&before) {
@@ -245,7 +273,7 @@ fn differences(results: &Results, given: &Scene) -> Vec<(Lock, String)> {
         }
         found.push((Lock::Constraints, "constraints".to_owned()));
     }
-    if results.handles != given.handles {
+    if !is_other_mesh && results.handles != given.handles {
         found.push((Lock::Handles, "handles".to_owned()));
     }
     found

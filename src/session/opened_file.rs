@@ -117,15 +117,11 @@ pub fn named_files(scene: &Scene) -> impl Iterator<Item = &str> {
         MeshSource::File(path) => Some(path.as_str()),
         MeshSource::Inline(_) => None,
     };
-    let target = match &scene.closeness.target {
-        Some(Target::File(path)) => Some(path.as_str()),
-        _ => None,
-    };
     let pose = match &scene.pose {
         Some(Pose::File(path)) => Some(path.as_str()),
         _ => None,
     };
-    mesh.into_iter().chain(target).chain(pose)
+    mesh.into_iter().chain(scene.closeness.file_to_read()).chain(pose)
 }
 
 /// Returns a scene with the contents of the files `beside` it inserted, and the mesh.
@@ -156,7 +152,7 @@ fn scene_with_files(
             source
         }
     };
-    if let Some(Target::File(path)) = &scene.closeness.target {
+    if let Some(path) = scene.closeness.file_to_read() {
         scene.closeness.target = Some(Target::Mesh(named(path)?.0.mesh.into()));
     }
     if let Some(Pose::File(path)) = &scene.pose {

@@ -172,7 +172,9 @@ fn panels_along_the_lines_of_curvature_stay_on_a_surface_that_those_across_leave
     let wished = LayoutSettings { count: None, size: None, follow: 0.5, even: 0.5, boundary: None };
     let layout = along.lay_out_panels(&wished, &mut |_, _| true).expect("it is a surface");
     assert!(along.take_panels(along.generation(), &layout.mesh).expect("nothing is locked"));
-    assert_eq!(met_by_run(&mut along), [true, true]);
+    along.arm_guard();
+    along.solve_as_pressed(Some("circle"), along.tolerance(), false).expect("there are quads");
+    assert_eq!(met(&mut along), [true, true]);
 
     // Another mesh does not make it another exercise, also after it was saved and opened again.
     let scene = Scene::from_json(&along.scene_with_mesh()).expect("it is a scene");
@@ -184,7 +186,8 @@ fn panels_along_the_lines_of_curvature_stay_on_a_surface_that_those_across_leave
         let (scene, mesh) = lessons().find(|it| it.id == id).expect("it is there").build();
         let checked = check_results(&results, scene.clone(), mesh.clone()).expect("of this lesson");
         assert!(checked.goals.iter().all(|goal| goal.met), "{:?}", checked.goals);
-        assert!(checked.altered.is_empty() && checked.changed.contains(&"mesh".to_owned()));
+        // Closeness to the first surface is set by what lays panels out, not by the student.
+        assert_eq!((checked.altered, checked.changed), (Vec::new(), vec!["mesh".to_owned()]));
         // The goals are measured again: of a shape that left the surface one is missed.
         let mut lifted = results.clone();
         lifted.positions.iter_mut().for_each(|p| p[2] += 0.8);

@@ -315,6 +315,13 @@ fn ends_that_meet_but_for_rounding_do() {
     let sides = (0..3).map(|k| (vec![corners[k][1], corners[(k + 1) % 3][0]], false));
     assert!(curves(&sides.collect::<Vec<_>>())[3].is_closed());
 
+    // A mark in the same file, shorter than their distance.
+    let corners = [[0.0; 3], [10.0, 0.0, 0.0], [10.0, 10.0, 0.0]];
+    let side = |k: usize| vec![corners[k], corners[(k + 1) % 3].map(|x| x + 1e-6)];
+    let mark = vec![[5.0, 5.0, 0.0], [5.0, 5.0, 1e-3]];
+    let lines: Vec<_> = [side(0), side(1), side(2), mark].map(|line| (line, false)).to_vec();
+    assert!(curves(&lines)[4].is_closed());
+
     // A step that is lost in the length of its curve.
     let mut arc: Vec<Point> = circle(40, 10.0, 0.0, 0.0)[..11].to_vec();
     arc[10][0] = 6.1e-16;

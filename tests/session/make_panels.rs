@@ -444,6 +444,21 @@ fn a_plane_of_given_direction_is_judged_by_its_direction() {
 }
 
 #[test]
+fn panels_are_judged_by_what_a_press_asked_beside_a_plane_of_given_direction() {
+    let rows = r#", "constraints": [
+        { "kind": "plane", "on": "faces", "enabled": false },
+        { "kind": "plane", "on": "faces", "normal": [0, 0, 1], "weight": 1e-9 } ]"#;
+    let mesh = grid(4, 4, |i, j| [f64::from(i), f64::from(j), 0.5 * f64::from(i)]);
+    let mut session = session(mesh, rows);
+    session
+        .edit(Edit::from_json(r#"{ "setConstraint": { "index": 0, "enabled": true } }"#).unwrap())
+        .unwrap();
+    let verdict = verdict(&mut session);
+    // Flat, though none is level.
+    assert_eq!((verdict.within, verdict.of), (16, 16));
+}
+
+#[test]
 fn a_set_that_is_saved_leaves_what_was_reached() {
     let mut session = wave();
     session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");

@@ -9,6 +9,7 @@ mod fairness;
 mod halves;
 mod improving;
 mod kept_measures;
+mod lesson_meshes;
 mod lessons;
 mod locks;
 mod make_panels;

@@ -114,6 +114,23 @@ fn a_surface_that_nothing_stays_near_for_now_is_kept_in_the_file() {
         let again = Scene::from_json(&own.to_json(&panels())).expect("it reads what it writes");
         assert_eq!(again.closeness, own.closeness);
     }
+
+    // Until something is close to it, its file may be missing; and there is one surface.
+    let closeness = |text: &str| {
+        let text = format!(
+            r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "panels.obj" }},
+                "closeness": {text} }}"#
+        );
+        Scene::from_json(&text)
+    };
+    let unused = closeness(r#"{ "to": "rest", "target": { "mesh": "wave.obj" } }"#);
+    let unused = unused.expect("it is valid");
+    assert_eq!(unused.closeness.file_to_read(), None);
+    unused.validate(&panels()).expect("nothing is close to it");
+    let used = closeness(r#"{ "to": { "mesh": "wave.obj" } }"#).expect("it is valid");
+    assert_eq!(used.closeness.file_to_read(), Some("wave.obj"));
+    let both = closeness(r#"{ "to": { "mesh": "a.obj" }, "target": { "mesh": "b.obj" } }"#);
+    assert!(both.expect_err("which one?").to_string().contains("expected one of them"));
 }
 
 #[test]

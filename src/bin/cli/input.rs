@@ -50,7 +50,7 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
     let text = String::from_utf8(bytes(path)?)
         .map_err(|_| at("the file is not UTF-8 text, expected a scene in JSON".to_owned()))?;
     let mut scene = Scene::from_json(&text).map_err(|error| at(error.to_string()))?;
-    if let Some(Target::File(file)) = &scene.closeness.target {
+    if let Some(file) = scene.closeness.file_to_read() {
         let (read, _) = named_mesh(path, "closeness.to.mesh.file", file)?;
         scene.closeness.target = Some(Target::Mesh(read.mesh.into()));
     }

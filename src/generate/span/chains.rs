@@ -4,8 +4,8 @@ use crate::math::marked;
 use crate::mesh::{Mesh, Point, diagonal, first_of_part};
 use std::collections::BTreeMap;
 
-/// Points nearer to each other than this fraction of the extent of their curve are at one place: their
-/// numbers were computed in two ways, or rounded.
+/// Points nearer to each other than this fraction of their extent, of one curve or of the ends of all,
+/// are at one place: their numbers were computed in two ways, or rounded.
 const ONE_PLACE: f64 = 1e-6;
 
 /// The distance within which points of a curve are at one place.
@@ -20,10 +20,16 @@ pub(super) fn one_place(mesh: &Mesh, curve: &[u32]) -> f64 {
 pub(super) fn closed_chains(mesh: &Mesh) -> Vec<Vec<u32>> {
     let curves: Vec<&[u32]> = mesh.curves.iter().collect();
     // Ends meet at a position: curves rarely share vertices.
-    let near = curves.iter().map(|curve| one_place(mesh, curve)).filter(|near| *near > 0.0);
-    let Some(near) = near.reduce(f64::min) else { return Vec::new() };
-    let all = curves.iter().flat_map(|curve| curve.first().into_iter().chain(curve.last()));
-    let is_end = marked(mesh.positions.len(), all);
+    let all: Vec<u32> = curves
+        .iter()
+        .flat_map(|curve| curve.first().into_iter().chain(curve.last()))
+        .copied()
+        .collect();
+    let near = one_place(mesh, &all);
+    if near == 0.0 {
+        return Vec::new();
+    }
+    let is_end = marked(mesh.positions.len(), &all);
     let first = first_of_part(mesh, |v| is_end[v as usize].then_some(0), near);
     let place = |vertex: u32| first[vertex as usize];
     let ends = |curve: &[u32]| Some([place(*curve.first()?), place(*curve.last()?)]);

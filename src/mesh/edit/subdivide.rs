@@ -15,9 +15,9 @@ const MOST_LEVELS: u32 = 6;
 /// Maximum number of vertices of a subdivided mesh.
 const MOST_VERTICES: usize = 4_000_000;
 
-/// Maximum sum of the squared numbers of corners of the faces, where each new vertex at a face depends
+/// Maximum sum of the squared numbers of corners of large faces, where each new vertex at a face depends
 /// on all of its corners: memory grows with it, to about 1 GB at this number.
-const MOST_SQUARED: usize = 20_000_000;
+const MOST_SQUARED: u64 = 20_000_000;
 
 /// Subdivision scheme.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -150,9 +150,10 @@ impl Subdivision {
         let splits_triangles = self.splits_triangles(mesh);
         // One level of means couples no more than the ends of each edge.
         let is_coupled = !splits_triangles && (self.scheme != Scheme::Linear || self.levels > 1);
-        let sizes = || mesh.faces.iter().map(<[u32]>::len);
-        if is_coupled && sizes().map(|n| n * n).sum::<usize>() > MOST_SQUARED {
-            return Err(SubdivideError::LargeFaces(sizes().max().unwrap_or(0)));
+        // Smaller ones are limited by the number of vertices.
+        let large = || mesh.faces.iter().map(<[u32]>::len).filter(|size| *size > 32);
+        if is_coupled && large().map(|size| (size as u64).pow(2)).sum::<u64>() > MOST_SQUARED {
+            return Err(SubdivideError::LargeFaces(large().max().unwrap_or(0)));
         }
         let mut vertices = mesh.positions.len();
         let mut edges = topology.edges().len();

@@ -28,7 +28,12 @@ impl<'de> Deserialize<'de> for Closeness {
         let ClosenessFile { to, target, weights, boundary } = object(from)?;
         let (to, target) = match (to, target) {
             (To::Word(to), kept) => (to, kept.map(|kept| kept.mesh)),
-            (To::Surface(target), _) => (ClosenessTo::Target, Some(target)),
+            (To::Surface(target), None) => (ClosenessTo::Target, Some(target)),
+            (To::Surface(_), Some(_)) => {
+                return Err(D::Error::custom(
+                    "found a \"target\" beside the surface in \"to\", expected one of them",
+                ));
+            }
         };
         Ok(Closeness { to, target, weights, boundary })
     }

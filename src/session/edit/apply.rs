@@ -223,7 +223,14 @@ pub(crate) fn apply(
             draft.put(Part::Up(up));
             "Change up axis".to_owned()
         }
-        Edit::SetLesson { lesson, unsolved } => {
+        Edit::SetLesson { mut lesson, unsolved } => {
+            // One that is handed out is on the mesh that there is.
+            let before = draft.document().lesson.as_ref().filter(|_| !unsolved);
+            if let (Some(lesson), Some(before)) = (&mut lesson, before)
+                && lesson.asks_the_same(before)
+            {
+                lesson.given.clone_from(&before.given);
+            }
             draft.put(Part::Lesson(lesson));
             if unsolved {
                 back_to_rest(Variants::default(), draft, state);

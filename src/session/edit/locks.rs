@@ -12,7 +12,8 @@ use crate::solve::Handle;
 pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneError> {
     let Some(now @ Lesson { lock, .. }) = &document.lesson else { return Ok(()) };
     // Otherwise a student could remove the lesson, change everything, and restore the lesson.
-    let changes = matches!(edit, Edit::SetLesson { lesson, .. } if lesson.as_ref() != Some(now));
+    let is_same = |lesson: &Option<Lesson>| lesson.as_ref().is_some_and(|it| it.asks_the_same(now));
+    let changes = matches!(edit, Edit::SetLesson { lesson, .. } if !is_same(lesson));
     if changes && !lock.is_empty() {
         let message =
             "locked by the lesson: only where it was just written, Undo removes it".to_owned();

@@ -32,7 +32,8 @@ pub(super) fn is_usual(kind: &Kind) -> bool {
 }
 
 /// Returns the index of the row that asks panels for a shape: the last enabled one on single faces
-/// whose kind has an adjective for them. None if no row does.
+/// whose kind has an adjective for them; of several of that kind one that asks for nothing else. None
+/// if no row does.
 pub(crate) fn panel_row(document: &Scene) -> Option<usize> {
     let asks = |&index: &usize| {
         let row = &document.constraints[index];
@@ -40,7 +41,12 @@ pub(crate) fn panel_row(document: &Scene) -> Option<usize> {
             && row.kind.info().panels.is_some()
             && required_measure(document, index).is_some()
     };
-    (0..document.constraints.len()).rev().find(asks)
+    let rows = || (0..document.constraints.len()).rev().filter(asks);
+    let kind = |index: usize| &document.constraints[index].kind;
+    let last = rows().next()?;
+    let is_plain =
+        |&row: &usize| kind(row).info().id == kind(last).info().id && is_usual(kind(row));
+    rows().find(is_plain).or(Some(last))
 }
 
 /// Returns the id of the measure that fits a scene: that of the first enabled row that has one, else

@@ -22,8 +22,8 @@ pub(super) const SURFACE: Example = Example {
 const SURFACE_TEXT: &str = "A grid laid over a plan, triangles from a scan, a surface meshed for drawing: such edges do not follow the shape. Panels with four corners on a circle lie along the lines of curvature, so a mesh across them has to move far. A surface has its lines of curvature before it has panels: lay the panels along them, and they have hardly to move.
 
 1. Press Run. The panels become circular, but how far has the roof moved from its surface? Press Undo.
-2. Under Shape, press New panels. Look at the lines that the panels follow, and press Use these panels.
-3. Press Run again. How far has the roof to move now?";
+2. Under Open or make, in Change the mesh, press New panels. Look at the lines that the panels follow, and press Use these panels.
+3. Under Shape, press Make panels circular, which looks for a shape in several ways. How far has the roof to move now?";
 
 fn surface(scene: &mut Scene) -> Mesh {
     scene.set_opened_defaults();
