@@ -22,9 +22,9 @@ function pack(archive, folder, entries, without = []) {
  * that nothing else that lies there is published; unpacked from the archive it has none, and all is.
  */
 export function ownSources(folder) {
-  const tracked =
-    existsSync(join(folder, '.git')) && outputOf('git', ['-C', folder, 'ls-files', '-z']);
-  if (tracked) {
+  if (existsSync(join(folder, '.git'))) {
+    const tracked = outputOf('git', ['-C', folder, 'ls-files', '-z']);
+    if (tracked === null) throw new Problem(`git cannot list the files of ${folder}`);
     const files = tracked.split('\0').filter((path) => path && existsSync(join(folder, path)));
     return { entries: files, built: [] };
   }

@@ -24,6 +24,9 @@ test('what no commit has is not published', () => {
     ])
       execFileSync('git', ['-C', folder, ...words]);
     assert.deepEqual(ownSources(folder), { entries: ['.gitignore', 'src/lib.rs'], built: [] });
+    // Everything was published when git failed, as it does in a folder of another user.
+    writeFileSync(join(folder, '.git/index'), 'damaged');
+    assert.throws(() => ownSources(folder), /git cannot list the files/);
   } finally {
     rmSync(folder, { recursive: true });
   }

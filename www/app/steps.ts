@@ -72,11 +72,14 @@ export function followSteps(store: Store) {
   store.subscribe(['nothingOpen'], ({ nothingOpen }) => {
     if (nothingOpen) placeOf('open').open = true;
   });
-  // The user is to know of problems in a file, and to say its unit.
+  // The user is to know of problems in a mesh, and to say the unit of a file, whose meshes have one guess.
+  const asked: WeakSet<object> = new WeakSet();
   store.subscribe(['model'], ({ model }) => {
+    if (!model) return;
     const { units, up } = frameOf(store.get()).guessed;
-    const asks = units || up || (model && model.problems.length > 0);
-    if (asks) placeOf('open').open = true;
+    const asks = (units || up) && !asked.has(model.guessed);
+    asked.add(model.guessed);
+    if (asks || model.problems.length > 0) placeOf('open').open = true;
   });
   tabs(store, panel);
 }

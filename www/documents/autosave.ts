@@ -204,9 +204,10 @@ export class Autosave {
     const isOther = text !== kept.text || progress !== kept.progress;
     if (!isOther && !(withView && viewWords !== kept.view)) return null;
     this.#kept = { text, progress, view: viewWords };
-    // The run of a link is nothing that the user has made.
-    const isAsItCame =
-      isSame || (origin.file && origin.link && original && areSameUnsolved(text, original));
+    // The run of a link is nothing that the user has made, unless the link was changed before.
+    const isSolved = origin.file && origin.link && original && areSameUnsolved(text, original);
+    if (!isSolved) origin.changed = true;
+    const isAsItCame = isSame || (isSolved && !origin.changed);
     const work: Work = {
       id: this.#id,
       name,

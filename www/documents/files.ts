@@ -41,6 +41,8 @@ export interface Origin {
   edited?: boolean;
   /** digest of the file that it was opened from, unless it has been changed since */
   file?: string | null;
+  /** the user has changed more than how far it is solved, perhaps back again */
+  changed?: boolean;
   /** its saved history and progress */
   saved?: Saved;
   /** take what is hidden in a Rhino file */

@@ -12,7 +12,7 @@ export const NEXT_STEP_KEYS = [...CARD_KEYS, 'running', 'converged', 'numbers', 
  * - `constrain`: nothing is constrained or held yet, and no press is for these faces
  * - `run`: constraints are not met or cannot be added, or nothing can be built
  * - `choose`: a run has ended, but its shape is not good: something is beyond the tolerance, or its
- *   verdict, which is shown, offers better ones
+ *   verdict, if not closed, offers better ones
  * - `build`: all is met
  */
 export type NextStep = 'shape' | 'change' | 'constrain' | 'run' | 'choose' | 'build';
@@ -32,7 +32,8 @@ export function nextStep(state: Known): NextStep {
     ({ enabled, require }, row) =>
       enabled && require === 'soft' && (numbers?.worst[row] ?? 0) > document.tolerance,
   );
-  const verdict = shownVerdict(state);
+  // A map in its place changes nothing about the shape.
+  const verdict = shownVerdict({ ...state, flatMap: null });
   const isPoor = verdict && verdict.report.level !== 'good';
   return isBeyond || isPoor ? 'choose' : 'build';
 }

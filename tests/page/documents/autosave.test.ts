@@ -114,6 +114,8 @@ test('a link that is only solved is not changed', async (context) => {
   solver.progress(7);
   assert.equal(await fileOf({ current: [[0, 0, 2]] }), 'of the link');
   assert.equal(await fileOf({ current: [[0, 0, 1]], title: 'Mine' }), null);
+  // A shape made with a handle that was removed again was deleted when its link was opened again.
+  assert.equal(await fileOf({ current: [[0, 0, 3]] }), null);
 });
 
 test('what is changed just before another file is opened is saved', async (context) => {

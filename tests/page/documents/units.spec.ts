@@ -116,6 +116,26 @@ test('what is remembered of a file follows Undo and Redo, and the log says what 
   await expect(guess(page)).toBeHidden();
 });
 
+test('the step with the question about the unit opens with a file, and not with a finer mesh of it', async ({
+  page,
+}) => {
+  // It was opened, and remembered as open, by each refining and its Undo.
+  await openPage(page);
+  const step = page.locator('#step-open');
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await expect(step).toHaveAttribute('open');
+  await page.getByRole('button', { name: 'Refine', exact: true }).click();
+  await page.getByRole('button', { name: 'Refine now' }).click();
+  await waitForState(page, (now) => now.faces === 64);
+  await step.locator('summary').first().click();
+  await expect(step).not.toHaveAttribute('open');
+  await page.keyboard.press('Control+z');
+  await waitForState(page, (now) => now.faces === 16);
+  await expect(step).not.toHaveAttribute('open');
+  await openText(page, 'other.obj', wavyGrid(2), 9);
+  await expect(step).toHaveAttribute('open');
+});
+
 test('another axis turns the view, and undo turns it back', async ({ page }) => {
   await openPage(page);
   await waitForState(page, (now) => now.renderer.startsWith('web'));

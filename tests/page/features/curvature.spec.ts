@@ -4,7 +4,7 @@
 import type { Page } from '@playwright/test';
 import { openText, showStep, tool } from '../actions.ts';
 import { gridText, tube } from '../meshes.ts';
-import { expect, looks, openPage, pictureOf, state, test } from '../support.ts';
+import { expect, looks, openPage, pictureOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -116,6 +116,23 @@ test('the colours from before the card are not those of another model', async ({
   await openText(page, 'other.obj', hypar(10), 121);
   await page.getByRole('button', { name: 'Close curvature' }).click();
   await expect(page.getByLabel('Colour by')).not.toHaveValue('planarity');
+});
+
+test('the colours from before the card come back after the mesh was refined', async ({ page }) => {
+  // A finer mesh was taken for another model.
+  await openPage(page);
+  await openText(page, 'hypar.obj', hypar(4), 25);
+  await showStep(page, 'Check');
+  const colours = page.getByLabel('Colour by');
+  await colours.selectOption('planarity');
+  await openCurvature(page);
+  await expect(colours).not.toHaveValue('planarity');
+  await showStep(page, 'Shape');
+  await page.getByRole('button', { name: 'Refine', exact: true }).click();
+  await page.getByRole('button', { name: 'Refine now' }).click();
+  await waitForState(page, (now) => now.faces === 64);
+  await page.getByRole('button', { name: 'Close curvature' }).click();
+  await expect(colours).toHaveValue('planarity');
 });
 
 test('another measure than a curvature is the one before', async ({ page }) => {

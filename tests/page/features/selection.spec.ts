@@ -325,6 +325,30 @@ test('faces are found by a curvature in the unit in which the legend has it', as
   await expect.poll(async () => (await counts(page))[2]).toBeGreaterThan(9);
 });
 
+test('a length by which faces are found has the unit of the legend, and is not taken for another error', async ({
+  page,
+}) => {
+  // In a mesh in m, 5 as in the legend was taken as 5 m; it stayed, as 5 of the unit of the next error.
+  for (const key of 'b3') await page.keyboard.press(key);
+  await selectBy(page, 'By error…');
+  const menu = page.getByRole('dialog', { name: 'Select' });
+  const above = menu.getByRole('spinbutton', { name: 'Above' });
+  const measure = menu.getByRole('combobox', { name: 'Error: kind of value' });
+  await measure.selectOption('Planarity');
+  await expect(menu.getByText('mm', { exact: true })).toBeVisible();
+  const tolerance = await above.inputValue();
+  await above.fill('0.005 m');
+  await above.press('Tab');
+  await expect(above).toHaveValue('5');
+  await measure.selectOption('Mean curvature');
+  await expect(above).not.toHaveValue('5');
+  await measure.selectOption('Planarity');
+  await expect(above).toHaveValue(tolerance);
+  await above.fill('1');
+  await menu.getByRole('button', { name: 'Find' }).click();
+  await expect.poll(async () => (await counts(page))[2]).toBeGreaterThan(9);
+});
+
 test('a selection is saved as a set in the scene, selected again, and removed', async ({
   page,
 }) => {

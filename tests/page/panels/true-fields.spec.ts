@@ -323,3 +323,24 @@ test.describe('in a page of its own', () => {
     await expect(page.locator('dialog:modal')).toHaveCount(1);
   });
 });
+
+test('a slider that is moved and moved back at once leaves the weight as it was', async ({
+  page,
+}) => {
+  // The way back was compared with a document that had not the way there yet, and was not sent.
+  await openGrid(page, 4);
+  const slider = page.getByRole('slider', { name: 'Smooth weight, slider' });
+  const weight = async () => (await sceneOf(page)).weights.smooth;
+  const before = await slider.inputValue();
+  const old = await weight();
+  await slider.evaluate((input: HTMLInputElement) => {
+    for (const by of [1, -1]) {
+      input.valueAsNumber += by;
+      for (const type of ['input', 'change'])
+        input.dispatchEvent(new Event(type, { bubbles: true }));
+    }
+  });
+  await settled(page);
+  await expect(slider).toHaveValue(before);
+  expect(await weight()).toBeCloseTo(old, 6);
+});

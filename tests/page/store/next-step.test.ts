@@ -49,13 +49,13 @@ test('a run whose constraints are only weighed may end beyond the tolerance', ()
   assert.equal(after({ document: { ...document, ...off }, numbers: far }), 'build');
 });
 
-test('what is not good is not to be built, unless its verdict is not shown', () => {
+test('what is not good is not to be built, unless its verdict was closed', () => {
   // It used to be "Next: Build" beside the words that half of the roof is lost.
   const poor = { shape: 3, report: { level: 'poor' } };
   assert.equal(after({ verdict: poor }), 'choose');
   assert.equal(after({ verdict: poor, closedCard: model }), 'build');
-  // The user was sent to the verdict, in whose place there was the legend of a flat map.
-  assert.equal(after({ verdict: poor, flatMap: {} }), 'build');
+  // A look at a flat map made Build the next step.
+  assert.equal(after({ verdict: poor, flatMap: {} }), 'choose');
   assert.equal(after({ verdict: null }), 'build');
 });
 

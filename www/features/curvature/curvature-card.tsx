@@ -158,7 +158,9 @@ function useCurvatureColours() {
   function goBack(isBefore: boolean) {
     const { model: now, document } = store.get();
     const suggested = { measure: document?.measure ?? null, measureChosen: false };
-    actions.look(isBefore && now === model ? { measure, measureChosen } : suggested);
+    // One object for all meshes made of a file.
+    const isSame = now?.guessed === model?.guessed;
+    actions.look(isBefore && isSame ? { measure, measureChosen } : suggested);
   }
   useEffect(() => {
     const first = store.get().measures.find(({ curvature }) => curvature);

@@ -1,6 +1,6 @@
 /** The three weights of Eq. 13 in plain words, and the current energies. */
 
-import { useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { HeldSlider } from '../../ui/components/held-slider.tsx';
@@ -71,13 +71,22 @@ function TermRow({ term: { id, label, words } }: { term: Term }) {
   /** Where the slider is held, until that weight is set. */
   const [held, setHeld] = useState<{ weight: number } | null>(null);
   const weight = held?.weight ?? document?.weights[id] ?? 0;
-  const send = (value: number) => actions.edit({ setWeights: { [id]: value } });
+  /** The weight sent last, until the document has it. */
+  const sent = useRef<{ weight: number } | null>(null);
+  async function send(value: number) {
+    const own = { weight: value };
+    sent.current = own;
+    await actions.edit({ setWeights: { [id]: value } });
+    if (sent.current === own) sent.current = null;
+  }
 
   // The weight is set on release, so that one gesture is one edit; none if it has come back.
   async function release(place: number) {
     const released = { weight: weightAt(place) };
     setHeld(released);
-    if (document && place !== placeOf(document.weights[id])) await send(released.weight);
+    const before = sent.current?.weight ?? document?.weights[id] ?? 0;
+    if (place !== placeOf(before)) void send(released.weight);
+    await actions.settled();
     setHeld((now) => (now === released ? null : now));
   }
 

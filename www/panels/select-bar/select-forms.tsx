@@ -45,6 +45,10 @@ export function OperationForm(props: { operation: Operation; close: () => void }
     typeof param.default === 'number' ? { ...param, default: tolerance ?? param.default } : param,
   );
   const { units } = frameOf(state);
+  // As the legend has it.
+  const written = measure && writtenUnit(measure.unit, units, tolerance ?? 1);
+  const isLength = measure?.unit === 'length';
+  const unit = written && { symbol: written.symbol, factor: written.factor, isLength };
 
   async function find(combine: Combine) {
     // What is wrong is said at its field.
@@ -73,11 +77,13 @@ export function OperationForm(props: { operation: Operation; close: () => void }
         params={params}
         values={entered.value}
         frame={frameOf(state)}
-        unit={measure && writtenUnit(measure.unit, units, 1)}
+        unit={unit}
         refusal={refusal}
         onValue={(id, value) => {
           forget();
-          entered.value = { ...entered.value, [id]: value };
+          // What was typed for another measure is not of its unit.
+          const isMeasure = state.measures.some((one) => one.id === value);
+          entered.value = { ...(!isMeasure && entered.value), [id]: value };
         }}
       />
       <div class="verbs">

@@ -22,8 +22,8 @@ import type { ParamInfo, ParamValue } from '../../solver/types.ts';
 import type { Refusal } from './parameter-refusal.ts';
 
 /** A unit of numbers, and what they are multiplied by to be shown in it. */
-type WrittenUnit = { symbol: string; factor: number };
-const PLAIN: WrittenUnit = { symbol: '', factor: 1 };
+type WrittenUnit = { symbol: string; factor: number; isLength: boolean };
+const PLAIN: WrittenUnit = { symbol: '', factor: 1, isLength: false };
 /** Digits of a number that is shown in another unit. */
 const DIGITS = 12;
 
@@ -116,7 +116,8 @@ function Parameter({
   const numbers = Array.isArray(value) ? value : typeof value === 'number' ? [value] : [];
   const isVector = key === 'vector';
   const own = unitOf(param, frame.units);
-  const { symbol, factor } = own || isVector ? { symbol: own, factor: 1 } : usualUnit;
+  const { symbol, factor, isLength } =
+    own || isVector ? { symbol: own, factor: 1, isLength: param.unit === 'length' } : usualUnit;
   const unit = isVector || numbers.length === 0 ? '' : symbol;
   const shown = numbers.map((number) =>
     number === null || factor === 1 ? number : rounded(factor * number, DIGITS),
@@ -126,7 +127,7 @@ function Parameter({
   const [min, max] = isVector ? [] : param.range;
   /** What a number may be; a null is an infinite limit. */
   const accepted = (at: number): Accepted => ({
-    unit: param.unit === 'length' || unit === frame.units ? frame.units : '',
+    unit: isLength ? symbol : '',
     step: param.unit === 'degrees' ? 1 : isVector ? firstIn('') : undefined,
     min: factor * (min ?? -Infinity),
     max: factor * (max ?? Infinity),
