@@ -96,7 +96,11 @@ function plot(times) {
 export function speedTexts(html) {
   const markdown = text().replace(/^# .*\n/, '');
   // Comments mark what the bench writes.
-  const body = marked.parse(markdown.replace(/<!--.*?-->\n/g, ''), { async: false });
+  const plain = marked.parse(markdown.replace(/<!--.*?-->\n/g, ''), { async: false });
+  // Wide tables scroll in themselves, also by keys.
+  const body = plain
+    .replaceAll('<table>', '<div class="scrolled" tabindex="0"><table>')
+    .replaceAll('</table>', '</table></div>');
   return html
     .replace('<!-- plot -->', () => plot(timesIn(markdown)))
     .replace('<!-- text -->', () => body);

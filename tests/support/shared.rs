@@ -7,15 +7,16 @@ use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, read};
 use std::path::{Path, PathBuf};
 
-/// Path of a file or folder, which must be there; without `../shared` prints a line and returns
-/// `None`.
+/// Path of a file or folder of `../shared`, which must be there if the folder of its kind is, such as
+/// `meshes`; without that folder prints a line and returns `None`.
 pub(crate) fn path(name: &str) -> Option<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared");
-    if !folder.exists() {
-        println!("skipped: there is no ../shared");
+    let shared = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared");
+    let kind = name.split('/').next().unwrap_or_default();
+    if !shared.join(kind).exists() {
+        println!("skipped: there is no ../shared, or no {kind} in it");
         return None;
     }
-    let path = folder.join(name);
+    let path = shared.join(name);
     assert!(path.exists(), "there is no {}", path.display());
     Some(path)
 }

@@ -24,7 +24,7 @@ test('the gallery shows a lesson with its goals, which opens as a lesson', async
   await expect(card).toContainText('Planarity: at most 1 mm');
   await expect(card).toContainText('Distance to original: at most 50 mm');
   await page.getByRole('searchbox', { name: 'Search' }).fill('lesson');
-  await expect(page.getByRole('article')).toHaveCount(6);
+  await expect(page.getByRole('article')).toHaveCount(8);
   await card.getByRole('link', { name: TITLE }).click();
   await waitForState(page, (now) => now.vertices === 315);
   await showStep(page, 'Shape');

@@ -29,7 +29,7 @@ test('a new mesh follows its sizes, is kept, and is constrained', async ({ page 
   const dialog = await openNewMesh(page);
   await dialog.getByLabel('Shape').selectOption({ label: 'Hypar' });
   await waitForState(page, (now) => now.faces === 144);
-  const [first] = await dialog.getByRole('spinbutton').all();
+  const first = dialog.getByRole('spinbutton').first();
   const length = Number(await first.inputValue());
   await dialog.getByLabel('Unit').selectOption('mm');
   await expect(first).toHaveValue(String(1000 * length));
@@ -51,7 +51,7 @@ test('another unit changes no size', async ({ page }) => {
   // What was typed was rounded, and the mesh grew by 4.4 mm.
   await openPage(page);
   const dialog = await openNewMesh(page);
-  const [first] = await dialog.getByRole('spinbutton').all();
+  const first = dialog.getByRole('spinbutton').first();
   await first.fill('12.345678');
   const unit = dialog.getByLabel('Unit');
   await unit.selectOption('mm');
@@ -67,7 +67,7 @@ test('another unit changes no size', async ({ page }) => {
 test('a size that is taken out of its field is back in another unit', async ({ page }) => {
   await openPage(page);
   const dialog = await openNewMesh(page);
-  const [first] = await dialog.getByRole('spinbutton').all();
+  const first = dialog.getByRole('spinbutton').first();
   const length = Number(await first.inputValue());
   await first.fill('');
   await expect(dialog.getByRole('button', { name: 'Create mesh' })).toBeDisabled();
