@@ -1,7 +1,7 @@
 //! The results that the gallery shows. `UPDATE=1 cargo test gallery` writes them;
 //! `npm run pictures` calls it.
 
-use crate::examples::statements::Run;
+use crate::examples::solved::Run;
 use serde::{Deserialize, Serialize};
 use shape_up::generate::example::Example;
 use shape_up::mesh::angle_histogram;

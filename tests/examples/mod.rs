@@ -2,6 +2,7 @@
 
 mod exercise;
 mod gallery;
+mod solved;
 mod statements;
 
 use shape_up::generate::example::EXAMPLES;

@@ -3,18 +3,16 @@
 use crate::support::grid::{bumpy, grid};
 use serde_json::json;
 use shape_up::constraint::Kind;
-use shape_up::fabricate::BUILD_NUMBERS;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme, Subdivision, Topology};
 use shape_up::scene::{
     BuildSettings, ChosenAttempt, ClosenessTo, EasedFaces, Goal, GoalOf, HandleSpec, Hold, Lesson,
     Lock, Pose, Results, Scene, Target,
 };
-use shape_up::session::{Edit, Session, check_results, goals_in_words};
+use shape_up::session::{Edit, Session, check_results};
 use shape_up::solve::Require;
-use shape_up::words;
 
 /// Planes on all faces, to be reached without large displacements.
-fn scene() -> Scene {
+pub(super) fn scene() -> Scene {
     let text = r#"{ "format": "shape-up-scene", "version": 1, "title": "Roof", "units": "m",
         "mesh": { "file": "grid.obj" },
         "constraints": [{ "kind": "plane", "on": "faces", "weight": 100, "name": "Panels" }],
@@ -26,7 +24,7 @@ fn scene() -> Scene {
     Scene::from_json(text).expect("the scene is valid")
 }
 
-fn session() -> Session {
+pub(super) fn session() -> Session {
     Session::open(scene(), bumpy(5)).expect("it fits")
 }
 
@@ -425,72 +423,6 @@ fn a_goal_on_something_that_is_not_built_is_refused() {
         refused.contains("lesson.goals[0].build") && refused.contains("beam_warp"),
         "{refused}"
     );
-}
-
-#[test]
-fn goals_and_their_values_are_said_as_readers_write_them() {
-    let mut scene = scene();
-    scene.lesson = Some(
-        serde_json::from_value(json!({ "text": "Make every panel flat.", "goals": [
-            { "measure": "planarity", "at_most": 0.005 },
-            { "measure": "planarity", "beyond": 0.005, "at_most": 0 },
-            { "measure": "planarity", "beyond": 0.005, "at_most": 1 },
-            { "measure": "planarity", "beyond": 0.005, "at_most": 12 },
-            { "measure": "displacement", "at_most": 0 },
-            { "constraint": "Panels", "at_most": 0 },
-            { "constraint": "Panels", "at_most": 0.2 },
-            { "build": "types", "at_most": 3 } ] }))
-        .expect("it is a lesson"),
-    );
-    let sentences = |scene: &Scene| -> Vec<String> {
-        let lesson = scene.lesson.as_ref().expect("it has one");
-        goals_in_words(lesson, &scene.units).into_iter().map(|goal| goal.sentence).collect()
-    };
-    let types =
-        BUILD_NUMBERS.iter().find(|number| number.id == "types").expect("it is declared").label;
-    assert_eq!(
-        sentences(&scene),
-        [
-            "Planarity: at most 5 mm",
-            "Planarity: no panel beyond 5 mm",
-            "Planarity beyond 5 mm: at most 1 panel",
-            "Planarity beyond 5 mm: at most 12 panels",
-            "Moved: at most 0 mm",
-            "Panels: exact",
-            "Panels: largest distance at most 0.2 m",
-            &format!("{types}: at most 3"),
-        ]
-    );
-    scene.units = String::new();
-    assert_eq!(sentences(&scene)[6], "Panels: largest distance at most 0.2");
-    scene.units = "m".to_owned();
-
-    let mut session = Session::open(scene, bumpy(5)).expect("it fits");
-    let worst = session.measures().planarity.max_distance;
-    let beyond = session.goals()[1].value.expect("it is measured");
-    let progress = session.lesson_progress().expect("there is a lesson");
-    let said: Vec<_> = progress.goals.iter().map(|goal| (goal.words, &*goal.value)).collect();
-    // In the unit of the limit.
-    let in_mm = words::length_like(worst, "m", 0.005);
-    assert_eq!(said[0], ("not satisfied", &*in_mm));
-    assert_eq!(said[1], ("not satisfied", &*format!("{beyond} panels")));
-    assert_eq!(said[4], ("satisfied", "0 mm"));
-    assert_eq!(said[7], ("not satisfied", "measured when the shape no longer moves"));
-    let met = progress.goals.iter().filter(|goal| goal.met).count();
-    assert_eq!((progress.passed, progress.words), (false, format!("{met} of 8 goals satisfied")));
-}
-
-#[test]
-fn a_lesson_is_passed_when_all_goals_are_met() {
-    let progress = |session: &mut Session| session.lesson_progress().expect("there is a lesson");
-    let mut session = session();
-    assert_eq!(progress(&mut session).words, "1 of 3 goals satisfied");
-    session.solve(false).expect("positions stay finite");
-    let passed = progress(&mut session);
-    assert!(passed.passed && passed.goals.iter().all(|goal| goal.words == "satisfied"));
-    assert_eq!(passed.words, "Passed: 3 goals satisfied");
-    session.edit(Edit::SetLesson { lesson: None, unsolved: false }).expect("it can be removed");
-    assert_eq!(session.lesson_progress(), None);
 }
 
 #[test]

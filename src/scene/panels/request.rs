@@ -67,7 +67,8 @@ impl Scene {
     /// Requests the shape `kind`, soft or hard by `require`, for every suitable face of `mesh`, and
     /// returns the declaration of the kind. An existing constraint of this kind without
     /// parameters of its own on all faces is enabled instead, and stays exact if it was. Constraints of
-    /// other offered kinds on all faces are disabled. Weights that would not keep the mesh intact are set by [`Scene::set_opened_defaults`].
+    /// other offered kinds on all faces are disabled. Weights that would not keep the mesh intact are
+    /// set by [`Scene::set_opened_defaults`].
     ///
     /// # Errors
     /// If there is no such kind, or no face suits it.
