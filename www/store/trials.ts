@@ -23,7 +23,8 @@ export interface ExactFound {
   positions: Float64Array;
 }
 
-export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
+export function createTrials(solver: SolverClient, jobs: JobsClient) {
+  const { ask, copy } = jobs.of('trials');
   /** Number of the current trial, and of changes that end every trial. */
   let [turn, changes] = [0, 0];
   /** Settled when the last trial has ended. */
@@ -69,7 +70,9 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
         more = await ask.advance();
         if (mine === turn) await after();
       }
-      return read(mine === turn);
+      const found = await read(mine === turn);
+      if (mine === turn) await ask.free();
+      return found;
     });
     last = trial.catch(() => null);
     return trial;
@@ -90,7 +93,7 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
       if (!solver.copy()) await new Promise((come) => solver.once('scene', come));
       const model = solver.copy();
       if (!model) return null;
-      return (await copy(model).forecast()) ?? null;
+      return (await jobs.copy(model).forecast()) ?? null;
     },
 
     /**

@@ -7,6 +7,7 @@ import { effect, signal } from '@preact/signals';
 import { Cancelled, messageOf } from '../../solver/errors.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import type { AppContext } from '../../app/context.ts';
+import type { Snapshot } from '../../solver/types.ts';
 import type {
   BoundaryForecast,
   LaidOut,
@@ -175,20 +176,25 @@ export class Layouts {
       if (panels.boundary)
         void this.#foretell(() => jobs.copy(model).panelsAtBoundaries(settings, kept));
     } catch (error) {
-      if (this.#isOpen) await this.#refuse(error);
+      if (this.#isOpen) await this.#refuse(error, model);
     } finally {
       if (!this.#layouts.hasNext()) this.doing.value = null;
     }
   }
 
-  async #refuse(error: unknown) {
+  async #refuse(error: unknown, model: Snapshot) {
+    const { jobs } = this.#app;
     const before = this.laidOut.value;
     if (error instanceof Cancelled) {
       if (!before) return this.#close();
       this.wishes.value = before.asked;
       return this.#show(before);
     }
-    const refused = (await this.#app.jobs.ask.panelsRefusedAt().catch(() => null)) ?? null;
+    const refused =
+      (await jobs
+        .copy(model)
+        .panelsRefusedAt()
+        .catch(() => null)) ?? null;
     if (this.#layouts.hasNext()) return;
     this.laidOut.value = this.forecast.value = null;
     this.#refused.value = refused;
