@@ -3,6 +3,7 @@
 import { readLink } from '../../documents/share-link.ts';
 import { listOfExamples } from '../../solver/examples.ts';
 import { messageOf } from '../../solver/errors.ts';
+import { sceneOf } from '../../solver/scene-text.ts';
 import { byId, setText } from '../../ui/dom.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
 import { PRESSED } from '../../ui/embedded.ts';
@@ -31,8 +32,8 @@ function start() {
 function showScene(text: string | null, name: string) {
   setText(byId('title'), name);
   if (!text) return;
-  const { mesh, up = 'z' } = JSON.parse(text);
-  const faces: number[][] = mesh.faces ?? [];
+  const { mesh, up = 'z' } = sceneOf(text);
+  const faces = mesh.faces ?? [];
   let end = 0;
   const faceOffsets = Uint32Array.from([0, ...faces.map(({ length }) => (end += length))]);
   const drawing = byId<HTMLCanvasElement>('drawing');
