@@ -209,9 +209,10 @@ export function createActions(
         reportErrors(solver.change.makeExact(shape, positions, joins)),
     },
 
-    /** Passes numbers of the build, by id, to the session; goals of a lesson may bound them. */
+    /** Passes numbers of the build of the shape that is shown, by id; goals of a lesson may bound them. */
     setBuildNumbers: (numbers: [string, number][]) =>
       solver.change.setBuildNumbers(
+        solver.geometry?.positions ?? new Float64Array(0),
         numbers.map(([id]) => id),
         Float64Array.from(numbers, ([, value]) => value),
       ),

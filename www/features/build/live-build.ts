@@ -17,9 +17,10 @@ export class LiveBuild {
   #builds = latestOnly(() => this.#once());
   /** Generations of the worker and of the shape, and settings of the last build. */
   #key = '';
-  /** Mesh of the last build, and generation of its shape. */
+  /** Mesh of the last build, generation of its shape, and its document. */
   #mesh: object | null = null;
   #generation = 0;
+  #document: SceneDocument | null = null;
   /** Settings of the last build; empty if it was refused. */
   #agreed = '';
   /** Duration of the last build. */
@@ -107,7 +108,7 @@ export class LiveBuild {
         return await this.#offset(jobs.ask.reshape(this.#asker, positions));
       }
       [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
-      this.#generation = generation;
+      [this.#generation, this.#document] = [generation, document];
       const { faceOffsets: offsets, faceIndices: indices, unplaced } = mesh;
       const untouched = mesh.untouchedOffsets.length - 1;
       const faces = { offsets, indices, unplaced, untouched };
@@ -171,9 +172,11 @@ export class LiveBuild {
     return this.#whole(() => this.#app.jobs.ask.zipParts(this.#asker, this.#isZUp()));
   }
 
-  /** Whether the last build is of the shape as it is now. */
+  /** Whether the last build is of shape and document as they are now. */
   isCurrent() {
-    return this.#app.solver.geometry?.generation === this.#generation;
+    const { solver, store } = this.#app;
+    const isOfShape = solver.geometry?.generation === this.#generation;
+    return isOfShape && store.get().document === this.#document;
   }
 
   /** The numbers that a lesson may bound. */
@@ -221,7 +224,8 @@ export async function measureGoals(app: AppContext) {
 
   async function tell() {
     const numbers = await live.numbers();
-    // Of another shape they say nothing; it is built in its turn.
+    await actions.settled();
+    // Of another shape, or with other settings, they say nothing; that is built in its turn.
     if (live.isCurrent()) await actions.setBuildNumbers(numbers);
   }
 
