@@ -24,7 +24,8 @@ export function open(
   { files, saved, frame = '', solved, weld }: Opening,
 ): Loaded {
   const main = mainOf(files);
-  const named = filesNamed(files, (scene) => solver.sceneFiles(scene));
+  // Of a scene alone, which may be large, `load` says what is missing.
+  const named = files.length > 1 ? filesNamed(files, (scene) => solver.sceneFiles(scene)) : [];
   solver.setDefaultFrame(frame);
   solver.keepUnwelded(weld === false);
   for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
