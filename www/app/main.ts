@@ -64,10 +64,7 @@ const files = new Files(store, solver, alerts, actions);
 const region = new RegionSelection(store, viewport, actions);
 const selecting = new Selecting(store, solver, actions);
 const pointer = new PointerInput(store, solver, viewport, region, actions, {
-  addHandles: (vertices) => actions.addHandles(vertices, false),
-  selectedHandles: actions.selectedHandles,
   showMenu: (at) => showContextMenu(at, app),
-  fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
 bindHandleKeys(viewport, store, solver, actions);
