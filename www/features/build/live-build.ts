@@ -94,7 +94,7 @@ export class LiveBuild {
     const { connectivity: mesh, generation } = geometry;
     const positions = geometry.positions.slice();
     const held = document.handles.filter(({ fixed }) => fixed).map(({ vertex }) => vertex);
-    const site = { symbol, z_up: this.#isZUp(), held };
+    const site = { symbol, z_up: document.up === 'z', held };
     const agreed = JSON.stringify([site, settings]);
     const keyNow = () => [jobs.generation, generation, agreed].join();
     const key = keyNow();
@@ -169,7 +169,7 @@ export class LiveBuild {
 
   /** All files as a ZIP archive. */
   zip() {
-    return this.#whole(() => this.#app.jobs.ask.zipParts(this.#asker, this.#isZUp()));
+    return this.#whole(() => this.#app.jobs.ask.zipParts(this.#asker));
   }
 
   /** Whether the last build is of shape and document as they are now. */
@@ -186,7 +186,7 @@ export class LiveBuild {
 
   /** The parts in space and the sheets, for CAD programs. */
   spatialParts() {
-    return this.#whole(() => this.#app.jobs.ask.spatialParts(this.#asker, this.#isZUp()));
+    return this.#whole(() => this.#app.jobs.ask.spatialParts(this.#asker));
   }
 
   /** The report. */
@@ -199,13 +199,7 @@ export class LiveBuild {
     camera: Float64Array | null;
     link: string;
   }) {
-    return this.#whole(() =>
-      this.#app.jobs.ask.reportPage(this.#asker, title, this.#isZUp(), camera, link),
-    );
-  }
-
-  #isZUp() {
-    return this.#app.store.get().document?.up === 'z';
+    return this.#whole(() => this.#app.jobs.ask.reportPage(this.#asker, title, camera, link));
   }
 }
 
