@@ -6,8 +6,9 @@
 import { Emitter } from './emitter.ts';
 import { Cancelled, again } from './errors.ts';
 import { calling, Waiting, type Answer, type Call, type Remote } from './remote.ts';
-import type { JobCall, Jobs, OnCopy } from '../worker/jobs-worker.ts';
+import type { JobCall, Jobs } from '../worker/jobs-worker.ts';
 import type { Holder } from '../worker/jobs/model-copy.ts';
+import type { ModelCopy } from '../pkg/engine/shape_up.js';
 import type { Snapshot } from './types.ts';
 
 type ErrorOf = (name: string, place: number) => Error;
@@ -46,12 +47,12 @@ export class JobsClient extends Emitter<{
    * The methods of a copy of a model, which is made first unless the worker has it. What waited when
    * another job was cancelled is asked for again, since it needs nothing that the worker had.
    */
-  copy = (model: Snapshot, holder: Holder = 'questions'): Remote<OnCopy> =>
+  copy = (model: Snapshot, holder: Holder = 'questions'): Remote<ModelCopy> =>
     calling((name, given) => again(() => this.#call(name, given, { model, holder })));
 
-  /** What goes on with what it has begun on a copy of a model: `ask` is about that, whatever others ask. */
+  /** What goes on with what it has begun on a copy of a model: `ask` is about that, whatever others ask; `free` ends it. */
   of(holder: Exclude<Holder, 'questions'>) {
-    const ask: Remote<OnCopy> = calling((name, given) => this.#call(name, given, { holder }));
+    const ask: Remote<ModelCopy> = calling((name, given) => this.#call(name, given, { holder }));
     return { copy: (model: Snapshot) => this.copy(model, holder), ask };
   }
 
@@ -59,7 +60,7 @@ export class JobsClient extends Emitter<{
    * Cancels the current job, or those with these names. What waits for the worker ends with it, but is
    * told that it was not meant.
    */
-  cancel(...names: (keyof Remote<Jobs & OnCopy>)[]) {
+  cancel(...names: (keyof Remote<Jobs & ModelCopy>)[]) {
     const meant: string[] = names;
     this.#end(
       (name, place) => new Cancelled(names.length > 0 ? meant.includes(name) : place === 0),

@@ -59,7 +59,6 @@ export type {
   WorstRow,
 } from '../pkg/engine/shape_up.js';
 
-export type { OnCopy } from '../worker/jobs-worker.ts';
 export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
 export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
 

@@ -8,7 +8,8 @@ import { again } from '../solver/errors.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Remote } from '../solver/remote.ts';
-import type { BetterPress, ExactOffer, ExactShape, OnCopy, Suggestion } from '../solver/types.ts';
+import type { ModelCopy } from '../pkg/engine/shape_up.js';
+import type { BetterPress, ExactOffer, ExactShape, Suggestion } from '../solver/types.ts';
 
 /** Time limit of the search for better presses, in milliseconds. */
 const MOST_PRESSES_MS = 20_000;
@@ -54,7 +55,7 @@ export function createTrials(solver: SolverClient, jobs: JobsClient) {
    * @returns what was read; null without a model
    */
   async function run<Found>(
-    begin: (copy: Remote<OnCopy>) => Promise<unknown>,
+    begin: (copy: Remote<ModelCopy>) => Promise<unknown>,
     goesOn: () => boolean,
     read: (isCurrent: boolean) => Promise<Found> | Found,
     after: () => Promise<unknown> = () => Promise.resolve(),

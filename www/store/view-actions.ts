@@ -2,6 +2,8 @@
 
 import { NOTHING } from './selection.ts';
 import type { BetterPress } from '../solver/types.ts';
+import { byId } from '../ui/dom.ts';
+import { reveal } from '../ui/reveal.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
 import { AUTOMATIC, MICE, type PanelPress, type State, type Store } from './state.ts';
 
@@ -59,6 +61,13 @@ export function createViewActions(store: Store) {
     /** Sets the tolerance of another measure, in its unit. */
     setToleranceOf: (id: string, value: number | null) =>
       store.set({ tolerances: { ...store.get().tolerances, [id]: value } }),
+
+    /** Shows the region of plots and lists at one of them, by its id; its step may be closed. */
+    async showPlot(plot: string) {
+      store.set({ plot });
+      await Promise.resolve();
+      reveal(byId('analysis'));
+    },
 
     /** Sets parts of the state that nothing else has to follow. */
     look: (change: Partial<State>) => store.set(change),

@@ -9,12 +9,9 @@ import { answerTo, type Answer, type Call } from '../solver/remote.ts';
 import { builds } from './jobs/build.ts';
 import { curvature } from './jobs/curvature.ts';
 import { copyOf, letGo, type Holder } from './jobs/model-copy.ts';
-import type { ModelCopy } from '../pkg/engine/shape_up.js';
 import type { Snapshot } from '../solver/types.ts';
 
 const jobs = { ...builds, ...curvature };
-/** What a copy of the open model answers; `free` ends what has been begun on it. */
-export type OnCopy = ModelCopy;
 export type Jobs = typeof jobs;
 
 /** A call of the copy of a holder: of this model if one is named, else of that which it has. */

@@ -7,7 +7,6 @@ import { effect, signal } from '@preact/signals';
 import { Cancelled, messageOf } from '../../solver/errors.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { Snapshot } from '../../solver/types.ts';
 import type {
   BoundaryForecast,
   LaidOut,
@@ -176,25 +175,21 @@ export class Layouts {
       if (panels.boundary)
         void this.#foretell(() => jobs.copy(model).panelsAtBoundaries(settings, kept));
     } catch (error) {
-      if (this.#isOpen) await this.#refuse(error, model);
+      if (this.#isOpen) await this.#refuse(error, () => jobs.copy(model).panelsRefusedAt());
     } finally {
       if (!this.#layouts.hasNext()) this.doing.value = null;
     }
   }
 
-  async #refuse(error: unknown, model: Snapshot) {
-    const { jobs } = this.#app;
+  /** @param place asks where */
+  async #refuse(error: unknown, place: () => Promise<RefusedAt | undefined>) {
     const before = this.laidOut.value;
     if (error instanceof Cancelled) {
       if (!before) return this.#close();
       this.wishes.value = before.asked;
       return this.#show(before);
     }
-    const refused =
-      (await jobs
-        .copy(model)
-        .panelsRefusedAt()
-        .catch(() => null)) ?? null;
+    const refused = (await place().catch(() => null)) ?? null;
     if (this.#layouts.hasNext()) return;
     this.laidOut.value = this.forecast.value = null;
     this.#refused.value = refused;
