@@ -140,7 +140,7 @@ function bindSolver(client: SolverClient) {
       // A restarted worker keeps the view settings.
       ...(!client.restoring && {
         ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
-        frameChosen: null,
+        ...{ frameChosen: null, section: null },
       }),
       model: loaded,
       document: null,
@@ -154,7 +154,6 @@ function bindSolver(client: SolverClient) {
       dragMs: 0,
       ...{ tint: null, pointed: null },
       tape: null,
-      section: null,
     }),
   );
   client.on('loading', ({ bytes, all }) => showLoading(store, bytes, all));
