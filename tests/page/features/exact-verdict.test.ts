@@ -21,7 +21,7 @@ async function shown() {
   });
   const actions = {
     ask: { exactWords: async () => ({ brief: 'not possible', numbers: '', suggestions: [] }) },
-    tint: (tint: State['tint']) => store.set({ tint }),
+    look: (change: Partial<State>) => store.set(change),
   };
   const messages = new RunMessages(store);
   const app = { store, actions, solver: { geometry: null } } as unknown as AppContext;

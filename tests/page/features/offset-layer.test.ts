@@ -12,7 +12,7 @@ test('an offset that arrives after another mesh was opened tints none of its fac
   const model = { vertices: 4 };
   const app = {
     store: { get: () => ({ tint: null, model }), subscribe: () => {} },
-    actions: { tint: (tint: Tint | null) => tints.push(tint) },
+    actions: { look: ({ tint }: { tint: Tint | null }) => tints.push(tint) },
     viewport: { on: () => {}, unmeasured: () => {} },
   };
   const layer = offsetLayer(app as unknown as AppContext);

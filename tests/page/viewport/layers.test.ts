@@ -22,12 +22,12 @@ test('what is pointed at is marked for that time, and then what was marked befor
   const tintOf = (face: number): Tint => ({
     ...{ vertices: new Uint32Array(0), faces: Uint32Array.of(face), colour: [0, 0, 0] },
   });
-  actions.tint(tintOf(1));
+  actions.look({ tint: tintOf(1) });
   assert.deepEqual(marked(), [1]);
-  actions.tintPointed(tintOf(2));
+  actions.look({ pointed: tintOf(2) });
   assert.deepEqual(marked(), [2]);
-  actions.tintPointed(null);
+  actions.look({ pointed: null });
   assert.deepEqual(marked(), [1]);
-  actions.tint(null);
+  actions.look({ tint: null });
   assert.deepEqual(marked(), []);
 });

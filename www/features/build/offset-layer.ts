@@ -38,7 +38,7 @@ export function offsetLayer({ store, actions, viewport }: AppContext) {
     tinted = model;
     // What cannot be built is seen before vertices that stand still, whose tint has no faces.
     const isFree = shown?.faces.length === 0;
-    if (shown === before || shown === null || (tint && isFree)) actions.tint(tint);
+    if (shown === before || shown === null || (tint && isFree)) actions.look({ tint });
   }
 
   viewport.on('ready', draw);
@@ -46,7 +46,7 @@ export function offsetLayer({ store, actions, viewport }: AppContext) {
   store.subscribe(['tint'], (now) => {
     // The tint of another mesh is out of date.
     if (now.model !== tinted) tint = null;
-    if (tint && !now.tint) actions.tint(tint);
+    if (tint && !now.tint) actions.look({ tint });
   });
   return { show };
 }

@@ -137,7 +137,7 @@ function ExportDialog({ close }: InDialog) {
           disabled={curvesOnly}
           onClick={() => {
             close();
-            actions.dock('parts');
+            actions.look({ docked: 'parts' });
           }}
         />
       </section>

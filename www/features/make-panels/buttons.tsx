@@ -144,7 +144,7 @@ export function MeshTools() {
       <Button
         {...tools}
         title={tools.title || 'Lays out panels along the lines of curvature'}
-        onClick={() => actions.openCorner('new-panels')}
+        onClick={() => actions.look({ corner: 'new-panels' })}
       >
         New panels
       </Button>

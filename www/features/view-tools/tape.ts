@@ -35,7 +35,7 @@ export class Tape {
     this.#store = store;
     this.#actions = actions;
     this.#viewport = viewport;
-    const end = () => actions.useTool({ tape: null });
+    const end = () => actions.look({ tape: null });
     const close = closeButton('End measuring', end, { title: 'Esc' });
     this.#card = element(
       'div.card',

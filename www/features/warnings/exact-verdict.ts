@@ -139,7 +139,7 @@ export class ExactVerdict {
     const show = () => {
       showElements(this.#app, elements);
       this.#tint = { ...elements, colour: UNMET };
-      actions.tint(this.#tint);
+      actions.look({ tint: this.#tint });
     };
     const suggestions = words.suggestions.map(({ label, index, within }) => ({
       label,
@@ -157,7 +157,7 @@ export class ExactVerdict {
   /** Removes the colours, unless others have taken their place. */
   #untint() {
     const { store, actions } = this.#app;
-    if (this.#tint && store.get().tint === this.#tint) actions.tint(null);
+    if (this.#tint && store.get().tint === this.#tint) actions.look({ tint: null });
     this.#tint = null;
   }
 }

@@ -44,11 +44,11 @@ export function FreeVertices() {
   }, [document]);
   // What cannot be met or built is marked instead, as long as it is.
   useEffect(() => {
-    if (marks && !tint) actions.tint(marks);
+    if (marks && !tint) actions.look({ tint: marks });
   }, [marks, tint]);
   useEffect(
     () => () => {
-      if (store.get().tint === marks) actions.tint(null);
+      if (store.get().tint === marks) actions.look({ tint: null });
     },
     [marks],
   );

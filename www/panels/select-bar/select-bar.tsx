@@ -45,7 +45,7 @@ export function SelectBar() {
             type="button"
             title={title + keyInTitle(key)}
             aria-pressed={selects && id === shape}
-            onClick={() => actions.useTool({ tool: 'select', shape: id })}
+            onClick={() => actions.look({ tool: 'select', shape: id })}
           >
             <Icon name={id} />
             <span>{label}</span>
@@ -58,7 +58,7 @@ export function SelectBar() {
         title={`Also select what the surface hides${keyInTitle('T')}`}
         aria-pressed={through}
         hidden={!selects}
-        onClick={() => actions.useTool({ through: !through })}
+        onClick={() => actions.look({ through: !through })}
       >
         <Icon name="through" />
         <span>Select through</span>
@@ -69,7 +69,7 @@ export function SelectBar() {
         title="Also select what a box or a lasso only touches, whichever way it is drawn"
         aria-pressed={touching}
         hidden={!selects || shape === 'paint'}
-        onClick={() => actions.useTool({ touching: !touching })}
+        onClick={() => actions.look({ touching: !touching })}
       >
         <Icon name="touching" />
         <span>Touching</span>
@@ -81,7 +81,7 @@ export function SelectBar() {
         title="Add to the selection instead of replacing it"
         aria-pressed={adds}
         hidden={!words}
-        onClick={() => actions.useTool({ adds: !adds })}
+        onClick={() => actions.look({ adds: !adds })}
       >
         <Icon name="add" />
         <span>Add to selection</span>
@@ -96,7 +96,7 @@ export function SelectBar() {
         aria-valuetext={`${brush} pixels`}
         value={brush}
         hidden={!selects || shape !== 'paint'}
-        onInput={({ currentTarget }) => actions.useTool({ brush: currentTarget.valueAsNumber })}
+        onInput={({ currentTarget }) => actions.look({ brush: currentTarget.valueAsNumber })}
       />
       <button
         ref={opener}
