@@ -1,4 +1,5 @@
-//! A line drawing of a model for print: visible parts of edges, outlines and fitted circles.
+//! A line drawing of a model for print: visible parts of edges, outlines, curves and fitted circles, and
+//! the section.
 //!
 //! Visibility is sampled along each line against a depth buffer whose pixels are about a tenth of a
 //! millimetre on paper. The sides of the frontmost face at a sample count as visible whatever their
