@@ -262,6 +262,35 @@ fn no_panel_is_told_to_meet_one_that_is_not_there() {
 }
 
 #[test]
+fn panels_beside_one_without_area_meet_each_other_in_folds_joints_holes_paper_and_tables() {
+    // A roof of 90 degrees with triangles on its ridge, which has one corner on one of its sides and
+    // three on the other.
+    let ridge = [0.0, 8.0, 2.0, 5.0].map(|y| [0.0, y, 4.0]);
+    let eaves = [[-4.0, 0.0, 0.0], [-4.0, 8.0, 0.0], [4.0, 0.0, 0.0], [4.0, 8.0, 0.0]];
+    let positions = [ridge, eaves].concat();
+    let (west, east) = ([4, 0, 1, 5], [6, 7, 1, 3, 2, 0]);
+    let mesh = faces(&[&west, &east, &[0, 2, 1], &[2, 3, 1]], &positions);
+    let own = BuildSettings { hole: 3.0, thickness: 3.0, ..BuildSettings::default() };
+    let made = build(&mesh, &own);
+    let report = made.report();
+    // 2 T tan 45 degrees.
+    let fold = report.fold_deg.expect("a ridge");
+    assert!(fold.iter().all(|fold| (fold - 90.0).abs() < 1e-9), "{fold:?}");
+    assert_eq!(report.least_joint_mm[0], None);
+    assert!((report.least_joint_mm[1].expect("inside") - 6.0).abs() < 1e-9, "{report:?}");
+    // Two on the side of the west, and two on each of the three sides of the east.
+    assert_eq!((report.holes, report.dropped_holes), (0, 8));
+    let edges = made.files(true).into_iter().find(|file| file.name == "edges.csv").unwrap().text;
+    let of_ridge = ["B0-1", "B0-2", "B2-3", "B1-3", "B1-2"];
+    for line in of_ridge.map(|name| edges.lines().find(|line| line.starts_with(name)).unwrap()) {
+        assert!(line.contains("P0") && line.contains("P1") && line.contains(",90,"), "{line}");
+    }
+    let paper = build(&mesh, &BuildSettings { product: Product::Paper, ..own });
+    assert_eq!(paper.report().paper.unwrap().without_tab, ["P0/P1"]);
+    assert_eq!(paper.paper.unwrap().unpaired.len(), 4);
+}
+
+#[test]
 fn two_beams_in_one_direction_are_no_fins_of_any_thickness() {
     let own = BuildSettings {
         product: Product::Fins,
@@ -328,9 +357,8 @@ fn both_panels_of_a_seam_of_a_one_sided_strip_have_a_name_there() {
     let made = build(&mesh, &BuildSettings::default());
     assert!(made.surface.one_sided.is_some());
     let unpaired: Vec<_> = made.surface.unpaired().collect();
-    let [(_, panels)] = unpaired[..] else { panic!("it has one seam") };
-    let edge = made.surface.panels.iter().position(|own| own == panels).unwrap() as u32;
-    let others = |f: u32| made.surface.others(edge, f).collect::<Vec<_>>();
+    let [(edge, panels)] = &unpaired[..] else { panic!("it has one seam") };
+    let others = |f: u32| made.surface.others(*edge, f).collect::<Vec<_>>();
     assert_eq!((others(panels[0]), others(panels[1])), (vec![panels[1]], vec![panels[0]]));
     let paper =
         build(&mesh, &BuildSettings { product: Product::Paper, ..BuildSettings::default() });
