@@ -59,6 +59,8 @@ pub struct NotCut {
     pub part: String,
     /// The reason, in words.
     pub why: &'static str,
+    /// Whether it would be a part: a panel without area and a beam without length are none.
+    pub is_part: bool,
 }
 
 /// A shape divided into parts.
@@ -196,6 +198,11 @@ impl Build {
             build.faults.push(Fault::too_many_pages(build.pages()));
         }
         Ok(build)
+    }
+
+    /// The number of parts that are missing because they cannot be cut.
+    pub(super) fn missing_parts(&self) -> usize {
+        self.not_cut.iter().filter(|not| not.is_part).count()
     }
 
     /// The number of pages of all sheets, on pages of the size that was asked for.

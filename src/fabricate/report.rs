@@ -66,8 +66,8 @@ pub struct PaperReport {
 pub struct BuildReport {
     /// The product.
     pub product: Product,
-    /// Parts to be cut: panels, fins, or pieces of paper. The panels of which no piece is made are in
-    /// `not_cut` only.
+    /// Parts to be cut: panels, fins and node discs, or pieces of paper. The panels of which no piece is
+    /// made, those without area, and beams without length are in `not_cut` only.
     pub parts: usize,
     /// Panels.
     pub panels: usize,
@@ -204,7 +204,7 @@ impl Build {
             parts: self.parts.len()
                 + match self.settings.product {
                     Product::Paper => 0,
-                    Product::Panels | Product::Fins => self.not_cut.len(),
+                    Product::Panels | Product::Fins => self.missing_parts(),
                 },
             panels: self.names.len(),
             edges: self.surface.edges.len(),

@@ -200,9 +200,15 @@ fn beams_state_the_unit_and_the_up_axis_of_the_model() {
 fn what_is_no_fin_is_named_and_the_rest_is_cut() {
     let mut mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * i)]);
     mesh.positions[6] = mesh.positions[5];
-    let report = build(&mesh, &settings()).report();
+    let made = build(&mesh, &settings());
+    let report = made.report();
     assert_eq!(report.not_cut, ["B5-6: its edge has no length"]);
-    assert_eq!(report.placed + 1, report.edges);
+    // It is no part that is missing, and no beam to saw.
+    assert_eq!((report.placed + 1, report.parts), (report.edges, report.placed));
+    let number = BUILD_NUMBERS.iter().position(|number| number.id == "sheets").unwrap();
+    assert_eq!(made.numbers()[number], Some(report.sheets as f64));
+    let saw_list = made.files(true).into_iter().find(|file| file.name == "beams.csv").unwrap().text;
+    assert_eq!(saw_list.lines().count(), 1 + report.placed);
     // Plates as thick as the edges are long.
     let report = build(&mesh, &BuildSettings { thickness: 120.0, ..settings() }).report();
     assert!(report.not_cut.iter().any(|line| line.contains("it is cut away at its nodes")));
