@@ -301,19 +301,18 @@ impl Build {
 
     /// The sheets as line drawings.
     pub fn drawings(&self) -> Vec<Drawing> {
+        (0..self.layout.sheets.len()).map(|k| self.drawing(k)).collect()
+    }
+
+    /// A sheet as a line drawing; panics if there are fewer.
+    pub fn drawing(&self, k: usize) -> Drawing {
         let BuildSettings { sheet, margin, outlines_only, .. } = self.settings;
-        let count = self.layout.sheets.len();
+        let (number, count) = (k + 1, self.layout.sheets.len());
         let digits = count.to_string().len().max(2);
-        self.layout
-            .sheets
-            .iter()
-            .zip(1..)
-            .map(|(own, number)| {
-                let name = format!("sheet-{number:0digits$}");
-                let words = [self.title(number, count), self.legend()];
-                Drawing::new(name, words, sheet, margin, own, &self.parts, outlines_only)
-            })
-            .collect()
+        let name = format!("sheet-{number:0digits$}");
+        let words = [self.title(number, count), self.legend()];
+        let own = &self.layout.sheets[k];
+        Drawing::new(name, words, sheet, margin, own, &self.parts, outlines_only)
     }
 
     /// What the lines on a sheet mean: which side is seen, or how the letters of a part lie in the

@@ -128,10 +128,10 @@ impl Builder {
 
     /// Returns at most `count` sheets as pictures, starting with sheet `first`.
     pub fn sheets(&self, first: usize, count: usize) -> Result<Vec<Js<SheetPicture>>, JsValue> {
-        let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
-        let shown = drawings.iter().zip(&failed).skip(first).take(count);
-        plains(&shown.map(|(drawing, failed)| picture(drawing, failed)).collect::<Vec<_>>())
+        let shown = failed.iter().enumerate().skip(first).take(count);
+        let pictures = shown.map(|(k, failed)| picture(&self.build.drawing(k), failed));
+        plains(&pictures.collect::<Vec<_>>())
     }
 
     /// Returns the numbers that a lesson may bound, as pairs of id and value, lengths in the unit
