@@ -12,6 +12,9 @@ use crate::mesh::{Mesh, Ragged, Topology, components};
 /// The largest area due to rounding, as a fraction of the square of the longest side; and the largest
 /// length due to it, as a fraction of a side.
 const ROUNDING: f64 = 1e-6;
+/// The sides of a panel without area that are nearer than this to a line, relative to their length, lie
+/// along it.
+const NEAR: f64 = 1e-3;
 
 /// An edge of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,11 +166,15 @@ impl PanelSurface {
         }
         let own = &self.edges[edge as usize];
         let (t, origin) = (self.direction(own), self.at(own.ends[0]));
-        let along = |e: u32| self.edges[e as usize].ends.map(|v| (self.at(v) - origin).dot(t));
-        let length = along(edge)[1];
+        let length = self.length(own);
         let is_beside = |e: u32| {
-            let [a, b] = along(e);
+            let other = &self.edges[e as usize];
+            let steps = other.ends.map(|v| self.at(v) - origin);
+            let [a, b] = steps.map(|step| step.dot(t));
+            // One that is twisted has no area either, and its sides lie apart.
+            let aside = steps.map(|step| (step - t * step.dot(t)).length());
             a.max(b).min(length) - a.min(b).max(0.0) > ROUNDING * length
+                && aside[0].max(aside[1]) < NEAR * length.max(self.length(other))
         };
         let (mut found, mut reached, mut next) = (Vec::new(), vec![(panel, edge)], 0);
         while let Some(&(f, entered)) = reached.get(next) {
