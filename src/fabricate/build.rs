@@ -59,6 +59,8 @@ pub struct NotCut {
     pub part: String,
     /// The reason, in words.
     pub why: &'static str,
+    /// Whether it would be a part: a panel without area and a beam without length are none.
+    pub is_part: bool,
 }
 
 /// A shape divided into parts.
@@ -198,6 +200,11 @@ impl Build {
         Ok(build)
     }
 
+    /// The number of parts that are missing because they cannot be cut.
+    pub(super) fn missing_parts(&self) -> usize {
+        self.not_cut.iter().filter(|not| not.is_part).count()
+    }
+
     /// The number of pages of all sheets, on pages of the size that was asked for.
     fn pages(&self) -> u64 {
         let BuildSettings { sheet, page, .. } = self.settings;
@@ -294,19 +301,18 @@ impl Build {
 
     /// The sheets as line drawings.
     pub fn drawings(&self) -> Vec<Drawing> {
+        (0..self.layout.sheets.len()).map(|k| self.drawing(k)).collect()
+    }
+
+    /// A sheet as a line drawing; panics if there are fewer.
+    pub fn drawing(&self, k: usize) -> Drawing {
         let BuildSettings { sheet, margin, outlines_only, .. } = self.settings;
-        let count = self.layout.sheets.len();
+        let (number, count) = (k + 1, self.layout.sheets.len());
         let digits = count.to_string().len().max(2);
-        self.layout
-            .sheets
-            .iter()
-            .zip(1..)
-            .map(|(own, number)| {
-                let name = format!("sheet-{number:0digits$}");
-                let words = [self.title(number, count), self.legend()];
-                Drawing::new(name, words, sheet, margin, own, &self.parts, outlines_only)
-            })
-            .collect()
+        let name = format!("sheet-{number:0digits$}");
+        let words = [self.title(number, count), self.legend()];
+        let own = &self.layout.sheets[k];
+        Drawing::new(name, words, sheet, margin, own, &self.parts, outlines_only)
     }
 
     /// What the lines on a sheet mean: which side is seen, or how the letters of a part lie in the

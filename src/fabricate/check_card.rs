@@ -111,14 +111,10 @@ impl Build {
     /// number.
     pub(super) fn spreads(&self) -> [Vec<f64>; 5] {
         let values = |checked: Checked| checked.values.into_iter().flatten().collect();
-        let checks = self.offset.iter().flat_map(|(_, check)| &check.nodes);
-        // Only inner nodes are checked.
-        let lean =
-            checks.flatten().filter(|node| node.is_inner).map(|node| node.lean_deg).collect();
         [
             values(self.warp()),
             values(self.distance_error()),
-            lean,
+            values(self.lean()),
             Vec::new(),
             values(self.flatness()),
         ]
@@ -136,9 +132,9 @@ impl Build {
         Checked { values: beams.map(|beam| Some(value(beam))).collect(), limit }
     }
 
-    fn of_nodes(&self, limit: f64, value: impl Fn(&NodeCheck) -> f64) -> Checked {
+    fn of_nodes(&self, limit: f64, value: impl Fn(&NodeCheck) -> Option<f64>) -> Checked {
         let nodes = self.offset.iter().flat_map(|(_, check)| &check.nodes);
-        Checked { values: nodes.map(|node| node.as_ref().map(&value)).collect(), limit }
+        Checked { values: nodes.map(|node| node.as_ref().and_then(&value)).collect(), limit }
     }
 
     fn warp(&self) -> Checked {
@@ -154,12 +150,12 @@ impl Build {
 
     fn distance_error(&self) -> Checked {
         let building = self.mm_of_building();
-        self.of_nodes(self.settings.limits.distance, |node| node.distance_error * building)
+        self.of_nodes(self.settings.limits.distance, |node| Some(node.distance_error * building))
     }
 
     fn lean(&self) -> Checked {
-        let judged = |node: &NodeCheck| if node.is_inner { node.lean_deg } else { 0.0 };
-        self.of_nodes(self.settings.limits.lean, judged)
+        // Only inner nodes are checked.
+        self.of_nodes(self.settings.limits.lean, |node| node.is_inner.then_some(node.lean_deg))
     }
 
     fn flatness(&self) -> Checked {

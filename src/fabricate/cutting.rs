@@ -47,7 +47,8 @@ impl Build {
         for f in 0..self.flat.len() {
             let found = self.cut_panel(f, model, by);
             if let Err(why) = found {
-                self.not_cut.push(NotCut { part: self.names[f].clone(), why });
+                let is_part = self.flat[f].is_some();
+                self.not_cut.push(NotCut { part: self.names[f].clone(), why, is_part });
             }
             self.cut.push(found.ok());
         }
@@ -139,7 +140,10 @@ impl Build {
                         ..CutPart::default()
                     });
                 }
-                Err(why) => self.not_cut.push(NotCut { part: name, why }),
+                Err(why) => {
+                    let is_part = self.surface.length(edge) > 0.0;
+                    self.not_cut.push(NotCut { part: name, why, is_part });
+                }
             }
         }
         self.frame = Some(frame);
@@ -153,7 +157,9 @@ impl Build {
         let model = PaperModel::new(&self.surface, &self.flat, pieces, size);
         self.parts = (0..model.pieces.len()).map(|k| drawn(&model, k, print_inside)).collect();
         for &(panel, why) in &model.without {
-            self.not_cut.push(NotCut { part: self.names[panel as usize].clone(), why });
+            let panel = panel as usize;
+            let is_part = self.flat[panel].is_some();
+            self.not_cut.push(NotCut { part: self.names[panel].clone(), why, is_part });
         }
         if model.is_without_quads {
             self.faults.push(Fault::no_strips());

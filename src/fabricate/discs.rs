@@ -65,7 +65,7 @@ impl Build {
                     self.discs.push(CutDisc { vertex: v, part: self.parts.len() });
                     self.parts.push(CutPart { name, panels, outline, holes, ..CutPart::default() });
                 }
-                Err(why) => self.not_cut.push(NotCut { part: name, why }),
+                Err(why) => self.not_cut.push(NotCut { part: name, why, is_part: true }),
             }
         }
     }

@@ -34,7 +34,8 @@ impl Build {
     fn drill_panels(&mut self, diameter: f64, radius: f64) {
         let joint = 0.5 * self.settings.joint * self.mm_of_sheet();
         // Holes lie opposite each other only between two panels.
-        let unpaired = self.surface.unpaired().flat_map(|(_, panels)| panels);
+        let unpaired = self.surface.unpaired();
+        let unpaired = unpaired.flat_map(|(e, _)| self.surface.panels.row(e as usize));
         let cut = unpaired.filter(|&&f| self.cut[f as usize].is_some());
         self.dropped_holes += ALONG.len() * cut.count();
         for (edge, e) in self.surface.edges.iter().zip(0..) {

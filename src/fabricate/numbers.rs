@@ -77,7 +77,7 @@ impl Build {
     pub fn numbers(&self) -> [Option<f64>; BUILD_NUMBERS.len()] {
         let rows = self.check_rows();
         let placed: usize = self.layout.sheets.iter().map(|sheet| sheet.places.len()).sum();
-        let is_whole = placed > 0 && placed == self.parts.len() && self.not_cut.is_empty();
+        let is_whole = placed > 0 && placed == self.parts.len() && self.missing_parts() == 0;
         BUILD_NUMBERS.map(|number| match number.id {
             "types" => Some(self.types.leaders.len() as f64),
             "sheets" => is_whole.then_some(self.layout.sheets.len() as f64),

@@ -13,6 +13,7 @@ use super::surface::distinct;
 use super::tighten::Tighten;
 use crate::scene::{OffsetKind, Product};
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// The beams and the nodes between them.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -65,8 +66,8 @@ pub struct PaperReport {
 pub struct BuildReport {
     /// The product.
     pub product: Product,
-    /// Parts to be cut: panels, fins, or pieces of paper. The panels of which no piece is made are in
-    /// `not_cut` only.
+    /// Parts to be cut: panels, fins and node discs, or pieces of paper. The panels of which no piece is
+    /// made, those without area, and beams without length are in `not_cut` only.
     pub parts: usize,
     /// Panels.
     pub panels: usize,
@@ -188,11 +189,13 @@ impl Build {
         let around_holes = holes().map(Hole::perimeter).fold(0.0, |a, b| a + b);
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
-        let folds = || self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
-        let fold_deg = (folds().next().is_some()).then(|| {
-            let low = folds().fold(f64::INFINITY, f64::min);
-            [low, folds().fold(f64::NEG_INFINITY, f64::max)].map(f64::to_degrees)
+        let folds = self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
+        let folds: Vec<f64> = folds.collect();
+        let fold_deg = (!folds.is_empty()).then(|| {
+            let low = folds.iter().copied().fold(f64::INFINITY, f64::min);
+            [low, folds.iter().copied().fold(f64::NEG_INFINITY, f64::max)].map(f64::to_degrees)
         });
+        let least = [1.0, -1.0].map(|side| self.least_joint(&folds, side));
         let errors = self.flat.iter().flatten().map(|flat| flat.flattening_error);
         let BuildCard { mean_edge_mm, offset, check, tighten, problems } = self.card();
         let nodes = distinct(self.surface.faces.indices().iter().copied());
@@ -201,7 +204,7 @@ impl Build {
             parts: self.parts.len()
                 + match self.settings.product {
                     Product::Paper => 0,
-                    Product::Panels | Product::Fins => self.not_cut.len(),
+                    Product::Panels | Product::Fins => self.missing_parts(),
                 },
             panels: self.names.len(),
             edges: self.surface.edges.len(),
@@ -226,8 +229,8 @@ impl Build {
             cut_area_mm2,
             cut_length_mm: sum(|part| perimeter(&part.outline)) + around_holes,
             joint_mm: self.settings.joint * self.mm_of_sheet(),
-            least_joint_mm: [1.0, -1.0].map(|side| self.least_joint(side).ok().flatten()),
-            no_least_joint: self.least_joint(1.0).and(self.least_joint(-1.0)).err().unwrap_or(""),
+            least_joint_mm: least.map(|least| least.ok().flatten()),
+            no_least_joint: least[0].and(least[1]).err().unwrap_or(""),
             dropped_names: self.dropped_names,
             small_names: self.small_names,
             unnamed: (self.layout.places(self.parts.len()).iter().zip(&self.parts))
@@ -284,15 +287,14 @@ impl Build {
     ///
     /// # Errors
     /// Why it is not known.
-    fn least_joint(&self, side: f64) -> Result<Option<f64>, &'static str> {
-        if self.surface.unpaired().any(|(_, panels)| panels.len() > 2) {
+    fn least_joint(&self, folds: &[f64], side: f64) -> Result<Option<f64>, &'static str> {
+        if self.surface.panels.iter().any(|panels| panels.len() > 2) {
             return Err("more than two panels meet at an edge");
         }
         if self.surface.one_sided.is_some() {
             return Err("the surface has one side only");
         }
-        let folds = self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
-        let closing = folds.map(|fold| fold * side).filter(|fold| *fold < 0.0);
+        let closing = folds.iter().map(|fold| fold * side).filter(|fold| *fold < 0.0);
         let steepest = closing.fold(0.0, f64::min);
         let half_turns = -steepest / std::f64::consts::TAU * 0.5;
         let (sine, cosine) = (crate::math::sine(half_turns), crate::math::cosine(half_turns));
@@ -341,7 +343,10 @@ impl Build {
         let panels = |joint: &Joint| {
             joint.sides.map(|(f, _)| &*self.names[net.facets[f as usize].panel as usize]).join("/")
         };
+        // Around a panel without area several edges are between the same two.
+        let mut known = BTreeSet::new();
         let unpaired = self.surface.unpaired().filter(|_| self.settings.tab > 0.0);
+        let unpaired = unpaired.filter(|(_, panels)| known.insert(panels.clone()));
         let beside = unpaired.map(|(_, panels)| {
             panels.iter().map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join("/")
         });

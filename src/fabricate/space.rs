@@ -198,7 +198,7 @@ impl Build {
             let panels =
                 panels.map(|face| (String::new(), face.iter().map(|&v| above(v)).collect()));
             layers.push(layer("offset", [0.35, 0.20, 0.65, 0.35], panels.collect()));
-            let beams = surface.edges.iter().map(|edge| edge.ends);
+            let beams = surface.beams().map(|(edge, _)| edge.ends);
             let beams = beams
                 .map(|[i, j]| (beam_name([i, j]), vec![below(i), below(j), above(j), above(i)]));
             let plates = self.plates();

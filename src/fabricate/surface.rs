@@ -9,6 +9,13 @@ use super::orientation::{orientation, reversed};
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
 use crate::mesh::{Mesh, Ragged, Topology, components};
 
+/// The largest area due to rounding, as a fraction of the square of the longest side; and the largest
+/// length due to it, as a fraction of a side.
+const ROUNDING: f64 = 1e-6;
+/// The sides of a panel without area that are nearer than this to a line, relative to their length, lie
+/// along it.
+const NEAR: f64 = 1e-3;
+
 /// An edge of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
@@ -140,33 +147,76 @@ impl PanelSurface {
         self.panels.row(edge as usize).iter().copied().filter(move |&other| other != panel)
     }
 
-    /// The panels that a panel meets at an edge: those beyond it, and beyond panels without area, of
-    /// which nothing is made.
+    /// The panels that a panel meets at an edge: those beyond it, and beyond panels without area.
     pub fn met(&self, edge: u32, panel: u32) -> Vec<u32> {
-        let has_area = |f: &u32| self.areas[*f as usize] != Vec3::zero();
-        let mut found = Vec::new();
-        for other in self.others(edge, panel) {
-            if has_area(&other) {
-                found.push(other);
-                continue;
+        let mut found: Vec<u32> = Vec::new();
+        for f in self.others(edge, panel).flat_map(|other| self.made(edge, other)) {
+            if f != panel && !found.contains(&f) {
+                found.push(f);
             }
-            let sides = self.sides.row(other as usize).iter().filter(|&&side| side != edge);
-            found.extend(sides.flat_map(|&side| self.others(side, other)));
         }
-        let mut known = Vec::new();
-        found.retain(|f| {
-            let is_new = *f != panel && has_area(f) && !known.contains(f);
-            known.push(*f);
-            is_new
-        });
         found
     }
 
-    /// The edges whose panels are not one on either side, with these panels: more than two meet
-    /// there, or two traverse it in the same direction. Such panels can be cut but not joined.
-    pub fn unpaired(&self) -> impl Iterator<Item = (&Edge, &[u32])> {
-        let all = self.edges.iter().zip(self.panels.iter());
-        all.filter(|(edge, panels)| panels.len() > 1 && edge.panels == [None; 2])
+    /// What is made of a panel at one of its edges: the panel. Nothing is made of a panel without area:
+    /// in its place there are those that lie along the edge beyond it.
+    pub fn made(&self, edge: u32, panel: u32) -> Vec<u32> {
+        if self.has_area(panel) {
+            return vec![panel];
+        }
+        let own = &self.edges[edge as usize];
+        let (t, origin) = (self.direction(own), self.at(own.ends[0]));
+        let length = self.length(own);
+        let is_beside = |e: u32| {
+            let other = &self.edges[e as usize];
+            let steps = other.ends.map(|v| self.at(v) - origin);
+            let [a, b] = steps.map(|step| step.dot(t));
+            // One that is twisted has no area either, and its sides lie apart.
+            let aside = steps.map(|step| (step - t * step.dot(t)).length());
+            a.max(b).min(length) - a.min(b).max(0.0) > ROUNDING * length
+                && aside[0].max(aside[1]) < NEAR * length.max(self.length(other))
+        };
+        let (mut found, mut reached, mut next) = (Vec::new(), vec![(panel, edge)], 0);
+        while let Some(&(f, entered)) = reached.get(next) {
+            next += 1;
+            if self.has_area(f) {
+                found.push(f);
+                continue;
+            }
+            let sides = self.sides.row(f as usize).iter().copied();
+            for side in sides.filter(|&side| side != entered && is_beside(side)) {
+                for other in self.others(side, f) {
+                    if reached.iter().all(|(known, _)| *known != other) {
+                        reached.push((other, side));
+                    }
+                }
+            }
+        }
+        found
+    }
+
+    /// Whether a panel has an area; of one without, nothing is made.
+    pub fn has_area(&self, panel: u32) -> bool {
+        self.areas[panel as usize] != Vec3::zero()
+    }
+
+    /// Whether two panels that are made can be joined along an edge: one on either side.
+    pub fn is_joined(&self, edge: &Edge) -> bool {
+        edge.panels.iter().all(|panel| panel.is_some_and(|f| self.has_area(f)))
+    }
+
+    /// The edges where panels meet that are not one on either side, with these panels: more than two
+    /// meet there, two traverse it in the same direction, or there is one without area between them.
+    /// Such panels can be cut but not joined.
+    pub fn unpaired(&self) -> impl Iterator<Item = (u32, Vec<u32>)> {
+        let apart = (0..).zip(&self.edges).filter(|(_, edge)| !self.is_joined(edge));
+        apart.filter_map(|(e, _)| {
+            let own = self.panels.row(e as usize).iter();
+            let mut panels: Vec<u32> = own.flat_map(|&f| self.made(e, f)).collect();
+            panels.sort_unstable();
+            panels.dedup();
+            (panels.len() > 1).then_some((e, panels))
+        })
     }
 
     /// Moves its vertices to `positions` (`#V by 3`).
@@ -222,13 +272,22 @@ impl PanelSurface {
     }
 
     /// The fold of an edge in radians: 180 degrees minus the dihedral angle, positive for a ridge
-    /// seen from outside. None at the rim, and without length.
+    /// seen from outside; the largest one where several panels meet beyond one without area. None at
+    /// the rim, and without length.
     pub fn fold(&self, edge: &Edge) -> Option<f64> {
         let ([Some(left), Some(right)], t) = (edge.panels, self.direction(edge)) else {
             return None;
         };
-        let (n, m) = (self.normal(left), self.normal(right));
-        (t != Vec3::zero()).then(|| libm::atan2(t.dot(n.cross(m)), n.dot(m)))
+        let mut sides = self.sides.row(left as usize).iter().copied();
+        let e = sides.find(|&e| self.edges[e as usize].ends == edge.ends)?;
+        let [left, right] = [left, right].map(|panel| self.made(e, panel));
+        let fold = |(f, g): (u32, u32)| {
+            let (n, m) = (self.normal(f), self.normal(g));
+            libm::atan2(t.dot(n.cross(m)), n.dot(m))
+        };
+        let both = left.iter().flat_map(|&f| right.iter().map(move |&g| (f, g)));
+        let folds = both.filter(|_| t != Vec3::zero()).map(fold);
+        folds.max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
 }
 
@@ -240,8 +299,6 @@ pub(super) fn unit(v: Vec3<f64>) -> Vec3<f64> {
 /// The area vectors of panels, and the normals of vertices. Panels whose area is due to rounding
 /// have none: its direction is random.
 fn areas_and_normals(positions: &[Vec3<f64>], faces: &Ragged) -> (Vec<Vec3<f64>>, Vec<Vec3<f64>>) {
-    /// The largest area due to rounding, as a fraction of the square of the longest side.
-    const ROUNDING: f64 = 1e-6;
     let at = |v: u32| positions[v as usize];
     let area = |face: &[u32]| {
         let area = twice_vector_area(face.iter().map(|&v| at(v))) * 0.5;

@@ -19,6 +19,7 @@
 //! | `elementary` | angles, sine and cosine, cube root |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `indices` | sorting by integer keys, marked elements |
+//! | `ragged` | lists of lists of indices |
 
 mod alignment;
 mod circle_fit;
@@ -36,6 +37,7 @@ pub mod plane;
 mod polygon;
 mod principal;
 mod product;
+mod ragged;
 mod register;
 mod round;
 mod round_within;
@@ -60,6 +62,7 @@ pub use principal::PrincipalAxes;
 pub use product::{
     pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,
 };
+pub use ragged::Ragged;
 pub use round::Round;
 pub use round_within::{PrincipalRound, RoundWithin};
 pub use singular::SingularValues;

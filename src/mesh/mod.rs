@@ -3,7 +3,6 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `polygon_mesh` | positions, faces, curves, tetrahedra, groups |
-//! | `ragged` | lists of lists of vertex indices |
 //! | `file_order` | the order of an OBJ file, so that it is written as it came |
 //! | `body` | what a mesh is made of, by which its size is told |
 //! | `bounds` | bounding sphere and box, and the limit on coordinates |
@@ -34,10 +33,10 @@ mod laplacian;
 mod measure;
 mod polygon_mesh;
 mod problem;
-mod ragged;
 mod seams;
 mod topology;
 
+pub use crate::math::Ragged;
 pub(crate) use body::{Body, at_vertices};
 pub use bounds::{BoundingSphere, LARGEST_COORDINATE, diagonal, first_out_of_range};
 pub use closest::{
@@ -70,7 +69,6 @@ pub use measure::{
 };
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind, untouched_words};
-pub use ragged::Ragged;
 pub use seams::seams;
 pub use topology::{
     Repeated, Topology, components, corners, edge_lines, feature_curves, hinges, repeated, stars,

@@ -1,7 +1,7 @@
 //! A polygon mesh with curves, tetrahedra and named groups.
 
 use super::file_order::FileOrder;
-use super::ragged::Ragged;
+use crate::math::Ragged;
 
 /// A position in space, in the units of the mesh.
 pub type Point = [f64; 3];

@@ -2,7 +2,8 @@
 //! the division of the canvas between the two.
 
 use super::model::undirected_sides;
-use crate::view::model::{Checks, Lists, RenderMesh, ViewError, check_indices};
+use crate::math::Ragged;
+use crate::view::model::{Checks, RenderMesh, ViewError, check_indices};
 use crate::view::state::ViewState;
 use glam::{Vec2, Vec3};
 
@@ -53,13 +54,13 @@ pub fn flat_map(
     let checks = Checks::new(uv, count)?;
     let flat = checks.uv.iter().flat_map(|uv| [uv.x, uv.y, 0.0].map(f64::from));
     let coordinates: Vec<f64> = flat.collect();
-    let mesh = RenderMesh::new(model.mesh().faces.clone(), Lists::default(), &coordinates)?;
+    let mesh = RenderMesh::new(model.mesh().faces.clone(), Ragged::new(), &coordinates)?;
     let flipped = sides(&mesh.faces, flipped);
     Ok((ViewState::of_flat_map(mesh, checks.clone(), flipped), checks))
 }
 
 /// Returns the sides of some faces, each once.
-fn sides(faces: &Lists, chosen: &[u32]) -> Vec<[u32; 2]> {
+fn sides(faces: &Ragged, chosen: &[u32]) -> Vec<[u32; 2]> {
     let corners = chosen.iter().map(|&face| faces.row(face as usize));
     let mut sides: Vec<[u32; 2]> = corners.flat_map(undirected_sides).collect();
     sides.sort_unstable();

@@ -1,10 +1,11 @@
-//! A line drawing of a model for print: visible parts of edges, outlines and fitted circles.
+//! A line drawing of a model for print: visible parts of edges, outlines, curves and fitted circles, and
+//! the section.
 //!
 //! Visibility is sampled along each line against a depth buffer whose pixels are about a tenth of a
 //! millimetre on paper. The sides of the frontmost face at a sample count as visible whatever their
 //! depth, so that lines on slanted surfaces stay whole.
 
-use super::model::{ViewError, sides_by_edge};
+use super::model::ViewError;
 use crate::view::camera::{Eye, Section};
 use crate::view::picking::DepthMap;
 use crate::view::state::ViewState;
@@ -53,7 +54,7 @@ pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
     let mesh = state.mesh();
     let at = |v: u32| mesh.positions[v as usize];
     let display = state.display();
-    for sides in sides_by_edge(&mesh.faces).chunk_by(|a, b| a.0 == b.0) {
+    for sides in mesh.sides.chunk_by(|a, b| a.0 == b.0) {
         let faces: Vec<u32> = sides.iter().map(|side| side.1).collect();
         let from_eye = |face: u32| {
             let corner = at(mesh.faces.row(face as usize)[0]);

@@ -3,9 +3,9 @@
 use super::identities::revolution;
 use super::{build, dxf, length};
 use crate::support::grid::grid;
-use shape_up::fabricate::beam::{cut_back, node_types};
+use shape_up::fabricate::beam::{EndCut, cut_back, end_cuts, node_types, nodes};
 use shape_up::fabricate::sheet::{Inscription, NamePlace, label, strokes};
-use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildFile, LengthInMetres};
+use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildFile, LengthInMetres, PanelSurface};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
@@ -142,6 +142,8 @@ fn nodes_of_a_surface_of_revolution_have_a_type_for_each_row_and_rim() {
     assert_eq!(all.counts.iter().sum::<u32>(), 80);
     for node in frame.nodes.iter().flatten() {
         assert!((node.gaps_deg().sum::<f64>() - 360.0).abs() < 1e-9);
+        let places = node.spokes.iter().map(|spoke| node.spoke_index(spoke.edge).unwrap());
+        assert!(places.eq(0..node.spokes.len()));
     }
 }
 
@@ -200,13 +202,35 @@ fn beams_state_the_unit_and_the_up_axis_of_the_model() {
 fn what_is_no_fin_is_named_and_the_rest_is_cut() {
     let mut mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * i)]);
     mesh.positions[6] = mesh.positions[5];
-    let report = build(&mesh, &settings()).report();
+    let made = build(&mesh, &settings());
+    let report = made.report();
     assert_eq!(report.not_cut, ["B5-6: its edge has no length"]);
-    assert_eq!(report.placed + 1, report.edges);
+    // It is no part that is missing, and no beam to saw.
+    assert_eq!((report.placed + 1, report.parts), (report.edges, report.placed));
+    let number = BUILD_NUMBERS.iter().position(|number| number.id == "sheets").unwrap();
+    assert_eq!(made.numbers()[number], Some(report.sheets as f64));
+    let saw_list = made.files(true).into_iter().find(|file| file.name == "beams.csv").unwrap().text;
+    assert_eq!(saw_list.lines().count(), 1 + report.placed);
     // Plates as thick as the edges are long.
     let report = build(&mesh, &BuildSettings { thickness: 120.0, ..settings() }).report();
     assert!(report.not_cut.iter().any(|line| line.contains("it is cut away at its nodes")));
     assert!(!serde_json::to_string(&report).unwrap().contains("NaN"));
+}
+
+#[test]
+fn the_cuts_of_a_beam_along_the_axis_of_its_node_are_numbers() {
+    let mesh = grid(2, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let surface = PanelSurface::new(&mesh).unwrap();
+    let mut axes = vec![Vec3::new(0.0, 0.0, 1.0); 9];
+    // Of the beam between the first two, the axes lie along it, or one does.
+    for second in [Vec3::new(1.0, 0.0, 0.0), axes[1]] {
+        (axes[0], axes[1]) = (Vec3::new(1.0, 0.0, 0.0), second);
+        for node in nodes(&surface, &axes).iter().flatten() {
+            for EndCut { mitre_deg, step, .. } in end_cuts(&surface, &axes, node, 0.1) {
+                assert!(mitre_deg.iter().chain([&step]).all(|number| number.is_finite()));
+            }
+        }
+    }
 }
 
 #[test]

@@ -61,6 +61,13 @@ fn a_limit_of_0_is_suggested_as_what_meets_it_and_not_as_0() {
 }
 
 #[test]
+fn no_lean_is_judged_where_all_nodes_are_at_the_rim() {
+    let strip = grid(6, 1, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * i)]);
+    let lean = row(&build(&strip, &BuildSettings::default()).report().check, "lean");
+    assert_eq!((lean.value, lean.met, lean.failed), (None, None, 0));
+}
+
+#[test]
 fn the_lean_that_is_judged_is_that_of_an_inner_node() {
     let made = build(&wavy(), &BuildSettings::default());
     let lean = row(&made.report().check, "lean");

@@ -14,6 +14,7 @@ mod glb;
 mod identities;
 mod key;
 mod nesting;
+mod no_area;
 mod paper;
 mod paper_names;
 mod picture;

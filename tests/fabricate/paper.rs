@@ -7,7 +7,7 @@ use crate::support::long_or;
 use crate::support::shared;
 use shape_up::fabricate::Build;
 use shape_up::fabricate::paper::{JointKind, PaperModel};
-use shape_up::math::plane::{Point2, area};
+use shape_up::math::plane::{Point2, area, bounds};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, Pieces, Product};
 
@@ -322,6 +322,16 @@ fn tables_tell_what_becomes_of_every_edge() {
         |name: &str| files.iter().find(|file| file.name == name).unwrap().text.lines().count() - 1;
     let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
     assert_eq!((rows("pieces.csv"), rows("joins.csv")), (made.parts.len(), inner));
+    // Where a piece is on its sheet is said of a point that is seen there.
+    let pieces = &files.iter().find(|file| file.name == "pieces.csv").unwrap().text;
+    let place = made.layout.sheets[0].places[0];
+    let part = &made.parts[place.part];
+    let corner = bounds(part.outline.iter().map(|&point| place.to_sheet(point)))[0];
+    let row = pieces.lines().nth(1 + place.part).unwrap();
+    let cells: Vec<f64> =
+        row.split(',').skip(4).take(3).map(|cell| cell.parse().unwrap()).collect();
+    assert_eq!(cells[0], 1.0, "{row}");
+    assert!((0..2).all(|k| (cells[1 + k] - corner[k]).abs() < 1e-3), "{row} {corner:?}");
 }
 
 #[test]

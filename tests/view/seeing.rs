@@ -312,21 +312,21 @@ fn a_turntable_turns_the_model_in_front_of_the_eye() {
 #[test]
 fn lines_over_the_surface_are_of_two_kinds_and_go_with_the_mesh() {
     let mut state = state();
-    state.take_changed_surface_lines();
+    state.take_changes();
     let points = [0.0, 0.0, 4.0, 5.0, 0.0, 4.0, 10.0, 0.0, 4.0, 0.0, 5.0, 4.0, 10.0, 5.0, 4.0];
     let lines = SurfaceLines::new(&points, vec![0, 3, 5], 1).unwrap();
     state.set_surface_lines(lines);
-    let (lines, places) = state.take_changed_surface_lines().expect("they are new");
+    let (lines, places) = state.surface_lines();
     let [larger, smaller] = [LineKind::Larger, LineKind::Smaller].map(|kind| kind as u32);
     assert_eq!(lines, [[0, 1, larger], [1, 2, larger], [3, 4, smaller]]);
     assert!(((places[2] - places[0]).length() - 10.0).abs() < 1e-5);
-    assert_eq!(state.take_changed_surface_lines(), None, "they are drawn");
+    assert!(state.take_changes().lines && !state.changes().lines, "they are drawn once");
     assert!(SurfaceLines::new(&points, vec![0, 3, 6], 1).is_err());
     assert!(SurfaceLines::new(&points[..4], vec![0, 1], 1).is_err());
     assert!(SurfaceLines::new(&[f64::NAN; 3], vec![0, 1], 1).is_err());
     // A new mesh does not keep the lines of the previous one.
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &floors()[..9]).unwrap();
-    assert_eq!(state.take_changed_surface_lines(), Some((vec![], vec![])));
+    assert!(state.changes().lines && state.surface_lines() == (vec![], vec![]));
 }
 
 #[test]

@@ -134,7 +134,7 @@ fn words(report: &BuildReport, said: &BuildWords, remarks: &[String]) -> String 
 
 fn frame_line(frame: &FrameReport, report: &BuildReport) -> String {
     // Those that are cut away altogether have no length that is.
-    let cut_back = match report.parts > report.not_cut.len() {
+    let cut_back = match report.placed + report.too_large.len() > 0 {
         true => format!("fins cut back by up to {}; ", words::millimetres(frame.cut_back_mm)),
         false => String::new(),
     };

@@ -41,9 +41,8 @@ pub struct EndRoom {
 /// not overlap: half the thickness over the tangent of half the smaller angle to a neighbour.
 /// Infinite if a neighbour has the same direction, whatever the thickness.
 pub fn cut_back(node: &Node, k: usize, thickness: f64) -> f64 {
-    let gaps: Vec<f64> = node.gaps_deg().collect();
-    let n = gaps.len();
-    let smaller = gaps[k].min(gaps[(k + n - 1) % n]);
+    let n = node.spokes.len();
+    let smaller = node.gap_deg(k).min(node.gap_deg((k + n - 1) % n));
     if smaller >= 180.0 {
         return 0.0;
     }

@@ -31,21 +31,26 @@ pub struct Node {
     /// Its beams, counterclockwise seen from outside. At the rim the first has no panel on its
     /// right; at an inner node it leads to the vertex with the lowest index.
     pub spokes: Vec<Spoke>,
+    /// The edge of each beam and its place among them, sorted by edge.
+    places: Vec<(u32, usize)>,
 }
 
 impl Node {
     /// The angle in degrees from each beam to the next; they add up to 360.
     pub fn gaps_deg(&self) -> impl Iterator<Item = f64> + '_ {
-        let n = self.spokes.len();
-        (0..n).map(move |k| match k + 1 < n {
-            true => self.spokes[k + 1].azimuth_deg - self.spokes[k].azimuth_deg,
-            false => 360.0 - self.spokes[k].azimuth_deg,
-        })
+        (0..self.spokes.len()).map(|k| self.gap_deg(k))
+    }
+
+    /// The angle in degrees from a beam to the next one.
+    pub(super) fn gap_deg(&self, k: usize) -> f64 {
+        let next = self.spokes.get(k + 1).map_or(360.0, |next| next.azimuth_deg);
+        next - self.spokes[k].azimuth_deg
     }
 
     /// The index of a beam among those of the node.
     pub fn spoke_index(&self, edge: u32) -> Option<usize> {
-        self.spokes.iter().position(|spoke| spoke.edge == edge)
+        let found = self.places.binary_search_by_key(&edge, |(own, _)| *own).ok()?;
+        Some(self.places[found].1)
     }
 }
 
@@ -103,7 +108,9 @@ fn node(surface: &PanelSurface, axis: Vec3<f64>, v: u32, edges: &[u32]) -> Optio
     sort_by_number(&mut spokes, |spoke| u64::from(spoke.to));
     sort_by_number(&mut spokes, |spoke| key_of_number(spoke.azimuth_deg));
     sort_by_number(&mut spokes, |spoke| u64::from(spoke.edge != first_edge));
-    Some(Node { vertex: v, axis, across: x, spokes })
+    let mut places: Vec<_> = spokes.iter().map(|spoke| spoke.edge).zip(0..).collect();
+    places.sort_unstable();
+    Some(Node { vertex: v, axis, across: x, spokes, places })
 }
 
 /// The angle between two unit vectors, in degrees; 0 if one is zero.

@@ -63,7 +63,11 @@ pub fn end_cuts(
             n
         ];
     let half = 0.5 * width;
-    let square = |left: Vec3<f64>| left * (half / left.length_squared());
+    // A beam along the axis of its node has no left.
+    let square = |left: Vec3<f64>| match left.length_squared() {
+        0.0 => left,
+        squared => left * (half / squared),
+    };
     for k in 0..n {
         let next = (k + 1) % n;
         let (p, q) = (lefts[k], lefts[next]);
@@ -78,7 +82,8 @@ pub fn end_cuts(
         cuts[k].corners[0] = corner.unwrap_or_else(|| square(p));
         cuts[next].corners[1] = corner.unwrap_or_else(|| -square(q));
         let height = |c: Vec3<f64>, b: Vec3<f64>| -c.dot(b) / a.dot(b);
-        cuts[k].step = corner.map_or(0.0, |c| (height(c, ups[k]) - height(c, ups[next])).abs());
+        let step = corner.map(|c| (height(c, ups[k]) - height(c, ups[next])).abs());
+        cuts[k].step = step.filter(|step| step.is_finite()).unwrap_or(0.0);
     }
     for (cut, spoke) in cuts.iter_mut().zip(&node.spokes) {
         let level = unit(spoke.along - a * spoke.along.dot(a));

@@ -68,8 +68,8 @@ pub struct PaperModel {
     tab_joints: Vec<Vec<u32>>,
     /// The pieces of the net that have facets, sorted by their first facet.
     pub pieces: Vec<u32>,
-    /// The panels beyond each side of a facet that has no joint because there are several of them, or
-    /// one that traverses the side in the same direction.
+    /// The panels beyond each side of a facet that has no joint because there are several of them, one
+    /// that traverses the side in the same direction, or one without area before them.
     pub unpaired: BTreeMap<(u32, u32), Vec<u32>>,
     /// Panels without facets, and the reasons.
     pub without: Vec<(u32, &'static str)>,
@@ -133,9 +133,9 @@ fn unpaired(surface: &PanelSurface, facets: &[Facet]) -> BTreeMap<(u32, u32), Ve
         for ((side, joint), k) in own.panel_sides.iter().zip(&own.joints).zip(0..) {
             let (Some(side), None) = (side, joint) else { continue };
             let edge = surface.sides.row(own.panel as usize)[*side as usize];
-            let others: Vec<u32> = surface.others(edge, own.panel).collect();
-            if surface.edges[edge as usize].panels == [None; 2] && !others.is_empty() {
-                found.insert((f, k), others);
+            let met = surface.met(edge, own.panel);
+            if !surface.is_joined(&surface.edges[edge as usize]) && !met.is_empty() {
+                found.insert((f, k), met);
             }
         }
     }

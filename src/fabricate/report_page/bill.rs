@@ -49,7 +49,7 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
             report
                 .frame
                 .as_ref()
-                .filter(|_| report.parts > report.not_cut.len())
+                .filter(|_| !build.fins.is_empty())
                 .map(|frame| ("Cut back at nodes by up to", millimetres(frame.cut_back_mm))),
         ),
         Product::Paper => {

@@ -70,7 +70,8 @@ fn prisms(build: &Build, frame: &Frame) -> String {
     let columns: Vec<&str> = columns.chain(ends.iter().map(|name| &**name)).collect();
     let mut table = Table::new(&columns);
     let building = build.mm_of_building();
-    for (e, (edge, prism)) in build.surface.edges.iter().zip(&frame.prisms).enumerate() {
+    let all = build.surface.edges.iter().zip(&frame.prisms).enumerate();
+    for (e, (edge, prism)) in all.filter(|(_, (edge, _))| build.surface.length(edge) > 0.0) {
         let name = beam_name(edge.ends);
         let [a, b] = edge.ends.map(node_name);
         let length = build.surface.length(edge) * building;

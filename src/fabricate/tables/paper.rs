@@ -3,7 +3,7 @@
 use crate::fabricate::build::{Build, beam_name};
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::paper::{JointKind, PaperModel};
-use crate::math::plane::distance;
+use crate::math::plane::{bounds, distance};
 
 /// Both tables, with the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
@@ -20,7 +20,6 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
         "sheet",
         "x_sheet_mm",
         "y_sheet_mm",
-        "turn_deg",
         "names",
         "name_written",
         "order",
@@ -29,6 +28,8 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
     let places = build.layout.places(build.parts.len());
     for (k, part) in build.parts.iter().enumerate() {
         let place = places[k];
+        let corner = place
+            .map(|(_, place)| bounds(part.outline.iter().map(|&point| place.to_sheet(point)))[0]);
         let first = part.panels.iter().map(|&panel| build.order[panel as usize]).min();
         let names: Vec<&str> =
             part.panels.iter().map(|&panel| &*build.names[panel as usize]).collect();
@@ -38,9 +39,8 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
             Cell::from(model.tabs(model.pieces[k]).count()),
             Cell::from(part.area()),
             place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
-            Cell::from(place.map(|(_, place)| place.offset[0])),
-            Cell::from(place.map(|(_, place)| place.offset[1])),
-            Cell::from(place.map(|(_, place)| place.turn_deg())),
+            Cell::from(corner.map(|corner| corner[0])),
+            Cell::from(corner.map(|corner| corner[1])),
             Cell::from(&*names.join(" ")),
             Cell::from(part.named.words()),
             first.map_or(Cell::None, |first| Cell::from(first as usize)),

@@ -5,7 +5,7 @@ use crate::scene::Product::{self, Fins, Panels, Paper};
 const ALL: &[Product] = &Product::ALL;
 
 /// What is explained, for which products, and in which words.
-const READING: [(&[Product], &str, &str); 15] = [
+const READING: [(&[Product], &str, &str); 19] = [
     (ALL, "edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     (ALL, "edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -18,7 +18,9 @@ const READING: [(&[Product], &str, &str); 15] = [
         "panels.csv nodes",
         "counterclockwise seen from outside, from the edge at the arrow",
     ),
+    (&[Panels], "panels.csv x_sheet_mm", "of the mean of its corners; with y_sheet_mm"),
     (&[Panels], "panels.csv turn_deg", "direction of the edge at the arrow, on the sheet"),
+    (&[Fins], "fins.csv x_sheet_mm", "of node_a; with y_sheet_mm"),
     (&[Fins], "fins.csv turn_deg", "direction from node_a to node_b, on the sheet"),
     (&[Fins], "names of fins", "from their first node to their second, tops of letters outwards"),
     (
@@ -38,7 +40,9 @@ const READING: [(&[Product], &str, &str); 15] = [
         "discs.csv seat_sheet_mm",
         "from the node along its axis to the side on the fins, negative inwards",
     ),
+    (&[Fins], "discs.csv x_sheet_mm", "of the axis of its node; with y_sheet_mm"),
     (&[Fins], "discs.csv turn_deg", "direction of the first beam in node-beams.csv, on the sheet"),
+    (&[Paper], "pieces.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
     (&[Paper], "joins.csv fold", "seen from outside; a tab is folded as its edge is"),
     (&[Paper], "tabs", "glued to the inside of the panel that is named on them"),
 ];

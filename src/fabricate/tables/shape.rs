@@ -28,11 +28,13 @@ pub(super) fn edges(build: &Build) -> String {
         let [a, b] = edge.ends;
         let name = beam_name(edge.ends);
         let (a, b) = (node_name(a), node_name(b));
-        // Several on a side only where more than two panels meet, or the surface has one side.
+        // Several on a side only where more than two panels meet, or the surface has one side, or beyond
+        // a panel without area.
         let panels = |is_left: bool| {
             let own = build.surface.panels.row(e).iter();
             let own = own.filter(|f| ascending[e].contains(f) == is_left);
-            own.map(|&f| &*build.names[f as usize]).collect::<Vec<_>>().join("/")
+            let made = own.flat_map(|&f| build.surface.made(e as u32, f));
+            made.map(|f| &*build.names[f as usize]).collect::<Vec<_>>().join("/")
         };
         let [left, right] = [panels(true), panels(false)];
         let beam = build.offset.as_ref().map(|(_, check)| check.beams[e]);

@@ -7,7 +7,6 @@
 use super::colour_map::{ColourMap, texel};
 use super::colour_scale::ColourScale;
 use super::round_number::round_down;
-use crate::view::model::{Lists, sides_by_edge};
 
 /// Minimum number of bands in a range; the maximum is 5/2 of it.
 const LEAST: f64 = 5.0;
@@ -79,24 +78,6 @@ impl Bands {
     }
 }
 
-/// Two faces and the edge between them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Seam {
-    /// The vertices of the edge.
-    pub ends: [u32; 2],
-    /// The faces on its sides.
-    pub faces: [u32; 2],
-}
-
-/// Returns every edge between two faces; where more meet, each is paired with the one before.
-pub fn seams(faces: &Lists) -> Vec<Seam> {
-    sides_by_edge(faces)
-        .windows(2)
-        .filter(|pair| pair[0].0 == pair[1].0)
-        .map(|pair| Seam { ends: pair[0].0, faces: [pair[0].1, pair[1].1] })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -152,11 +133,5 @@ mod tests {
             assert!(bands.in_steps(1e9) > ends && bands.in_steps(-1e9) >= 0.0);
             assert_eq!(bands.in_steps(f32::NAN), begins);
         }
-    }
-
-    #[test]
-    fn seams_part_two_faces() {
-        let faces = Lists::new("faces", vec![0, 4, 7], vec![0, 1, 4, 3, 1, 2, 4], 5).unwrap();
-        assert_eq!(seams(&faces), [Seam { ends: [1, 4], faces: [0, 1] }]);
     }
 }

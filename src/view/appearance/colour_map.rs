@@ -18,9 +18,10 @@ use glam::{DVec3, Vec3};
 pub const TEXELS: usize = 256;
 
 /// A colour map, and the values that it applies to.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum ColourMap {
     /// For all values: from yellow over green to violet.
+    #[default]
     Viridis,
     /// For all values: from yellow over grey to dark blue, nearly the same with red-green blindness.
     Cividis,
@@ -38,35 +39,19 @@ pub enum ColourMap {
     AroundZero,
 }
 
-/// The map chosen for all values.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum MapChoice {
-    /// [`ColourMap::Viridis`].
-    #[default]
-    Viridis,
-    /// [`ColourMap::Cividis`].
-    Cividis,
-    /// [`ColourMap::Turbo`].
-    Turbo,
-    /// [`ColourMap::Grey`].
-    Grey,
-    /// [`ColourMap::Diverging`] about this value.
-    Diverging(f32),
-}
-
-impl MapChoice {
-    /// Returns the map `viridis`, `cividis`, `turbo`, `grey`, or `diverging` about `middle` (viridis
-    /// without it).
+impl ColourMap {
+    /// Returns the map for all values that is called `viridis`, `cividis`, `turbo`, `grey` or
+    /// `diverging`; the last one about the middle of the range.
     ///
     /// # Errors
     /// Any other name.
-    pub fn named(name: &str, middle: Option<f32>) -> Result<MapChoice, ViewError> {
-        match (name, middle) {
-            ("diverging", Some(middle)) => Ok(MapChoice::Diverging(middle)),
-            ("viridis" | "diverging", _) => Ok(MapChoice::Viridis),
-            ("cividis", _) => Ok(MapChoice::Cividis),
-            ("turbo", _) => Ok(MapChoice::Turbo),
-            ("grey", _) => Ok(MapChoice::Grey),
+    pub fn named(name: &str) -> Result<ColourMap, ViewError> {
+        match name {
+            "viridis" => Ok(ColourMap::Viridis),
+            "cividis" => Ok(ColourMap::Cividis),
+            "turbo" => Ok(ColourMap::Turbo),
+            "grey" => Ok(ColourMap::Grey),
+            "diverging" => Ok(ColourMap::Diverging(0.5)),
             _ => {
                 let (got, known) = (name.to_owned(), "viridis, cividis, turbo, grey or diverging");
                 Err(ViewError::Word { what: "colour map", got, known })
@@ -262,12 +247,11 @@ mod tests {
 
     #[test]
     fn maps_are_chosen_by_name() {
-        assert_eq!(MapChoice::named("grey", Some(1.0)), Ok(MapChoice::Grey));
-        assert_eq!(MapChoice::named("diverging", Some(0.5)), Ok(MapChoice::Diverging(0.5)));
-        assert_eq!(MapChoice::named("diverging", None), Ok(MapChoice::Viridis));
-        assert_eq!(MapChoice::named("cividis", None), Ok(MapChoice::Cividis));
-        assert_eq!(MapChoice::named("turbo", None), Ok(MapChoice::Turbo));
-        assert!(MapChoice::named("jet", None).is_err());
+        assert_eq!(ColourMap::named("grey"), Ok(ColourMap::Grey));
+        assert_eq!(ColourMap::named("diverging"), Ok(ColourMap::Diverging(0.5)));
+        assert_eq!(ColourMap::named("cividis"), Ok(ColourMap::Cividis));
+        assert_eq!(ColourMap::named("turbo"), Ok(ColourMap::Turbo));
+        assert!(ColourMap::named("jet").is_err());
     }
 
     /// Returns the CIE L*a*b* coordinates of an sRGB colour, white D65.

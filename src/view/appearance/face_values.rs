@@ -3,7 +3,7 @@
 //! Four bytes per face.
 
 use super::bands::Bands;
-use super::colour_map::{ColourMap, MapChoice, texel};
+use super::colour_map::{ColourMap, texel};
 use super::colour_scale::ColourScale;
 use super::row_colours::RowColours;
 use crate::view::model::{ViewError, check_indices, check_length};
@@ -44,8 +44,9 @@ pub struct Appearance {
     /// #V, of which each face has the largest as its value; none without vertex values.
     corners: Option<Vec<f32>>,
     in_bands: bool,
-    /// The map to use when all values have colours.
-    map: MapChoice,
+    /// The map to use when all values have colours, and the value about which it diverges, if it does.
+    map: ColourMap,
+    middle: Option<f32>,
     bands: Option<Bands>,
     /// Selected vertices.
     pub selected_vertices: Vec<u32>,
@@ -77,9 +78,10 @@ impl Appearance {
         Ok(())
     }
 
-    /// Chooses the map to use when all values have colours.
-    pub fn set_map(&mut self, map: MapChoice) {
-        self.map = map;
+    /// Chooses the map to use when all values have colours; one that diverges does so about `middle`,
+    /// and is [`ColourMap::Viridis`] without it.
+    pub fn set_map(&mut self, map: ColourMap, middle: Option<f32>) {
+        (self.map, self.middle) = (map, middle);
     }
 
     /// Shows values in bands, or continuously.
@@ -163,19 +165,10 @@ impl Appearance {
         match &self.values {
             Some((_, scale)) if scale.is_signed() => ColourMap::AroundZero,
             Some((_, ColourScale { tolerance: Some(_), .. })) => ColourMap::Beyond,
-            values => self.full_map(values.as_ref().map(|(_, scale)| scale)),
-        }
-    }
-
-    /// Returns the map for values that all have colours.
-    fn full_map(&self, scale: Option<&ColourScale>) -> ColourMap {
-        match self.map {
-            MapChoice::Viridis => ColourMap::Viridis,
-            MapChoice::Cividis => ColourMap::Cividis,
-            MapChoice::Turbo => ColourMap::Turbo,
-            MapChoice::Grey => ColourMap::Grey,
-            MapChoice::Diverging(middle) => {
-                let part = scale.and_then(|scale| scale.part(middle));
+            values => {
+                let ColourMap::Diverging(_) = self.map else { return self.map };
+                let scale = values.as_ref().map(|(_, scale)| scale);
+                let part = scale.and_then(|scale| scale.part(self.middle?));
                 part.map_or(ColourMap::Viridis, ColourMap::Diverging)
             }
         }
@@ -221,7 +214,7 @@ impl Appearance {
 
     /// Copies the marks of faces and the map of `other`, for a view without dots.
     pub fn mark_as(&mut self, other: &Appearance) {
-        self.map = other.map;
+        (self.map, self.middle) = (other.map, other.middle);
         self.selected_faces.clone_from(&other.selected_faces);
         self.tinted_faces.clone_from(&other.tinted_faces);
     }
@@ -299,7 +292,7 @@ mod tests {
     fn a_diverging_map_turns_where_its_middle_is_in_the_range() {
         let mut appearance = Appearance::default();
         assert_eq!(appearance.map(), ColourMap::Viridis);
-        appearance.set_map(MapChoice::Diverging(2.5));
+        appearance.set_map(ColourMap::Diverging(0.5), Some(2.5));
         appearance.set_values(Some(vec![1.0]), ColourScale::linear(0.0, 10.0), 1).unwrap();
         assert_eq!(appearance.map(), ColourMap::Diverging(0.25));
         assert!(appearance.has_full_map());

@@ -10,8 +10,8 @@ pub mod row_colours;
 pub mod value_axis;
 pub mod value_spread;
 
-pub use bands::{Bands, Seam, seams};
-pub use colour_map::{ColourMap, MapChoice, TEXELS};
+pub use bands::Bands;
+pub use colour_map::{ColourMap, TEXELS};
 pub use colour_scale::ColourScale;
 pub use face_values::{Appearance, FaceColour};
 pub use palette::{

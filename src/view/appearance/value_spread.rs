@@ -66,7 +66,7 @@ pub struct ValueSpread {
     pub axis: ValueAxis,
     /// The current shape.
     pub now: Bars,
-    /// The original shape on the same axis, without faces beyond its end; none if it is not known.
+    /// The original shape on the same axis, without faces beyond its ends; none if it is not known.
     pub original: Option<Bars>,
     /// The number of faces with a value.
     pub faces: u32,
@@ -118,12 +118,15 @@ impl ValueSpread {
 }
 
 /// Counts the faces per bar along an axis. The first and the last bar include the ends, and the first
-/// also smaller values. NaN and values beyond the end are not counted.
+/// also smaller values, unless values have both signs and it is an end as well. NaN and values beyond
+/// an end are not counted.
 fn bars(values: &[f32], axis: &ValueAxis) -> Bars {
     let mut counts = vec![0; BARS];
     // Values equal to the end may have been rounded up.
     let end = f64::from(axis.high as f32) * (1.0 + 1e-6);
-    for value in values.iter().map(|&value| f64::from(value)).filter(|&value| value <= end) {
+    let is_signed = axis.low < 0.0;
+    let is_on_axis = |&value: &f64| if is_signed { value.abs() <= end } else { value <= end };
+    for value in values.iter().map(|&value| f64::from(value)).filter(is_on_axis) {
         let bar = (axis.part(value) * BARS as f64) as usize;
         counts[bar.min(BARS - 1)] += 1;
     }
@@ -214,5 +217,10 @@ mod tests {
         assert_eq!((range, axis), ([-3.0, 3.0], ValueAxis::new(-3.0, 3.0, false)));
         assert_eq!((now.greatest, faces, now.counts.iter().sum::<u32>()), (3.0, 5, 5));
         assert_eq!(now.counts[..BARS / 2].iter().sum::<u32>(), 2);
+        // An axis that is fitted to the current values has no bar for those beyond either end.
+        let fitted = RangeChoice { high: Some(1.0), top: Some(1.0), ..choice };
+        let original = ValueSpread::new(&[0.5, -1.0], Some(&values), &fitted).original;
+        let counts = original.expect("it is known").counts;
+        assert_eq!((counts.iter().sum::<u32>(), counts[0], counts[BARS - 1]), (3, 1, 0));
     }
 }

@@ -96,12 +96,16 @@ fn extend_stroke(numbers: &mut Vec<f32>, stroke: &Stroke, pieces: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::view::gpu::FACES;
 
     #[test]
     fn there_are_as_many_numbers_as_the_shaders_read() {
-        assert_eq!(
-            numbers(&ViewState::default(), [0.0; 4], Placement::whole((800, 400))).len(),
-            NUMBERS
-        );
+        let numbers = numbers(&ViewState::default(), [0.0; 4], Placement::whole((800, 400)));
+        assert_eq!(numbers.len(), NUMBERS);
+        let module = naga::front::wgsl::parse_str(&FACES.concat()).unwrap();
+        let mut types = module.types.iter().map(|(_, own)| own);
+        let scene = types.find(|own| own.name.as_deref() == Some("Scene")).unwrap();
+        let naga::TypeInner::Struct { span, .. } = scene.inner else { panic!("{scene:?}") };
+        assert_eq!(span as usize, NUMBERS * size_of::<f32>());
     }
 }

@@ -3,7 +3,6 @@
 //! | file | holds |
 //! |---|---|
 //! | `renderer` | draws a view |
-//! | `viewport` | the GPU resources of one picture |
 //! | `device` | adapter, device and surface |
 //! | `loss` | notification that a device was lost |
 //! | `placement` | the position of a picture, or of a tile of it, on the canvas, and the size of that |
@@ -27,8 +26,6 @@ pub mod primitive;
 #[cfg(target_arch = "wasm32")]
 pub mod renderer;
 pub mod shaders;
-#[cfg(target_arch = "wasm32")]
-pub mod viewport;
 
 #[cfg(target_arch = "wasm32")]
 pub use device::{Device, DeviceError};

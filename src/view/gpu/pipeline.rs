@@ -40,8 +40,8 @@ pub const TEXTURE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 pub struct Recipe<'a> {
     /// The primitive's name.
     pub label: &'a str,
-    /// The complete shader source.
-    pub source: &'a str,
+    /// The parts of the shader source.
+    pub source: &'a [&'a str],
     /// Vertex entry point.
     pub vertex: &'a str,
     /// Fragment entry point.
@@ -73,7 +73,7 @@ pub fn build_onto(
 ) -> wgpu::RenderPipeline {
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(recipe.label),
-        source: wgpu::ShaderSource::Wgsl(recipe.source.into()),
+        source: wgpu::ShaderSource::Wgsl(recipe.source.concat().into()),
     });
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(recipe.label),

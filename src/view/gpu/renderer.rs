@@ -3,11 +3,12 @@
 use super::device::{Device, DeviceError};
 use super::gpu_tables::GpuTables;
 use super::placement::Placement;
-use super::viewport::Viewport;
 use crate::view::camera::{Camera, Section};
 use crate::view::flat_map::Region;
+use crate::view::gizmo::triangles;
 use crate::view::gpu::primitive::{
-    Backdrop, Circles, Faces, GizmoMarks, Lines, Occlusion, Points, ProjectionLines, Spheres,
+    Backdrop, Faces, Instances, Lines, Occlusion, Points, ProjectionLines, SurroundingLines,
+    instances,
 };
 use crate::view::model::RenderMesh;
 use crate::view::overlay::GroundShadow;
@@ -19,8 +20,8 @@ use glam::Vec2;
 pub struct Renderer {
     /// Device and canvas.
     pub device: Device,
-    /// The picture of the model.
-    whole: Viewport,
+    /// The tables of the model.
+    tables: GpuTables,
     /// The tables of the flat map.
     map_store: GpuTables,
     backdrop: Backdrop,
@@ -31,11 +32,14 @@ pub struct Renderer {
     shadow_of: Option<Section>,
     faces: Faces,
     lines: Lines,
+    around: SurroundingLines,
+    layer: SurroundingLines,
+    over: SurroundingLines,
     projections: ProjectionLines,
     points: Points,
-    circles: Circles,
-    spheres: Spheres,
-    gizmo: GizmoMarks,
+    circles: Instances,
+    spheres: Instances,
+    gizmo: Instances,
 }
 
 /// The inputs of the occlusion beside the shape: camera, near and far depth, size of the picture.
@@ -47,6 +51,8 @@ impl Renderer {
         let (gpu, format) = (&device.device, device.format());
         let tables = GpuTables::new(gpu, &device.queue);
         let occlusion = Occlusion::new(gpu, &tables);
+        let of = |recipe| Instances::new(gpu, &tables, format, recipe);
+        let beside = || SurroundingLines::new(gpu, &device.queue, &tables);
         Renderer {
             backdrop: Backdrop::new(gpu, &device.queue, &tables, format),
             faces: Faces::new(gpu, &tables, occlusion.layout(), format),
@@ -54,13 +60,16 @@ impl Renderer {
             occlusion_of: None,
             shadow_of: None,
             lines: Lines::new(gpu, &tables, format),
+            around: beside(),
+            layer: beside(),
+            over: beside(),
             projections: ProjectionLines::new(gpu, &tables, format),
             points: Points::new(gpu, &tables, format),
-            circles: Circles::new(gpu, &tables, format),
-            spheres: Spheres::new(gpu, &tables, format),
-            gizmo: GizmoMarks::new(gpu, &tables, format),
-            whole: Viewport::new(gpu, &device.queue, &tables),
+            circles: of(&instances::OF_CIRCLES),
+            spheres: of(&instances::OF_SPHERES),
+            gizmo: of(&instances::OF_GIZMO),
             map_store: tables.beside(gpu, &device.queue),
+            tables,
             device,
         }
     }
@@ -110,7 +119,7 @@ impl Renderer {
         let mut encoder = self.device.device.create_command_encoder(&label);
         if state.occlusion() > 0.0 && !fits {
             let size = parts.map_or(picture.size, |[part, _]| part.size);
-            let (device, tables) = (&self.device.device, &self.whole.tables);
+            let (device, tables) = (&self.device.device, &self.tables);
             self.occlusion.find(device, &mut encoder, tables, &self.faces, size);
             self.occlusion_of = Some((state.camera(), state.depth_range(), picture.size));
         } else if !fits {
@@ -138,27 +147,33 @@ impl Renderer {
 
     fn draw_model(&self, pass: &mut wgpu::RenderPass<'_>, state: &ViewState) {
         let display = state.display();
-        pass.set_bind_group(0, self.whole.tables.group(), &[]);
+        let (faces, lines, tables) = (&self.faces, &self.lines, &self.tables);
+        pass.set_bind_group(0, tables.group(), &[]);
         self.backdrop.draw(pass);
-        self.whole.draw(pass, &self.faces, &self.lines, display.edges);
+        faces.draw(pass);
+        self.around.draw(pass, faces, lines, tables);
+        lines.draw(pass, display.edges);
+        self.over.draw(pass, faces, lines, tables);
+        self.layer.draw(pass, faces, lines, tables);
         if display.shapes {
-            self.spheres.draw(pass);
-            self.circles.draw(pass, state.circle_pieces());
+            self.spheres.draw_each(pass, 6);
+            self.circles.draw_each(pass, 6 * state.circle_pieces());
         }
         self.projections.draw(pass, display);
         if display.vertices || state.mesh().is_only_points() {
             self.points.draw_vertices(pass);
         }
         self.lines.draw_marks(pass);
-        self.lines.draw_pulls(pass);
         self.points.draw_marks(pass);
         self.gizmo.draw(pass);
     }
 
-    fn update(&mut self, state: &mut ViewState, placement: Placement) {
-        let (device, queue) = (&self.device.device, &self.device.queue);
+    fn update(&mut self, state: &ViewState, placement: Placement) {
+        let gpu @ (device, queue) = (&self.device.device, &self.device.queue);
         let changes = state.changes();
-        self.gizmo.update(device, queue, state);
+        let gizmo = state.gizmo();
+        let gizmo = gizmo.map(|own| triangles(&own, state.gizmo_state(), state.palette()));
+        self.gizmo.write(device, queue, &gizmo.unwrap_or_default());
         let Camera { section, up, .. } = state.camera();
         if changes.mesh || changes.positions || section != self.shadow_of {
             self.shadow_of = section;
@@ -174,7 +189,20 @@ impl Renderer {
             self.lines.update_mesh(device, queue, state.mesh());
             self.points.update_mesh(device, queue, state);
         }
-        self.whole.update((device, queue), state, &self.lines, placement);
+        self.tables.update(device, queue, state, placement);
+        let palette = state.palette();
+        let new = (changes.around)
+            .then(|| (state.surrounding_lines(), state.surrounding_points().collect()));
+        self.around.update(gpu, state, new, palette.ghost, placement);
+        // The posts of the layer stand on the surface.
+        let new = (changes.layer || changes.positions)
+            .then(|| (state.layer_lines(), state.layer_points().collect()));
+        self.layer.update(gpu, state, new, palette.layer, placement);
+        let new = changes.lines.then(|| state.surface_lines());
+        self.over.update(gpu, state, new, palette.layer, placement);
+        if changes.mesh || changes.appearance {
+            self.lines.update_bands(device, queue, state);
+        }
         if changes.mesh || changes.marks {
             self.lines.update_marks(device, queue, state);
             self.lines.update_handles(device, queue, state);
@@ -185,8 +213,8 @@ impl Renderer {
             self.projections.update(device, queue, state);
         }
         if changes.mesh || changes.shapes {
-            self.circles.update(device, queue, state.shapes());
-            self.spheres.update(device, queue, state.shapes());
+            self.circles.write(device, queue, &instances::circles(state.shapes()));
+            self.spheres.write(device, queue, &instances::spheres(state.shapes()));
         }
     }
 }

@@ -1,13 +1,7 @@
 //! Rows of vertex indices in two flat arrays, checked once on input.
 
+use crate::math::Ragged;
 use std::fmt;
-
-/// Rows of vertex indices, such as the corners of each face.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Lists {
-    offsets: Vec<u32>,
-    indices: Vec<u32>,
-}
 
 /// Why arrays from outside cannot be shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -82,52 +76,30 @@ impl fmt::Display for ViewError {
 
 impl std::error::Error for ViewError {}
 
-impl Lists {
-    /// Creates rows from `#rows + 1` offsets (empty for no rows) and indices, each below `count`.
-    ///
-    /// # Errors
-    /// Offsets that do not divide the indices into rows, or an index that is too large. `what`
-    /// names the rows in the message.
-    pub fn new(
-        what: &'static str,
-        offsets: Vec<u32>,
-        indices: Vec<u32>,
-        count: usize,
-    ) -> Result<Lists, ViewError> {
-        let offsets = if offsets.is_empty() { vec![0] } else { offsets };
-        if offsets[0] != 0 {
-            return Err(ViewError::Offsets { what, row: 0 });
-        }
-        if let Some(row) = offsets.windows(2).position(|w| w[0] > w[1]) {
-            return Err(ViewError::Offsets { what, row: row + 1 });
-        }
-        let last = offsets.len() - 1;
-        if offsets[last] as usize != indices.len() {
-            return Err(ViewError::Offsets { what, row: last });
-        }
-        check_indices(what, &indices, count)?;
-        Ok(Lists { offsets, indices })
+/// Creates rows from `#rows + 1` offsets (empty for no rows) and indices, each below `count`.
+///
+/// # Errors
+/// Offsets that do not divide the indices into rows, or an index that is too large. `what` names the
+/// rows in the message.
+pub fn rows(
+    what: &'static str,
+    offsets: Vec<u32>,
+    indices: Vec<u32>,
+    count: usize,
+) -> Result<Ragged, ViewError> {
+    let offsets = if offsets.is_empty() { vec![0] } else { offsets };
+    if offsets[0] != 0 {
+        return Err(ViewError::Offsets { what, row: 0 });
     }
-
-    /// Returns the number of rows.
-    pub fn len(&self) -> usize {
-        self.offsets.len().saturating_sub(1)
+    if let Some(row) = offsets.windows(2).position(|w| w[0] > w[1]) {
+        return Err(ViewError::Offsets { what, row: row + 1 });
     }
-
-    /// Returns whether there are no rows.
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
+    let last = offsets.len() - 1;
+    if offsets[last] as usize != indices.len() {
+        return Err(ViewError::Offsets { what, row: last });
     }
-
-    /// Returns row `i`; panics if it does not exist.
-    pub fn row(&self, i: usize) -> &[u32] {
-        &self.indices[self.offsets[i] as usize..self.offsets[i + 1] as usize]
-    }
-
-    /// Returns all rows in order.
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> + Clone {
-        self.offsets.windows(2).map(|w| &self.indices[w[0] as usize..w[1] as usize])
-    }
+    check_indices(what, &indices, count)?;
+    Ok(Ragged::from_parts(offsets, indices))
 }
 
 /// Checks that an array has the expected number of entries.
@@ -154,18 +126,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rows_come_out_as_they_went_in() {
-        let lists = Lists::new("faces", vec![0, 3, 3, 7], vec![0, 1, 2, 4, 3, 2, 1], 5).unwrap();
-        let rows: Vec<&[u32]> = lists.iter().collect();
-        assert_eq!(rows, [&[0, 1, 2][..], &[], &[4, 3, 2, 1]]);
-        assert_eq!(lists.row(2), [4, 3, 2, 1]);
-        assert!(Lists::new("curves", vec![], vec![], 0).unwrap().is_empty());
-    }
-
-    #[test]
     fn bad_rows_are_refused_by_name() {
         let message = |offsets: &[u32], indices: &[u32]| {
-            Lists::new("faces", offsets.to_vec(), indices.to_vec(), 4).unwrap_err().to_string()
+            rows("faces", offsets.to_vec(), indices.to_vec(), 4).unwrap_err().to_string()
         };
         assert!(message(&[0, 3], &[0, 1, 4]).contains("faces: found 4, expected an index below 4"));
         assert!(message(&[0, 4], &[0, 1, 2]).contains("offset 1"));

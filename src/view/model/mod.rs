@@ -11,11 +11,11 @@ pub mod projections;
 pub mod triangulate;
 
 pub use checks::Checks;
-pub use lists::{Lists, ViewError, check_indices, check_length};
+pub use lists::{ViewError, check_indices, check_length, rows};
 pub use projected_faces::ProjectedFaces;
 pub use projections::ProjectionMarks;
 
-use crate::math::polygon_sides;
+use crate::math::{Ragged, polygon_sides};
 use glam::{DVec3, Vec3};
 use triangulate::{fan, is_whole, newell_normal, triangulate};
 
@@ -35,13 +35,16 @@ pub struct RenderMesh {
     /// centre: asked for several times in every picture.
     pub bounds: [Vec3; 2],
     /// Corners of each face.
-    pub faces: Lists,
+    pub faces: Ragged,
     /// Vertices of each polyline.
-    pub curves: Lists,
+    pub curves: Ragged,
     /// Triangles of the faces, three vertices each.
     pub triangles: Vec<[u32; 3]>,
     /// The face of each triangle.
     pub triangle_face: Vec<u32>,
+    /// Every side of every face, the smaller vertex first, with its face: those of an edge one after
+    /// another, in the order of `edges`.
+    pub sides: Vec<([u32; 2], u32)>,
     /// The edges of the polygons, each once.
     pub edges: Vec<PolygonEdge>,
     /// Normals per face and per vertex.
@@ -53,19 +56,32 @@ impl RenderMesh {
     ///
     /// # Errors
     /// Arrays that do not fit together, or a coordinate that is not finite.
-    pub fn new(faces: Lists, curves: Lists, coordinates: &[f64]) -> Result<RenderMesh, ViewError> {
+    pub fn new(
+        faces: Ragged,
+        curves: Ragged,
+        coordinates: &[f64],
+    ) -> Result<RenderMesh, ViewError> {
         let exact = read_points(coordinates)?;
         let used = used(&faces, &curves, exact.len());
         let [low, high] = bounds(&used, &exact);
-        let edges = polygon_edges(&faces);
+        let sides = sides_by_edge(&faces);
+        let edges = polygon_edges(&sides);
         let centre = low + (high - low) * 0.5;
-        let mut mesh = RenderMesh { centre, used, faces, curves, edges, ..RenderMesh::default() };
+        let known = RenderMesh { sides, edges, ..RenderMesh::default() };
+        let mut mesh = RenderMesh { centre, used, faces, curves, ..known };
         mesh.place(exact);
         for (f, face) in mesh.faces.iter().enumerate() {
             triangulate(&mesh.positions, face, &mut mesh.triangles);
             mesh.triangle_face.resize(mesh.triangles.len(), f as u32);
         }
         Ok(mesh)
+    }
+
+    /// Returns the ends of every edge between two faces, and these faces; where more meet, each is
+    /// paired with the one before.
+    pub fn seams(&self) -> impl Iterator<Item = ([u32; 2], [u32; 2])> + '_ {
+        let pairs = self.sides.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+        pairs.map(|pair| (pair[0].0, [pair[0].1, pair[1].1]))
     }
 
     /// Moves the vertices; `coordinates` as in [`RenderMesh::new`]. Returns whether faces have other
@@ -153,7 +169,7 @@ fn bounds(used: &[u32], points: &[DVec3]) -> [DVec3; 2] {
 }
 
 /// Returns the vertices of faces and curves among `count`, ascending, or all if there are neither.
-fn used(faces: &Lists, curves: &Lists, count: usize) -> Vec<u32> {
+fn used(faces: &Ragged, curves: &Ragged, count: usize) -> Vec<u32> {
     let mut is_used = vec![faces.is_empty() && curves.is_empty(); count];
     for &vertex in faces.iter().chain(curves.iter()).flatten() {
         is_used[vertex as usize] = true;
@@ -183,17 +199,17 @@ pub struct PolygonEdge {
     pub boundary: bool,
 }
 
-/// Returns every edge of `faces` once, sorted by vertices, without sides of zero length.
-pub fn polygon_edges(faces: &Lists) -> Vec<PolygonEdge> {
-    sides_by_edge(faces)
+/// Returns every edge once, sorted by vertices, of the sides of faces.
+fn polygon_edges(sides: &[([u32; 2], u32)]) -> Vec<PolygonEdge> {
+    sides
         .chunk_by(|a, b| a.0 == b.0)
         .map(|same| PolygonEdge { ends: same[0].0, boundary: same.len() == 1 })
         .collect()
 }
 
-/// Returns every side of every face, the smaller vertex first, with its face. Sides of the same
-/// edge are adjacent, edges in the order of [`polygon_edges`].
-pub fn sides_by_edge(faces: &Lists) -> Vec<([u32; 2], u32)> {
+/// Returns every side of every face, the smaller vertex first, with its face, sorted; without sides of
+/// zero length.
+fn sides_by_edge(faces: &Ragged) -> Vec<([u32; 2], u32)> {
     let mut sides = Vec::new();
     for (index, face) in (0..).zip(faces.iter()) {
         let own = undirected_sides(face).filter(|[a, b]| a != b);
@@ -219,7 +235,7 @@ pub struct Normals {
 
 impl Normals {
     /// Computes both for the given positions.
-    pub fn update(&mut self, positions: &[Vec3], faces: &Lists) {
+    pub fn update(&mut self, positions: &[Vec3], faces: &Ragged) {
         self.faces.clear();
         self.vertices.clear();
         self.vertices.resize(positions.len(), Vec3::ZERO);
@@ -244,8 +260,8 @@ mod tests {
         let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.25]];
         let coordinates: Vec<f64> =
             corners.iter().flat_map(|&c| (DVec3::from(c) + at).to_array()).collect();
-        let faces = Lists::new("faces", vec![0, 4], vec![0, 1, 2, 3], 4).unwrap();
-        RenderMesh::new(faces, Lists::default(), &coordinates).unwrap()
+        let faces = rows("faces", vec![0, 4], vec![0, 1, 2, 3], 4).unwrap();
+        RenderMesh::new(faces, Ragged::new(), &coordinates).unwrap()
     }
 
     #[test]
@@ -263,7 +279,7 @@ mod tests {
         let there = square(at);
         let mut coordinates: Vec<f64> = there.exact.iter().flat_map(|p| p.to_array()).collect();
         coordinates.extend([0.0; 3]);
-        let stray = RenderMesh::new(there.faces.clone(), Lists::default(), &coordinates).unwrap();
+        let stray = RenderMesh::new(there.faces.clone(), Ragged::new(), &coordinates).unwrap();
         assert_eq!(stray.centre, there.centre);
         assert_eq!(stray.positions[..4], there.positions);
         assert!(stray.used_positions().eq(there.used_positions()));
@@ -278,7 +294,7 @@ mod tests {
         let mut notched = first.clone();
         notched[3..6].copy_from_slice(&[0.4, 0.6, 0.0]);
         assert_eq!(mesh.set_positions(&notched), Ok(true));
-        let again = RenderMesh::new(mesh.faces.clone(), Lists::default(), &notched).unwrap();
+        let again = RenderMesh::new(mesh.faces.clone(), Ragged::new(), &notched).unwrap();
         assert_eq!(mesh.triangles, again.triangles);
         assert_ne!(mesh.triangles, given);
         assert_eq!(mesh.set_positions(&notched), Ok(false));
@@ -299,19 +315,21 @@ mod tests {
 
     #[test]
     fn shared_sides_come_once_and_the_rim_is_marked() {
-        let faces = Lists::new("faces", vec![0, 4, 7], vec![0, 1, 4, 3, 1, 2, 4], 5).unwrap();
-        let edges = polygon_edges(&faces);
+        let faces = rows("faces", vec![0, 4, 7], vec![0, 1, 4, 3, 1, 2, 4], 5).unwrap();
+        let mesh = RenderMesh::new(faces, Ragged::new(), &[0.0; 15]).unwrap();
+        let edges = &mesh.edges;
         assert_eq!(edges.len(), 6);
         let inner: Vec<_> = edges.iter().filter(|e| !e.boundary).collect();
         assert_eq!(inner.len(), 1);
         assert_eq!(inner[0].ends, [1, 4]);
+        assert_eq!(mesh.seams().collect::<Vec<_>>(), [([1, 4], [0, 1])]);
     }
 
     #[test]
     fn a_folded_pair_has_two_face_normals_and_their_mean_on_the_fold() {
         let positions =
             [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
-        let faces = Lists::new("faces", vec![0, 3, 6], vec![0, 2, 1, 0, 1, 3], 4).unwrap();
+        let faces = rows("faces", vec![0, 3, 6], vec![0, 2, 1, 0, 1, 3], 4).unwrap();
         let mut normals = Normals::default();
         normals.update(&positions, &faces);
         assert_eq!(normals.faces, [Vec3::Z, Vec3::X]);

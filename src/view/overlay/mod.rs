@@ -11,7 +11,7 @@ pub use ground_shadow::GroundShadow;
 pub use scale_bar::scale_bar;
 
 use crate::view::appearance::LineKind;
-use crate::view::model::{Lists, ViewError, read_points};
+use crate::view::model::{ViewError, read_points, rows};
 use glam::DVec3;
 
 /// The ghost and the ground.
@@ -23,8 +23,6 @@ pub struct Surroundings {
     pub(in crate::view) ground: bool,
     /// The grid, if it is shown and the rest positions are known.
     pub(in crate::view) grid: Ground,
-    /// Whether lines or points have changed since the last picture.
-    pub changed: bool,
 }
 
 impl Surroundings {
@@ -46,8 +44,6 @@ pub struct SurfaceLines {
     pub(in crate::view) points: Vec<DVec3>,
     /// Two points of each line, and its [`LineKind`].
     pub(in crate::view) lines: Vec<[u32; 3]>,
-    /// Changed since the last picture.
-    pub(in crate::view) changed: bool,
 }
 
 impl SurfaceLines {
@@ -64,17 +60,12 @@ impl SurfaceLines {
     ) -> Result<SurfaceLines, ViewError> {
         let points = read_points(coordinates)?;
         let every = (0..points.len() as u32).collect();
-        let polylines = Lists::new("lines on the surface", offsets, every, points.len())?;
+        let polylines = rows("lines on the surface", offsets, every, points.len())?;
         let lines = polylines.iter().enumerate().flat_map(|(k, line)| {
             let kind = if k < count { LineKind::Larger } else { LineKind::Smaller };
             line.windows(2).map(move |ends| [ends[0], ends[1], kind as u32])
         });
-        Ok(SurfaceLines { lines: lines.collect(), points, changed: true })
-    }
-
-    /// Creates an empty set of lines, which clears those drawn before.
-    pub fn none() -> SurfaceLines {
-        SurfaceLines { changed: true, ..SurfaceLines::default() }
+        Ok(SurfaceLines { lines: lines.collect(), points })
     }
 }
 
@@ -86,6 +77,4 @@ pub struct ShownLayer {
     /// Edges that fail, by their ends: drawn on the surface and in the layer, with their posts.
     pub(in crate::view) failed_edges: Vec<[u32; 2]>,
     pub(in crate::view) failed_vertices: Vec<u32>,
-    /// Whether it has changed since the last picture.
-    pub(in crate::view) changed: bool,
 }

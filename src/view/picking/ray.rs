@@ -80,7 +80,8 @@ fn meet([a, b, c]: [Vec3; 3], from: Vec3, direction: Vec3) -> Option<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::view::model::Lists;
+    use crate::math::Ragged;
+    use crate::view::model::rows;
 
     /// Two unit squares, at z = 0 and z = 1.
     fn two_floors() -> RenderMesh {
@@ -90,8 +91,8 @@ mod tests {
                 coordinates.extend([x, y, z]);
             }
         }
-        let faces = Lists::new("faces", vec![0, 4, 8], (0..8).collect(), 8).unwrap();
-        RenderMesh::new(faces, Lists::default(), &coordinates).unwrap()
+        let faces = rows("faces", vec![0, 4, 8], (0..8).collect(), 8).unwrap();
+        RenderMesh::new(faces, Ragged::new(), &coordinates).unwrap()
     }
 
     #[test]

@@ -29,17 +29,11 @@ impl ViewState {
         check_indices("edges of the layer", failed_edges, count)?;
         check_indices("vertices of the layer", &failed_vertices, count)?;
         let points = read_points(coordinates)?;
-        self.layer =
-            ShownLayer { points, failed_edges: ends.to_vec(), failed_vertices, changed: true };
+        self.layer = ShownLayer { points, failed_edges: ends.to_vec(), failed_vertices };
+        self.changes.layer = true;
         self.keep_reach();
         self.view_changed();
         Ok(())
-    }
-
-    /// Returns whether the layer, or the surface below it, has changed since the last call.
-    pub fn take_changed_layer(&mut self) -> bool {
-        let below = self.changes.positions && !self.layer.points.is_empty();
-        std::mem::take(&mut self.layer.changed) || below
     }
 
     /// Returns the points of the layer relative to the view's centre, then those of the surface.
@@ -80,6 +74,7 @@ impl ViewState {
     /// Replaces the lines over the surface.
     pub fn set_surface_lines(&mut self, lines: SurfaceLines) {
         self.lines = lines;
+        self.changes.lines = true;
         self.view_changed();
     }
 
@@ -89,13 +84,9 @@ impl ViewState {
         palette.strokes[kind as usize].colour
     }
 
-    /// Returns the lines over the surface, and their points relative to the view's centre, if
-    /// changed since the last call.
-    pub fn take_changed_surface_lines(&mut self) -> Option<(Vec<[u32; 3]>, Vec<Vec3>)> {
-        if !std::mem::take(&mut self.lines.changed) {
-            return None;
-        }
+    /// Returns the lines over the surface, and their points relative to the view's centre.
+    pub fn surface_lines(&self) -> (Vec<[u32; 3]>, Vec<Vec3>) {
         let points = self.lines.points.iter().map(|&point| self.content.mesh.relative(point));
-        Some((self.lines.lines.clone(), points.collect()))
+        (self.lines.lines.clone(), points.collect())
     }
 }

@@ -16,7 +16,7 @@ pub use select_region::{Outline, RegionMode};
 use crate::view::appearance::{Appearance, DotKind};
 use crate::view::gizmo::GizmoState;
 use crate::view::model::{
-    Checks, Lists, ProjectionMarks, RenderMesh, ViewError, check_indices, check_length, read_points,
+    Checks, ProjectionMarks, RenderMesh, ViewError, check_indices, check_length, read_points, rows,
 };
 use crate::view::overlay::{ShownLayer, SurfaceLines, Surroundings};
 use glam::{DVec3, Vec3, Vec4};
@@ -43,8 +43,8 @@ impl Default for ViewState {
             look: Look::default(),
             viewpoint: Viewpoint::default(),
             around: Surroundings::default(),
-            layer: ShownLayer { changed: true, ..ShownLayer::default() },
-            lines: SurfaceLines::none(),
+            layer: ShownLayer::default(),
+            lines: SurfaceLines::default(),
             gizmo: GizmoState::default(),
             changes: Changes::ALL,
         }
@@ -74,8 +74,8 @@ impl ViewState {
         coordinates: &[f64],
     ) -> Result<(), ViewError> {
         let count = coordinates.len() / 3;
-        let faces = Lists::new("faces", faces.0, faces.1, count)?;
-        let curves = Lists::new("curves", curves.0, curves.1, count)?;
+        let faces = rows("faces", faces.0, faces.1, count)?;
+        let curves = rows("curves", curves.0, curves.1, count)?;
         let same = faces == self.content.mesh.faces
             && curves == self.content.mesh.curves
             && count == self.content.mesh.exact.len()
@@ -87,9 +87,9 @@ impl ViewState {
         self.content = Content { mesh, ..Content::default() };
         self.look.appearance = Appearance::default();
         self.changes = Changes::ALL;
-        self.layer = ShownLayer { changed: true, ..ShownLayer::default() };
+        self.layer = ShownLayer::default();
         self.viewpoint.camera.section = None;
-        self.lines = SurfaceLines::none();
+        self.lines = SurfaceLines::default();
         self.leave_surroundings();
         self.preset("home")
     }
@@ -261,11 +261,6 @@ impl ViewState {
     /// Returns the ghost of the mesh as it was opened, and the ground.
     pub fn around(&self) -> &Surroundings {
         &self.around
-    }
-
-    /// Returns whether ghost or ground have changed since the last call.
-    pub fn take_changed_surroundings(&mut self) -> bool {
-        std::mem::take(&mut self.around.changed)
     }
 
     /// Returns half the diagonal of the bounding box; 1 if that is zero.

@@ -99,6 +99,12 @@ pub struct Changes {
     pub projections: bool,
     /// Texture coordinates of the checkerboard.
     pub checks: bool,
+    /// Ghost and ground.
+    pub around: bool,
+    /// The layer beside the surface.
+    pub layer: bool,
+    /// The lines over the surface.
+    pub lines: bool,
     /// Camera, theme, size, display: all that needs a new picture but no new data.
     pub view: bool,
 }
@@ -114,6 +120,9 @@ impl Changes {
         shapes: true,
         projections: true,
         checks: true,
+        around: true,
+        layer: true,
+        lines: true,
         view: true,
     };
 

@@ -3,7 +3,7 @@
 use super::ViewState;
 use super::parts::Display;
 use crate::view::appearance::{
-    Appearance, Colour, ColourScale, DARK, LIGHT, MapChoice, Palette, RowColours,
+    Appearance, Colour, ColourMap, ColourScale, DARK, LIGHT, Palette, RowColours,
 };
 use crate::view::model::ViewError;
 
@@ -110,12 +110,12 @@ impl ViewState {
         self.changes.appearance = true;
     }
 
-    /// Sets the colour map for values on all faces; see [`MapChoice`].
+    /// Sets the colour map for values on all faces; see [`ColourMap::named`].
     ///
     /// # Errors
     /// An unknown name of a map.
     pub fn set_colour_map(&mut self, name: &str, middle: Option<f32>) -> Result<(), ViewError> {
-        self.look.appearance.set_map(MapChoice::named(name, middle)?);
+        self.look.appearance.set_map(ColourMap::named(name)?, middle);
         self.changes.appearance = true;
         Ok(())
     }

@@ -45,7 +45,7 @@ impl ViewState {
             }
             _ => Ground::default(),
         };
-        around.changed = true;
+        self.changes.around = true;
         self.keep_reach();
         self.view_changed();
     }

@@ -144,10 +144,10 @@ impl Builder {
 
     /// Returns the first sheets as pictures, at most `count`.
     pub fn sheets(&self, count: usize) -> Result<Vec<Js<SheetPicture>>, JsValue> {
-        let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
-        let shown = drawings.iter().zip(&failed).take(count);
-        plains(&shown.map(|(drawing, failed)| picture(drawing, failed)).collect::<Vec<_>>())
+        let shown = failed.iter().enumerate().take(count);
+        let pictures = shown.map(|(k, failed)| picture(&self.build.drawing(k), failed));
+        plains(&pictures.collect::<Vec<_>>())
     }
 
     /// Returns the numbers that a lesson may bound, as pairs of id and value, lengths in the unit

@@ -34,10 +34,9 @@ impl Backdrop {
         tables: &GpuTables,
         format: wgpu::TextureFormat,
     ) -> Backdrop {
-        let source = BACKDROP.concat();
         let recipe = Recipe {
             label: "backdrop",
-            source: &source,
+            source: &BACKDROP,
             vertex: "corner_of_picture",
             fragment: "gradient",
             attributes: &CORNER,

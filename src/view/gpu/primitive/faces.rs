@@ -27,7 +27,7 @@ impl Faces {
         let pipeline = |vertex: &str, fragment: &str, layer: Layer| {
             let recipe = Recipe {
                 label: "faces",
-                source: &FACES.concat(),
+                source: &FACES,
                 vertex,
                 fragment,
                 attributes: &CORNER_OF_FACE,

@@ -1,7 +1,7 @@
 //! Draws edges, polylines, selected edges, outlines of flipped faces, and the lines from handles to
 //! targets: `shaders/lines.wgsl`.
 
-use crate::view::appearance::{LineKind, Seam, seams};
+use crate::view::appearance::LineKind;
 use crate::view::gpu::{GpuTables, LINES, Layer, Recipe, VertexBuffer, build};
 use crate::view::model::RenderMesh;
 use crate::view::state::ViewState;
@@ -19,8 +19,8 @@ pub struct Lines {
     pulls: VertexBuffer,
     selected: VertexBuffer,
     flipped: VertexBuffer,
-    /// Edges at which two faces of the mesh meet.
-    seams: Vec<Seam>,
+    /// Between bands of values.
+    bands: VertexBuffer,
 }
 
 impl Lines {
@@ -29,7 +29,7 @@ impl Lines {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {
                 label: "lines",
-                source: &LINES.concat(),
+                source: &LINES,
                 vertex: "corner_of_line",
                 fragment,
                 attributes: &LINE,
@@ -46,7 +46,7 @@ impl Lines {
             pulls: VertexBuffer::new(device),
             selected: VertexBuffer::new(device),
             flipped: VertexBuffer::new(device),
-            seams: Vec::new(),
+            bands: VertexBuffer::new(device),
         }
     }
 
@@ -59,18 +59,18 @@ impl Lines {
             .flat_map(|curve| curve.windows(2).map(|ends| line(ends[0], ends[1], LineKind::Curve)))
             .collect();
         self.curves.write(device, queue, &curves);
-        self.seams = seams(&mesh.faces);
     }
 
-    /// Returns the edges between faces in different bands, for [`Lines::draw_others`].
-    pub fn between_bands(&self, state: &ViewState) -> Vec<[u32; 3]> {
+    /// Uploads the edges between faces in different bands.
+    pub fn update_bands(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
         let appearance = state.appearance();
-        let seams = self.seams.iter().filter(|_| appearance.bands().is_some());
-        let parting = seams.filter(|seam| {
-            let [a, b] = seam.faces.map(|face| appearance.band_of(face));
+        let seams = state.mesh().seams().filter(|_| appearance.bands().is_some());
+        let parting = seams.filter(|(_, faces)| {
+            let [a, b] = faces.map(|face| appearance.band_of(face));
             a.is_some() && b.is_some() && a != b
         });
-        parting.map(|seam| line(seam.ends[0], seam.ends[1], LineKind::Band)).collect()
+        let bands: Vec<[u32; 3]> = parting.map(|([a, b], _)| line(a, b, LineKind::Band)).collect();
+        self.bands.write(device, queue, &bands);
     }
 
     /// Uploads the selected edges and the measuring tape.
@@ -108,12 +108,13 @@ impl Lines {
         self.pulls.write(device, queue, &pulls);
     }
 
-    /// Draws the curves and, if requested, the edges.
+    /// Draws the curves, the lines between bands and, if requested, the edges.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, edges: bool) {
         if edges {
             self.edges.draw_each(pass, &self.in_front, 6);
         }
         self.curves.draw_each(pass, &self.in_front, 6);
+        self.bands.draw_each(pass, &self.in_front, 6);
     }
 
     /// Draws the flat map: the edges, if requested, and the outlines of the faces that it flips. It has
@@ -131,16 +132,11 @@ impl Lines {
         lines.draw_each(pass, &self.in_front, 6);
     }
 
-    /// Draws selected edges and the tape: first dim where hidden, then where visible.
+    /// Draws selected edges, the tape and the pull lines: dim where hidden, then where visible.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.selected.draw_each(pass, &self.behind, 6);
-        self.selected.draw_each(pass, &self.in_front, 6);
-    }
-
-    /// Draws the pull lines: first dim where they are hidden, then where they are visible.
-    pub fn draw_pulls(&self, pass: &mut wgpu::RenderPass<'_>) {
-        self.pulls.draw_each(pass, &self.behind, 6);
-        self.pulls.draw_each(pass, &self.in_front, 6);
+        for lines in [&self.selected, &self.pulls] {
+            self.draw_others(pass, lines, lines.count());
+        }
     }
 }
 

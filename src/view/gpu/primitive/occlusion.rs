@@ -45,10 +45,9 @@ impl Occlusion {
                 count: None,
             }],
         });
-        let source = OCCLUSION.concat();
         let seen = Recipe {
             label: "occlusion",
-            source: &source,
+            source: &OCCLUSION,
             vertex: "corner_of_depth",
             fragment: "depth_and_normal",
             attributes: &CORNER_OF_FACE,

@@ -23,7 +23,7 @@ impl Points {
         let pipeline = |fragment: &str, layer: Layer| {
             let recipe = Recipe {
                 label: "points",
-                source: &POINTS.concat(),
+                source: &POINTS,
                 vertex: "corner_of_dot",
                 fragment,
                 attributes: &DOT,

@@ -41,7 +41,7 @@ impl ProjectionLines {
     ) -> ProjectionLines {
         let lines = Recipe {
             label: "projections",
-            source: &PROJECTIONS.concat(),
+            source: &PROJECTIONS,
             vertex: "corner_of_projection",
             fragment: "drawn",
             attributes: &LINE,

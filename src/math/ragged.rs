@@ -19,8 +19,9 @@ impl Ragged {
     pub fn new() -> Self {
         Self::default()
     }
-    /// Builds rows from `#rows + 1` offsets that ascend from zero to the number of entries.
-    pub(super) fn from_parts(offsets: Vec<u32>, indices: Vec<u32>) -> Self {
+    /// Builds rows from `#rows + 1` offsets that ascend from zero to the number of entries; panics if
+    /// they do not end there.
+    pub fn from_parts(offsets: Vec<u32>, indices: Vec<u32>) -> Self {
         assert_eq!(offsets.last().copied(), Some(indices.len() as u32), "the last row ends there");
         Ragged { offsets, indices }
     }
