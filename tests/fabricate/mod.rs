@@ -15,6 +15,7 @@ mod identities;
 mod key;
 mod nesting;
 mod paper;
+mod paper_card;
 mod paper_names;
 mod picture;
 mod printed;
