@@ -65,14 +65,22 @@ impl Build {
         let mut choices: Vec<AdvisedValue> = Vec::new();
         for least in needed() {
             let joint = (least / STEP - 1e-9).ceil() * STEP;
-            let label = format!("Joint {}", words::millimetres_limit(joint));
             let value = words::rounded(joint / self.mm_of_sheet(), 6);
+            let label = format!("Joint {}", self.as_entered(value));
             if choices.iter().all(|other| other.label != label) {
                 choices.push(AdvisedValue { label, setting: "joint", value });
             }
         }
         choices.sort_by(|a, b| a.value.total_cmp(&b.value));
         (!choices.is_empty()).then_some(Advice { words, choices })
+    }
+
+    /// Formats a length of the building as its field takes it, and as it is on the sheet if that reads
+    /// otherwise.
+    fn as_entered(&self, length: f64) -> String {
+        let entered = format!("{} {}", words::brief(length), self.unit.symbol);
+        let on_sheet = words::millimetres_limit(words::rounded(length * self.mm_of_sheet(), 6));
+        if entered == on_sheet { entered } else { format!("{entered}, on the sheet {on_sheet}") }
     }
 
     /// The scale at which parts fit on a sheet, or are large enough for hands.
@@ -198,6 +206,23 @@ mod tests {
             let mut own = settings.clone();
             follow(&mut own, choice);
             assert_eq!(advised(&own), [], "{choice:?}");
+        }
+    }
+
+    #[test]
+    fn the_joint_is_said_as_its_field_takes_it_and_as_it_is_on_the_sheet() {
+        for (unit, scale, label) in [
+            ("m", 50.0, "Joint 0.15 m, on the sheet 3 mm"),
+            ("ft", 1.0, "Joint 0.00984252 ft, on the sheet 3 mm"),
+            ("mm", 50.0, "Joint 150 mm, on the sheet 3 mm"),
+            ("mm", 1.0, "Joint 3 mm"),
+        ] {
+            let unit = LengthInMetres::of(unit).expect("it is known");
+            let settings = BuildSettings { scale, ..BuildSettings::default() };
+            let build = Build::new(&ridge(scale / unit.metres), &settings, unit).expect("panels");
+            let report = BuildReport { least_joint_mm: [None, Some(2.95)], ..build.report() };
+            let choices = build.advice_on_joint(&report).map_or(Vec::new(), |own| own.choices);
+            assert_eq!(choices.iter().map(|own| &*own.label).collect::<Vec<_>>(), [label]);
         }
     }
 

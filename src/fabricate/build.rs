@@ -12,7 +12,7 @@ use super::surface::PanelSurface;
 use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
-use crate::scene::{BuildSettings, OffsetKind, Page, Product, Tiling};
+use crate::scene::{BuildSettings, Fold, OffsetKind, Page, Product, Tiling};
 
 /// Numbers below this, in mm of the building or degrees, are rounding errors.
 const ROUNDING: f64 = 1e-6;
@@ -216,6 +216,11 @@ impl Build {
         if self.pages() > MOST_PAGES_OF_ALL { Page::Sheet } else { self.settings.page }
     }
 
+    /// The height of tabs in mm of the sheet, which only creased paper has; 0 for none.
+    pub(super) fn tab(&self) -> f64 {
+        if self.settings.fold == Fold::Crease { self.settings.tab } else { 0.0 }
+    }
+
     /// Millimetres of the building per unit of the mesh.
     pub fn mm_of_building(&self) -> f64 {
         1000.0 * self.unit.metres
@@ -332,7 +337,19 @@ impl Build {
             Product::Panels => "ARROW: TO ITS FIRST EDGE IN THE MODEL",
             Product::Fins if self.discs.is_empty() => "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Fins => "ARROW OF A FIN: TO THE SIDE AT THE EDGE OF THE MODEL",
-            Product::Paper => "",
+            Product::Paper => match (self.settings.fold, self.settings.print_inside) {
+                (Fold::Crease, _) => "",
+                (Fold::Score, _) => {
+                    "CUT HALF THROUGH: SOLID LINES FROM THIS SIDE, DASHED FROM BEHIND"
+                }
+                (Fold::VCut, false) => {
+                    "CUT FROM BEHIND: GROOVES AT SOLID LINES, SLITS AT DASHED, MITRES AT EDGES"
+                }
+                (Fold::VCut, true) => {
+                    "CUT FROM THIS SIDE: GROOVES AT DASHED LINES, SLITS AT SOLID, MITRES AT EDGES"
+                }
+                (Fold::Separate, _) => "EDGES HELD BY TAPE",
+            },
         };
         let discs = "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT";
         let discs = if self.discs.is_empty() { "" } else { discs };

@@ -198,6 +198,7 @@ impl BuildReport {
 
     fn warnings(&self, settings: &BuildSettings) -> Vec<String> {
         let bare = self.paper.as_ref().map_or(&[][..], |paper| &paper.without_tab);
+        let too_thick = self.paper.as_ref().map_or(&[][..], |paper| &paper.too_thick);
         let creased = self.paper.as_ref().map_or(0, |paper| paper.creased);
         let some = |names: &[String]| words::and_more(names, NAMED);
         let named = |names: &[String], sentence: String| (!names.is_empty()).then_some(sentence);
@@ -254,6 +255,14 @@ impl BuildReport {
                     + " no solid: the cuts at its ends leave nothing of it.",
             ),
             named(bare, format!("No tab between {}.", some(bare))),
+            named(
+                too_thick,
+                format!(
+                    "Card of {} is too thick: its folds leave nothing of the inside of {}.",
+                    words::millimetres_limit(settings.thickness),
+                    some(too_thick)
+                ),
+            ),
             counted(
                 creased,
                 words::count(creased, "panel is", "panels are")

@@ -5,7 +5,7 @@ use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, beam_name, node_name};
 use super::fault::Fault;
 use super::panel::{check_size, inset, is_simple, smallest_box};
-use super::paper::{MissingNames, PaperModel, PaperSize, drawn, write_names};
+use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
 use super::sheet::{
     CutPart, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
@@ -151,9 +151,11 @@ impl Build {
 
     /// Cuts the pieces of a paper model; `write_names` finds neighbours, which depend on the tabs.
     fn cut_paper(&mut self) {
-        let BuildSettings { sheet, margin, pieces, tab, print_inside, .. } = self.settings;
+        let BuildSettings { sheet, margin, pieces, print_inside, fold, thickness, .. } =
+            self.settings;
         let room = sheet.map(|side| side - 2.0 * margin);
-        let size = PaperSize { model: self.mm_of_sheet(), room, tab };
+        let card = Card { fold, thickness };
+        let size = PaperSize { model: self.mm_of_sheet(), room, tab: self.tab(), card };
         let model = PaperModel::new(&self.surface, &self.flat, pieces, size);
         self.parts = (0..model.pieces.len()).map(|k| drawn(&model, k, print_inside)).collect();
         for &(panel, why) in &model.without {

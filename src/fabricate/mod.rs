@@ -22,7 +22,7 @@
 //! | `panel` | panels laid flat, the joint, names, types, the order of assembly |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
 //! | `beam` | beams along the edges: nodes, fins, node discs, prisms |
-//! | `paper` | paper models: nets and strips with folds and tabs |
+//! | `paper` | paper models: nets and strips with folds and tabs, or of card with a thickness |
 //! | `sheet` | parts, letters, labels, the layout on sheets |
 //! | `file` | SVG, DXF, PDF, CSV, GLB, pictures of sheets |
 //! | `build` | everything for one shape |

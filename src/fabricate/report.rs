@@ -58,6 +58,8 @@ pub struct PaperReport {
     pub without_tab: Vec<String>,
     /// Panels that are not flat, and creased along their diagonals.
     pub creased: usize,
+    /// The names of panels of which the folds leave no inner face: the card is too thick.
+    pub too_thick: Vec<String>,
 }
 
 /// The report of a build.
@@ -330,22 +332,21 @@ impl Build {
     }
 
     fn paper_report(&self) -> Option<PaperReport> {
-        let PaperModel { net, joint_kinds, .. } = self.paper.as_ref()?;
+        let PaperModel { net, joint_kinds, too_thick, .. } = self.paper.as_ref()?;
         let folds = |kind: FoldKind| {
             let joints = net.joints.iter().zip(&net.folded);
             joints.filter(|(joint, folded)| **folded && joint.kind() == kind).count()
         };
         let creases = net.joints.iter().filter(|joint| joint.edge.is_none());
         let creased = distinct(creases.map(|joint| net.facets[joint.sides[0].0 as usize].panel));
-        let lacks_tab =
-            |kind: &JointKind| self.settings.tab > 0.0 && matches!(kind, JointKind::Bare);
+        let lacks_tab = |kind: &JointKind| self.tab() > 0.0 && matches!(kind, JointKind::Bare);
         let without_tab = net.joints.iter().zip(joint_kinds).filter(|(_, kind)| lacks_tab(kind));
         let panels = |joint: &Joint| {
             joint.sides.map(|(f, _)| &*self.names[net.facets[f as usize].panel as usize]).join("/")
         };
         // Around a panel without area several edges are between the same two.
         let mut known = BTreeSet::new();
-        let unpaired = self.surface.unpaired().filter(|_| self.settings.tab > 0.0);
+        let unpaired = self.surface.unpaired().filter(|_| self.tab() > 0.0);
         let unpaired = unpaired.filter(|(_, panels)| known.insert(panels.clone()));
         let beside = unpaired.map(|(_, panels)| {
             panels.iter().map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join("/")
@@ -356,6 +357,10 @@ impl Build {
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
             creased: creased.len(),
+            too_thick: distinct(too_thick.iter().map(|&f| net.facets[f as usize].panel))
+                .into_iter()
+                .map(|panel| self.names[panel as usize].clone())
+                .collect(),
         })
     }
 }

@@ -42,8 +42,8 @@ pub use crate::sparse::Factorization;
 pub(crate) use build::Tiling;
 pub use build::{
     BUILD_PRESETS, BUILD_SETTINGS, BuildForm, BuildGroup, BuildOption, BuildPreset, BuildSetting,
-    BuildSettings, BuildUnit, CheckLimits, Dxf, Names, OffsetKind, Order, Page, Pieces, PresetOf,
-    PresetValues, Product,
+    BuildSettings, BuildUnit, CheckLimits, Dxf, Fold, Names, OffsetKind, Order, Page, Pieces,
+    PresetOf, PresetValues, Product,
 };
 pub use closeness::{Closeness, ClosenessWeight, Target};
 pub use document::{

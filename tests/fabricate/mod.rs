@@ -16,6 +16,7 @@ mod key;
 mod nesting;
 mod no_area;
 mod paper;
+mod paper_card;
 mod paper_names;
 mod picture;
 mod printed;

@@ -9,7 +9,7 @@ use shape_up::fabricate::Build;
 use shape_up::fabricate::paper::{JointKind, PaperModel};
 use shape_up::math::plane::{Point2, area, bounds};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Pieces, Product};
+use shape_up::scene::{BuildSettings, Fold, Pieces, Product};
 
 pub(super) fn settings(pieces: Pieces) -> BuildSettings {
     BuildSettings { product: Product::Paper, pieces, scale: 20.0, ..BuildSettings::default() }
@@ -20,7 +20,7 @@ pub(super) fn model(build: &Build) -> &PaperModel {
 }
 
 /// Panels that are not flat, with ridges and valleys.
-fn waves() -> Mesh {
+pub(super) fn waves() -> Mesh {
     grid(6, 5, |i, j| {
         let [x, y] = [f64::from(i), f64::from(j)];
         [x, y, 0.35 * f64::from((i + j) % 2) + 0.05 * x * y]
@@ -98,8 +98,11 @@ fn polygons(model: &PaperModel, piece: u32) -> Vec<Vec<Point2>> {
 
 #[test]
 fn no_piece_overlaps_itself_and_its_outline_holds_its_facets_and_tabs() {
-    for (name, mesh, pieces) in cases() {
-        let made = made(&mesh, pieces);
+    let folds = [Fold::Crease, Fold::Score];
+    for ((name, mesh, pieces), fold) in cases().iter().flat_map(|own| folds.map(|fold| (own, fold)))
+    {
+        let own = BuildSettings { scale: scale(mesh), fold, thickness: 1.0, ..settings(*pieces) };
+        let made = build(mesh, &own);
         let model = model(&made);
         assert_eq!(made.parts.len(), model.pieces.len(), "{name}");
         for (part, &piece) in made.parts.iter().zip(&model.pieces) {

@@ -9,16 +9,14 @@ mod disc;
 mod fin;
 mod near;
 mod node;
-mod plane;
 mod prism;
 mod seat;
 mod size;
 
 pub use alike::{edge_types, node_types};
 pub use disc::{Disc, Slot};
-pub use fin::{EndRoom, Fin, cut_back, fin};
+pub use fin::{BeamPlane, EndRoom, Fin, cut_back, fin};
 pub use node::{Node, Spoke, nodes};
-pub use plane::BeamPlane;
 pub use prism::{EndCut, Prism, end_cuts, prism};
 pub use size::{DiscSize, FrameSize};
 

@@ -2,8 +2,7 @@
 //! node. A disc counts as the ball around it: nothing that it meets is missed, and one that barely clears
 //! a neighbour may be refused.
 
-use super::fin::Fin;
-use super::plane::BeamPlane;
+use super::fin::{BeamPlane, Fin};
 use crate::fabricate::boxes::{Boxes, Corners};
 use crate::fabricate::panel::distance_to_outline;
 use crate::fabricate::surface::PanelSurface;

@@ -2,8 +2,8 @@
 //! axis, one towards each neighbour, so that the cuts at a node match. The upper faces meet without
 //! a step exactly if the offset keeps the height of beams constant.
 
+use super::fin::BeamPlane;
 use super::node::{Node, degrees_between};
-use super::plane::BeamPlane;
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 

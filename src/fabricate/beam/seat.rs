@@ -8,8 +8,7 @@
 //! `z = (Z - (T/2) |sin d|) / cos d`, and the tenon through a disc of thickness `T` ends at
 //! `z = (Z + T + (T/2) |sin d|) / cos d`.
 
-use super::fin::Fin;
-use super::plane::BeamPlane;
+use super::fin::{BeamPlane, Fin};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
 use crate::math::plane::{Point2, dot};

@@ -12,13 +12,23 @@ const PARALLEL: f64 = 1e-9;
 /// flip vanishes first: its ends become one corner. Returns none if less than a triangle is left, or
 /// the outline falls apart: the panel is too small for the joint. Coincident corners stay coincident.
 pub fn inset(polygon: &[Point2], by: f64) -> Option<Vec<Point2>> {
+    inset_sides(polygon, &vec![by; polygon.len()])
+}
+
+/// As [`inset`], with a distance for each side; none if two sides in line have different ones.
+pub fn inset_sides(polygon: &[Point2], by: &[f64]) -> Option<Vec<Point2>> {
     let n = polygon.len();
+    let is_moved = by.iter().any(|by| *by != 0.0);
     let distinct: Vec<usize> = (0..n).filter(|&k| polygon[k] != polygon[(k + 1) % n]).collect();
     let m = distinct.len();
     // Distinct corners, each the start of an edge.
     let corners: Vec<Point2> = distinct.iter().map(|&k| polygon[k]).collect();
     let edges: Vec<Edge> = (0..m)
-        .map(|k| Edge { start: corners[k], along: direction_of(corners[k], corners[(k + 1) % m]) })
+        .map(|k| Edge {
+            start: corners[k],
+            along: direction_of(corners[k], corners[(k + 1) % m]),
+            by: by[distinct[k]],
+        })
         .collect();
     let mut left: Vec<usize> = (0..m).collect();
     let moved = loop {
@@ -26,16 +36,16 @@ pub fn inset(polygon: &[Point2], by: f64) -> Option<Vec<Point2>> {
         if count < 3 {
             return None;
         }
-        let starts = |by: f64| -> Option<Vec<Point2>> {
+        let starts = |is_moved: bool| -> Option<Vec<Point2>> {
             let start = |k: usize| {
                 let [before, own] = [left[(k + count - 1) % count], left[k]];
                 let are_neighbours = (before + 1) % m == own;
-                meet([&edges[before], &edges[own]], are_neighbours, by)
+                meet([&edges[before], &edges[own]], are_neighbours, is_moved)
             };
             (0..count).map(start).collect()
         };
-        let moved = starts(by)?;
-        if by == 0.0 {
+        let moved = starts(is_moved)?;
+        if !is_moved {
             break moved;
         }
         let along = |points: &[Point2], k: usize| {
@@ -45,7 +55,7 @@ pub fn inset(polygon: &[Point2], by: f64) -> Option<Vec<Point2>> {
             break moved;
         }
         // The edge that vanishes first, at the smallest share of the way.
-        let unmoved = starts(0.0)?;
+        let unmoved = starts(false)?;
         let share = |k: usize| {
             let (from, to) = (along(&unmoved, k), along(&moved, k));
             (to <= 0.0).then(|| from / (from - to))
@@ -54,11 +64,11 @@ pub fn inset(polygon: &[Point2], by: f64) -> Option<Vec<Point2>> {
         let (_, first) = shares.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))?;
         left.remove(first);
     };
-    if by != 0.0 && (area(&moved) <= 0.0 || !is_simple(&moved)) {
+    if is_moved && (area(&moved) <= 0.0 || !is_simple(&moved)) {
         return None;
     }
     // Beside a notch an edge may vanish that would still be in the way of others.
-    if left.len() < m && !is_apart(&corners, &moved, by) {
+    if left.len() < m && !is_apart(&corners, &moved, &edges, &left) {
         return None;
     }
     // Coincident corners get the position of their distinct corner, and that of an edge that has
@@ -68,40 +78,54 @@ pub fn inset(polygon: &[Point2], by: f64) -> Option<Vec<Point2>> {
     Some((0..n).map(at).collect())
 }
 
-/// Whether two outlines that do not cross keep this distance, up to rounding, and the moved one is on
-/// the right side of the other.
-fn is_apart(polygon: &[Point2], moved: &[Point2], by: f64) -> bool {
+/// Whether all sides of two outlines that do not cross, of which those of the moved one are `left`, keep
+/// their distance, up to rounding, and the moved outline is on the right side of the other.
+fn is_apart(polygon: &[Point2], moved: &[Point2], edges: &[Edge], left: &[usize]) -> bool {
     const ROUNDING: f64 = 1e-6;
-    let least = (1.0 - ROUNDING) * by.abs();
-    let keeps = |of: &[Point2], point: Point2| distance_to_outline(of, point) >= least;
-    moved.iter().all(|&p| is_inside(polygon, p) == (by > 0.0) && keeps(polygon, p))
-        && polygon.iter().all(|&p| keeps(moved, p))
+    let keeps = |of: &[Point2], k: usize, by: f64, point: Point2| {
+        let side = [of[k], of[(k + 1) % of.len()]];
+        distance_to_outline(&side, point) >= (1.0 - ROUNDING) * by.abs()
+    };
+    let is_inwards = edges.iter().all(|edge| edge.by >= 0.0);
+    let is_beside = |p: Point2| {
+        is_inside(polygon, p) == is_inwards
+            || edges.iter().any(|edge| edge.by == 0.0) && distance_to_outline(polygon, p) < ROUNDING
+    };
+    moved.iter().all(|&p| {
+        is_beside(p) && edges.iter().enumerate().all(|(k, edge)| keeps(polygon, k, edge.by, p))
+    }) && polygon
+        .iter()
+        .all(|&p| left.iter().enumerate().all(|(k, &edge)| keeps(moved, k, edges[edge].by, p)))
 }
 
 /// An edge as a line with a direction.
 struct Edge {
     start: Point2,
     along: Point2,
+    /// How far it moves to its left.
+    by: f64,
 }
 
-/// The point where two edges meet that are moved to their left by `by`, the first before the second;
-/// none if they are parallel, except at a straight corner between neighbours.
-fn meet([before, after]: [&Edge; 2], are_neighbours: bool, by: f64) -> Option<Point2> {
+/// The point where two edges meet, moved or not, the first before the second; none if they are parallel,
+/// except at a straight corner between neighbours that move alike.
+fn meet([before, after]: [&Edge; 2], are_neighbours: bool, is_moved: bool) -> Option<Point2> {
     let (u, v) = (before.along, after.along);
+    let [before_by, by] = [before, after].map(|edge| if is_moved { edge.by } else { 0.0 });
     let (sine, cosine) = (cross(u, v), dot(u, v));
     let [x, y] = after.start;
     if sine.abs() <= PARALLEL {
         // A straight corner moves at right angles; a spike has no inside.
-        return (cosine > 0.0 && are_neighbours).then(|| [x - by * v[1], y + by * v[0]]);
+        let goes_on = cosine > 0.0 && are_neighbours && before_by == by;
+        return goes_on.then(|| [x - by * v[1], y + by * v[0]]);
     }
     // Unmoved, they meet so far before the start of the second.
     let back = match are_neighbours {
         true => 0.0,
         false => cross(u, minus(after.start, before.start)) / sine,
     };
-    // Moved, they meet at `by / sine (v - u)` from there.
-    let share = by / sine;
-    let at = |k: usize| after.start[k] - back * v[k] + share * (v[k] - u[k]);
+    // Moved, they meet at `(before_by v - by u) / sine` from there.
+    let (share, more) = (by / sine, (before_by - by) / sine);
+    let at = |k: usize| after.start[k] - back * v[k] + share * (v[k] - u[k]) + more * v[k];
     Some([at(0), at(1)])
 }
 

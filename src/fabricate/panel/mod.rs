@@ -10,7 +10,7 @@ mod polygon;
 pub(super) use crate::math::{ears as triangles, triangles_in_space, turn};
 pub use alike::panel_types;
 pub use assembly::{Stand, assembly_rows};
-pub use inset::inset;
+pub use inset::{inset, inset_sides};
 pub use name::panel_names;
 pub(super) use polygon::{
     check_size, direction_of, distance_to_outline, sides, smallest_box_within,

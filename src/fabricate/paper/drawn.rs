@@ -6,7 +6,7 @@ use super::tab_name::place_on_tab;
 use super::{JointKind, PaperModel};
 use crate::fabricate::panel::{direction_of, smallest_box};
 use crate::fabricate::sheet::{CutPart, Inscription, label, strokes, upright};
-use crate::math::plane::{Point2, rotated};
+use crate::math::plane::{Point2, distance, rotated};
 use crate::math::sort_by_number;
 
 /// Length of the dashes of a valley fold in mm.
@@ -16,6 +16,9 @@ const DASH: f64 = 2.5;
 const MOST_DASHES: f64 = 1000.0;
 /// Gap between dashes, as a fraction of [`DASH`].
 const GAP: f64 = 0.6;
+
+/// Steps of an outline that are not cut, in mm.
+const STEP: f64 = 1e-3;
 
 /// Maps a point of a piece to its part: mirrored if the inside is printed, then rotated.
 #[derive(Clone, Copy)]
@@ -35,19 +38,23 @@ impl Put {
 fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
     let unrotated = Put { inside, turn: [1.0, 0.0] };
     let mut points: Vec<Point2> = Vec::new();
-    for side in model.net.outline(piece) {
-        let side = (side.facet, side.side);
-        let [p, _] = model.net.ends(side);
+    let net = &model.net;
+    for side in net.outline(piece) {
+        let [p, _] = net.ends((side.facet, side.side));
         points.push(unrotated.put(p));
-        if let Some(tab) = model.tab(side) {
+        if let Some(tab) = model.tab((side.facet, side.side)) {
             points.extend(tab.corners[1..3].iter().map(|&corner| unrotated.put(corner)));
+        }
+        if net.is_cut_back {
+            points.extend(net.corners_after(side).into_iter().map(|corner| unrotated.put(corner)));
         }
     }
     if inside {
         points.reverse();
     }
-    points.dedup();
-    if points.len() > 1 && points.first() == points.last() {
+    let step = if net.is_cut_back { STEP } else { 0.0 };
+    points.dedup_by(|after, before| distance(*before, *after) <= step);
+    if points.len() > 1 && distance(points[0], points[points.len() - 1]) <= step {
         points.pop();
     }
     let (turn, _) = smallest_box(&points);
@@ -72,7 +79,7 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
             if !is_drawn {
                 continue;
             }
-            let [p, q] = net.ends((f, k)).map(|point| place.put(point));
+            let [p, q] = net.fold_line((f, k)).map(|point| place.put(point));
             // A tab is folded back where its panels are coplanar too.
             match (own.kind() != FoldKind::Valley) != inside {
                 true => part.ridges.push(vec![p, q]),

@@ -21,6 +21,9 @@ pub struct Facet {
     pub panel: u32,
     /// Its corners in mm, counterclockwise seen from outside.
     pub corners: Vec<Point2>,
+    /// For each side the part of its line between the ends of the edge: where the facet beyond it hinges.
+    /// The side itself, unless the facet is cut back.
+    pub hinges: Vec<[Point2; 2]>,
     /// The vertices of its corners.
     pub vertices: Vec<u32>,
     /// For each side, from its corner to the next one: the side of the panel; none for a crease.
@@ -42,6 +45,10 @@ pub struct Joint {
     pub fold: f64,
     /// The edge of the surface; none for a crease.
     pub edge: Option<u32>,
+    /// How far before the edge the inner faces of both facets end, in mm; 0 on creased paper.
+    pub back: f64,
+    /// Whether its facets can hang together there.
+    pub is_hinge: bool,
 }
 
 /// What a fold becomes, seen from outside.
@@ -151,27 +158,42 @@ fn distinct(corners: &[Point2]) -> Vec<Point2> {
     (0..n).filter(|&k| corners[k] != corners[(k + 1) % n]).map(|k| corners[k]).collect()
 }
 
-fn whole(surface: &PanelSurface, f: u32, panel: &FlatPanel, model: f64) -> Facet {
-    let corners = scaled(panel, model);
-    let n = corners.len();
-    let is_convex =
-        (0..n).all(|k| turn(corners[k], corners[(k + 1) % n], corners[(k + 2) % n]) >= 0.0);
-    let convex = match is_convex {
-        true => vec![corners.clone()],
-        false => {
-            let corners = distinct(&corners);
-            triangles(&corners).into_iter().map(|own| own.map(|k| corners[k]).into()).collect()
-        }
-    };
-    Facet {
-        panel: f,
-        vertices: surface.faces.row(f as usize).to_vec(),
-        panel_sides: (0..n as u32).map(Some).collect(),
-        joints: vec![None; n],
-        convex,
-        corners,
-        normal: surface.normal(f),
+impl Facet {
+    fn new(
+        panel: u32,
+        corners: Vec<Point2>,
+        vertices: Vec<u32>,
+        panel_sides: Vec<Option<u32>>,
+        normal: Vec3<f64>,
+    ) -> Facet {
+        let (hinges, joints) = (polygon_sides(&corners).collect(), vec![None; corners.len()]);
+        let (convex, none) = (Vec::new(), Vec::new());
+        let mut facet =
+            Facet { panel, corners: none, hinges, vertices, panel_sides, joints, convex, normal };
+        facet.set_corners(corners);
+        facet
     }
+
+    /// Gives it other corners.
+    pub(super) fn set_corners(&mut self, corners: Vec<Point2>) {
+        let n = corners.len();
+        let is_convex =
+            (0..n).all(|k| turn(corners[k], corners[(k + 1) % n], corners[(k + 2) % n]) >= 0.0);
+        self.convex = match is_convex {
+            true => vec![corners.clone()],
+            false => {
+                let corners = distinct(&corners);
+                triangles(&corners).into_iter().map(|own| own.map(|k| corners[k]).into()).collect()
+            }
+        };
+        self.corners = corners;
+    }
+}
+
+fn whole(surface: &PanelSurface, f: u32, panel: &FlatPanel, model: f64) -> Facet {
+    let vertices = surface.faces.row(f as usize).to_vec();
+    let sides = (0..vertices.len() as u32).map(Some).collect();
+    Facet::new(f, scaled(panel, model), vertices, sides, surface.normal(f))
 }
 
 fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &FlatPanel, model: f64) {
@@ -201,15 +223,8 @@ fn creased(facets: &mut Vec<Facet>, surface: &PanelSurface, f: u32, panel: &Flat
             let (from, to) = (own[k], own[(k + 1) % 3]);
             ((from + 1) % kept.len() == to).then_some(kept[from] as u32)
         };
-        facets.push(Facet {
-            panel: f,
-            vertices: own.map(|k| face[kept[k]]).into(),
-            panel_sides: (0..3).map(side).collect(),
-            joints: vec![None; 3],
-            convex: vec![corners.clone()],
-            corners,
-            normal,
-        });
+        let (vertices, sides) = (own.map(|k| face[kept[k]]).into(), (0..3).map(side).collect());
+        facets.push(Facet::new(f, corners, vertices, sides, normal));
     }
 }
 
@@ -241,7 +256,8 @@ fn add(
         facets[f].joints[k] = Some(number);
     }
     let sides = sides.map(|(f, k)| (f as u32, k as u32));
-    joints.push(Joint { sides, fold: fold(surface, facets, sides), edge });
+    let fold = fold(surface, facets, sides);
+    joints.push(Joint { sides, fold, edge, back: 0.0, is_hinge: true });
 }
 
 fn fold(surface: &PanelSurface, facets: &[Facet], [(f, k), (g, _)]: [(u32, u32); 2]) -> f64 {

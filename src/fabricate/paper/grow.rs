@@ -1,6 +1,7 @@
 //! Growth of pieces: folding a joint merges two pieces if they fit on the sheet together, do not
 //! overlap, and leave room for the tabs of the edges that stay open between them.
 
+use super::facet::Joint;
 use super::net::{OutlineSide, PaperNet};
 use super::plane::{Motion, is_same_corner, overlaps, reach};
 use super::tab::tab;
@@ -14,8 +15,8 @@ impl PaperNet {
     /// Folds a joint if possible: the pieces on its two sides become one. `room` is the largest
     /// size of a piece without its tabs, which are up to `tab_height` high.
     pub(super) fn fold(&mut self, joint: u32, room: [f64; 2], tab_height: f64) -> bool {
-        let [mut still, mut moving] = self.joints[joint as usize].sides;
-        if self.piece_of[still.0 as usize] == self.piece_of[moving.0 as usize] {
+        let Joint { sides: [mut still, mut moving], is_hinge, .. } = self.joints[joint as usize];
+        if !is_hinge || self.piece_of[still.0 as usize] == self.piece_of[moving.0 as usize] {
             return false;
         }
         let size = |net: &PaperNet, side: (u32, u32)| {
@@ -25,11 +26,8 @@ impl PaperNet {
             (still, moving) = (moving, still);
         }
         let [a, b] = [still, moving].map(|side| self.piece_of[side.0 as usize]);
-        let [p, q] = self.ends(still);
-        if distance(p, q) < LEAST_HINGE {
-            return false;
-        }
-        let motion = Motion::between(self.ends(moving), [q, p]);
+        let [p, q] = self.hinge(still);
+        let motion = Motion::between(self.hinge(moving), [q, p]);
         let moved = self.pieces[b as usize].clone();
         let before: Vec<Motion> = moved.iter().map(|&f| self.places[f as usize]).collect();
         for &f in &moved {
@@ -38,7 +36,9 @@ impl PaperNet {
         let welded = self.welded(joint, &moved, a);
         let corners = moved.iter().flat_map(|&f| self.corners(f));
         let both = hull(&self.hulls[a as usize].iter().copied().chain(corners).collect::<Vec<_>>());
-        let mut is_good = fits(&both, room) && !self.overlap(a, &moved);
+        let [from, to] = self.fold_line(still);
+        let is_held = distance(from, to) >= LEAST_HINGE;
+        let mut is_good = is_held && fits(&both, room) && !self.overlap(a, &moved);
         if is_good {
             welded.iter().for_each(|&j| self.folded[j as usize] = true);
             let unlinked = self.close_outline(joint);
@@ -102,8 +102,9 @@ impl PaperNet {
                 if other == joint || self.piece_of[there.0 as usize] != piece {
                     continue;
                 }
-                let ([p, q], [r, s]) = (self.ends((f, k)), self.ends(there));
-                if is_same_corner(p, s) && is_same_corner(q, r) {
+                let ([p, q], [r, s]) = (self.hinge((f, k)), self.hinge(there));
+                let is_hinge = self.joints[other as usize].is_hinge;
+                if is_hinge && is_same_corner(p, s) && is_same_corner(q, r) {
                     found.push(other);
                 }
             }
@@ -115,7 +116,10 @@ impl PaperNet {
     fn overlap(&self, piece: u32, moved: &[u32]) -> bool {
         moved.iter().any(|&f| {
             let near = self.near(piece, reach(bounds(self.corners(f)), 0.0));
-            !near.is_empty() && self.convex(f).any(|own| near.iter().any(|p| overlaps(p, &own)))
+            !near.is_empty()
+                && self
+                    .convex(f)
+                    .any(|own| near.iter().any(|p| overlaps(p, &own, !self.is_cut_back)))
         })
     }
 

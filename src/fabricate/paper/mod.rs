@@ -1,5 +1,5 @@
 //! Paper models: panels laid flat side by side as strips and nets, folded along their edges, and
-//! glued with tabs that are hidden behind the neighbour.
+//! glued with tabs that are hidden behind the neighbour. Card has a thickness instead, and no tabs.
 
 mod drawn;
 mod facet;
@@ -9,12 +9,14 @@ mod plane;
 mod strip;
 mod tab;
 mod tab_name;
+mod thickness;
 
 pub use drawn::{MissingNames, drawn, write_names};
 pub use facet::{Facet, FoldKind, Joint};
 pub use net::{OutlineSide, PaperNet};
 pub use plane::Motion;
 pub use tab::Tab;
+pub use thickness::Card;
 
 use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{FlatPanel, smallest_box_within};
@@ -36,6 +38,8 @@ pub struct PaperSize {
     pub room: [f64; 2],
     /// The height of tabs; 0 for none.
     pub tab: f64,
+    /// The material.
+    pub card: Card,
 }
 
 impl PaperSize {
@@ -71,6 +75,8 @@ pub struct PaperModel {
     /// The panels beyond each side of a facet that has no joint because there are several of them, one
     /// that traverses the side in the same direction, or one without area before them.
     pub unpaired: BTreeMap<(u32, u32), Vec<u32>>,
+    /// Facets of which the folds leave no inner face, since the card is too thick.
+    pub too_thick: Vec<u32>,
     /// Panels without facets, and the reasons.
     pub without: Vec<(u32, &'static str)>,
     /// Whether nets are made because strips were requested and there are no quads.
@@ -85,7 +91,8 @@ impl PaperModel {
         pieces: Pieces,
         size: PaperSize,
     ) -> PaperModel {
-        let (facets, joints, without) = facets(surface, flat, size.model);
+        let (mut facets, mut joints, without) = facets(surface, flat, size.model);
+        let too_thick = size.card.cut_back(&mut facets, &mut joints);
         let order = foldable(surface, &joints, pieces);
         let is_without_quads = order.is_none();
         let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets));
@@ -104,7 +111,16 @@ impl PaperModel {
                 tab_joints[net.piece_of[tab.side.facet as usize] as usize].push(joint);
             }
         }
-        PaperModel { net, joint_kinds, tab_joints, pieces, unpaired, without, is_without_quads }
+        PaperModel {
+            net,
+            joint_kinds,
+            tab_joints,
+            pieces,
+            unpaired,
+            too_thick,
+            without,
+            is_without_quads,
+        }
     }
 
     /// The tab on a side.

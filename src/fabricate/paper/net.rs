@@ -3,7 +3,9 @@
 use super::facet::{Facet, Joint};
 use super::plane::Motion;
 use crate::fabricate::boxes::{Boxes, Corners};
-use crate::math::plane::{Point2, bounds};
+use crate::fabricate::panel::direction_of;
+use crate::math::plane::{Point2, bounds, dot, minus};
+use crate::math::polygon_sides;
 
 /// A side of the outline of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,6 +34,8 @@ pub struct PaperNet {
     around: Vec<Vec<[OutlineSide; 2]>>,
     /// Points of each piece that span its convex hull.
     pub(super) hulls: Vec<Vec<Point2>>,
+    /// Whether facets are cut back, so that sides have other ends than their hinges.
+    pub(super) is_cut_back: bool,
     /// The piece of each facet.
     pub piece_of: Vec<u32>,
     /// The facets of each piece; empty if it was merged into another.
@@ -52,7 +56,9 @@ impl PaperNet {
             boxes.insert(f, bounds(own.corners.iter().copied()));
             boxes
         };
+        let is_cut_back = |own: &Facet| !polygon_sides(&own.corners).eq(own.hinges.iter().copied());
         PaperNet {
+            is_cut_back: facets.iter().any(is_cut_back),
             folded: vec![false; joints.len()],
             boxes: facets.iter().zip(0..).map(only).collect(),
             around: around.collect(),
@@ -76,6 +82,26 @@ impl PaperNet {
         let own = &self.facets[f as usize].corners;
         let place = self.places[f as usize];
         [k as usize, (k as usize + 1) % own.len()].map(|k| place.put(own[k]))
+    }
+
+    /// The hinge of a side in its piece.
+    pub fn hinge(&self, (f, k): (u32, u32)) -> [Point2; 2] {
+        let place = self.places[f as usize];
+        self.facets[f as usize].hinges[k as usize].map(|end| place.put(end))
+    }
+
+    /// The line of a fold along a side: what is common to it and the side beyond it.
+    pub fn fold_line(&self, side: (u32, u32)) -> [Point2; 2] {
+        let [p, q] = self.ends(side);
+        let Some((_, there)) = self.across(side).filter(|_| self.is_cut_back) else {
+            return [p, q];
+        };
+        let other = self.ends(there);
+        let along = direction_of(p, q);
+        let at = |point: Point2| dot(minus(point, p), along);
+        let from = at(other[1]).max(0.0);
+        let to = at(other[0]).min(at(q)).max(from);
+        [from, to].map(|far| [p[0] + far * along[0], p[1] + far * along[1]])
     }
 
     /// The convex polygons of a facet in its piece.
@@ -122,6 +148,19 @@ impl PaperNet {
     fn link(&mut self, before: OutlineSide, after: OutlineSide) {
         self.around[before.facet as usize][before.side as usize][0] = after;
         self.around[after.facet as usize][after.side as usize][1] = before;
+    }
+
+    /// The corners of all facets that hang together at the end of a side of the outline, in order, up to
+    /// that of the next side.
+    pub(super) fn corners_after(&self, OutlineSide { facet, side }: OutlineSide) -> Vec<Point2> {
+        let after =
+            |(f, k): (u32, u32)| (f, (k + 1) % self.facets[f as usize].corners.len() as u32);
+        let beyond = |own: &(u32, u32)| {
+            let (joint, there) = self.across(*own)?;
+            self.folded[joint as usize].then(|| after(there))
+        };
+        let around = std::iter::successors(Some(after((facet, side))), beyond);
+        around.map(|own| self.ends(own)[0]).collect()
     }
 
     /// The outline of a piece, counterclockwise: one closed line.

@@ -41,6 +41,8 @@ const CLEARANCE: f64 = 0.5;
 const SAME: f64 = 0.05;
 /// Permitted overlap of parts with a common corner, in mm: the error of panels that count as flat.
 const ROUNDING: f64 = 0.02;
+/// Permitted overlap of parts that need not be apart, in mm: they touch along their hinge.
+const TOUCHING: f64 = 1e-6;
 
 /// Whether two corners are the same but for rounding.
 pub(super) fn is_same_corner(p: Point2, q: Point2) -> bool {
@@ -53,14 +55,19 @@ pub(super) fn reach([low, high]: Corners, by: f64) -> Corners {
     [low.map(|x| x - by), high.map(|x| x + by)]
 }
 
-/// Whether two convex counterclockwise polygons overlap, or are too close without a common corner.
-pub(super) fn overlaps(a: &[Point2], b: &[Point2]) -> bool {
+/// Whether two convex counterclockwise polygons overlap, or, if they are to be `apart`, are too close
+/// without a common corner.
+pub(super) fn overlaps(a: &[Point2], b: &[Point2], apart: bool) -> bool {
     let [one, other] = [a, b].map(|polygon| bounds(polygon.iter().copied()));
     if !meet(reach(one, 0.0), other) {
         return false;
     }
-    let share = a.iter().any(|&p| b.iter().any(|&q| is_same_corner(p, q)));
-    let allowed = if share { ROUNDING } else { -CLEARANCE };
+    let share = || a.iter().any(|&p| b.iter().any(|&q| is_same_corner(p, q)));
+    let allowed = match apart {
+        false => TOUCHING,
+        true if share() => ROUNDING,
+        true => -CLEARANCE,
+    };
     deepest(a, b) > allowed && deepest(b, a) > allowed
 }
 

@@ -84,7 +84,7 @@ pub(super) fn tab(
         let is_free = || {
             let mut all =
                 taken.iter().map(|own| &own[..]).chain(of_piece.iter().map(|own| &own[..]));
-            !all.any(|other| overlaps(&corners, other))
+            !all.any(|other| overlaps(&corners, other, true))
         };
         if is_hidden && is_whole && is_free() {
             return Some(Tab { side, corners, height });

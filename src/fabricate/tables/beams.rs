@@ -1,4 +1,4 @@
-//! Fins, prisms with their end cuts, the beams around each node, types of nodes.
+//! Fins, prisms with their end cuts, the beams around each node, types of nodes, node discs.
 
 use crate::fabricate::beam::Frame;
 use crate::fabricate::build::{Build, beam_name, node_name};
@@ -6,12 +6,16 @@ use crate::fabricate::file::{Cell, Table};
 
 /// All tables, with the names of their files.
 pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
-    vec![
+    let mut tables = vec![
         ("fins.csv", fins(build, frame)),
         ("beams.csv", prisms(build, frame)),
         ("node-beams.csv", around_nodes(build, frame)),
         ("node-types.csv", types(frame)),
-    ]
+    ];
+    if !build.discs.is_empty() {
+        tables.push(("discs.csv", discs(build, frame)));
+    }
+    tables
 }
 
 fn fins(build: &Build, frame: &Frame) -> String {
@@ -153,4 +157,48 @@ fn types(frame: &Frame) -> String {
 /// The name of a type of nodes.
 fn type_name(number: u32) -> String {
     format!("NT{}", number + 1)
+}
+
+/// The discs as cut. The seat is the position of their side on the fins along the axis of the node,
+/// negative inwards; the neck is the least height of a fin there. x of a disc points away from the node
+/// along its first beam in `node-beams.csv`, of which the first slot need not be.
+fn discs(build: &Build, frame: &Frame) -> String {
+    let mut table = Table::new(&[
+        "name",
+        "diameter_sheet_mm",
+        "slots",
+        "first_slot",
+        "seat_sheet_mm",
+        "neck_sheet_mm",
+        "lean_deg",
+        "area_sheet_mm2",
+        "sheet",
+        "x_sheet_mm",
+        "y_sheet_mm",
+        "turn_deg",
+        "name_written",
+    ]);
+    let (places, model) = (build.layout.places(build.parts.len()), build.mm_of_sheet());
+    for own in &build.discs {
+        let Some(Ok(disc)) = &frame.discs[own.vertex as usize] else { continue };
+        let (part, place) = (&build.parts[own.part], places[own.part]);
+        let first = disc.slots.first();
+        let first = first.map(|slot| beam_name(build.surface.edges[slot.edge as usize].ends));
+        table.row([
+            Cell::from(&*node_name(own.vertex)),
+            Cell::from(2.0 * disc.radius * model),
+            Cell::from(disc.slots.len()),
+            Cell::from(first.as_deref().unwrap_or_default()),
+            Cell::from(disc.seat * model),
+            Cell::from(disc.neck * model),
+            Cell::from(disc.lean_deg),
+            Cell::from(part.area()),
+            place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
+            Cell::from(place.map(|(_, place)| place.offset[0])),
+            Cell::from(place.map(|(_, place)| place.offset[1])),
+            Cell::from(place.map(|(_, place)| place.turn_deg())),
+            Cell::from(part.named.words()),
+        ]);
+    }
+    table.into_text()
 }

@@ -3,7 +3,6 @@
 //! rows say how to read the other tables.
 
 mod beams;
-mod discs;
 mod panels;
 mod paper;
 mod reading;
@@ -36,13 +35,7 @@ pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
         (Product::Panels, _) => {
             vec![("panels.csv", panels::panels(build)), ("types.csv", panels::types(build))]
         }
-        (Product::Fins, Some(frame)) => {
-            let mut tables = beams::all(build, frame);
-            if !build.discs.is_empty() {
-                tables.push(("discs.csv", discs::discs(build, frame)));
-            }
-            tables
-        }
+        (Product::Fins, Some(frame)) => beams::all(build, frame),
         (Product::Paper, _) => paper::all(build),
         (Product::Fins, None) => Vec::new(),
     };

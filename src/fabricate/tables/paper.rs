@@ -64,6 +64,7 @@ fn joins(build: &Build, model: &PaperModel) -> String {
         "tab_sheet_mm",
         "length_a_sheet_mm",
         "length_b_sheet_mm",
+        "cut_back_sheet_mm",
     ];
     let mut table = Table::new(&columns);
     let net = &model.net;
@@ -101,6 +102,7 @@ fn joins(build: &Build, model: &PaperModel) -> String {
             Cell::from(tab.map(|tab| tab.height)),
             Cell::from(length(0)),
             Cell::from(length(1)),
+            Cell::from(joint.back),
         ]);
     }
     table.into_text()

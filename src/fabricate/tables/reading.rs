@@ -5,7 +5,7 @@ use crate::scene::Product::{self, Fins, Panels, Paper};
 const ALL: &[Product] = &Product::ALL;
 
 /// What is explained, for which products, and in which words.
-const READING: [(&[Product], &str, &str); 19] = [
+const READING: [(&[Product], &str, &str); 20] = [
     (ALL, "edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     (ALL, "edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -44,6 +44,11 @@ const READING: [(&[Product], &str, &str); 19] = [
     (&[Fins], "discs.csv turn_deg", "direction of the first beam in node-beams.csv, on the sheet"),
     (&[Paper], "pieces.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
     (&[Paper], "joins.csv fold", "seen from outside; a tab is folded as its edge is"),
+    (
+        &[Paper],
+        "joins.csv cut_back_sheet_mm",
+        "from the edge to the inner faces of both panels: half of the groove or the mitre of a V-cut; scored or separate panels end there",
+    ),
     (&[Paper], "tabs", "glued to the inside of the panel that is named on them"),
 ];
 

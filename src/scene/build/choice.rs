@@ -98,6 +98,23 @@ pub enum Pieces {
     Across,
 }
 
+/// How the folds of a paper model are made. Except for creases, they are true to the thickness of the
+/// card, which has no tabs: its edges are glued or taped to each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum Fold {
+    /// Creased, of paper whose thickness does not count.
+    #[default]
+    Crease,
+    /// Cut half through on the side that opens.
+    Score,
+    /// Cut from the inside: ridges as a groove.
+    VCut,
+    /// Cut through, and held by tape.
+    Separate,
+}
+
 /// A version of DXF.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

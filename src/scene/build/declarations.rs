@@ -71,6 +71,12 @@ const PIECES: BuildForm = choice(&[
     option("strips", "Strips", ""),
     option("across", "Strips, other way", ""),
 ]);
+const FOLDS: BuildForm = choice(&[
+    option("crease", "Creased", "Paper with tabs, whose thickness does not count"),
+    option("score", "Scored", "Card, cut half through: panels are shorter at ridges"),
+    option("v-cut", "V-cut", "Card, grooved on the inside: panels are whole outside"),
+    option("separate", "Separate", "Card, cut apart and taped: panels are shorter at ridges"),
+]);
 const KINDS: BuildForm = choice(&[
     option("corner", "Corners", "Nodes keep their distance: exact on circular panels"),
     option("face", "Panels", "Planes of panels keep their distance: one thickness"),
@@ -93,6 +99,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(Parts, "product", "Make", PRODUCTS, "What is made of the shape."),
     setting(Parts, "pieces", "Pieces", PIECES, "Nets, or strips of quads in one direction.")
         .of(&[Paper]),
+    setting(
+        Parts,
+        "fold",
+        "Folds",
+        FOLDS,
+        "How folds are made: but for creases true to the thickness, without tabs.",
+    )
+    .of(&[Paper]),
     setting(
         Parts,
         "tab",

@@ -1,6 +1,6 @@
 //! The settings of a build: scale, sheet, joint, distance.
 
-use super::choice::{Dxf, Names, OffsetKind, Order, Pieces, Product};
+use super::choice::{Dxf, Fold, Names, OffsetKind, Order, Pieces, Product};
 use super::page::{Page, Tiling};
 use crate::json::{fixed, object, word, word_or_null};
 use serde::{Deserialize, Serialize};
@@ -70,7 +70,10 @@ pub struct BuildSettings {
     /// The kind of pieces of a paper model.
     #[serde(deserialize_with = "word")]
     pub pieces: Pieces,
-    /// Height of tabs on paper; 0 for none.
+    /// How the folds of a paper model are made.
+    #[serde(deserialize_with = "word")]
+    pub fold: Fold,
+    /// Height of tabs on creased paper; 0 for none.
     pub tab: f64,
     /// Whether paper is printed on the side that will be inside: mirrored, with readable names.
     pub print_inside: bool,
@@ -135,6 +138,7 @@ impl Default for BuildSettings {
             beam_width: None,
             alike_deg: 0.5,
             pieces: Pieces::Nets,
+            fold: Fold::Crease,
             tab: 8.0,
             print_inside: false,
             page: Page::Sheet,

@@ -64,10 +64,10 @@ impl Files {
         row.unwrap_or_else(|| panic!("no {what}")).number("value")
     }
 
-    /// Whether a switch of the summary is on.
-    pub(super) fn is_on(&self, what: &str) -> bool {
+    /// Whether a row of the summary has this value.
+    pub(super) fn says(&self, what: &str, value: &str) -> bool {
         let table = self.table("summary.csv");
-        table.rows().any(|row| row.text("what") == what && row.text("value") == "on")
+        table.rows().any(|row| row.text("what") == what && row.text("value") == value)
     }
 
     /// All parts, and what is written beside parts or in the margins.

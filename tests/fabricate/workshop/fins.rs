@@ -104,7 +104,7 @@ fn fins(files: &Files) -> BTreeMap<String, Fin> {
         let by_table = [libm::cos(turn), libm::sin(turn)];
         let along = own.first().map_or(by_table, |text| text.along);
         assert!(dot(along, by_table) > 0.9, "{} lies otherwise than it says", part.name);
-        let outline = widened(&part.outline, -0.5 * kerf);
+        let outline = widened(&part.outline, &vec![-0.5 * kerf; part.outline.len()]);
         let sides = [0, 1, 2, 3].map(|k| [outline[k], outline[(k + 1) % 4]]);
         // Below a text is to its right, on the outline from its first end to its last.
         let downwards = |[p, q]: [Point2; 2]| {

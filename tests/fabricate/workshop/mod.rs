@@ -15,7 +15,7 @@ use files::Files;
 use shape_up::fabricate::Build;
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Names, OffsetKind, Pieces, Product};
+use shape_up::scene::{BuildSettings, Fold, Names, OffsetKind, Pieces, Product};
 
 /// Quads of a closed surface of revolution about z, without symmetry after an inversion, which preserves
 /// circles: the corners of each quad are on one.
@@ -73,6 +73,18 @@ fn pieces_of_paper_make_the_dome_again() {
         for print_inside in [false, true] {
             let (scale, sheet) = (5.0, [1000.0, 700.0]);
             let own = BuildSettings { pieces, print_inside, scale, sheet, ..of(Product::Paper) };
+            paper::assemble(&files(&build(&dome(), &own))).assert_is(&dome());
+        }
+    }
+}
+
+#[test]
+fn card_of_a_millimetre_makes_the_dome_again_however_it_is_folded() {
+    for fold in [Fold::Score, Fold::VCut, Fold::Separate] {
+        for print_inside in [false, true] {
+            let (scale, sheet, thickness) = (5.0, [1000.0, 700.0], 1.0);
+            let of = of(Product::Paper);
+            let own = BuildSettings { fold, print_inside, scale, sheet, thickness, ..of };
             paper::assemble(&files(&build(&dome(), &own))).assert_is(&dome());
         }
     }

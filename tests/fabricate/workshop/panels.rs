@@ -23,7 +23,7 @@ pub(super) fn assemble(files: &Files) -> Found {
         })
         .collect();
     let flat = |part: &Part| {
-        let corners: Vec<Point2> = widened(&part.outline, by)
+        let corners: Vec<Point2> = widened(&part.outline, &vec![by; part.outline.len()])
             .into_iter()
             .map(|corner| corner.map(|x| scale * x))
             .collect();
@@ -77,16 +77,16 @@ pub(super) fn to_segment(point: Point2, [a, b]: [Point2; 2]) -> f64 {
     distance(to, along.map(|x| share * x))
 }
 
-/// An outline with all sides moved outwards.
-pub(super) fn widened(outline: &[Point2], by: f64) -> Vec<Point2> {
+/// An outline with its sides moved outwards.
+pub(super) fn widened(outline: &[Point2], by: &[f64]) -> Vec<Point2> {
     let n = outline.len();
     let corner = |k: usize| {
         let [before, own, after] = [k + n - 1, k, k + 1].map(|k| outline[k % n]);
         let [u, v] = [minus(own, before), minus(after, own)];
         let [l, m] = [u, v].map(|[x, y]| (x * x + y * y).sqrt());
         let (u, v) = (u.map(|x| x / l), v.map(|x| x / m));
-        let share = by / cross(u, v);
-        [0, 1].map(|x| own[x] + share * (u[x] - v[x]))
+        let [before, after] = [k + n - 1, k].map(|k| by[k % n] / cross(u, v));
+        [0, 1].map(|x| own[x] + after * u[x] - before * v[x])
     };
     (0..n).map(corner).collect()
 }

@@ -1,15 +1,15 @@
 //! Paper: pieces are folded along their lines, and tabs are glued behind the panels that are written on
-//! them, or that the name at their side tells.
+//! them, or that the name at their side tells. Edges of card are taped to each other.
 
 use super::files::{Files, Part};
 use super::letters::Text;
-use super::panels::{lengths, written};
-use super::shape::{Flat, Found, assembled, matching, sides_of_panels};
+use super::panels::{lengths, widened, written};
+use super::shape::{Flat, Found, Side, assembled, matching, sides_of_panels};
 use shape_up::math::plane::{Point2, area, cross, distance, dot, is_inside, minus};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Corners at which lines end are the same within this, in mm.
-const EXACT: f64 = 0.1;
+/// Corners at which lines end are the same within this, in mm, on creased paper and on card.
+const EXACT: [f64; 2] = [0.1, 5e-4];
 
 /// What a side of a region of a piece is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +29,28 @@ struct Region {
 }
 
 impl Region {
+    /// Joins sides in line: where panels are shorter, their sides go on beyond the end of a hinge.
+    fn without_steps(mut self) -> Region {
+        let mut k = 0;
+        while k < self.corners.len() {
+            let n = self.corners.len();
+            let [p, at, q] = [k + n - 1, k, k + 1].map(|k| self.corners[k % n]);
+            let (before, after) = (minus(at, p), minus(q, at));
+            if cross(before, after).abs() > 0.01 * distance(p, at) * distance(at, q) {
+                k += 1;
+                continue;
+            }
+            let kept = (k + n - 1) % n;
+            if self.lines[kept] == Line::Cut {
+                (self.lines[kept], self.beyond[kept]) = (self.lines[k], self.beyond[k]);
+            }
+            self.corners.remove(k);
+            self.lines.remove(k);
+            self.beyond.remove(k);
+        }
+        self
+    }
+
     /// Whether it is a tab: a trapezium of which only the longer of two parallel sides is folded, with
     /// angles of at most 45 degrees there.
     fn is_tab(&self) -> bool {
@@ -51,9 +73,24 @@ pub(super) fn assemble(files: &Files) -> Found {
     let scale = files.number("Scale 1 : (scale)");
     let sides = sides_of_panels(files);
     let (mut parts, _) = files.parts();
-    if files.is_on("Print on the inside (print_inside)") {
+    if files.says("Print on the inside (print_inside)", "on") {
         parts.iter_mut().for_each(turn_over);
     }
+    let has_tabs = files.says("Folds (fold)", "crease");
+    let exact = EXACT[usize::from(!has_tabs)];
+    let is_shorter = ["score", "separate"].iter().any(|word| files.says("Folds (fold)", word));
+    // How far before each edge panels end, in mm of the sheet.
+    let backs: BTreeMap<String, f64> = files
+        .table("joins.csv")
+        .rows()
+        .filter(|_| is_shorter)
+        .map(|row| (row.text("edge").to_owned(), row.number("cut_back_sheet_mm")))
+        .collect();
+    let back = |side: &Side| {
+        let [a, b] = [&side.from, &side.to].map(|node| node.trim_start_matches('N'));
+        let names = [format!("B{a}-{b}"), format!("B{b}-{a}")];
+        names.iter().find_map(|name| backs.get(name)).copied().unwrap_or(0.0)
+    };
     let known: BTreeMap<String, BTreeSet<String>> = files
         .table("pieces.csv")
         .rows()
@@ -66,10 +103,11 @@ pub(super) fn assemble(files: &Files) -> Found {
     // Tabs, as the panel that each is on and the panel behind which it is glued.
     let mut glued: Vec<(String, String)> = Vec::new();
     for part in &parts {
-        let regions = regions(part);
+        let regions: Vec<Region> =
+            regions(part, exact).into_iter().map(Region::without_steps).collect();
         let mut names: Vec<Option<String>> = Vec::new();
         for region in &regions {
-            let own = (!region.is_tab()).then(|| own_name(part, region));
+            let own = (!has_tabs || !region.is_tab()).then(|| own_name(part, region));
             assert!(own.as_ref().is_none_or(|own| known[&part.name].contains(own)), "{own:?}");
             names.push(own);
         }
@@ -94,14 +132,22 @@ pub(super) fn assemble(files: &Files) -> Found {
                 is_joined.push(matches!(other, Some((Some(_), _))));
                 has_tab.push(matches!(other, Some((None, _))));
             }
-            let corners: Vec<Point2> =
-                region.corners.iter().map(|corner| corner.map(|x| scale * x)).collect();
-            let measured: Vec<_> = lengths(&corners).into_iter().zip(written).collect();
             let mut own = sides[name].clone();
-            let [first] = matching(&own, &measured, EXACT * scale)[..] else {
-                panic!("{name}: {own:?} {measured:?}")
+            // The whole panel, if the first side of the region is this one.
+            let whole = |first: usize| {
+                let by: Vec<f64> = own.iter().map(back).collect();
+                let by = [&by[first..], &by[..first]].concat();
+                let whole = widened(&region.corners, &by).into_iter();
+                let corners: Vec<Point2> = whole.map(|corner| corner.map(|x| scale * x)).collect();
+                let measured: Vec<_> =
+                    lengths(&corners).into_iter().zip(written.iter().cloned()).collect();
+                let fits = matching(&own, &measured, exact.max(0.01) * scale).contains(&first);
+                fits.then_some((first, corners))
             };
-            own.rotate_left(first);
+            let ways: Vec<_> = (0..own.len()).filter_map(whole).collect();
+            let [(first, corners)] = &ways[..] else { panic!("{name}: {own:?} {ways:?}") };
+            let corners = corners.clone();
+            own.rotate_left(*first);
             for (k, side) in own.iter().enumerate() {
                 // A fold is made the way in which its line is drawn.
                 let expected = if side.fold > 0.0 { Line::Ridge } else { Line::Valley };
@@ -109,6 +155,9 @@ pub(super) fn assemble(files: &Files) -> Found {
                 if has_tab[k] {
                     glued.push((name.clone(), side.beyond.clone()));
                 }
+            }
+            if !has_tabs {
+                is_joined.fill(true);
             }
             let before = panels.insert(name.clone(), Flat { corners, sides: own, is_joined });
             assert!(before.is_none(), "{name} is there twice");
@@ -146,11 +195,11 @@ fn own_name(part: &Part, region: &Region) -> String {
     text.strip_prefix(&format!("{}: ", part.name)).unwrap_or(text).to_owned()
 }
 
-/// The regions of a piece between its outline and its folds.
-fn regions(part: &Part) -> Vec<Region> {
+/// The regions of a piece between its outline and its folds, whose ends are the same within `exact` mm.
+fn regions(part: &Part, exact: f64) -> Vec<Region> {
     let mut points: Vec<Point2> = Vec::new();
     let mut number = |at: Point2| {
-        let known = points.iter().position(|&other| distance(other, at) < EXACT);
+        let known = points.iter().position(|&other| distance(other, at) < exact);
         known.unwrap_or_else(|| {
             points.push(at);
             points.len() - 1

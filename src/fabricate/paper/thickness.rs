@@ -1,0 +1,114 @@
+//! The thickness `c` of card, whose outer faces lie on the panels of the mesh.
+//!
+//! At an edge with the fold `theta`, plates keep apart if both stay on their side of the plane that
+//! halves the angle between them. It is inclined to both normals by `theta/2`, so that at the depth `c`
+//! it is `b = c tan(theta/2)` away from the edge: before it at a ridge, beyond it at a valley. With square
+//! sides, plates meet along their inner faces if they end `b` before a ridge, and along their outer faces
+//! if they end at a valley. There they hinge:
+//!
+//! | fold | at a ridge | at a valley |
+//! |---|---|---|
+//! | scored | cut half through from outside, hinge at the inner faces: both plates end `b` before the edge | cut half through from inside, hinge at the edge |
+//! | V-cut | a groove on the inside, `2 b` wide and with the angle `theta`, hinge at the edge, or a mitre where plates are cut apart: outer faces are whole | slit from inside, hinge at the edge |
+//! | separate | cut through, both plates end `b` before the edge | cut through at the edge |
+//!
+//! Only plates with a common edge are kept apart. Where the inner faces of more than three plates do not
+//! meet in one point, those that share only a corner may overlap at its tip, by less than `c` in the tests.
+
+use super::facet::{Facet, FoldKind, Joint};
+use crate::fabricate::panel::{direction_of, inset_sides};
+use crate::math::plane::{Point2, cross, dot, rotated};
+use crate::math::{cosine, sine};
+use crate::scene::Fold;
+
+/// Sides of a facet are in line below this sine of the angle between them: they end equally far from
+/// their edges.
+const IN_LINE: f64 = 0.1;
+
+/// The material of a paper model, and how it is folded.
+#[derive(Clone, Copy, Debug)]
+pub struct Card {
+    /// How folds are made.
+    pub fold: Fold,
+    /// The thickness in mm.
+    pub thickness: f64,
+}
+
+impl Card {
+    /// Cuts facets back where they end before their edge, and determines the hinges of joints. Returns the
+    /// facets that have no inner face left, which stay as they are.
+    pub(super) fn cut_back(self, facets: &mut [Facet], joints: &mut [Joint]) -> Vec<u32> {
+        if self.fold == Fold::Crease {
+            return Vec::new();
+        }
+        for joint in joints.iter_mut() {
+            joint.back = self.back(joint);
+            joint.is_hinge = self.fold != Fold::Separate || joint.kind() == FoldKind::Flat;
+        }
+        let mut too_thick = Vec::new();
+        for (facet, f) in facets.iter_mut().zip(0..) {
+            let back = |joint: &Option<u32>| joint.map_or(0.0, |joint| joints[joint as usize].back);
+            let asked: Vec<f64> = facet.joints.iter().map(back).collect();
+            if asked.iter().all(|by| *by == 0.0) {
+                continue;
+            }
+            let mut by = alike_in_line(&facet.corners, &asked);
+            let inner = inset_sides(&facet.corners, &by);
+            if inner.is_none() {
+                too_thick.push(f);
+                by.fill(0.0);
+            }
+            if self.fold == Fold::VCut {
+                continue;
+            }
+            for (joint, (by, asked)) in facet.joints.iter().zip(by.iter().zip(&asked)) {
+                // What ends elsewhere than its neighbour has no hinge in common with it.
+                if let Some(joint) = joint.filter(|_| by != asked) {
+                    joints[joint as usize].is_hinge = false;
+                }
+            }
+            if let Some(corners) = inner {
+                facet.hinges = moved(&facet.hinges, &by);
+                facet.set_corners(corners);
+            }
+        }
+        too_thick
+    }
+
+    /// How far before the edge of a joint the inner faces of its facets end, in mm.
+    fn back(self, joint: &Joint) -> f64 {
+        /// The least cosine of half a fold.
+        const CLOSED: f64 = 1e-6;
+        if joint.kind() != FoldKind::Ridge {
+            return 0.0;
+        }
+        let half_turns = 0.5 * joint.fold / std::f64::consts::TAU;
+        self.thickness * sine(half_turns) / cosine(half_turns).max(CLOSED)
+    }
+}
+
+/// The distances of sides, the larger one for sides that are in line.
+fn alike_in_line(corners: &[Point2], by: &[f64]) -> Vec<f64> {
+    let n = corners.len();
+    let along = |k: usize| direction_of(corners[k % n], corners[(k + 1) % n]);
+    let is_in_line = |k: usize| {
+        let (u, v) = (along(k), along(k + 1));
+        cross(u, v).abs() < IN_LINE && dot(u, v) > 0.0
+    };
+    let mut by = by.to_vec();
+    // Twice around, for several in line.
+    for k in (0..n).chain((0..n).rev()).filter(|&k| is_in_line(k)) {
+        let both = by[k].max(by[(k + 1) % n]);
+        (by[k], by[(k + 1) % n]) = (both, both);
+    }
+    by
+}
+
+/// Sides moved inwards.
+fn moved(sides: &[[Point2; 2]], by: &[f64]) -> Vec<[Point2; 2]> {
+    let inwards = |([p, q], by): (&[Point2; 2], &f64)| {
+        let [x, y] = rotated([0.0, *by], direction_of(*p, *q));
+        [p, q].map(|end| [end[0] + x, end[1] + y])
+    };
+    sides.iter().zip(by).map(inwards).collect()
+}
