@@ -325,7 +325,7 @@ fn angles(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
             let angle = angle_between(a, b)?;
             Some((angle * (180.0 / PI) - regular).abs())
         };
-        polygon_corners(face).filter_map(corner).fold(0.0, f64::max)
+        polygon_corners(face).filter_map(corner).reduce(f64::max).unwrap_or(f64::NAN)
     };
     model.faces().iter().map(worst).collect()
 }

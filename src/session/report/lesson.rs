@@ -214,36 +214,35 @@ pub(crate) fn progress(model: &mut Measuring<'_>) -> Option<LessonProgress> {
     Some(LessonProgress { goals, passed, words })
 }
 
+/// The words of a goal without what it bounds.
+const PLAIN: GoalWords<'static> = GoalWords {
+    label: "",
+    words: "",
+    unit: MeasureUnit::Length,
+    at_most: 0.0,
+    measure: None,
+    build: None,
+    beyond: None,
+    sentence: String::new(),
+};
+
 /// Returns what a goal bounds, without the sentence.
 fn described(goal: &Goal) -> GoalWords<'_> {
-    let sentence = String::new();
+    let plain = GoalWords { at_most: goal.at_most, ..PLAIN };
     match &goal.of {
         GoalOf::Measure(id) | GoalOf::Beyond { measure: id, .. } => {
-            let measure =
+            let &FaceMeasure { id, label, words, unit, .. } =
                 FaceMeasure::of(id).expect("goals are checked when a scene is taken over");
-            GoalWords {
-                label: measure.label,
-                words: measure.words,
-                unit: measure.unit,
-                at_most: goal.at_most,
-                measure: Some(measure.id),
-                build: None,
-                beyond: match goal.of {
-                    GoalOf::Beyond { tolerance, .. } => Some(tolerance),
-                    _ => None,
-                },
-                sentence,
-            }
+            let beyond = match goal.of {
+                GoalOf::Beyond { tolerance, .. } => Some(tolerance),
+                _ => None,
+            };
+            GoalWords { label, words, unit, measure: Some(id), beyond, ..plain }
         }
         GoalOf::Constraint(name) => GoalWords {
             label: name,
             words: "largest distance of a vertex to the shape of this constraint",
-            unit: MeasureUnit::Length,
-            at_most: goal.at_most,
-            measure: None,
-            build: None,
-            beyond: None,
-            sentence,
+            ..plain
         },
         GoalOf::Build(id) => {
             let declared = BUILD_NUMBERS.iter().find(|number| number.id == id);
@@ -254,17 +253,7 @@ fn described(goal: &Goal) -> GoalWords<'_> {
                 NumberUnit::Degrees => MeasureUnit::Degrees,
                 NumberUnit::Count => MeasureUnit::Number,
             };
-            let (measure, beyond) = (None, None);
-            GoalWords {
-                label,
-                words: description,
-                unit,
-                at_most: goal.at_most,
-                measure,
-                build: Some(id),
-                beyond,
-                sentence,
-            }
+            GoalWords { label, words: description, unit, build: Some(id), ..plain }
         }
     }
 }
@@ -274,14 +263,18 @@ pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
     let lesson = model.scene.document().lesson.as_ref();
     let goals = lesson.map(|lesson| lesson.goals.clone()).unwrap_or_default();
     let exact = exact_tolerance(model.rest.mesh());
+    let size = model.rest.diameter();
     let result = |goal: Goal| {
         let value = worst_of(model, &goal.of);
         // A limit of zero means exact, and rounding errors keep the value above zero.
-        let at_most = match goal.of {
-            GoalOf::Constraint(_) => goal.at_most.max(exact),
-            GoalOf::Measure(_) | GoalOf::Beyond { .. } | GoalOf::Build(_) => goal.at_most,
+        let is_within = |value: f64| match goal.of {
+            GoalOf::Constraint(_) => value <= goal.at_most.max(exact),
+            GoalOf::Beyond { .. } => value <= goal.at_most,
+            GoalOf::Measure(_) | GoalOf::Build(_) => {
+                described(&goal).unit.or_zero(value, size) <= goal.at_most
+            }
         };
-        GoalResult { met: value.is_some_and(|value| value <= at_most), goal, value }
+        GoalResult { met: value.is_some_and(is_within), goal, value }
     };
     goals.into_iter().map(result).collect()
 }
@@ -294,9 +287,11 @@ fn worst_of(model: &mut Measuring<'_>, of: &GoalOf) -> Option<f64> {
             values.filter(|value| !value.is_nan()).reduce(f64::max)
         }
         GoalOf::Beyond { measure, tolerance } => {
+            let (unit, size) = (FaceMeasure::of(measure)?.unit, model.rest.diameter());
             let values = face_errors(model, measure)?;
             let has_one = values.iter().any(|value| !value.is_nan());
-            let beyond = values.iter().filter(|value| *value > tolerance).count();
+            let is_beyond = |value: &&f64| unit.or_zero(**value, size) > *tolerance;
+            let beyond = values.iter().filter(is_beyond).count();
             has_one.then_some(beyond as f64)
         }
         GoalOf::Build(id) => model.cache.build_number(model.scene, id),
