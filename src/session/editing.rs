@@ -5,7 +5,8 @@ use super::edit::{
     Carried, Edit, IterationState, OfferedOperation, Refinement, Remeshing, RemeshingPreview,
     apply, carry, check_lock, check_locks, offered,
 };
-use super::report::{MeasureCache, check_lesson, check_presentation};
+use super::measured::MeasureCache;
+use super::report::{check_lesson, check_presentation};
 use super::run::{Search, Start};
 use super::state::{Draft, RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{

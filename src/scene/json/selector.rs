@@ -2,8 +2,7 @@
 
 use crate::constraint::{Element, Selector};
 use crate::json::indices::{self, Indices};
-use crate::json::{Either, JsonError, Words, from_text, present, word_or};
-use crate::scene::SceneError;
+use crate::json::{Either, JsonError, Words, present, word_or};
 use crate::scene::error::forms_of_selectors;
 use serde::de::{Deserialize, Deserializer, Error, Unexpected};
 use serde::ser::{Serialize, SerializeMap, Serializer};
