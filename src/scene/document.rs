@@ -16,7 +16,7 @@ use std::rc::Rc;
 
 /// A scene file, checked for form. Its indices and names are checked against the mesh when a
 /// session opens it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Scene {
     /// Name of the model.
@@ -106,31 +106,9 @@ pub struct Scene {
 impl Scene {
     /// Returns a scene without constraints, with the default settings.
     pub fn new(mesh: MeshSource) -> Scene {
-        Scene {
-            title: String::new(),
-            units: String::new(),
-            up: Up::Z,
-            tolerance: None,
-            mesh,
-            pose: None,
-            current: None,
-            sets: Sets::new(),
-            constraints: Vec::new(),
-            handles: Vec::new(),
-            weights: Weights::default(),
-            closeness: Closeness::default(),
-            smoothness: Smoothness::default(),
-            solver: SolverSettings::default(),
-            attempt: ChosenAttempt::default(),
-            lesson: None,
-            build: None,
-            variants: Variants::default(),
-            steps: Vec::new(),
-        }
+        Scene { mesh, ..Scene::default() }
     }
-}
 
-impl Scene {
     /// The positions of the other pose, `#V by 3`, which rest shapes are taken from; none without one.
     pub fn pose_positions(&self) -> Option<&[Point]> {
         self.pose.as_ref().and_then(Pose::positions)
@@ -199,6 +177,12 @@ pub enum MeshSource {
     File(String),
     /// A mesh in the scene itself.
     Inline(Box<Mesh>),
+}
+
+impl Default for MeshSource {
+    fn default() -> MeshSource {
+        MeshSource::Inline(Box::default())
+    }
 }
 
 /// Another pose of the mesh of a scene (deformation transfer, paper section 6).

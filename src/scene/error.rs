@@ -56,7 +56,6 @@ fn expected_of(key: &str) -> Option<String> {
         "corners" => "an angle in degrees from 0 to 180",
         "text" => "the text of the task",
         "goals" => "an array of goals",
-        "type" => "the type of an edit",
         "index" => "the index of a row",
         _ => return None,
     };

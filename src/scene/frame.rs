@@ -18,8 +18,8 @@ pub struct UnitsAndUp {
     pub up: Option<Up>,
 }
 
-/// Bytes of a PLY file in which unit and axis are looked for: its header is text, the rest may not be.
-const PLY_HEADER: usize = 1 << 16;
+/// Bytes of a file in which unit and axis are looked for: the rest may be long, and no text.
+const HEADER: usize = 1 << 16;
 
 impl UnitsAndUp {
     /// Reads unit and up axis from the comments at the beginning of a mesh file, such as
@@ -27,7 +27,7 @@ impl UnitsAndUp {
     pub fn stated(file: &[u8]) -> UnitsAndUp {
         let mut frame = UnitsAndUp::default();
         let is_ply = file.starts_with(b"ply");
-        let file = if is_ply { &file[..file.len().min(PLY_HEADER)] } else { file };
+        let file = &file[..file.len().min(HEADER)];
         for (_, line) in lines(&decode(file)) {
             let line = line.trim_ascii();
             let comment = match is_ply {

@@ -114,7 +114,7 @@ impl Scene {
         if let Some(given) = self.lesson.as_ref().and_then(|lesson| lesson.given.as_ref()) {
             return given.clone();
         }
-        let mut exercise = Scene::new(MeshSource::Inline(Box::default()));
+        let mut exercise = Scene::default();
         exercise.lesson.clone_from(&self.lesson);
         format!("{:016x}", fnv1a(exercise.to_json(mesh).as_bytes()))
     }

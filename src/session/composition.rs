@@ -1,6 +1,6 @@
 //! The session itself: its parts, and plain access to them.
 
-use super::report::MeasureCache;
+use super::measured::MeasureCache;
 use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, Search, TraceEntry};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
 use super::undo::{History, Transaction};

@@ -3,8 +3,8 @@
 use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
 use super::run::{Collapse, Search};
-use super::state::check_targets;
-use super::undo::{Change, Transaction, TransactionKind};
+use super::state::{SceneChange, check_targets};
+use super::undo::{Transaction, TransactionKind};
 use crate::mesh::Point;
 use crate::scene::{Lock, SceneError};
 use crate::session::Error;
@@ -215,7 +215,7 @@ impl Session {
         self.guard.look(&self.scene, &self.rest, false);
         // A run that collapsed is a step of its own, so that it can be undone alone.
         let joins = transaction.joins_last() && self.collapse().is_none();
-        match transaction.name_of_run(self.iteration()) {
+        match transaction.name_of_run(self.scene.positions(), self.iteration()) {
             Some(_) if joins => self.history.join(transaction.into_back()),
             Some(name) => self.history.push(name, transaction.into_back()),
             None => {}
@@ -236,9 +236,9 @@ impl Session {
     }
 
     /// Makes a change of the document part of the transaction under way.
-    pub(super) fn include(&mut self, back: Change) {
+    pub(super) fn include(&mut self, back: SceneChange) {
         if let Some(transaction) = &mut self.transaction {
-            transaction.include(back.scene);
+            transaction.include(back);
         }
     }
 

@@ -5,7 +5,8 @@ use super::edit::{
     Carried, Edit, IterationState, OfferedOperation, Refinement, Remeshing, RemeshingPreview,
     apply, carry, check_lock, check_locks, offered,
 };
-use super::report::{MeasureCache, check_lesson, check_presentation};
+use super::measured::MeasureCache;
+use super::report::{check_lesson, check_presentation};
 use super::run::{Search, Start};
 use super::state::{Draft, RestMesh, SceneChange, SolvedScene, resolve_rows};
 use super::undo::{
@@ -118,7 +119,7 @@ impl Session {
     pub fn saved_history(&self) -> Vec<u8> {
         let now = SavedState::of(&self.scene, self.iteration());
         let under_way = self.transaction.as_ref().map(|transaction| {
-            let name = transaction.name_of_step(self.scene.handles(), self.iteration());
+            let name = transaction.name_of_step(&self.scene, self.iteration());
             (name, transaction.back())
         });
         write_history(self.history.steps(), &now, under_way, self.rest.mesh())
@@ -165,7 +166,7 @@ impl Session {
         } else {
             self.begin_drag();
         }
-        let resumed = self.exchange(&mut change).map(|()| self.include(change));
+        let resumed = self.exchange(&mut change).map(|()| self.include(change.scene));
         self.end_transaction();
         resumed
     }
@@ -196,16 +197,23 @@ impl Session {
     /// When the system would be singular; nothing has changed then.
     pub(super) fn exchange(&mut self, change: &mut Change) -> Result<(), Error> {
         match change.other.take() {
-            None => {
-                self.scene.exchange(&self.rest, &mut change.scene)?;
-                self.leave_search_of(&change.scene);
-            }
+            None => self.exchange_scene(&mut change.scene)?,
             Some(other) => self.exchange_mesh(*other, change)?,
         }
         let (iteration, start) = (self.iteration(), self.guard.start());
         let to = std::mem::replace(&mut change.iteration, iteration);
         let from = std::mem::replace(&mut change.start, start);
         self.arrive(to, from);
+        Ok(())
+    }
+
+    /// Applies a change of the scene to it, and turns it into its inverse.
+    ///
+    /// # Errors
+    /// As [`Session::exchange`].
+    pub(super) fn exchange_scene(&mut self, change: &mut SceneChange) -> Result<(), Error> {
+        self.scene.exchange(&self.rest, change)?;
+        self.leave_search_of(change);
         Ok(())
     }
 
@@ -395,7 +403,7 @@ impl Session {
         self.progress.go_to(iteration, self.scene.solver().energy());
     }
 
-    fn begin_from(&mut self, start: Option<Rc<Start>>) {
+    pub(super) fn begin_from(&mut self, start: Option<Rc<Start>>) {
         let dragging = self.is_dragging();
         self.guard.start_from(start, &self.scene, &self.rest, dragging);
     }

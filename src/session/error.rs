@@ -2,12 +2,10 @@
 
 use std::fmt;
 
-/// An error of reading, validating or solving: always the input's fault. A broken internal contract
+/// An error of validating or solving: always the input's fault. A broken internal contract
 /// panics instead.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {
-    /// A mesh file could not be read.
-    Mesh(crate::mesh::ReadError),
     /// A scene is not valid.
     Scene(crate::scene::SceneError),
     /// The scene is valid, but cannot be solved.
@@ -17,7 +15,6 @@ pub enum Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Error::Mesh(e) => e.fmt(f),
             Error::Scene(e) => e.fmt(f),
             Error::Solve(e) => e.fmt(f),
         }
@@ -25,12 +22,6 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
-
-impl From<crate::mesh::ReadError> for Error {
-    fn from(e: crate::mesh::ReadError) -> Self {
-        Error::Mesh(e)
-    }
-}
 
 impl From<crate::scene::SceneError> for Error {
     fn from(e: crate::scene::SceneError) -> Self {

@@ -84,7 +84,6 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     let Some(lesson) = &scene.lesson else {
         return Err(at("", "the scene has no lesson, expected goals to check".to_owned()).into());
     };
-    let locks = lesson.lock.clone();
     let expected = scene.fingerprint(&mesh);
     if results.scene != expected {
         let found = &results.scene;
@@ -93,19 +92,16 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         );
         return Err(at("scene", message).into());
     }
+    let (locks, goals) = (lesson.lock.clone(), lesson.goals.clone());
     // The scene as written if it is handed in unchanged.
     let mut given = Session::open(scene.clone(), mesh.clone())?.scene();
     as_asked(&mut given);
-    let other = other_mesh(results, &mesh)?;
-    let topology = other.as_ref().map(Topology::new);
-    let bare = Scene::new(MeshSource::Inline(Box::default()));
-    let is_left = |row: &ConstraintSpec| match (&other, &topology) {
-        (Some(other), Some(topology)) => {
-            matches!(row.on, Selector::Each { within: None, .. })
-                && resolve_row(row, &bare, other, topology).is_ok()
-        }
-        _ => true,
-    };
+    let other = other_mesh(results, &mesh)?.map(|other| {
+        let topology = Topology::new(&other);
+        (other, topology)
+    });
+    let is_left =
+        |row: &ConstraintSpec| other.as_ref().is_none_or(|other| can_be_carried(row, other));
     let different = differences(results, &given, other.is_some(), is_left);
     let (altered, changed) =
         different.into_iter().partition::<Vec<_>, _>(|(part, _)| locks.contains(part));
@@ -119,46 +115,22 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         }
     }
 
-    let is_built = lesson.goals.iter().any(|goal| matches!(goal.of, GoalOf::Build(_)));
-    let named = lesson.goals.iter().filter_map(|goal| match &goal.of {
-        GoalOf::Constraint(name) => Some(name.clone()),
-        GoalOf::Measure(_) | GoalOf::Beyond { .. } | GoalOf::Build(_) => None,
-    });
-    let named: Vec<String> = named.collect();
-    let (units, build) = (scene.units.clone(), scene.build.as_deref().cloned().unwrap_or_default());
-    let stand = Stand::on(&results.handles, scene.up);
-    // Nothing may move a vertex: neither handles nor a fixed boundary.
-    let mut still = Scene::new(MeshSource::Inline(Box::default()));
-    still.closeness.to = scene.closeness.to;
-    // What the distance to the original is measured to.
-    still.closeness.target = scene.closeness.target;
-    still.sets = scene.sets;
-    still.constraints = scene.constraints;
-    still.constraints.retain(is_left);
+    // Of several rows of one name, all count.
     let is_measured = |goal: &Goal| match &goal.of {
-        GoalOf::Constraint(name) => still.constraints.iter().any(|row| row.label() == name),
-        _ => true,
-    };
-    let mut lesson = lesson.clone();
-    let goals = std::mem::take(&mut lesson.goals);
-    let (measured, left_out): (Vec<Goal>, Vec<Goal>) = goals.into_iter().partition(is_measured);
-    lesson.goals = measured;
-    still.lesson = Some(lesson);
-    // To switch a constraint on may be the task.
-    for name in named {
-        let mut own: Vec<_> =
-            still.constraints.iter_mut().filter(|row| row.label() == name).collect();
-        if own.iter().all(|row| !row.enabled) {
-            own.iter_mut().for_each(|row| row.enabled = true);
+        GoalOf::Constraint(name) => {
+            scene.constraints.iter().filter(|row| row.label() == name).all(is_left)
         }
+        GoalOf::Measure(_) | GoalOf::Beyond { .. } | GoalOf::Build(_) => true,
+    };
+    let mut still = still(&scene);
+    still.constraints.retain(is_left);
+    if let Some(lesson) = &mut still.lesson {
+        lesson.goals.retain(is_measured);
     }
-    still.pose = scene.pose;
-    let mesh = match other {
-        Some(other) => {
-            still.closeness.stay_on(&Rc::new(mesh));
-            (still.sets, still.pose) = Default::default();
-            still.constraints.iter_mut().for_each(|row| row.eased = None);
-            other
+    let mesh = match &other {
+        Some((other, _)) => {
+            leave_mesh(&mut still, mesh);
+            other.clone()
         }
         None => mesh,
     };
@@ -171,18 +143,57 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         error => error,
     };
     let mut still = Session::open(still, mesh).map_err(of_results)?;
-    if is_built {
-        let numbers = numbers(&still, &units, &build, &stand);
-        still.set_build_numbers(numbers);
+    if goals.iter().any(|goal| matches!(goal.of, GoalOf::Build(_))) {
+        let stand = Stand::on(&results.handles, scene.up);
+        let build = scene.build.as_deref().cloned().unwrap_or_default();
+        still.set_build_numbers(numbers(&still, &scene.units, &build, &stand));
     }
-    let unmeasured = |goal| GoalResult { goal, value: None, met: false };
+    let mut measured = still.goals().into_iter();
+    let result = |goal: Goal| {
+        let own = is_measured(&goal).then(|| measured.next()).flatten();
+        own.unwrap_or(GoalResult { goal, value: None, met: false })
+    };
     Ok(Checked {
-        goals: still.goals().into_iter().chain(left_out.into_iter().map(unmeasured)).collect(),
+        goals: goals.into_iter().map(result).collect(),
         moved: still.moved().max,
         distance: still.worst_distance(),
         altered,
         changed,
     })
+}
+
+/// Returns the part of a scene by which a shape is measured, in which nothing moves a vertex: neither
+/// handles nor a fixed boundary.
+fn still(scene: &Scene) -> Scene {
+    let Scene { sets, constraints, pose, lesson, .. } = scene.clone();
+    let mut still = Scene { sets, constraints, pose, lesson, ..Scene::default() };
+    still.closeness.to = scene.closeness.to;
+    // What the distance to the original is measured to.
+    still.closeness.target.clone_from(&scene.closeness.target);
+    // To switch a constraint on may be the task.
+    for goal in still.lesson.iter().flat_map(|lesson| &lesson.goals) {
+        let GoalOf::Constraint(name) = &goal.of else { continue };
+        let mut own: Vec<_> =
+            still.constraints.iter_mut().filter(|row| row.label() == name).collect();
+        if own.iter().all(|row| !row.enabled) {
+            own.iter_mut().for_each(|row| row.enabled = true);
+        }
+    }
+    still
+}
+
+/// Removes what is on elements of the mesh of a scene, `given`, because another one takes its place.
+fn leave_mesh(still: &mut Scene, given: Mesh) {
+    still.closeness.stay_on(&Rc::new(given));
+    (still.sets, still.pose) = Default::default();
+    still.constraints.iter_mut().for_each(|row| row.eased = None);
+}
+
+/// Whether a row is on all elements of a kind, which `other` has.
+fn can_be_carried(row: &ConstraintSpec, (other, topology): &(Mesh, Topology)) -> bool {
+    let bare = Scene::default();
+    matches!(row.on, Selector::Each { within: None, .. })
+        && resolve_row(row, &bare, other, topology).is_ok()
 }
 
 /// The mesh of the results, if it is not `given`.

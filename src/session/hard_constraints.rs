@@ -4,11 +4,11 @@
 use super::Session;
 use super::requirements::Required;
 use super::run::{Attempt, ExactReport, Meeting, MeetingEnd, MeetingStage, Met, Search, Step};
-use super::state::Part;
+use super::state::{Part, SceneChange};
 use crate::mesh::Point;
 use crate::scene::ConstraintSpec;
 use crate::session::Error;
-use crate::solve::Exact;
+use crate::solve::{Exact, clock};
 
 impl Session {
     /// Returns the exact solver of the hard constraints, which starts at the current shape; none if
@@ -28,23 +28,6 @@ impl Session {
         self.with_requirements(required, |problem, requirements, handles, start, cache| {
             Exact::new(&problem, &requirements, handles, start, cache)
         })
-    }
-
-    /// Meets the hard constraints, if there are any, and then improves the shape if requested.
-    pub(super) fn meet(&mut self, improves: bool) -> Result<(), Error> {
-        if !self.begin_meeting()? {
-            return Ok(());
-        }
-        while let Some(meeting) = &mut self.meeting {
-            let stage = meeting.step();
-            if self.goes_on(stage)? {
-                continue;
-            }
-            let error = self.meeting.as_mut().and_then(Meeting::error);
-            self.end_meeting(improves)?;
-            error.map_or(Ok(()), Err)?;
-        }
-        Ok(())
     }
 
     /// How well the hard constraints are met; none if they have not been met for the current shape.
@@ -79,6 +62,7 @@ impl Session {
 
     /// Begins to meet the hard constraints; returns false if there are none.
     pub(super) fn begin_meeting(&mut self) -> Result<bool, Error> {
+        let begun = clock::now();
         self.scene.settle();
         let converged = self.converged();
         // What an interrupted run had eased by then may be more than is needed.
@@ -88,29 +72,27 @@ impl Session {
         }
         let attempts = self.attempts();
         let Some(exact) = self.first_attempt(&attempts)? else { return Ok(false) };
-        self.meeting = Some(Meeting::new(exact, attempts, converged));
+        self.meeting = Some(Meeting::new(exact, attempts, converged, begun));
         Ok(true)
     }
 
-    /// Runs one step of meeting hard constraints; none if the run is not meeting any.
-    pub(super) fn meeting_step(&mut self) -> Result<Option<Step>, Error> {
+    /// Runs one step of meeting hard constraints, which is no iteration of the scene; none if the run is
+    /// not meeting any. The shape is improved at the end if requested.
+    pub(super) fn meeting_step(&mut self, improves: bool) -> Result<Option<Step>, Error> {
+        let begun = clock::now();
         let Some(meeting) = &mut self.meeting else { return Ok(None) };
         let stage = meeting.step();
         let shown = meeting.due_positions();
-        if !self.goes_on(stage)? {
-            self.progress.count();
-            let error = self.meeting.as_mut().and_then(Meeting::error);
-            self.end_meeting(false)?;
+        let goes_on = self.goes_on(stage)?;
+        let Some(meeting) = &mut self.meeting else { return Ok(None) };
+        meeting.seconds += clock::now() - begun;
+        if !goes_on {
+            let error = meeting.error();
+            self.end_meeting(improves)?;
             error.map_or(Ok(()), Err)?;
             return Ok(Some(Step { converged: self.converged(), ended: true }));
         }
-        match shown {
-            Some(positions) => {
-                self.scene.show(&positions);
-                self.progress.advance(self.scene.solver().energy());
-            }
-            None => self.progress.count(),
-        }
+        shown.into_iter().for_each(|positions| self.scene.show(&positions));
         Ok(Some(Step { converged: false, ended: false }))
     }
 
@@ -128,13 +110,14 @@ impl Session {
     /// Returns false if none was under way.
     pub(super) fn end_meeting(&mut self, improves: bool) -> Result<bool, Error> {
         let Some(end) = self.meeting.take().map(Meeting::end) else { return Ok(false) };
-        let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, tried, chosen, converged } =
-            end;
+        let MeetingEnd { mut exact, attempt, is_whole, folded_at_first, tried, chosen, .. } = end;
+        let begun = clock::now();
         let mut improved = Ok(());
         if improves {
             exact.improve();
             improved = exact.run();
         }
+        let seconds = end.seconds + clock::now() - begun;
         let far = exact.answer().max_distance;
         let (mut parts, eased) = match &attempt {
             Attempt::Eased(tolerances) => match self.eased(tolerances, folded_at_first, far) {
@@ -148,15 +131,15 @@ impl Session {
             parts.push(Part::Settings(self.settings_of(&attempt)));
         }
         parts.retain(|part| !part.is_in(self.document()));
-        self.progress.end_next();
         self.go_to(&exact.positions(), parts)?;
         self.note_met(&exact);
         // An attempt may have had a smaller tolerance than the scene.
         let allowed = self.hard_distance().filter(|_| matches!(attempt, Attempt::Exact));
         if let Some(met) = &mut self.met {
             (met.report.attempts, met.report.eased) = (tried.len() as u32, eased);
+            met.report.seconds = seconds;
             (met.tried, met.chosen) = (tried, chosen);
-            (met.converged, met.is_whole) = (converged, is_whole);
+            (met.converged, met.is_whole) = (end.converged, is_whole);
             if let Some((_, tolerance, _)) = allowed {
                 met.report.tolerance = tolerance;
             }
@@ -166,10 +149,11 @@ impl Session {
 
     /// Sets the positions, `#V by 3`, and parts of the document, as a part of the run under way.
     fn go_to(&mut self, positions: &[Point], parts: Vec<Part>) -> Result<(), Error> {
-        let mut change = self.snapshot();
-        change.scene.positions = positions.into();
-        change.scene.parts = parts;
-        self.exchange(&mut change)?;
+        let mut change =
+            SceneChange { parts, positions: positions.into(), ..self.scene.snapshot() };
+        self.exchange_scene(&mut change)?;
+        self.begin_from(self.guard.start());
+        self.progress.end_with(self.scene.solver().energy());
         self.include(change);
         Ok(())
     }

@@ -12,7 +12,7 @@ impl Session {
     /// # Errors
     /// If a position is not finite; the shape is then that before the step.
     pub fn step(&mut self) -> Result<Step, Error> {
-        self.iterate(true)
+        self.iterate(true, false)
     }
 
     /// Runs one iteration as a run of its own, with hard constraints as soft ones, because they are
@@ -22,23 +22,24 @@ impl Session {
     /// As [`Session::step`].
     pub fn single_step(&mut self) -> Result<Step, Error> {
         self.begin_run();
-        let step = self.iterate(false);
+        let step = self.iterate(false, false);
         self.end_run();
         step
     }
 
-    fn iterate(&mut self, meets: bool) -> Result<Step, Error> {
+    /// Runs one iteration, or one step of meeting hard constraints, which follows if a run `meets` them.
+    fn iterate(&mut self, meets: bool, improves: bool) -> Result<Step, Error> {
         self.progress.leave_half();
-        if let Some(step) = self.meeting_step()? {
+        if let Some(step) = self.meeting_step(improves)? {
             return Ok(step);
         }
         if self.is_met() {
             return Ok(Step { converged: self.converged(), ended: true });
         }
         let dragging = self.is_dragging();
-        if meets && self.is_running() && self.needs_no_soft_solution() && self.begin_meeting()? {
-            // It may lead back to the rest shape at once: that can be undone.
-            self.progress.count();
+        let is_due =
+            || self.needs_no_soft_solution() || (self.has_hard_rows() && self.is_run_long());
+        if meets && self.is_running() && is_due() && self.begin_meeting()? {
             return Ok(Step { converged: false, ended: false });
         }
         if !dragging {
@@ -87,14 +88,13 @@ impl Session {
     }
 
     /// Iterates until the tolerance or the limit of the scene is reached, and then meets the hard
-    /// constraints, if there are any; the report lists those that cannot be met. With `trace` the
-    /// energies of all iterations are recorded.
+    /// constraints, if there are any; the report lists those that cannot be met. It is one step of undo.
+    /// With `trace` the energies of all iterations are recorded.
     ///
     /// # Errors
     /// As [`Session::step`], and if the system of the hard constraints is singular.
     pub fn solve(&mut self, trace: bool) -> Result<(), Error> {
-        self.iterate_all(trace)?;
-        self.meet(false)
+        self.run(trace, false)
     }
 
     /// As [`Session::solve`], and then searches the shapes that meet the hard constraints for one
@@ -103,8 +103,7 @@ impl Session {
     /// # Errors
     /// As [`Session::solve`].
     pub fn solve_and_improve(&mut self, trace: bool) -> Result<(), Error> {
-        self.iterate_all(trace)?;
-        self.meet(true)
+        self.run(trace, true)
     }
 
     /// As a press for panels of this `kind` in the page: a search for a shape within `tolerance` (unit
@@ -120,9 +119,6 @@ impl Session {
         tolerance: f64,
         trace: bool,
     ) -> Result<(), Error> {
-        if trace {
-            self.progress.record_all(self.scene.solver().energy());
-        }
         match kind {
             Some(kind) => self.make_panels(kind, tolerance, PanelStart::Now)?,
             None => {
@@ -130,30 +126,24 @@ impl Session {
                 self.search = Search::Panels(tolerance);
             }
         }
+        self.run(trace, false)
+    }
+
+    /// Goes on with the run under way, or begins one, up to its end.
+    fn run(&mut self, trace: bool, improves: bool) -> Result<(), Error> {
+        if trace {
+            self.progress.record_all(self.scene.solver().energy());
+        }
+        if !self.is_running() {
+            self.begin_run();
+        }
         let (first, most) = (self.iteration(), self.document().solver.iterations);
         // In the page a run without an end is ended by its button.
         let is_long = |session: &Session| {
             !session.has_hard_rows() && session.iteration().saturating_sub(first) >= most
         };
-        while !self.step()?.ended && !is_long(self) {}
+        while !is_long(self) && !self.iterate(true, improves)?.ended {}
         self.end_run();
-        Ok(())
-    }
-
-    fn iterate_all(&mut self, trace: bool) -> Result<(), Error> {
-        self.search = self.search_of_scene();
-        if trace {
-            self.progress.record_all(self.scene.solver().energy());
-        }
-        if self.needs_no_soft_solution() {
-            return Ok(());
-        }
-        for _ in 0..self.document().solver.iterations {
-            if self.step()?.ended {
-                break;
-            }
-        }
-        self.scene.settle();
         Ok(())
     }
 

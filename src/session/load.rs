@@ -3,7 +3,8 @@
 //! memory, is dropped until the next scene is set up.
 
 use super::Session;
-use super::report::{MeasureCache, check_lesson, check_presentation};
+use super::measured::MeasureCache;
+use super::report::{check_lesson, check_presentation};
 use super::run::{CollapseGuard, Progress, Search};
 use super::state::{ResolvedRow, RestMesh, SolvedScene, flat, resolve_rows};
 use super::undo::{History, Transaction};

@@ -33,7 +33,8 @@
 //! | `searching` | the attempts to meet hard constraints |
 //! | `variations` | ways to change the shape while hard constraints stay met: shown, projected back, kept |
 //! | `variant_table` | the numbers of the kept variants |
-//! | `queries` | queries of hosts: selections, measures, reports, flat maps |
+//! | `measured` | measures of the current shape, each computed once |
+//! | `queries` | queries of hosts: offers, distances, reports, flat maps |
 //! | `handed_in` | the results of a lesson, and their check |
 //! | `trial` | suggestions, and the cost of exactness, tried on a copy |
 //! | `state` | the parts: the rest mesh, and the scene with its solver; their changes |
@@ -55,6 +56,7 @@ mod handed_in;
 mod hard_constraints;
 mod iterating;
 mod load;
+mod measured;
 mod opened_file;
 mod panel_layout;
 mod queries;

@@ -171,13 +171,9 @@ pub fn moved(max: f64, mean: f64, units: &str, size: f64) -> Option<String> {
     (!is_still).then(words)
 }
 
-/// The size of a length in mm; none if its unit is neither metres nor millimetres.
+/// The size of a length in mm; none if its unit is not known.
 fn in_mm(value: f64, units: &str) -> Option<f64> {
-    match units {
-        "m" => Some(1000.0 * value.abs()),
-        "mm" => Some(value.abs()),
-        _ => None,
-    }
+    LengthUnit::of(units).map(|unit| 1000.0 * unit.metres * value.abs())
 }
 
 /// The unit in which a length of this size is written, and the factor to it.

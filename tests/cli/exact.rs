@@ -78,6 +78,27 @@ fn the_trace_begins_at_the_input_where_constraints_are_met() {
 }
 
 #[test]
+fn steps_that_meet_constraints_are_no_iterations_and_leave_no_trace() {
+    // They were counted, and those were recorded that the clock chose to show.
+    let folder = Folder::new("steps");
+    folder.write("roof.obj", ROOF);
+    let asked = ["solve", "roof.obj", "--panels", "circle", "--trace", "--report", "r.json"];
+    let mut seen = Vec::new();
+    for within in ["auto", "0.001"] {
+        folder.run(&[&asked[..], &["--within", within]].concat()).done();
+        let report = folder.json("r.json");
+        let iterations = report["iterations"].as_u64().unwrap();
+        assert!(number(&report["exact"]["iterations"]) > 0.0, "{}", report["exact"]);
+        let trace = report["trace"].as_array().unwrap().iter();
+        let own: Vec<u64> = trace.map(|entry| entry["iteration"].as_u64().unwrap()).collect();
+        // The last entry is the shape that was met.
+        assert_eq!(own, (0..=iterations).chain([iterations]).collect::<Vec<_>>());
+        seen.push(iterations);
+    }
+    assert_eq!(seen[0], seen[1], "both are the soft solution");
+}
+
+#[test]
 fn meeting_constraints_leaves_what_stopped_the_iterations() {
     let folder = Folder::new("stopped");
     folder.write("roof.obj", ROOF);

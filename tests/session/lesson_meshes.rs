@@ -1,7 +1,7 @@
 //! Lessons whose mesh may be changed: results on another mesh are of the same exercise.
 
 use crate::support::grid::bumpy;
-use shape_up::scene::{Hold, Scene};
+use shape_up::scene::{GoalOf, Hold, Scene};
 use shape_up::session::{Edit, Session, check_results};
 
 /// Flat panels and a straight side, between two fixed corners, to be reached on any mesh.
@@ -42,6 +42,27 @@ fn on_another_mesh_only_what_the_student_changed_counts() {
     // The eave is a set of the first mesh: what a student puts there instead is not believed.
     assert_eq!(checked.goals.iter().map(|it| it.met).collect::<Vec<_>>(), [true, false]);
     assert_eq!(checked.goals[1].value, None);
+}
+
+#[test]
+fn goals_stay_in_the_order_of_the_lesson_and_are_met_by_all_rows_of_their_name() {
+    // Those that cannot be measured came last, and a student was said to have lied; and a goal on two
+    // rows of one name was measured on the row that was left.
+    let text = scene().to_json(&bumpy(8));
+    let text = text.replace(r#""name": "Eave""#, r#""name": "Flat""#);
+    let mut scene = Scene::from_json(&text).expect("the scene is valid");
+    scene.constraints[0].name = "Flat".to_owned();
+    let lesson = scene.lesson.as_mut().expect("it has one");
+    lesson.goals.reverse();
+    lesson.goals[0].of = GoalOf::Constraint("Flat".to_owned());
+    let mut refined = Session::open(scene.clone(), bumpy(8)).expect("it fits");
+    refined.edit(refine(false)).expect("the mesh is not locked");
+    let results = refined.results("Ada", "").expect("it is a lesson");
+    let checked = check_results(&results, scene, bumpy(8)).expect("it is of this lesson");
+    let found: Vec<_> = checked.goals.iter().map(|it| (&it.goal.of, it.met)).collect();
+    let said: Vec<_> = results.goals.iter().map(|it| &it.goal.of).collect();
+    assert_eq!(found, [(said[0], false), (said[1], true)]);
+    assert_eq!(checked.goals[0].value, None);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What is said of the goals of a lesson, and of how far they are met.
 
 use super::lessons::{scene, session};
-use crate::support::grid::bumpy;
+use crate::support::grid::{bumpy, grid};
 use serde_json::json;
 use shape_up::fabricate::BUILD_NUMBERS;
 use shape_up::scene::Scene;
@@ -59,6 +59,23 @@ fn goals_and_their_values_are_said_as_readers_write_them() {
     assert_eq!(said[7], ("not satisfied", "measured when the shape no longer moves"));
     let met = progress.goals.iter().filter(|goal| goal.met).count();
     assert_eq!((progress.passed, progress.words), (false, format!("{met} of 8 goals satisfied")));
+}
+
+#[test]
+fn what_is_zero_but_for_rounding_meets_a_limit_of_zero() {
+    // "At most 0 mm, now 0 mm: not satisfied".
+    let mut scene = scene();
+    let goals = json!([{ "measure": "planarity", "at_most": 0 },
+                       { "measure": "planarity", "beyond": 0, "at_most": 0 }]);
+    let lesson = json!({ "text": "Make every panel flat.", "goals": goals });
+    scene.lesson = Some(serde_json::from_value(lesson).expect("it is a lesson"));
+    let tilted = |i: u32, j: u32| {
+        let [x, y] = [i, j].map(f64::from);
+        [x, y, 0.3 * x + 0.7 * y]
+    };
+    let mut session = Session::open(scene, grid(5, 5, tilted)).expect("it fits");
+    assert!(session.measures().planarity.max_distance > 0.0, "it is rounded");
+    assert!(session.lesson_progress().expect("there is a lesson").passed);
 }
 
 #[test]

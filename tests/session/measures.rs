@@ -51,6 +51,15 @@ fn an_edge_without_length_at_rest_has_no_change_of_length() {
 }
 
 #[test]
+fn a_face_in_a_point_has_no_angle_error() {
+    // It was 0, the best, and a goal on angles was met by crushing.
+    let mut scene = lifted().scene();
+    scene.current = Some(vec![[1.0, 2.0, 3.0]; 4]);
+    let mut session = Session::open(scene, lifted().mesh().clone()).expect("it opens");
+    assert!(session.face_values("angles").expect("there is one")[0].is_nan());
+}
+
+#[test]
 fn values_of_corners_are_what_their_faces_have_the_largest_of() {
     let mut session = lifted();
     for measure in FACE_MEASURES {

@@ -15,10 +15,10 @@ fn session(mesh: Mesh, more: &str) -> Session {
     Session::open(Scene::from_json(&text).expect("the scene is valid"), mesh).expect("it fits")
 }
 
-/// Iterates until convergence, as a run of the page, or at most `most` times.
+/// Iterates until it ends, as a run of the page, or at most `most` times.
 fn run(session: &mut Session, most: u32) {
     for _ in 0..most {
-        if session.step().expect("it stays finite").converged {
+        if session.step().expect("it stays finite").ended {
             return;
         }
     }
@@ -41,6 +41,7 @@ fn each_helps(session: &mut Session, suggestions: &[Suggestion]) {
         let after = session.worst_distance();
         println!("  {label}: {before:.3e} -> {after:.3e}, tried {worst:.3e}");
         assert!(after < 0.95 * before, "{label}: {before} -> {after}");
+        assert_eq!(session.collapse(), None, "{label}");
         session.undo().expect("it was one edit").expect("there is one");
         assert!((session.worst_distance() / before - 1.0).abs() < 1e-9, "{label}");
     }

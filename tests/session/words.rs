@@ -126,6 +126,31 @@ fn the_cost_of_exactness_and_the_gain_of_an_improvement_are_said() {
 }
 
 #[test]
+fn what_is_rounded_is_nothing_in_every_unit() {
+    // "Worst 4.12e−13 cm", but 0 in metres and millimetres.
+    let tilted = grid(5, 5, |i, j| {
+        let [x, y] = [i, j].map(|k| 100.0 * f64::from(k));
+        [x, y, 0.3 * x + 0.7 * y]
+    });
+    for units in ["m", "cm", "mm", "ft", "in"] {
+        let text = json!({
+            "format": "shape-up-scene", "version": 1, "units": units, "mesh": { "file": "a.obj" },
+            "constraints": [{ "kind": "plane", "on": "faces", "require": "exact" }],
+        });
+        let scene = Scene::from_json(&text.to_string()).expect("it is a scene");
+        let mut session = Session::open(scene, tilted.clone()).expect("it opens");
+        let verdict = session.verdict(0.2).expect("panels are asked to be flat");
+        assert!(verdict.worst > 0.0, "it is rounded");
+        let numbers = session.verdict_words(&verdict).numbers;
+        assert!(numbers.ends_with(" Your mesh did not move."), "{numbers}");
+        assert!(numbers.starts_with("Worst 0 "), "{numbers}");
+        let said = session.exact_words().expect("it is exact").numbers;
+        let zero = if units == "m" { "0 mm" } else { &format!("0 {units}") };
+        assert_eq!(said, format!("The largest error is {zero}."));
+    }
+}
+
+#[test]
 fn a_run_that_ends_has_converged_or_was_paused() {
     let EndWords { converged, paused } = EndWords::after(1);
     assert_eq!([converged, paused], ["Converged after 1 iteration", "Stopped after 1 iteration"]);

@@ -104,7 +104,7 @@ pub(super) fn read_mesh(path: &Path) -> Result<(Read, Option<Weld>, UnitsAndUp),
 pub(super) fn mesh_of(path: &Path, bytes: &[u8]) -> Result<Read, Failure> {
     let read = mesh::read(&path.to_string_lossy(), bytes)
         .map_err(|error| Failure::Input(error.to_string()))?;
-    Scene::new(MeshSource::Inline(Box::default()))
+    Scene::default()
         .validate(&read.mesh)
         .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
     Ok(read)

@@ -4,7 +4,7 @@ use crate::cli::arguments::Refine;
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
 use shape_up::mesh::Topology;
-use shape_up::session::{Edit, Error, Report, Session, Verdict};
+use shape_up::session::{Edit, Error, Report, Session, VerdictReport};
 use shape_up::solve::Require;
 use shape_up::words;
 use std::path::Path;
@@ -28,9 +28,7 @@ struct Level {
     faces: usize,
     total: f64,
     /// The deviation of the panels from the required shape.
-    verdict: Option<Verdict>,
-    #[serde(skip)]
-    words: String,
+    verdict: Option<VerdictReport>,
     seconds: f64,
 }
 
@@ -62,7 +60,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
                 refine(&mut session, 1).map_err(at_input)?;
             }
             session.solve(false).map_err(at_input)?;
-            levels.push(level_of(&mut session, start));
+            levels.push(level_of(&mut session, start).map_err(at_input)?);
         }
     } else {
         refine(&mut session, subdivision.levels).map_err(at_input)?;
@@ -90,17 +88,14 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     output::print(&text)
 }
 
-fn level_of(session: &mut Session, start: Instant) -> Level {
-    let verdict = session.verdict(session.tolerance());
-    let words = verdict.as_ref().map(|verdict| session.verdict_words(verdict).full());
-    Level {
+fn level_of(session: &mut Session, start: Instant) -> Result<Level, Error> {
+    Ok(Level {
+        verdict: session.verdict_report(session.tolerance(), false)?,
         vertices: session.mesh().positions.len(),
         faces: session.mesh().faces.len(),
         total: session.solver().energy().total,
-        verdict,
-        words: words.unwrap_or_default(),
         seconds: start.elapsed().as_secs_f64(),
-    }
+    })
 }
 
 fn line(level: &Level) -> String {
@@ -109,6 +104,6 @@ fn line(level: &Level) -> String {
         words::count(level.faces, "face", "faces"),
         words::number(level.total),
         words::number(level.seconds),
-        level.words
+        level.verdict.as_ref().map_or("", |verdict| &verdict.words)
     )
 }

@@ -77,8 +77,11 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         remarks.push(why.to_owned());
     }
     if command.require.is_some() && report.exact.is_none() {
-        remarks
-            .push("nothing is required: there are no constraints; --panels adds some".to_owned());
+        let none = match session.document().constraints.is_empty() {
+            true => "there are no constraints",
+            false => "no constraint is enabled",
+        };
+        remarks.push(format!("nothing is required: {none}; --panels adds some"));
     }
     remarks.extend(misfits(&session));
     remarks.extend(session.unpaired_words());

@@ -2,21 +2,10 @@
 
 use crate::constraint::{Element, Selector};
 use crate::json::indices::{self, Indices};
-use crate::json::{Either, JsonError, Words, from_text, present, word_or};
-use crate::scene::SceneError;
+use crate::json::{Either, JsonError, Words, present, word_or};
 use crate::scene::error::forms_of_selectors;
 use serde::de::{Deserialize, Deserializer, Error, Unexpected};
 use serde::ser::{Serialize, SerializeMap, Serializer};
-
-impl Selector {
-    /// Reads the `on` of a constraint.
-    ///
-    /// # Errors
-    /// As [`crate::scene::Scene::from_json`].
-    pub fn from_json(json: &str) -> Result<Selector, SceneError> {
-        Ok(from_text(json)?)
-    }
-}
 
 /// The keys of all forms; `In` is what may stand for the name of a set.
 #[derive(serde::Deserialize)]

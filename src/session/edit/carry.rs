@@ -58,7 +58,7 @@ pub(crate) fn carry(
     }
     let mut document = document.clone();
     // No file contains this mesh.
-    document.mesh = MeshSource::Inline(Box::default());
+    document.mesh = MeshSource::default();
     // How the constraints were met says nothing about another mesh: it has the user's settings.
     as_asked(&mut document);
     if let Some(Pose::Positions(pose)) = &mut document.pose {
@@ -135,7 +135,7 @@ fn carry_row(
     }
     let same: Option<Vec<u32>> = vertices.iter().map(|&v| origins.vertices[v as usize]).collect();
     let same = same.ok_or("some of its vertices no longer exist")?;
-    if (1..same.len()).any(|k| same[..k].contains(&same[k])) {
+    if same.iter().collect::<BTreeSet<_>>().len() < same.len() {
         return Err("some of its vertices were merged".to_owned());
     }
     *vertices = same;

@@ -215,7 +215,8 @@ pub enum Edit {
         /// Creases and corners with a larger turning angle than this, in degrees, stay sharp.
         #[serde(default = "kept_turn")]
         keep: f64,
-        /// Whether the current shape becomes the original, for closeness and for `moved`.
+        /// Whether the current shape becomes the original, for closeness to the mesh itself and for
+        /// `moved`.
         #[serde(default)]
         adopt: bool,
     },

@@ -2,7 +2,7 @@
 
 use crate::math::argsort;
 use crate::mesh::{Mesh, Topology};
-use crate::session::state::{ResolvedRow, RestMesh};
+use crate::session::Session;
 
 /// The row that acts on each face and each vertex. If several do, it is the one with the fewest
 /// vertices, which is the most specific; among equal ones the last.
@@ -14,51 +14,42 @@ pub struct ConstraintMap {
     pub vertices: Vec<Option<u32>>,
 }
 
-/// Returns the enabled row that acts on each element.
-pub(crate) fn acting_rows(rows: &[ResolvedRow], rest: &RestMesh) -> ConstraintMap {
-    let mesh = rest.mesh();
-    let mut cover = ConstraintCoverage::new(mesh, rest.topology());
-    let rows: Vec<_> = (0..).zip(rows).filter(|(_, row)| row.enabled).collect();
-    let most_vertices_first = argsort(rows.iter().map(|(_, row)| {
-        let mut vertices = row.constraints.members.indices().to_vec();
-        vertices.sort_unstable();
-        vertices.dedup();
-        u64::MAX - vertices.len() as u64
-    }));
-    let mut acting = ConstraintMap {
-        faces: vec![None; mesh.faces.len()],
-        vertices: vec![None; mesh.positions.len()],
-    };
-    for (index, row) in most_vertices_first.into_iter().map(|i| rows[i as usize]) {
-        for members in row.constraints.members.iter() {
-            let faces = cover.faces(members);
-            for &face in faces {
-                acting.faces[face as usize] = Some(index);
-            }
-            if faces.is_empty() {
-                for &vertex in members {
-                    acting.vertices[vertex as usize] = Some(index);
+impl Session {
+    /// Returns the enabled row that acts on each face and each vertex.
+    pub fn acting_rows(&self) -> ConstraintMap {
+        let mesh = self.mesh();
+        let mut cover = ConstraintCoverage::new(mesh, self.topology());
+        let rows: Vec<_> = (0..).zip(self.rows()).filter(|(_, row)| row.enabled).collect();
+        let most_vertices_first = argsort(rows.iter().map(|(_, row)| {
+            let mut vertices = row.constraints.members.indices().to_vec();
+            vertices.sort_unstable();
+            vertices.dedup();
+            u64::MAX - vertices.len() as u64
+        }));
+        let mut acting = ConstraintMap {
+            faces: vec![None; mesh.faces.len()],
+            vertices: vec![None; mesh.positions.len()],
+        };
+        for (index, row) in most_vertices_first.into_iter().map(|i| rows[i as usize]) {
+            for members in row.constraints.members.iter() {
+                let faces = cover.faces(members);
+                for &face in faces {
+                    acting.faces[face as usize] = Some(index);
+                }
+                if faces.is_empty() {
+                    for &vertex in members {
+                        acting.vertices[vertex as usize] = Some(index);
+                    }
                 }
             }
         }
+        acting
     }
-    acting
-}
 
-/// The colours of the rows of constraints, without duplicates.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct RowPalette {
-    /// Per row, the index of its colour plus one; 0 is reserved for elements without a row.
-    pub of_row: Vec<u8>,
-    /// Red, green and blue from 0 to 255.
-    pub colours: Vec<[u8; 3]>,
-}
-
-impl RowPalette {
-    /// Collects the colours of these rows, disabled ones included.
-    pub(crate) fn of(rows: &[ResolvedRow]) -> RowPalette {
+    /// Returns the colours of the rows of constraints.
+    pub fn row_palette(&self) -> RowPalette {
         let mut palette = RowPalette::default();
-        for colour in rows.iter().map(|row| row.constraints.kind.info().colour) {
+        for colour in self.rows().iter().map(|row| row.constraints.kind.info().colour) {
             let known = palette.colours.iter().position(|other| *other == colour);
             let index = known.unwrap_or(palette.colours.len());
             if known.is_none() {
@@ -68,6 +59,15 @@ impl RowPalette {
         }
         palette
     }
+}
+
+/// The colours of the rows of constraints, without duplicates.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct RowPalette {
+    /// Per row, the index of its colour plus one; 0 is reserved for elements without a row.
+    pub of_row: Vec<u8>,
+    /// Red, green and blue from 0 to 255.
+    pub colours: Vec<[u8; 3]>,
 }
 
 /// Finds the faces that sets of vertices cover.

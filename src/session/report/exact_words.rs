@@ -1,10 +1,9 @@
 //! How well hard constraints are met, what exactness costs, and what an improvement gains, in words.
 
 use crate::constraint::describe;
-use crate::session::run::ExactReport;
-use crate::session::state::SolvedScene;
+use crate::session::{ExactReport, Session};
 use crate::solve::{Moved, Require};
-use crate::words;
+use crate::words::{self, MeasureUnit};
 use serde::Serialize;
 
 /// The most rows of constraints for which suggestions are offered.
@@ -72,16 +71,22 @@ pub(crate) enum Exactness {
     Met(usize),
 }
 
-impl ExactWords {
-    /// The verdict of `report` on the current shape.
-    pub(crate) fn of(scene: &SolvedScene, report: &ExactReport) -> ExactWords {
-        let document = scene.document();
+impl Session {
+    /// Returns in words how well the hard constraints are met; none if they have not been met for
+    /// the current shape, see [`Session::exact`].
+    pub fn exact_words(&self) -> Option<ExactWords> {
+        let report = self.exact()?;
+        Some(if report.met { self.met_words(&report) } else { self.unmet_words(&report) })
+    }
+
+    fn met_words(&self, report: &ExactReport) -> ExactWords {
+        let document = self.document();
         let units = &*document.units;
-        if !report.met {
-            return ExactWords::unmet(scene, report);
-        }
+        let written = |error: f64| {
+            words::length(MeasureUnit::Length.or_zero(error, self.rest.diameter()), units)
+        };
         let enabled = document.constraints.iter().filter(|row| row.enabled);
-        let found = enabled.zip(scene.solver().found());
+        let found = enabled.zip(self.solver().found());
         let (exact, others): (Vec<_>, Vec<_>) = found
             .filter(|(row, _)| row.require.is_hard())
             .partition(|(row, _)| row.require == Require::Exact);
@@ -99,11 +104,11 @@ impl ExactWords {
             ),
         };
         let (brief, numbers) = if others.is_empty() {
-            let error = words::length(report.max_distance, units);
+            let error = written(report.max_distance);
             (format!("All are exact.{guarded}"), format!("The largest error is {error}."))
         } else {
             let far = exact.iter().map(|(_, found)| found.worst_squared).fold(0.0, f64::max);
-            let error = words::length(far.sqrt(), units);
+            let error = written(far.sqrt());
             (
                 format!("All that have to be are exact, the others within {within}.{guarded}"),
                 format!("The largest error of the exact ones is {error}."),
@@ -112,12 +117,12 @@ impl ExactWords {
         ExactWords { brief, numbers, suggestions: Vec::new() }
     }
 
-    fn unmet(scene: &SolvedScene, report: &ExactReport) -> ExactWords {
-        let document = scene.document();
+    fn unmet_words(&self, report: &ExactReport) -> ExactWords {
+        let document = self.document();
         let units = &*document.units;
         let rows =
             || report.unmet.iter().filter_map(|&row| Some((row, document.constraints.get(row)?)));
-        let hard = document.constraints.iter().zip(scene.rows());
+        let hard = document.constraints.iter().zip(self.rows());
         let hard = hard.filter(|(row, _)| row.enabled && row.require.is_hard());
         let all: usize = hard.map(|(_, row)| row.constraints.members.len()).sum();
         let (cannot, closest) = if report.too_large {

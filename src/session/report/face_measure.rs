@@ -3,12 +3,10 @@
 //!
 //! All measures are declared here, so that hosts need no names of measures.
 
-use super::measure_cache::MeasureCache;
-use super::measuring::{Measuring, Shape};
-use super::projected::residuals;
+use super::measuring::Shape;
 use crate::math::{Vec3, angle_between, polygon_corners, polygon_sides};
 use crate::mesh::{Curvature, CurvatureLines, Point, diagonal_ratio, face_curvatures};
-use crate::session::state::{RestMesh, SolvedScene};
+use crate::session::Session;
 use crate::words::MeasureUnit;
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -34,7 +32,7 @@ pub struct FaceMeasure {
     /// Whether values have both signs; 0 is then the middle, and neither best nor worst.
     pub signed: bool,
     #[serde(skip)]
-    values: fn(&mut Measuring<'_>, Shape) -> Vec<f64>,
+    values: fn(&mut Session, Shape) -> Vec<f64>,
 }
 
 /// A measure without its texts, unit and values, which every declaration states.
@@ -59,7 +57,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel is flat",
         unit: MeasureUnit::Length,
         toleranced: true,
-        values: |model, shape| model.measures(shape).planarity_distances.clone(),
+        values: |model, shape| model.measures_of(shape).planarity_distances.clone(),
         ..PLAIN
     },
     FaceMeasure {
@@ -105,7 +103,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best plane, in a model of size 1",
         met: "each panel is flat",
         unit: MeasureUnit::Number,
-        values: |model, shape| model.measures(shape).e_p.clone(),
+        values: |model, shape| model.measures_of(shape).e_p.clone(),
         ..PLAIN
     },
     FaceMeasure {
@@ -115,7 +113,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Length,
         toleranced: true,
-        values: |model, shape| model.measures(shape).circularity_distances.clone(),
+        values: |model, shape| model.measures_of(shape).circularity_distances.clone(),
         ..PLAIN
     },
     FaceMeasure {
@@ -124,7 +122,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean squared distance of a face’s corners to its best circle, in a model of size 1",
         met: "the corners of each panel lie on a circle",
         unit: MeasureUnit::Number,
-        values: |model, shape| model.measures(shape).e_c.clone(),
+        values: |model, shape| model.measures_of(shape).e_c.clone(),
         ..PLAIN
     },
     FaceMeasure {
@@ -134,7 +132,7 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         met: "each panel satisfies its constraints",
         unit: MeasureUnit::Length,
         toleranced: true,
-        values: residuals,
+        values: Session::residuals_of,
         ..PLAIN
     },
     FaceMeasure {
@@ -214,48 +212,55 @@ impl FaceMeasure {
     }
 }
 
-/// Returns the values of the measure `id`, `#F`, in its unit; NaN for faces without one, such as a
-/// triangle, which has no diagonals. None if there is no such measure.
-pub(crate) fn face_values(model: &mut Measuring<'_>, id: &str, shape: Shape) -> Option<Vec<f64>> {
-    let measure = FaceMeasure::of(id)?;
-    Some((measure.values)(model, shape))
-}
+impl Session {
+    /// Returns the values of the measure `id`, `#F`, in its unit; NaN for faces without one, such
+    /// as a triangle, which has no diagonals. None if there is no such measure.
+    pub fn face_values(&mut self, id: &str) -> Option<Vec<f64>> {
+        self.face_values_of(id, Shape::Now)
+    }
 
-/// Returns how far the values of the measure `id` are from 0, `#F`: of a signed one, on either side.
-/// Errors are judged by them. As [`face_values`].
-pub(crate) fn face_errors(model: &mut Measuring<'_>, id: &str) -> Option<Vec<f64>> {
-    let values = face_values(model, id, Shape::Now)?;
-    Some(values.into_iter().map(f64::abs).collect())
-}
+    /// As [`Session::face_values`], for the current or the original shape.
+    pub fn face_values_of(&mut self, id: &str, shape: Shape) -> Option<Vec<f64>> {
+        let measure = FaceMeasure::of(id)?;
+        Some((measure.values)(self, shape))
+    }
 
-/// Returns the vertex values (`#V`) whose maximum over a face is its measure `id`. Only for
-/// distances to the original, which vary gradually; none for any other measure.
-pub(crate) fn corner_values(
-    scene: &SolvedScene,
-    rest: &RestMesh,
-    cache: &MeasureCache,
-    id: &str,
-) -> Option<Vec<f64>> {
-    match id {
-        "surface" => Some(cache.surface_distances(scene, rest).to_vec()),
-        "displacement" => Some(rest.displacements(scene.positions()).collect()),
-        _ => None,
+    /// Returns the values of the measure `id` as [`Session::face_values`] does, and the largest absolute
+    /// one; rounding errors are 0 there.
+    pub fn face_values_and_greatest(&mut self, id: &str) -> Option<(Vec<f64>, f64)> {
+        let unit = FaceMeasure::of(id)?.unit;
+        let values = self.face_values(id)?;
+        // In single precision, as the values that are drawn.
+        let greatest = values.iter().fold(0.0, |most: f32, value| most.max(value.abs() as f32));
+        Some((values, unit.or_zero(f64::from(greatest), self.rest.diameter())))
+    }
+
+    /// Returns how far the values of the measure `id` are from 0, `#F`: of a signed one, on either side.
+    /// Errors are judged by them. As [`Session::face_values`].
+    pub(in crate::session) fn face_errors(&mut self, id: &str) -> Option<Vec<f64>> {
+        Some(self.face_values(id)?.into_iter().map(f64::abs).collect())
+    }
+
+    /// Returns the vertex values (`#V`) whose maximum over a face is its measure `id`. Only for
+    /// distances to the original, which vary gradually; none for any other measure.
+    pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
+        match id {
+            "surface" => Some(self.surface_distances(Shape::Now).to_vec()),
+            "displacement" => Some(self.rest.displacements(self.scene.positions()).collect()),
+            _ => None,
+        }
     }
 }
 
 /// Returns the largest value among the corners of each face.
-fn worst_corner(model: &Measuring<'_>, values: &[f64]) -> Vec<f64> {
+fn worst_corner(model: &Session, values: &[f64]) -> Vec<f64> {
     let worst = |face: &[u32]| face.iter().map(|&v| values[v as usize]).fold(0.0, f64::max);
     model.faces().iter().map(worst).collect()
 }
 
 /// Evaluates every quad; NaN for other faces.
-fn of_quads(
-    model: &Measuring<'_>,
-    shape: Shape,
-    value: impl Fn([Vec3<f64>; 4]) -> f64,
-) -> Vec<f64> {
-    let positions = model.positions(shape);
+fn of_quads(model: &Session, shape: Shape, value: impl Fn([Vec3<f64>; 4]) -> f64) -> Vec<f64> {
+    let positions = model.positions_of(shape);
     let of_face = |face: &[u32]| match face {
         &[a, b, c, d] => value([a, b, c, d].map(|v| Vec3::from(positions[v as usize]))),
         _ => f64::NAN,
@@ -263,11 +268,11 @@ fn of_quads(
     model.faces().iter().map(of_face).collect()
 }
 
-fn diagonals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+fn diagonals(model: &mut Session, shape: Shape) -> Vec<f64> {
     of_quads(model, shape, |quad| 100.0 * diagonal_ratio(quad.map(Point::from)))
 }
 
-fn diagonals_by_edge(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+fn diagonals_by_edge(model: &mut Session, shape: Shape) -> Vec<f64> {
     of_quads(model, shape, |quad| {
         let [a, b, c, d] = quad;
         let mean_diagonal = 0.5 * ((c - a).length() + (d - b).length());
@@ -276,7 +281,7 @@ fn diagonals_by_edge(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     })
 }
 
-fn fourth_corners(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+fn fourth_corners(model: &mut Session, shape: Shape) -> Vec<f64> {
     of_quads(model, shape, |quad| {
         let off = |i: usize| {
             let [p, a, b, c] = [0, 1, 2, 3].map(|step| quad[(i + step) % 4]);
@@ -287,9 +292,9 @@ fn fourth_corners(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     })
 }
 
-fn planarity_by_edge(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
-    let positions = model.positions(shape);
-    let measures = model.measures(shape);
+fn planarity_by_edge(model: &mut Session, shape: Shape) -> Vec<f64> {
+    let positions = model.positions_of(shape);
+    let measures = model.measures_of(shape);
     let faces = model.faces().iter().zip(&measures.planarity_distances);
     let edge = |face: &[u32]| mean_length(face.iter().map(|&v| Vec3::from(positions[v as usize])));
     faces.map(|(face, distance)| 100.0 * ratio(*distance, edge(face))).collect()
@@ -302,8 +307,8 @@ fn mean_length(corners: impl IntoIterator<Item = Vec3<f64>>) -> f64 {
     sum / corners.len() as f64
 }
 
-fn edge_changes(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
-    let (now, rest) = (model.positions(shape), model.rest.positions());
+fn edge_changes(model: &mut Session, shape: Shape) -> Vec<f64> {
+    let (now, rest) = (model.positions_of(shape), model.rest.positions());
     // A side without length at rest has no relative change.
     let change = |ends| {
         let before = length(rest, ends);
@@ -314,8 +319,8 @@ fn edge_changes(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
     model.faces().iter().map(worst).collect()
 }
 
-fn angles(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
-    let positions = model.positions(shape);
+fn angles(model: &mut Session, shape: Shape) -> Vec<f64> {
+    let positions = model.positions_of(shape);
     let at = |v: u32| Vec3::from(positions[v as usize]);
     let worst = |face: &[u32]| {
         let regular = 180.0 - 360.0 / face.len() as f64;
@@ -325,27 +330,27 @@ fn angles(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
             let angle = angle_between(a, b)?;
             Some((angle * (180.0 / PI) - regular).abs())
         };
-        polygon_corners(face).filter_map(corner).fold(0.0, f64::max)
+        polygon_corners(face).filter_map(corner).reduce(f64::max).unwrap_or(f64::NAN)
     };
     model.faces().iter().map(worst).collect()
 }
 
-fn off_curvature_lines(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+fn off_curvature_lines(model: &mut Session, shape: Shape) -> Vec<f64> {
     let (faces, topology) = (model.faces(), model.rest.topology());
-    CurvatureLines::new(&model.positions(shape), faces, topology).of_faces(faces, topology)
+    CurvatureLines::new(&model.positions_of(shape), faces, topology).of_faces(faces, topology)
 }
 
 /// Curvature of the smooth surface through the vertices.
-fn curvature(model: &mut Measuring<'_>, shape: Shape, quantity: fn(&Curvature) -> f64) -> Vec<f64> {
+fn curvature(model: &mut Session, shape: Shape, quantity: fn(&Curvature) -> f64) -> Vec<f64> {
     let (faces, topology) = (model.faces(), model.rest.topology());
-    face_curvatures(&model.positions(shape), faces, topology, quantity)
+    face_curvatures(&model.positions_of(shape), faces, topology, quantity)
 }
 
-fn worst_surface_distances(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+fn worst_surface_distances(model: &mut Session, shape: Shape) -> Vec<f64> {
     worst_corner(model, &model.surface_distances(shape))
 }
 
-fn worst_displacements(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
+fn worst_displacements(model: &mut Session, shape: Shape) -> Vec<f64> {
     match shape {
         Shape::Now => {
             let displacements: Vec<f64> =

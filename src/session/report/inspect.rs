@@ -3,9 +3,8 @@
 
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Kind, Selector};
-use crate::mesh::Mesh;
 use crate::scene::{BoundaryRequire, ClosenessTo, Scene};
-use crate::session::state::{ResolvedRow, RestMesh, SolvedScene};
+use crate::session::{ResolvedRow, Session};
 
 /// Returns the id of the measure that row `index` makes zero on single faces, which is that of its
 /// kind; none if its constraints are not on single faces.
@@ -13,16 +12,6 @@ pub(super) fn required_measure(document: &Scene, index: usize) -> Option<&'stati
     let row = document.constraints.get(index)?;
     let of_faces = matches!(row.on, Selector::Each { element: Element::Face, radius: 0, .. });
     row.kind.info().measure.filter(|_| of_faces)
-}
-
-/// Returns the id of the measure whose largest value over all faces is the largest distance of row
-/// `index`; none if there is no such measure.
-pub(crate) fn row_measure(scene: &SolvedScene, mesh: &Mesh, index: usize) -> Option<&'static str> {
-    let document = scene.document();
-    let kind = &document.constraints.get(index)?.kind;
-    let ResolvedRow { constraints, skipped, .. } = scene.rows().get(index)?;
-    let is_on_all = *skipped == 0 && constraints.members.len() == mesh.faces.len();
-    required_measure(document, index).filter(|_| is_on_all && is_usual(kind))
 }
 
 /// Whether a kind has no parameters of its own: with them the shape is another one than that which
@@ -49,78 +38,92 @@ pub(crate) fn panel_row(document: &Scene) -> Option<usize> {
     rows().find(is_plain).or(Some(last))
 }
 
-/// Returns the id of the measure that fits a scene: that of the first enabled row that has one, else
-/// the distance to the constraints; none without constraints or faces.
-pub(crate) fn scene_measure(document: &Scene, mesh: &Mesh) -> Option<&'static str> {
-    if document.constraints.is_empty() || mesh.faces.is_empty() {
-        return None;
+impl Session {
+    /// Returns the id of the measure whose largest value over all faces is the largest distance of constraint
+    /// row `index`; none if there is no such measure.
+    pub fn row_measure(&self, index: usize) -> Option<&'static str> {
+        let document = self.document();
+        let kind = &document.constraints.get(index)?.kind;
+        let ResolvedRow { constraints, skipped, .. } = self.rows().get(index)?;
+        let is_on_all = *skipped == 0 && constraints.members.len() == self.faces().len();
+        required_measure(document, index).filter(|_| is_on_all && is_usual(kind))
     }
-    let rows = document.constraints.iter().enumerate();
-    let mut measured = rows
-        .filter(|(_, row)| row.enabled && is_usual(&row.kind))
-        .filter_map(|(row, _)| required_measure(document, row));
-    Some(measured.next().unwrap_or("residual"))
-}
 
-/// Counts the vertices with a closeness factor other than 1.
-pub(crate) fn reweighted_vertices(document: &Scene, rest: &RestMesh) -> usize {
-    if document.closeness.weights.is_empty() {
-        return 0;
-    }
-    closeness_factors(document, rest).iter().filter(|&&factor| factor != 1.0).count()
-}
-
-fn closeness_factors(document: &Scene, rest: &RestMesh) -> Vec<f64> {
-    let factors = document.closeness.factors(rest.mesh(), rest.topology(), &document.sets);
-    factors.expect("the document was resolved when it was taken over")
-}
-
-/// Returns the faces and the vertices that a row acts on, ascending; empty without a row. A face is
-/// included if one constraint of the row contains all its corners.
-pub(crate) fn members(row: Option<&ResolvedRow>, rest: &RestMesh) -> [Vec<u32>; 2] {
-    let mut cover = ConstraintCoverage::new(rest.mesh(), rest.topology());
-    let [mut faces, mut vertices] = [Vec::new(), Vec::new()];
-    if let Some(row) = row {
-        let members = &row.constraints.members;
-        members.iter().for_each(|set| faces.extend(cover.faces(set)));
-        vertices.extend(members.indices());
-    }
-    for indices in [&mut faces, &mut vertices] {
-        indices.sort_unstable();
-        indices.dedup();
-    }
-    [faces, vertices]
-}
-
-/// Returns the vertices without constraint, closeness, smoothness and handle, ascending.
-pub(crate) fn free(scene: &SolvedScene, rest: &RestMesh) -> Vec<u32> {
-    let (document, count) = (scene.document(), rest.positions().len());
-    let mut acted_on = vec![false; count];
-    let mut act_on = |vertices: &[u32]| {
-        vertices.iter().for_each(|&vertex| acted_on[vertex as usize] = true);
-    };
-    let weights = document.weights;
-    let acting = |row: &&ResolvedRow| row.enabled && row.constraints.weight > 0.0;
-    for row in scene.rows().iter().filter(acting).filter(|_| weights.shape > 0.0) {
-        act_on(row.constraints.members.indices());
-    }
-    scene.handles().iter().for_each(|handle| act_on(&[handle.vertex]));
-    if weights.smooth > 0.0 {
-        act_on(rest.topology().edges().as_flattened());
-    }
-    let closeness = &document.closeness;
-    let exact = closeness.boundary.is_some_and(|it| it.require == BoundaryRequire::Exact);
-    if weights.close > 0.0 || exact {
-        let factors = closeness_factors(document, rest);
-        let mut hold = |vertex: u32| {
-            acted_on[vertex as usize] |= factors[vertex as usize] > 0.0;
-        };
-        if closeness.to != ClosenessTo::None && weights.close > 0.0 {
-            (0..count as u32).for_each(&mut hold);
-        } else if closeness.boundary.is_some() {
-            let loops = rest.topology().boundary_loops();
-            loops.indices().iter().copied().for_each(&mut hold);
+    /// Returns the id of the measure that fits the scene: that of the first enabled row that has one, else
+    /// the distance to the constraints; none without constraints or faces.
+    pub fn scene_measure(&self) -> Option<&'static str> {
+        let document = self.document();
+        if document.constraints.is_empty() || self.faces().is_empty() {
+            return None;
         }
+        let rows = document.constraints.iter().enumerate();
+        let mut measured = rows
+            .filter(|(_, row)| row.enabled && is_usual(&row.kind))
+            .filter_map(|(row, _)| required_measure(document, row));
+        Some(measured.next().unwrap_or("residual"))
     }
-    (0..).zip(acted_on).filter(|(_, acted_on)| !acted_on).map(|(vertex, _)| vertex).collect()
+
+    /// Counts the vertices with a closeness factor other than 1.
+    pub fn reweighted_vertices(&self) -> usize {
+        if self.document().closeness.weights.is_empty() {
+            return 0;
+        }
+        self.closeness_factors().iter().filter(|&&factor| factor != 1.0).count()
+    }
+
+    /// Returns the faces and the vertices that row `index` acts on, ascending; empty without a row. A face is
+    /// included if one constraint of the row contains all its corners.
+    pub fn members(&self, index: usize) -> [Vec<u32>; 2] {
+        let mut cover = ConstraintCoverage::new(self.mesh(), self.topology());
+        let [mut faces, mut vertices] = [Vec::new(), Vec::new()];
+        if let Some(row) = self.rows().get(index) {
+            let members = &row.constraints.members;
+            members.iter().for_each(|set| faces.extend(cover.faces(set)));
+            vertices.extend(members.indices());
+        }
+        for indices in [&mut faces, &mut vertices] {
+            indices.sort_unstable();
+            indices.dedup();
+        }
+        [faces, vertices]
+    }
+
+    /// Returns the vertices without constraint, closeness, smoothness and handle, ascending.
+    pub fn free(&self) -> Vec<u32> {
+        let (document, count) = (self.document(), self.rest.positions().len());
+        let mut acted_on = vec![false; count];
+        let mut act_on = |vertices: &[u32]| {
+            vertices.iter().for_each(|&vertex| acted_on[vertex as usize] = true);
+        };
+        let weights = document.weights;
+        let acting = |row: &&ResolvedRow| row.enabled && row.constraints.weight > 0.0;
+        for row in self.rows().iter().filter(acting).filter(|_| weights.shape > 0.0) {
+            act_on(row.constraints.members.indices());
+        }
+        self.scene.handles().iter().for_each(|handle| act_on(&[handle.vertex]));
+        if weights.smooth > 0.0 {
+            act_on(self.topology().edges().as_flattened());
+        }
+        let closeness = &document.closeness;
+        let exact = closeness.boundary.is_some_and(|it| it.require == BoundaryRequire::Exact);
+        if weights.close > 0.0 || exact {
+            let factors = self.closeness_factors();
+            let mut hold = |vertex: u32| {
+                acted_on[vertex as usize] |= factors[vertex as usize] > 0.0;
+            };
+            if closeness.to != ClosenessTo::None && weights.close > 0.0 {
+                (0..count as u32).for_each(&mut hold);
+            } else if closeness.boundary.is_some() {
+                let loops = self.topology().boundary_loops();
+                loops.indices().iter().copied().for_each(&mut hold);
+            }
+        }
+        (0..).zip(acted_on).filter(|(_, acted_on)| !acted_on).map(|(vertex, _)| vertex).collect()
+    }
+
+    fn closeness_factors(&self) -> Vec<f64> {
+        let document = self.document();
+        let factors = document.closeness.factors(self.mesh(), self.topology(), &document.sets);
+        factors.expect("the document was resolved when it was taken over")
+    }
 }

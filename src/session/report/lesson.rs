@@ -1,10 +1,10 @@
 //! Goals of a lesson, in words and as measured.
 
-use super::face_measure::{FACE_MEASURES, FaceMeasure, face_errors};
-use super::measuring::Measuring;
+use super::face_measure::{FACE_MEASURES, FaceMeasure};
 use crate::fabricate::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 use crate::mesh::Mesh;
 use crate::scene::{ConstraintSpec, Goal, GoalOf, GoalResult, Lesson, Scene, SceneError};
+use crate::session::Session;
 use crate::solve::exact_tolerance;
 use crate::words::{MeasureUnit, count, group_digits};
 use serde::Serialize;
@@ -193,57 +193,35 @@ pub struct GoalProgress {
     pub value: String,
 }
 
-/// Returns the progress in a lesson, given the values of its goals; none without a lesson.
-pub(crate) fn progress(model: &mut Measuring<'_>) -> Option<LessonProgress> {
-    model.scene.document().lesson.as_ref()?;
-    let results = goals(model);
-    let (units, size) = (&model.scene.document().units, model.rest.diameter());
-    let progress = |GoalResult { goal, value, met }: &GoalResult| {
-        let words = if *met { "satisfied" } else { "not satisfied" };
-        GoalProgress { met: *met, words, value: described(goal).now_in_words(*value, units, size) }
-    };
-    let goals: Vec<GoalProgress> = results.iter().map(progress).collect();
-    let met = goals.iter().filter(|goal| goal.met).count();
-    let passed = met == goals.len();
-    let words = match passed {
-        true => format!("Passed: {} satisfied", count(met, "goal", "goals")),
-        false => {
-            format!("{} of {} satisfied", group_digits(met), count(goals.len(), "goal", "goals"))
-        }
-    };
-    Some(LessonProgress { goals, passed, words })
-}
+/// The words of a goal without what it bounds.
+const PLAIN: GoalWords<'static> = GoalWords {
+    label: "",
+    words: "",
+    unit: MeasureUnit::Length,
+    at_most: 0.0,
+    measure: None,
+    build: None,
+    beyond: None,
+    sentence: String::new(),
+};
 
 /// Returns what a goal bounds, without the sentence.
 fn described(goal: &Goal) -> GoalWords<'_> {
-    let sentence = String::new();
+    let plain = GoalWords { at_most: goal.at_most, ..PLAIN };
     match &goal.of {
         GoalOf::Measure(id) | GoalOf::Beyond { measure: id, .. } => {
-            let measure =
+            let &FaceMeasure { id, label, words, unit, .. } =
                 FaceMeasure::of(id).expect("goals are checked when a scene is taken over");
-            GoalWords {
-                label: measure.label,
-                words: measure.words,
-                unit: measure.unit,
-                at_most: goal.at_most,
-                measure: Some(measure.id),
-                build: None,
-                beyond: match goal.of {
-                    GoalOf::Beyond { tolerance, .. } => Some(tolerance),
-                    _ => None,
-                },
-                sentence,
-            }
+            let beyond = match goal.of {
+                GoalOf::Beyond { tolerance, .. } => Some(tolerance),
+                _ => None,
+            };
+            GoalWords { label, words, unit, measure: Some(id), beyond, ..plain }
         }
         GoalOf::Constraint(name) => GoalWords {
             label: name,
             words: "largest distance of a vertex to the shape of this constraint",
-            unit: MeasureUnit::Length,
-            at_most: goal.at_most,
-            measure: None,
-            build: None,
-            beyond: None,
-            sentence,
+            ..plain
         },
         GoalOf::Build(id) => {
             let declared = BUILD_NUMBERS.iter().find(|number| number.id == id);
@@ -254,58 +232,92 @@ fn described(goal: &Goal) -> GoalWords<'_> {
                 NumberUnit::Degrees => MeasureUnit::Degrees,
                 NumberUnit::Count => MeasureUnit::Number,
             };
-            let (measure, beyond) = (None, None);
-            GoalWords {
-                label,
-                words: description,
-                unit,
-                at_most: goal.at_most,
-                measure,
-                build: Some(id),
-                beyond,
-                sentence,
-            }
+            GoalWords { label, words: description, unit, build: Some(id), ..plain }
         }
     }
 }
 
-/// Returns the value of each goal of the lesson on the current shape, in their order.
-pub(crate) fn goals(model: &mut Measuring<'_>) -> Vec<GoalResult> {
-    let lesson = model.scene.document().lesson.as_ref();
-    let goals = lesson.map(|lesson| lesson.goals.clone()).unwrap_or_default();
-    let exact = exact_tolerance(model.rest.mesh());
-    let result = |goal: Goal| {
-        let value = worst_of(model, &goal.of);
-        // A limit of zero means exact, and rounding errors keep the value above zero.
-        let at_most = match goal.of {
-            GoalOf::Constraint(_) => goal.at_most.max(exact),
-            GoalOf::Measure(_) | GoalOf::Beyond { .. } | GoalOf::Build(_) => goal.at_most,
+impl Session {
+    /// Returns the goals of the lesson on the current shape in words; none without a lesson.
+    pub fn lesson_progress(&mut self) -> Option<LessonProgress> {
+        self.scene.document().lesson.as_ref()?;
+        let results = self.goals();
+        let (units, size) = (&self.scene.document().units, self.rest.diameter());
+        let progress = |GoalResult { goal, value, met }: &GoalResult| {
+            let words = if *met { "satisfied" } else { "not satisfied" };
+            GoalProgress {
+                met: *met,
+                words,
+                value: described(goal).now_in_words(*value, units, size),
+            }
         };
-        GoalResult { met: value.is_some_and(|value| value <= at_most), goal, value }
-    };
-    goals.into_iter().map(result).collect()
-}
+        let goals: Vec<GoalProgress> = results.iter().map(progress).collect();
+        let met = goals.iter().filter(|goal| goal.met).count();
+        let passed = met == goals.len();
+        let words = match passed {
+            true => format!("Passed: {} satisfied", count(met, "goal", "goals")),
+            false => {
+                format!(
+                    "{} of {} satisfied",
+                    group_digits(met),
+                    count(goals.len(), "goal", "goals")
+                )
+            }
+        };
+        Some(LessonProgress { goals, passed, words })
+    }
 
-/// Returns the largest absolute value, or the number of faces above the limit; none if nothing has a value.
-fn worst_of(model: &mut Measuring<'_>, of: &GoalOf) -> Option<f64> {
-    match of {
-        GoalOf::Measure(id) => {
-            let values = face_errors(model, id)?.into_iter();
-            values.filter(|value| !value.is_nan()).reduce(f64::max)
+    /// Returns the value of each goal of the lesson on the current shape, in their order; empty
+    /// without a lesson. A goal on the built parts has no value before [`Session::set_build_numbers`].
+    pub fn goals(&mut self) -> Vec<GoalResult> {
+        let lesson = self.scene.document().lesson.as_ref();
+        let goals = lesson.map(|lesson| lesson.goals.clone()).unwrap_or_default();
+        let exact = exact_tolerance(self.rest.mesh());
+        let size = self.rest.diameter();
+        let result = |goal: Goal| {
+            let value = self.worst_of(&goal.of);
+            // A limit of zero means exact, and rounding errors keep the value above zero.
+            let is_within = |value: f64| match goal.of {
+                GoalOf::Constraint(_) => value <= goal.at_most.max(exact),
+                GoalOf::Beyond { .. } => value <= goal.at_most,
+                GoalOf::Measure(_) | GoalOf::Build(_) => {
+                    described(&goal).unit.or_zero(value, size) <= goal.at_most
+                }
+            };
+            GoalResult { met: value.is_some_and(is_within), goal, value }
+        };
+        goals.into_iter().map(result).collect()
+    }
+
+    /// Returns the largest absolute value, or the number of faces above the limit; none if nothing has a value.
+    fn worst_of(&mut self, of: &GoalOf) -> Option<f64> {
+        match of {
+            GoalOf::Measure(id) => {
+                let values = self.face_errors(id)?.into_iter();
+                values.filter(|value| !value.is_nan()).reduce(f64::max)
+            }
+            GoalOf::Beyond { measure, tolerance } => {
+                let (unit, size) = (FaceMeasure::of(measure)?.unit, self.rest.diameter());
+                let values = self.face_errors(measure)?;
+                let has_one = values.iter().any(|value| !value.is_nan());
+                let is_beyond = |value: &&f64| unit.or_zero(**value, size) > *tolerance;
+                let beyond = values.iter().filter(is_beyond).count();
+                has_one.then_some(beyond as f64)
+            }
+            GoalOf::Build(id) => self.measured.build_number(&self.scene, id),
+            GoalOf::Constraint(name) => {
+                let specs = self.scene.document().constraints.iter();
+                let enabled = specs.filter(|spec| spec.enabled);
+                let found = enabled.zip(self.scene.solver().found());
+                let called_so = found.filter(|(spec, _)| spec.label() == name);
+                called_so.map(|(_, found)| found.worst_squared.sqrt()).reduce(f64::max)
+            }
         }
-        GoalOf::Beyond { measure, tolerance } => {
-            let values = face_errors(model, measure)?;
-            let has_one = values.iter().any(|value| !value.is_nan());
-            let beyond = values.iter().filter(|value| *value > tolerance).count();
-            has_one.then_some(beyond as f64)
-        }
-        GoalOf::Build(id) => model.cache.build_number(model.scene, id),
-        GoalOf::Constraint(name) => {
-            let specs = model.scene.document().constraints.iter();
-            let enabled = specs.filter(|spec| spec.enabled);
-            let found = enabled.zip(model.scene.solver().found());
-            let called_so = found.filter(|(spec, _)| spec.label() == name);
-            called_so.map(|(_, found)| found.worst_squared.sqrt()).reduce(f64::max)
-        }
+    }
+
+    /// Stores numbers of the parts built from the current shape, by the ids of
+    /// [`crate::fabricate::BUILD_NUMBERS`], until the shape, the settings of the build or the unit change.
+    pub fn set_build_numbers(&mut self, numbers: Vec<(String, f64)>) {
+        self.measured.set_build_numbers(&self.scene, numbers);
     }
 }

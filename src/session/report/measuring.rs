@@ -1,8 +1,8 @@
-//! The shapes to be measured, with the data that measuring needs.
+//! The shapes to be measured, and what several measures need of them.
 
-use super::measure_cache::{MeasureCache, rest_surface_distances};
 use crate::mesh::{Measures, Point, Ragged};
-use crate::session::state::{RestMesh, SolvedScene};
+use crate::session::Session;
+use crate::session::measured::rest_surface_distances;
 use std::rc::Rc;
 
 /// The shape to be measured.
@@ -14,27 +14,33 @@ pub enum Shape {
     Original,
 }
 
-/// A scene with its rest mesh and cached measures.
-pub(crate) struct Measuring<'a> {
-    pub(crate) rest: &'a RestMesh,
-    pub(crate) scene: &'a mut SolvedScene,
-    pub(crate) cache: &'a MeasureCache,
-}
+impl Session {
+    /// Planarity and circularity of the faces of the current shape.
+    pub fn measures(&self) -> Rc<Measures> {
+        self.measured.measures(&self.scene, &self.rest)
+    }
 
-impl Measuring<'_> {
+    /// As [`Session::measures`], up to `seconds` old: measuring may take longer than an iteration.
+    pub fn recent_measures(&self, seconds: f64) -> Rc<Measures> {
+        self.measured.recent_measures(&self.scene, &self.rest, seconds)
+    }
+
     pub(super) fn faces(&self) -> &Ragged {
         &self.rest.mesh().faces
     }
 
     /// Positions, `#V by 3`.
-    pub(super) fn positions(&self, shape: Shape) -> Rc<[Point]> {
-        positions(self.scene, self.rest, shape)
+    pub(super) fn positions_of(&self, shape: Shape) -> Rc<[Point]> {
+        match shape {
+            Shape::Now => Rc::clone(self.scene.positions()),
+            Shape::Original => self.rest.positions().into(),
+        }
     }
 
     /// Returns planarity and circularity of the faces.
-    pub(super) fn measures(&self, shape: Shape) -> Rc<Measures> {
+    pub(super) fn measures_of(&self, shape: Shape) -> Rc<Measures> {
         match shape {
-            Shape::Now => self.cache.measures(self.scene, self.rest),
+            Shape::Now => self.measures(),
             Shape::Original => {
                 let diameter = self.rest.mesh().bounding_diameter();
                 Rc::new(Measures::new(self.rest.positions(), self.faces(), diameter))
@@ -45,16 +51,8 @@ impl Measuring<'_> {
     /// Returns the distance of each vertex to the surface of the opened model, `#V`, in its unit.
     pub(super) fn surface_distances(&self, shape: Shape) -> Rc<[f64]> {
         match shape {
-            Shape::Now => self.cache.surface_distances(self.scene, self.rest),
-            Shape::Original => rest_surface_distances(self.scene, self.rest),
+            Shape::Now => self.measured.surface_distances(&self.scene, &self.rest),
+            Shape::Original => rest_surface_distances(&self.scene, &self.rest),
         }
-    }
-}
-
-/// Positions of a shape, `#V by 3`.
-pub(super) fn positions(scene: &SolvedScene, rest: &RestMesh, shape: Shape) -> Rc<[Point]> {
-    match shape {
-        Shape::Now => Rc::clone(scene.positions()),
-        Shape::Original => rest.positions().into(),
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::math::Vec3;
 use crate::mesh::{ElementsWithProblem, Point, ProblemKind};
+use crate::session::Session;
 use crate::session::state::RestMesh;
 use crate::solve::coordinate_rounding;
 
@@ -27,23 +28,22 @@ pub fn flaw_of(kind: ProblemKind) -> Option<&'static str> {
     PROBLEMS.iter().find(|(_, other)| *other == kind).map(|(name, _)| *name)
 }
 
-/// Returns the elements with the problem `name`, of [`flaw_of`] or [`ZERO_SIZE_FACES`], at
-/// `positions` (`#V by 3`); none for any other name.
-pub(crate) fn elements_with_problem(
-    name: &str,
-    positions: &[Point],
-    rest: &RestMesh,
-) -> Option<ElementsWithProblem> {
-    let found = match name {
-        ZERO_SIZE_FACES => Some(zero_size_faces(positions, rest)),
-        FOLDED_FACES => Some(rest.folded_by(positions)),
-        _ => None,
-    };
-    if let Some(faces) = found {
-        return Some(ElementsWithProblem { faces, ..ElementsWithProblem::default() });
+impl Session {
+    /// Returns the elements with the problem `name`, of [`flaw_of`], [`FOLDED_FACES`] or
+    /// [`ZERO_SIZE_FACES`], at the current positions; none for any other name.
+    pub fn elements_with_problem(&self, name: &str) -> Option<ElementsWithProblem> {
+        let (positions, rest) = (self.scene.positions(), &self.rest);
+        let found = match name {
+            ZERO_SIZE_FACES => Some(zero_size_faces(positions, rest)),
+            FOLDED_FACES => Some(rest.folded_by(positions)),
+            _ => None,
+        };
+        if let Some(faces) = found {
+            return Some(ElementsWithProblem { faces, ..ElementsWithProblem::default() });
+        }
+        let (_, kind) = PROBLEMS.iter().find(|(other, _)| *other == name)?;
+        Some(crate::mesh::elements_with_problem(rest.mesh(), *kind))
     }
-    let (_, kind) = PROBLEMS.iter().find(|(other, _)| *other == name)?;
-    Some(crate::mesh::elements_with_problem(rest.mesh(), *kind))
 }
 
 /// Returns the faces whose corners are collinear or coincident.
@@ -69,7 +69,6 @@ mod tests {
     use super::*;
     use crate::mesh::Mesh;
     use crate::scene::{MeshSource, Scene};
-    use crate::session::Session;
 
     /// A square, a collinear triangle, a triangle in one point, and an unused vertex.
     fn session(scale: f64) -> Session {

@@ -9,7 +9,6 @@
 //! | `exact_words` | how well hard constraints are met, and what exactness costs, in words |
 //! | `face_measure` | the measures of faces, by which hosts colour and list them |
 //! | `measuring` | the shapes to be measured |
-//! | `measure_cache` | measures of the current shape, each computed once |
 //! | `tables` | errors, energies and angles as CSV |
 //! | `worst` | the elements that are farthest from their constraints |
 //! | `projected` | the projections of the constraints, for drawing |
@@ -23,7 +22,6 @@ mod exact_words;
 mod face_measure;
 mod inspect;
 mod lesson;
-mod measure_cache;
 mod measuring;
 mod mesh_diagnostics;
 mod projected;
@@ -34,29 +32,20 @@ mod verdict;
 mod verdict_words;
 mod worst;
 
-pub(crate) use constraint_map::{ConstraintCoverage, acting_rows};
+pub(crate) use constraint_map::ConstraintCoverage;
 pub use constraint_map::{ConstraintMap, RowPalette};
 pub use exact_words::{ExactWords, TrialWords, WeakerRequirement};
 pub(crate) use exact_words::{Exactness, TrialNumbers};
 pub use face_measure::{FACE_MEASURES, FaceMeasure};
-pub(crate) use face_measure::{corner_values, face_errors, face_values};
-pub(crate) use inspect::{
-    free, members, panel_row, reweighted_vertices, row_measure, scene_measure,
-};
+pub(crate) use inspect::panel_row;
 pub use lesson::{GoalProgress, GoalWords, LessonProgress, goals_in_words};
-pub(crate) use lesson::{check_lesson, check_presentation, goals, progress};
-pub(crate) use measure_cache::MeasureCache;
-pub(crate) use measuring::Measuring;
+pub(crate) use lesson::{check_lesson, check_presentation};
 pub use measuring::Shape;
-pub(crate) use mesh_diagnostics::elements_with_problem;
 pub use mesh_diagnostics::{FOLDED_FACES, ZERO_SIZE_FACES, flaw_of};
 pub use projected::Projections;
-pub(crate) use projected::projections;
 pub use run_report::{EnergyReport, Report, Seconds, Unpaired};
 pub use run_verdict::{EndWords, RunVerdict};
-pub(crate) use tables::{angles, angles_csv, convergence_csv, errors_csv};
+pub(crate) use verdict::tolerance;
 pub use verdict::{EasedPanels, Verdict, tolerance_of};
-pub(crate) use verdict::{panel_progress, tolerance};
 pub use verdict_words::VerdictWords;
 pub use worst::{WorstElement, WorstRow};
-pub(crate) use worst::{worst_constraints, worst_faces};

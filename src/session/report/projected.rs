@@ -2,10 +2,10 @@
 //! them.
 
 use super::constraint_map::ConstraintCoverage;
-use super::measuring::{Measuring, Shape};
+use super::measuring::Shape;
 use crate::constraint::{Centring, Projected};
 use crate::mesh::Topology;
-use crate::session::state::{RestMesh, SolvedScene};
+use crate::session::Session;
 use crate::solve::{Constraints, rest_projections};
 
 /// Every point of every enabled constraint with its projection. A vertex has one point in each of
@@ -23,79 +23,81 @@ pub struct Projections {
     pub outlines: Vec<[u32; 2]>,
 }
 
-/// Returns the projections at the current positions.
-pub(crate) fn projections(scene: &mut SolvedScene, rest: &RestMesh) -> Projections {
-    let enabled: Vec<(u32, Centring)> = (0..)
-        .zip(scene.rows())
-        .filter(|(_, row)| row.enabled)
-        .map(|(index, row)| (index, row.constraints.kind.info().centring))
-        .collect();
-    let mut found = Projections::default();
-    let mut finder = EdgeFinder::new(rest.topology());
-    scene.projected(|row, points| {
-        let (row, centring) = enabled[row];
-        let first = found.vertices.len() as u32;
-        for (vertex, displacement) in points {
-            found.vertices.push(*vertex);
-            found.displacements.push([displacement.x, displacement.y, displacement.z]);
-            found.rows.push(row);
-        }
-        let own = &found.vertices[first as usize..];
-        match centring {
-            Centring::ByEdge => found
-                .outlines
-                .extend((0..own.len() as u32 / 2).map(|k| [first + 2 * k, first + 2 * k + 1])),
-            Centring::Together | Centring::Placed => {
-                finder.edges(own, |ends| found.outlines.push(ends.map(|end| first + end)));
+impl Session {
+    /// Returns the projections at the current positions.
+    pub fn projections(&mut self) -> Projections {
+        let enabled: Vec<(u32, Centring)> = (0..)
+            .zip(self.scene.rows())
+            .filter(|(_, row)| row.enabled)
+            .map(|(index, row)| (index, row.constraints.kind.info().centring))
+            .collect();
+        let mut found = Projections::default();
+        let mut finder = EdgeFinder::new(self.rest.topology());
+        self.scene.projected(|row, points| {
+            let (row, centring) = enabled[row];
+            let first = found.vertices.len() as u32;
+            for (vertex, displacement) in points {
+                found.vertices.push(*vertex);
+                found.displacements.push([displacement.x, displacement.y, displacement.z]);
+                found.rows.push(row);
+            }
+            let own = &found.vertices[first as usize..];
+            match centring {
+                Centring::ByEdge => found
+                    .outlines
+                    .extend((0..own.len() as u32 / 2).map(|k| [first + 2 * k, first + 2 * k + 1])),
+                Centring::Together | Centring::Placed => {
+                    finder.edges(own, |ends| found.outlines.push(ends.map(|end| first + end)));
+                }
+            }
+        });
+        found
+    }
+
+    /// Returns the residual of each face, `#F`, in the unit of the mesh: the largest distance of a
+    /// corner to its projection in any enabled constraint.
+    pub(super) fn residuals_of(&mut self, shape: Shape) -> Vec<f64> {
+        let mut squares = vec![0.0f64; self.rest.positions().len()];
+        let mut take = |points: &Projected| {
+            for (vertex, displacement) in points {
+                let worst = &mut squares[*vertex as usize];
+                *worst = worst.max(displacement.length_squared());
+            }
+        };
+        match shape {
+            Shape::Now => self.scene.projected(|_, points| take(points)),
+            Shape::Original => {
+                let enabled = self.scene.rows().iter().filter(|row| row.enabled);
+                let constraints: Vec<Constraints> =
+                    enabled.map(|row| row.constraints.clone()).collect();
+                let pose = self.scene.document().pose_positions();
+                rest_projections(self.rest.mesh(), pose, &constraints, take);
             }
         }
-    });
-    found
-}
-
-/// Returns the residual of each face, `#F`, in the unit of the mesh: the largest distance of a
-/// corner to its projection in any enabled constraint.
-pub(super) fn residuals(model: &mut Measuring<'_>, shape: Shape) -> Vec<f64> {
-    let mut squares = vec![0.0f64; model.rest.positions().len()];
-    let mut take = |points: &Projected| {
-        for (vertex, displacement) in points {
-            let worst = &mut squares[*vertex as usize];
-            *worst = worst.max(displacement.length_squared());
-        }
-    };
-    match shape {
-        Shape::Now => model.scene.projected(|_, points| take(points)),
-        Shape::Original => {
-            let enabled = model.scene.rows().iter().filter(|row| row.enabled);
-            let constraints: Vec<Constraints> =
-                enabled.map(|row| row.constraints.clone()).collect();
-            let pose = model.scene.document().pose_positions();
-            rest_projections(model.rest.mesh(), pose, &constraints, take);
-        }
+        let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));
+        self.faces().iter().map(|face| worst(face).sqrt()).collect()
     }
-    let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));
-    model.faces().iter().map(|face| worst(face).sqrt()).collect()
-}
 
-/// Returns the largest distance of a corner of each face to the shape that the enabled row `index`
-/// asks of it, `#F`, in the unit of the mesh; zero for faces on which it does not act.
-pub(super) fn row_distances(model: &mut Measuring<'_>, index: usize) -> Vec<f64> {
-    let enabled: Vec<usize> = model.scene.enabled_rows().collect();
-    let mut cover = ConstraintCoverage::new(model.rest.mesh(), model.rest.topology());
-    let mut distances = vec![0.0f64; model.rest.mesh().faces.len()];
-    model.scene.projected(|row, points| {
-        if enabled[row] != index {
-            return;
-        }
-        let corners: Vec<u32> = points.iter().map(|(vertex, _)| *vertex).collect();
-        let squares = points.iter().map(|(_, displacement)| displacement.length_squared());
-        let far = squares.fold(0.0, f64::max).sqrt();
-        for &face in cover.faces(&corners) {
-            let worst = &mut distances[face as usize];
-            *worst = worst.max(far);
-        }
-    });
-    distances
+    /// Returns the largest distance of a corner of each face to the shape that the enabled row `index`
+    /// asks of it, `#F`, in the unit of the mesh; zero for faces on which it does not act.
+    pub(super) fn row_distances(&mut self, index: usize) -> Vec<f64> {
+        let enabled: Vec<usize> = self.scene.enabled_rows().collect();
+        let mut cover = ConstraintCoverage::new(self.rest.mesh(), self.rest.topology());
+        let mut distances = vec![0.0f64; self.rest.mesh().faces.len()];
+        self.scene.projected(|row, points| {
+            if enabled[row] != index {
+                return;
+            }
+            let corners: Vec<u32> = points.iter().map(|(vertex, _)| *vertex).collect();
+            let squares = points.iter().map(|(_, displacement)| displacement.length_squared());
+            let far = squares.fold(0.0, f64::max).sqrt();
+            for &face in cover.faces(&corners) {
+                let worst = &mut distances[face as usize];
+                *worst = worst.max(far);
+            }
+        });
+        distances
+    }
 }
 
 /// Finds the edges of the mesh among sets of vertices.

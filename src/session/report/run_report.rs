@@ -1,10 +1,11 @@
 //! The report of a solved scene.
 
 use crate::constraint::describe;
-use crate::mesh::{Circularity, Measures, Planarity};
+use crate::mesh::{Circularity, Planarity};
 use crate::scene::{Accelerator, ConstraintSpec, NamedEnum};
-use crate::session::run::{ExactReport, Progress, TraceEntry, shortest_edge};
-use crate::session::state::{Paired, RestMesh, SolvedScene};
+use crate::session::Session;
+use crate::session::run::{ExactReport, TraceEntry, shortest_edge};
+use crate::session::state::{Paired, SolvedScene};
 use crate::solve::{Energy, IterateSeconds, Moved};
 use crate::words::group_digits;
 use serde::Serialize;
@@ -81,7 +82,7 @@ impl Unpaired {
     }
 
     /// Says for each of these rows how many vertices have a partner.
-    pub(crate) fn words(scene: &SolvedScene) -> Vec<String> {
+    fn words(scene: &SolvedScene) -> Vec<String> {
         let specs = &scene.document().constraints;
         let words = |Unpaired { constraint, paired: Paired { vertices, of } }| {
             let spec: &ConstraintSpec = &specs[constraint];
@@ -129,16 +130,15 @@ pub struct Seconds {
     pub parts: IterateSeconds,
 }
 
-impl Report {
-    /// Returns the report on the current state; `converged` is whether the iterations have.
-    pub(crate) fn of(
-        scene: &SolvedScene,
-        rest: &RestMesh,
-        progress: &Progress,
-        measures: &Measures,
-        converged: bool,
-        exact: Option<ExactReport>,
-    ) -> Report {
+impl Session {
+    /// Returns the report on the current state.
+    pub fn report(&self) -> Report {
+        let Session { scene, rest, progress, .. } = self;
+        let measures = self.measures();
+        // The steps that meet hard constraints are not iterations.
+        let has_converged =
+            scene.solver().converged() || self.met_here().is_some_and(|met| met.converged);
+        let converged = has_converged && self.collapse().is_none();
         let mut constraints = BTreeMap::new();
         let mut skipped = 0;
         for row in scene.rows().iter().filter(|row| row.enabled) {
@@ -170,7 +170,7 @@ impl Report {
             moved: rest.moved_by(scene.positions()),
             shortest_edge: shortest_edge(scene.positions(), rest),
             folded: NonZeroUsize::new(rest.folded_by(scene.positions()).len()),
-            exact,
+            exact: self.exact(),
             seconds: Seconds {
                 load: progress.load_seconds,
                 assemble: set_up.assemble,
@@ -181,5 +181,9 @@ impl Report {
             },
             trace: progress.trace().map(<[TraceEntry]>::to_vec),
         }
+    }
+    /// Says for each constraint on pairs of vertices, some of which have no partner, how many have one.
+    pub fn unpaired_words(&self) -> Vec<String> {
+        Unpaired::words(&self.scene)
     }
 }

@@ -1,8 +1,8 @@
 //! The verdict on a run in words: how it ended, and whether constraints without hard requirements
 //! are met within a tolerance.
 
-use super::measuring::Measuring;
-use super::worst::{WorstElement, worst_constraints};
+use super::worst::WorstElement;
+use crate::session::Session;
 use crate::words;
 use serde::Serialize;
 
@@ -41,20 +41,20 @@ impl EndWords {
     }
 }
 
-impl RunVerdict {
-    /// The verdict on the current shape, with distances up to `tolerance`, in the unit of the mesh.
-    /// None if no constraint has a weight.
-    pub(crate) fn of(model: &mut Measuring<'_>, tolerance: f64) -> Option<RunVerdict> {
-        let document = model.scene.document();
+impl Session {
+    /// Returns in words whether the constraints are met, with distances up to `tolerance`, in the unit of
+    /// the mesh. None if no constraint has a weight.
+    pub fn run_verdict(&mut self, tolerance: f64) -> Option<RunVerdict> {
+        let document = self.scene.document();
         let units = document.units.clone();
-        let (row, error) = model.scene.worst_row()?;
+        let (row, error) = self.scene.worst_row()?;
         let label = document.constraints[row].label().to_owned();
         let within = words::limit(tolerance, &units);
         if error <= tolerance {
             let brief = format!("All constraints are satisfied within {within}.");
             return Some(RunVerdict { met: true, brief, numbers: String::new(), worst: None });
         }
-        let worst = worst_constraints(model, row, 1).into_iter().next()?;
+        let worst = self.worst_constraints(row, 1).into_iter().next()?;
         let brief = format!(
             "The run has ended, and some constraints are beyond the tolerance of {within}. Worst: {label} on {}.",
             worst.element

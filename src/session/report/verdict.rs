@@ -1,13 +1,11 @@
 //! The result of a run for builders: how many panels have the required shape within a tolerance,
 //! and how far the vertices have moved for it.
 
-use super::face_measure::face_values;
-use super::inspect::{is_usual, members, panel_row};
-use super::measuring::{Measuring, Shape};
-use super::projected::row_distances;
+use super::inspect::{is_usual, panel_row};
 use crate::constraint::Info;
 use crate::mesh::{Mesh, Topology};
-use crate::session::run::{Bend, Flaw, Level, Met, SurfaceDistance, Tried};
+use crate::session::Session;
+use crate::session::run::{Bend, Flaw, Level, SurfaceDistance, Tried};
 use crate::solve::{Moved, Require};
 use crate::words::{group_digits, limit};
 use serde::Serialize;
@@ -92,19 +90,19 @@ struct Panels {
 }
 
 impl Panels {
-    /// Returns those of the last enabled row on single faces; none if no row constrains panels.
-    fn of(model: &mut Measuring<'_>) -> Option<Panels> {
-        let document = model.scene.document();
+    /// Returns those of the row that asks panels for a shape, see [`panel_row`]; none if no row does.
+    fn of(session: &mut Session) -> Option<Panels> {
+        let document = session.document();
         let row = panel_row(document)?;
         let (kind, is_usual) = {
             let kind = &document.constraints[row].kind;
             (kind.info(), is_usual(kind))
         };
         let adjective = kind.panels?;
-        let [faces, _] = members(model.scene.rows().get(row), model.rest);
+        let [faces, _] = session.members(row);
         let distances = match is_usual {
-            true => face_values(model, kind.measure?, Shape::Now)?,
-            false => row_distances(model, row),
+            true => session.face_values(kind.measure?)?,
+            false => session.row_distances(row),
         };
         (!faces.is_empty()).then_some(Panels { row, kind, adjective, faces, distances })
     }
@@ -131,24 +129,19 @@ impl Verdict {
         let EasedPanels { panels, within } = self.eased?;
         (panels > self.within && self.is_met()).then_some(within)
     }
+}
 
-    /// Returns how many panels have the shape required by the last enabled row on single faces,
-    /// with distances up to `tolerance`. None if no row constrains panels.
-    /// Its place is judged by `edge`, the mean edge or infinity, and `search` met its hard constraints,
-    /// if that is so.
-    pub(crate) fn of(
-        model: &mut Measuring<'_>,
-        tolerance: f64,
-        edge: f64,
-        search: Option<&Met>,
-    ) -> Option<Verdict> {
-        let panels = Panels::of(model)?;
+impl Session {
+    /// Returns how many panels have the shape that the scene asks of them, with distances up to
+    /// `tolerance`. None if no row constrains panels.
+    pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
+        let panels = Panels::of(self)?;
         let Panels { row, kind, adjective, faces, .. } = &panels;
         let distance = |face: u32| panels.distance(face);
         let worst_face =
             faces.iter().copied().max_by(|&a, &b| distance(a).total_cmp(&distance(b)))?;
         let within = panels.within(tolerance);
-        let spec = &model.scene.document().constraints[*row];
+        let spec = &self.document().constraints[*row];
         let required = match spec.require {
             Require::Within(length) => Some(length),
             Require::Soft | Require::Exact => None,
@@ -160,20 +153,21 @@ impl Verdict {
             (beyond > 0).then_some(EasedPanels { panels: beyond, within: eased.within })
         });
         let is_met = within + eased.map_or(0, |eased| eased.panels) == faces.len();
-        let measure = model.cache.shape_measure(model.scene, model.rest);
+        let measure = self.measured.shape_measure(&self.scene, &self.rest);
         let (mut level, mut flaws) = match is_met {
-            true => measure.level(eased.is_some(), edge),
+            true => measure.level(eased.is_some(), self.edge_of_design()),
             false => (Level::Poor, Vec::new()),
         };
-        let seam = model.rest.seam_at(model.scene.positions());
+        let seam = self.rest.seam_at(self.scene.positions());
         if seam > tolerance {
             flaws.insert(0, Flaw::SeamOpened);
             level = level.max(Level::Fair);
         }
+        let search = self.met_here();
         let tried = search.and_then(|met| met.tried.get(met.chosen?));
         let chosen = tried.map(|tried| tried.name.clone());
         // Without the search itself, as after opening a file, the scene names the attempt.
-        let named = || model.scene.document().attempt.name();
+        let named = || self.document().attempt.name();
         let chosen = chosen.or_else(|| (required.is_some() && is_met).then(named));
         Some(Verdict {
             kind: kind.id,
@@ -200,15 +194,15 @@ impl Verdict {
             chosen: chosen.unwrap_or_default(),
         })
     }
-}
 
-/// Says how many panels are within `tolerance` so far; none if no row constrains panels. It takes no
-/// longer than an iteration, unlike the whole verdict.
-pub(crate) fn panel_progress(model: &mut Measuring<'_>, tolerance: f64) -> Option<String> {
-    let panels = Panels::of(model)?;
-    let (within, of) = (panels.within(tolerance), panels.faces.len());
-    let tolerance = limit(tolerance, &model.scene.document().units);
-    Some(count_in_words(panels.adjective, within, of, &tolerance))
+    /// Says how many panels are within `tolerance` so far; none if no row constrains panels. It takes no
+    /// longer than an iteration, unlike the whole verdict.
+    pub fn panel_progress(&mut self, tolerance: f64) -> Option<String> {
+        let panels = Panels::of(self)?;
+        let (within, of) = (panels.within(tolerance), panels.faces.len());
+        let tolerance = limit(tolerance, &self.document().units);
+        Some(count_in_words(panels.adjective, within, of, &tolerance))
+    }
 }
 
 /// Says that `within` of all panels have their shape within a tolerance, given in words.

@@ -3,8 +3,8 @@
 use super::verdict::{Verdict, count_in_words};
 use crate::session::run::{Bend, BendChange, Flaw};
 use crate::words::{
-    brief, count, group_digits, length, length_like, limit_like, moved, part, rough_degrees,
-    rounded,
+    MeasureUnit, brief, count, group_digits, length, length_like, limit_like, moved, part,
+    rough_degrees, rounded,
 };
 use serde::Serialize;
 
@@ -47,7 +47,8 @@ impl Verdict {
     /// `size` the size of the mesh, and `edge` its mean edge at rest.
     pub fn words(&self, units: &str, size: f64, edge: f64) -> VerdictWords {
         let scale = Scale { units, size, edge };
-        let worst = length_like(self.worst, units, self.tolerance);
+        let worst = MeasureUnit::Length.or_zero(self.worst, size);
+        let worst = length_like(worst, units, self.tolerance);
         let is_told = self.within == self.of && self.worst > SAYS_NO_MORE * self.tolerance;
         let why = self.flaws.iter().map(|&flaw| self.why(flaw, &scale)).find(|it| !it.is_empty());
         let folds = self.folds();

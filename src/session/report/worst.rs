@@ -1,11 +1,10 @@
 //! The worst elements: a list in words and numbers of what the colours show.
 
 use super::constraint_map::ConstraintCoverage;
-use super::face_measure::face_values;
-use super::measuring::{Measuring, Shape};
+use super::face_measure::FaceMeasure;
 use crate::constraint::{Element, Selector};
 use crate::math::{argsort, key_of_number};
-use crate::session::state::RestMesh;
+use crate::session::Session;
 use crate::words::MeasureUnit;
 use serde::Serialize;
 
@@ -42,119 +41,140 @@ pub struct WorstRow {
     pub about: String,
 }
 
-impl WorstElement {
-    /// Returns the row of a list, with the value in this unit; rounding errors are 0. Lengths are
-    /// written in the unit in which their `tolerance` is written.
-    pub(crate) fn in_words(
-        self,
-        unit: MeasureUnit,
-        rest: &RestMesh,
-        units: &str,
-        tolerance: Option<f64>,
-    ) -> WorstRow {
-        let value = unit.or_zero(self.value, rest.diameter());
-        let words = unit.in_words(value, units, tolerance.unwrap_or(self.value));
-        let names = std::iter::once(&self.constraint).chain(&self.groups);
-        let names: Vec<&str> = names.map(|name| &**name).filter(|name| !name.is_empty()).collect();
-        let about = if names.is_empty() { "–".to_owned() } else { names.join(" · ") };
-        WorstRow { element: self, words, about }
+impl Session {
+    /// Returns the `count` faces with the largest absolute values of the measure `id`, largest first,
+    /// ties in mesh order, without faces that have no value. None if there is no such measure.
+    pub fn worst_faces(&mut self, id: &str, count: usize) -> Option<Vec<WorstElement>> {
+        let values = self.face_values(id)?;
+        let value = |face: u32| values[face as usize];
+        let descending = argsort(values.iter().map(|&value| !key_of_number(value.abs())));
+        let with_value = descending.into_iter().filter(|&face| !value(face).is_nan());
+        let faces: Vec<u32> = with_value.take(count).collect();
+        let pulling = self.pulling_rows(&faces);
+        let worst = faces.iter().zip(pulling).map(|(&face, row)| WorstElement {
+            element: format!("face {face}"),
+            groups: self.rest.groups_of(&[face]),
+            row,
+            constraint: row
+                .map(|row| self.scene.document().constraints[row].label().to_owned())
+                .unwrap_or_default(),
+            value: value(face),
+            faces: vec![face],
+            vertices: self.faces().row(face as usize).to_vec(),
+        });
+        Some(worst.collect())
     }
-}
 
-/// Returns the `count` faces with the largest absolute values of the measure `id`, largest first,
-/// ties in mesh order, without faces that have no value. None if there is no such measure.
-pub(crate) fn worst_faces(
-    model: &mut Measuring<'_>,
-    id: &str,
-    count: usize,
-) -> Option<Vec<WorstElement>> {
-    let values = face_values(model, id, Shape::Now)?;
-    let value = |face: u32| values[face as usize];
-    let descending = argsort(values.iter().map(|&value| !key_of_number(value.abs())));
-    let with_value = descending.into_iter().filter(|&face| !value(face).is_nan());
-    let faces: Vec<u32> = with_value.take(count).collect();
-    let pulling = pulling_rows(model, &faces);
-    let worst = faces.iter().zip(pulling).map(|(&face, row)| WorstElement {
-        element: format!("face {face}"),
-        groups: model.rest.groups_of(&[face]),
-        row,
-        constraint: row
-            .map(|row| model.scene.document().constraints[row].label().to_owned())
-            .unwrap_or_default(),
-        value: value(face),
-        faces: vec![face],
-        vertices: model.faces().row(face as usize).to_vec(),
-    });
-    Some(worst.collect())
-}
-
-/// Returns the `count` constraints of row `index` that are farthest from being met, farthest first,
-/// by the largest distance of a vertex to its projection, in the unit of the mesh. Empty if the row
-/// is disabled or does not exist.
-pub(crate) fn worst_constraints(
-    model: &mut Measuring<'_>,
-    index: usize,
-    count: usize,
-) -> Vec<WorstElement> {
-    let Some(asked) = model.scene.enabled_rows().position(|row| row == index) else {
-        return Vec::new();
-    };
-    let mut worst: Vec<(f64, Vec<u32>)> = Vec::new();
-    model.scene.projected(|row, points| {
-        if row != asked || count == 0 {
-            return;
-        }
-        let distance = points.iter().fold(0.0, |far: f64, (_, way)| far.max(way.length()));
-        if worst.len() == count && worst[count - 1].0 >= distance {
-            return;
-        }
-        worst.truncate(count - 1);
-        let place = worst.partition_point(|(other, _)| *other >= distance);
-        worst.insert(place, (distance, points.iter().map(|(vertex, _)| *vertex).collect()));
-    });
-    let mut cover = ConstraintCoverage::new(model.rest.mesh(), model.rest.topology());
-    let spec = &model.scene.document().constraints[index];
-    let element = |(value, vertices): (f64, Vec<u32>)| {
-        let mut faces = cover.faces(&vertices).to_vec();
-        faces.sort_unstable();
-        // Some kinds name a vertex twice, such as those on the edges of a face.
-        faces.dedup();
-        WorstElement {
-            element: name_of(&spec.on, &faces, &vertices),
-            groups: model.rest.groups_of(&faces),
-            row: Some(index),
-            constraint: spec.label().to_owned(),
-            value,
-            faces,
-            vertices,
-        }
-    };
-    worst.into_iter().map(element).collect()
-}
-
-/// Returns for each face the row with a corner farthest from its projection.
-fn pulling_rows(model: &mut Measuring<'_>, faces: &[u32]) -> Vec<Option<usize>> {
-    let enabled: Vec<usize> = model.scene.enabled_rows().collect();
-    // The faces that each vertex is a corner of.
-    let mut corners: Vec<(u32, usize)> = Vec::new();
-    for (place, &face) in faces.iter().enumerate() {
-        corners.extend(model.faces().row(face as usize).iter().map(|&v| (v, place)));
+    /// Returns the `count` constraints of row `index` that are farthest from being met, farthest first,
+    /// by the largest distance of a vertex to its projection, in the unit of the mesh. Empty if the row
+    /// is disabled or does not exist.
+    pub fn worst_constraints(&mut self, index: usize, count: usize) -> Vec<WorstElement> {
+        let Some(asked) = self.scene.enabled_rows().position(|row| row == index) else {
+            return Vec::new();
+        };
+        let mut worst: Vec<(f64, Vec<u32>)> = Vec::new();
+        self.scene.projected(|row, points| {
+            if row != asked || count == 0 {
+                return;
+            }
+            let distance = points.iter().fold(0.0, |far: f64, (_, way)| far.max(way.length()));
+            if worst.len() == count && worst[count - 1].0 >= distance {
+                return;
+            }
+            worst.truncate(count - 1);
+            let place = worst.partition_point(|(other, _)| *other >= distance);
+            worst.insert(place, (distance, points.iter().map(|(vertex, _)| *vertex).collect()));
+        });
+        let mut cover = ConstraintCoverage::new(self.rest.mesh(), self.rest.topology());
+        let spec = &self.scene.document().constraints[index];
+        let element = |(value, vertices): (f64, Vec<u32>)| {
+            let mut faces = cover.faces(&vertices).to_vec();
+            faces.sort_unstable();
+            // Some kinds name a vertex twice, such as those on the edges of a face.
+            faces.dedup();
+            WorstElement {
+                element: name_of(&spec.on, &faces, &vertices),
+                groups: self.rest.groups_of(&faces),
+                row: Some(index),
+                constraint: spec.label().to_owned(),
+                value,
+                faces,
+                vertices,
+            }
+        };
+        worst.into_iter().map(element).collect()
     }
-    corners.sort_unstable();
-    let mut most: Vec<(f64, Option<usize>)> = vec![(0.0, None); faces.len()];
-    model.scene.projected(|row, points| {
-        // A constraint on many vertices may contain corners of any face, so search by vertex.
-        for (vertex, way) in points {
-            let first = corners.partition_point(|(corner, _)| corner < vertex);
-            for (_, place) in corners[first..].iter().take_while(|(corner, _)| corner == vertex) {
-                let far = way.length_squared();
-                if far > most[*place].0 {
-                    most[*place] = (far, Some(enabled[row]));
+
+    /// Returns for each face the row with a corner farthest from its projection.
+    fn pulling_rows(&mut self, faces: &[u32]) -> Vec<Option<usize>> {
+        let enabled: Vec<usize> = self.scene.enabled_rows().collect();
+        // The faces that each vertex is a corner of.
+        let mut corners: Vec<(u32, usize)> = Vec::new();
+        for (place, &face) in faces.iter().enumerate() {
+            corners.extend(self.faces().row(face as usize).iter().map(|&v| (v, place)));
+        }
+        corners.sort_unstable();
+        let mut most: Vec<(f64, Option<usize>)> = vec![(0.0, None); faces.len()];
+        self.scene.projected(|row, points| {
+            // A constraint on many vertices may contain corners of any face, so search by vertex.
+            for (vertex, way) in points {
+                let first = corners.partition_point(|(corner, _)| corner < vertex);
+                for (_, place) in corners[first..].iter().take_while(|(corner, _)| corner == vertex)
+                {
+                    let far = way.length_squared();
+                    if far > most[*place].0 {
+                        most[*place] = (far, Some(enabled[row]));
+                    }
                 }
             }
-        }
-    });
-    most.into_iter().map(|(_, row)| row).collect()
+        });
+        most.into_iter().map(|(_, row)| row).collect()
+    }
+
+    /// Returns what [`Session::worst_faces`] does as a list. Lengths are written in the unit in which
+    /// their `tolerance` is written.
+    pub fn worst_faces_in_words(
+        &mut self,
+        id: &str,
+        count: usize,
+        tolerance: Option<f64>,
+    ) -> Option<Vec<WorstRow>> {
+        let unit = FaceMeasure::of(id)?.unit;
+        let worst = self.worst_faces(id, count)?;
+        Some(self.worst_in_words(worst, unit, tolerance))
+    }
+
+    /// Returns what [`Session::worst_constraints`] does as a list, in the unit in which `tolerance` is
+    /// written.
+    pub fn worst_constraints_in_words(
+        &mut self,
+        index: usize,
+        count: usize,
+        tolerance: Option<f64>,
+    ) -> Vec<WorstRow> {
+        let worst = self.worst_constraints(index, count);
+        self.worst_in_words(worst, MeasureUnit::Length, tolerance)
+    }
+
+    /// Returns the rows of a list, with the values in this unit; rounding errors are 0.
+    fn worst_in_words(
+        &self,
+        worst: Vec<WorstElement>,
+        unit: MeasureUnit,
+        tolerance: Option<f64>,
+    ) -> Vec<WorstRow> {
+        let in_words = |element: WorstElement| {
+            let value = unit.or_zero(element.value, self.rest.diameter());
+            let like = tolerance.unwrap_or(element.value);
+            let words = unit.in_words(value, &self.document().units, like);
+            let names = std::iter::once(&element.constraint).chain(&element.groups);
+            let names: Vec<&str> =
+                names.map(|name| &**name).filter(|name| !name.is_empty()).collect();
+            let about = if names.is_empty() { "–".to_owned() } else { names.join(" · ") };
+            WorstRow { element, words, about }
+        };
+        worst.into_iter().map(in_words).collect()
+    }
 }
 
 /// Returns the name of the element that one constraint of a selector acts on.

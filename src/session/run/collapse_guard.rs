@@ -10,6 +10,7 @@ use std::rc::Rc;
 const EVERY: u32 = 8;
 
 /// The guard of a session.
+#[derive(Default)]
 pub(crate) struct CollapseGuard {
     /// The document as it was opened, without handles and positions.
     opened: Scene,
@@ -27,8 +28,7 @@ pub(crate) struct CollapseGuard {
 impl CollapseGuard {
     /// Creates the guard of a session on the document `opened`.
     pub(crate) fn new(opened: Scene) -> CollapseGuard {
-        let (armed, ignores_collapse, start, collapse, unseen) = (false, false, None, None, 0);
-        CollapseGuard { opened, armed, ignores_collapse, start, collapse, unseen }
+        CollapseGuard { opened, ..CollapseGuard::default() }
     }
 
     /// How the shape has collapsed since iterating began, if it has.

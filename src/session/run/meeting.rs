@@ -46,6 +46,8 @@ pub(crate) struct Meeting {
     /// Whether an attempt ended without an error, and the first error.
     has_ended: bool,
     error: Option<SolveError>,
+    /// The time of all attempts so far.
+    pub(crate) seconds: f64,
 }
 
 /// The outcome of a meeting.
@@ -63,12 +65,15 @@ pub(crate) struct MeetingEnd {
     pub(crate) chosen: Option<usize>,
     /// Whether the iterations before it had converged.
     pub(crate) converged: bool,
+    /// The time of all attempts.
+    pub(crate) seconds: f64,
 }
 
 impl Meeting {
-    /// Begins at the end of iterations that have `converged` or not.
-    pub(crate) fn new(exact: Exact, attempts: Attempts, converged: bool) -> Meeting {
-        let start = exact.positions();
+    /// Begins at the end of iterations that have `converged` or not; `begun` is the time at which the
+    /// first attempt was prepared.
+    pub(crate) fn new(exact: Exact, attempts: Attempts, converged: bool, begun: f64) -> Meeting {
+        let (start, now) = (exact.positions(), clock::now());
         Meeting {
             exact,
             softening: None,
@@ -76,10 +81,11 @@ impl Meeting {
             start,
             attempts,
             best: None,
-            shown: clock::now(),
+            shown: now,
             converged,
             has_ended: false,
             error: None,
+            seconds: now - begun,
         }
     }
 
@@ -185,7 +191,7 @@ impl Meeting {
             Some(best) if !self.attempts.is_best() => best,
             _ => (self.exact, self.attempts.now().clone()),
         };
-        let converged = self.converged;
-        MeetingEnd { exact, attempt, is_whole, folded_at_first, tried, chosen, converged }
+        let (converged, seconds) = (self.converged, self.seconds);
+        MeetingEnd { exact, attempt, is_whole, folded_at_first, tried, chosen, converged, seconds }
     }
 }

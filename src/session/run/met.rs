@@ -85,8 +85,8 @@ pub struct Eased {
 /// Maximum number of unmet constraints that are listed.
 const MOST_NAMED: usize = 1000;
 
-/// How well hard constraints are met. Lengths are in the unit of the mesh; numbers of work are of the
-/// attempt that found the shape.
+/// How well hard constraints are met. Lengths are in the unit of the mesh; numbers of work, but the
+/// time, are of the attempt that found the shape.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ExactReport {
@@ -125,7 +125,7 @@ pub struct ExactReport {
     pub eased: Option<Eased>,
     /// The gain of an improvement, if one was requested.
     pub improved: Option<Improved>,
-    /// Time of the attempt in seconds.
+    /// Time of all attempts in seconds.
     pub seconds: f64,
 }
 

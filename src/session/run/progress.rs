@@ -11,15 +11,12 @@ pub(crate) struct Progress {
     halfway: bool,
     /// The time that reading the files took, in seconds.
     pub(crate) load_seconds: f64,
-    /// Whether the next jump is to the end of the run: see [`Trace::end_with`].
-    ends: bool,
 }
 
 impl Progress {
     /// Begins at the input, which has these energies.
     pub(crate) fn new(initial: Energy) -> Progress {
-        let trace = None;
-        Progress { iteration: 0, initial, trace, halfway: false, load_seconds: 0.0, ends: false }
+        Progress { iteration: 0, initial, trace: None, halfway: false, load_seconds: 0.0 }
     }
 
     /// Number of iterations from the start of the scene to the current shape; undo reduces it.
@@ -47,12 +44,6 @@ impl Progress {
         self.halfway = false;
     }
 
-    /// Counts an iteration without recording its energies.
-    pub(crate) fn count(&mut self) {
-        self.halfway = false;
-        self.iteration += 1;
-    }
-
     /// Counts an iteration and records the energies after it.
     pub(crate) fn advance(&mut self, energy: Energy) {
         self.halfway = false;
@@ -62,20 +53,20 @@ impl Progress {
         }
     }
 
-    /// Declares the next jump the end of the run, after its last iteration.
-    pub(crate) fn end_next(&mut self) {
-        self.ends = true;
+    /// Records the energies of the shape that a run ends with after its last iteration.
+    pub(crate) fn end_with(&mut self, energy: Energy) {
+        self.halfway = false;
+        if let Some(trace) = &mut self.trace {
+            trace.end_with(TraceEntry::new(self.iteration, energy));
+        }
     }
 
     /// Sets the iteration count and the energies after a jump to another state.
     pub(crate) fn go_to(&mut self, iteration: u32, energy: Energy) {
         self.halfway = false;
         self.iteration = iteration;
-        let (ends, state) = (std::mem::take(&mut self.ends), TraceEntry::new(iteration, energy));
-        match &mut self.trace {
-            Some(trace) if ends => trace.end_with(state),
-            Some(trace) => trace.go_to(state),
-            None => {}
+        if let Some(trace) = &mut self.trace {
+            trace.go_to(TraceEntry::new(iteration, energy));
         }
     }
 

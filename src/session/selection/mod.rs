@@ -16,4 +16,3 @@ mod select;
 
 pub use operation::{OPERATIONS, Operation};
 pub use request::{Mode, SelectRequest, Selection};
-pub(crate) use select::select;

@@ -5,58 +5,61 @@ use super::operation::{OPERATIONS, Operation};
 use super::request::{Mode, SelectRequest, Selection, error};
 use crate::constraint::{Selector, Sets, resolve};
 use crate::scene::SceneError;
-use crate::session::report::{Measuring, face_errors, free};
+use crate::session::Session;
 use crate::session::state::RestMesh;
 use serde_json::{Map, Value};
 
-/// Returns the selection after `request`, on the current shape; indices ascending.
-///
-/// # Errors
-/// If it refers to an operation, a set or an element that does not exist, or if a parameter is not
-/// a number in its range.
-pub(crate) fn select(
-    model: &mut Measuring<'_>,
-    request: &SelectRequest,
-) -> Result<Selection, SceneError> {
-    let operation =
-        OPERATIONS.iter().find(|operation| operation.id == request.operation).ok_or_else(|| {
-            error("operation", format!("unknown selection operation `{}`", request.operation))
-        })?;
-    let elements = Elements::new(model.rest.mesh(), model.rest.topology());
-    check(&request.from, &elements)?;
-    let mode = match operation.id {
-        // The edges, because the faces along a boundary would add an inner ring of vertices.
-        "boundary" if request.mode == Mode::Faces => Mode::Edges,
-        _ => operation.gives.unwrap_or(request.mode),
-    };
-    let params = Params { operation, given: &request.params };
-    let found = match operation.id {
-        // These need more than the mesh: errors of faces, sets, or what acts on vertices.
-        "error" => with_error_above(model, params.word("measure")?, params.number("tolerance")?)?,
-        "named" => named(params.word("name")?, &model.scene.document().sets, model.rest)?,
-        "free" => Selection { vertices: free(model.scene, model.rest), ..Selection::default() },
-        _ => Selection::default(),
-    };
-    let positions = model.scene.positions();
-    let seeds = elements.marks(mode, &request.from);
-    let marks = match operation.id {
-        "all" => vec![true; elements.count(mode)],
-        "invert" => elements::not(seeds),
-        "grow" => elements.around(mode, &seeds),
-        "shrink" => elements::not(elements.around(mode, &elements::not(seeds))),
-        "to-vertices" | "to-edges" | "to-faces" => seeds,
-        "connected" => elements.connected(mode, &seeds),
-        "boundary" | "boundary-faces" => elements.boundary(mode, &seeds),
-        "loop" => elements.edge_loops(mode, &request.from),
-        "ring" => elements.edge_rings(&seeds),
-        "strip" => elements.strips(&seeds),
-        "flat" => elements.flat_patch(&seeds, params.number("angle")?, positions),
-        "sides" => elements.with_sides(params.number("sides")?),
-        "valence" => elements.with_valence(params.number("edges")?),
-        "error" | "named" | "free" => elements.marks(mode, &found),
-        id => unreachable!("{id} is declared"),
-    };
-    Ok(elements::selection(mode, &marks))
+impl Session {
+    /// Returns the selection after `request`, on the current shape; indices ascending.
+    ///
+    /// # Errors
+    /// If it refers to an operation, a set or an element that does not exist, or if a parameter is
+    /// not a number in its range.
+    pub fn select(&mut self, request: &SelectRequest) -> Result<Selection, SceneError> {
+        let operation = OPERATIONS
+            .iter()
+            .find(|operation| operation.id == request.operation)
+            .ok_or_else(|| {
+                error("operation", format!("unknown selection operation `{}`", request.operation))
+            })?;
+        check(&request.from, &Elements::new(self.mesh(), self.topology()))?;
+        let mode = match operation.id {
+            // The edges, because the faces along a boundary would add an inner ring of vertices.
+            "boundary" if request.mode == Mode::Faces => Mode::Edges,
+            _ => operation.gives.unwrap_or(request.mode),
+        };
+        let params = Params { operation, given: &request.params };
+        let found = match operation.id {
+            // These need more than the mesh: errors of faces, sets, or what acts on vertices.
+            "error" => {
+                with_error_above(self, params.word("measure")?, params.number("tolerance")?)?
+            }
+            "named" => named(params.word("name")?, &self.document().sets, &self.rest)?,
+            "free" => Selection { vertices: self.free(), ..Selection::default() },
+            _ => Selection::default(),
+        };
+        let elements = Elements::new(self.mesh(), self.topology());
+        let positions = self.scene.positions();
+        let seeds = elements.marks(mode, &request.from);
+        let marks = match operation.id {
+            "all" => vec![true; elements.count(mode)],
+            "invert" => elements::not(seeds),
+            "grow" => elements.around(mode, &seeds),
+            "shrink" => elements::not(elements.around(mode, &elements::not(seeds))),
+            "to-vertices" | "to-edges" | "to-faces" => seeds,
+            "connected" => elements.connected(mode, &seeds),
+            "boundary" | "boundary-faces" => elements.boundary(mode, &seeds),
+            "loop" => elements.edge_loops(mode, &request.from),
+            "ring" => elements.edge_rings(&seeds),
+            "strip" => elements.strips(&seeds),
+            "flat" => elements.flat_patch(&seeds, params.number("angle")?, positions),
+            "sides" => elements.with_sides(params.number("sides")?),
+            "valence" => elements.with_valence(params.number("edges")?),
+            "error" | "named" | "free" => elements.marks(mode, &found),
+            id => unreachable!("{id} is declared"),
+        };
+        Ok(elements::selection(mode, &marks))
+    }
 }
 
 impl Elements<'_> {
@@ -74,11 +77,12 @@ impl Elements<'_> {
 /// Returns the faces of the current shape whose error is above `tolerance`; `measure` is one of
 /// [`crate::session::FACE_MEASURES`], and the tolerance is in its unit.
 fn with_error_above(
-    model: &mut Measuring<'_>,
+    session: &mut Session,
     measure: String,
     tolerance: f64,
 ) -> Result<Selection, SceneError> {
-    let errors = face_errors(model, &measure)
+    let errors = session
+        .face_errors(&measure)
         .ok_or_else(|| error("measure", format!("unknown measure of faces `{measure}`")))?;
     let above = (0..).zip(errors).filter(|&(_, error)| error > tolerance);
     Ok(Selection { faces: above.map(|(face, _)| face).collect(), ..Selection::default() })

@@ -468,12 +468,11 @@ fn bytes_of_lesson(lesson: &Lesson) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::MeshSource;
 
     #[test]
     fn a_boundary_that_the_user_has_set_keeps_its_corners_and_weight() {
         // An attempt replaced them by the defaults, for good, and made exact what was held softly.
-        let mut settings = Settings::of(&Scene::new(MeshSource::Inline(Box::default())));
+        let mut settings = Settings::of(&Scene::default());
         let own = BoundaryCloseness { weight: 5.0, corners: 30.0, ..BoundaryCloseness::default() };
         settings.boundary = Some(own);
         let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..own };
@@ -486,7 +485,7 @@ mod tests {
     fn surfaces_that_were_tried_count_towards_the_limit_of_undo_once() {
         // The meshes of all of them stayed in memory.
         let mesh = || Mesh { positions: vec![[0.0; 3]; 1000], ..Mesh::default() };
-        let mut settings = Settings::of(&Scene::new(MeshSource::Inline(Box::default())));
+        let mut settings = Settings::of(&Scene::default());
         assert_eq!(settings.bytes_beside(None), 0);
         settings.target = Some(Target::Mesh(Rc::new(mesh())));
         let same = settings.clone();

@@ -72,7 +72,7 @@ impl Suggestions {
         };
         trial.iterations += 1;
         // An edit that makes positions non-finite does not help.
-        let ended = self.session.step().map_or(true, |step| step.converged);
+        let ended = self.session.step().map_or(true, |step| step.ended);
         if ended || trial.iterations >= ITERATIONS {
             self.end_current()?;
         }
@@ -98,7 +98,9 @@ impl Suggestions {
     fn end_current(&mut self) -> Result<(), Error> {
         let Some(Trial { label, edit, .. }) = self.current.take() else { return Ok(()) };
         let worst = worst(&self.session);
-        if worst < HELPS * self.before && self.session.moved().max < self.far() {
+        // Nor does an edit help whose run would be stopped.
+        let is_whole = self.session.collapse().is_none();
+        if worst < HELPS * self.before && is_whole && self.session.moved().max < self.far() {
             let place = self.found.partition_point(|other| other.worst <= worst);
             self.found.insert(place, Suggestion { label, edit, worst });
         }

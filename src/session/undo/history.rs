@@ -3,7 +3,8 @@
 use crate::mesh::Point;
 use crate::scene::Scene;
 use crate::session::run::Start;
-use crate::session::state::{RestMesh, SceneChange};
+use crate::session::state::{RestMesh, SceneChange, Settings};
+use std::mem::size_of_val;
 use std::rc::Rc;
 
 /// Memory limit in bytes; the steps that are farthest from now are dropped first.
@@ -27,7 +28,12 @@ impl Change {
         let start =
             self.start.as_ref().filter(|start| !known.is_some_and(|s| Rc::ptr_eq(s, start)));
         let scene = self.scene.bytes_beside(other.map(|other| &other.scene));
-        let other = self.other.as_ref().map_or(0, |other| other.0.bytes());
+        // Its shapes are not those of the document: each was carried over to the mesh.
+        let other = self.other.as_ref().map_or(0, |other| {
+            let (rest, document) = &**other;
+            let kept = document.variants.kept.iter().map(|it| size_of_val(&*it.positions));
+            rest.bytes() + kept.sum::<usize>() + Settings::of(document).bytes_beside(None)
+        });
         scene + other + start.map_or(0, |start| start.bytes())
     }
 }

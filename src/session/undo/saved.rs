@@ -100,25 +100,22 @@ pub(crate) fn write_history(
         // The changes are from one state to the next, and written beside the last one written.
         let (mut near, mut at, mut mesh) = (now.clone(), begun.clone(), mesh);
         let (mut written, mut count) = (Vec::new(), 0);
-        if let Some(name) = first {
-            write_bytes(&mut written, name.as_bytes());
-            written.push(SAME);
-            write(&mut written, &at, Some(&near), mesh);
-            (near, count) = (at.clone(), 1);
-        }
-        for (name, change) in steps.iter().rev().take(LIMIT_STEPS) {
+        let steps = steps.iter().rev().map(|(name, change)| (name, Some(change)));
+        for (name, change) in first.iter().map(|name| (name, None)).chain(steps).take(LIMIT_STEPS) {
             let before = written.len();
             write_bytes(&mut written, name.as_bytes());
-            if let Some((rest, document)) = change.other.as_deref() {
+            let other = change.and_then(|change| change.other.as_deref());
+            if let Some((rest, document)) = other {
                 mesh = rest.mesh();
                 at.document.clone_from(document);
-                at.follow(change);
+            }
+            change.into_iter().for_each(|change| at.follow(change));
+            if other.is_some() {
                 written.push(OTHER);
                 let holder = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
                 write_bytes(&mut written, holder.to_json(mesh).as_bytes());
                 write(&mut written, &at, None, mesh);
             } else {
-                at.follow(change);
                 written.push(SAME);
                 write(&mut written, &at, Some(&near), mesh);
             }

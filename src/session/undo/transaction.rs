@@ -1,10 +1,12 @@
 //! A drag or run under way: many changes that become one step of undo.
 
 use super::history::Change;
+use crate::mesh::Point;
 use crate::session::run::{ExactReport, Met};
-use crate::session::state::SceneChange;
+use crate::session::state::{SceneChange, SolvedScene, same_positions};
 use crate::solve::Handle;
 use crate::words;
+use std::rc::Rc;
 
 /// A drag, run or variation that has begun and is not yet a step of undo.
 pub(crate) struct Transaction {
@@ -83,14 +85,14 @@ impl Transaction {
         self.back.scene.parts.extend(back.parts);
     }
 
-    /// The name of the step that it would be if it ended in the state with these handles, after this
-    /// number of iterations; none if it would be none of its own.
-    pub(crate) fn name_of_step(&self, now: &[Handle], iteration: u32) -> Option<String> {
+    /// The name of the step that it would be if it ended now, after this number of iterations; none if it
+    /// would be none of its own.
+    pub(crate) fn name_of_step(&self, now: &SolvedScene, iteration: u32) -> Option<String> {
         match self.kind {
             TransactionKind::Variation(_) => Some(Transaction::VARIATION.to_owned()),
             _ if self.joins_last => None,
-            TransactionKind::Drag => self.name_of_drag(now),
-            TransactionKind::Run => self.name_of_run(iteration),
+            TransactionKind::Drag => self.name_of_drag(now.handles()),
+            TransactionKind::Run => self.name_of_run(now.positions(), iteration),
         }
     }
 
@@ -107,10 +109,15 @@ impl Transaction {
         }
     }
 
-    /// Returns the name of the step of a run that ends at `iteration`; none without iterations.
-    pub(crate) fn name_of_run(&self, iteration: u32) -> Option<String> {
+    /// Returns the name of the step of a run that ends with the shape `now` (`#V by 3`) at `iteration`;
+    /// none if it has changed nothing. Hard constraints may have been met without iterating.
+    pub(crate) fn name_of_run(&self, now: &Rc<[Point]>, iteration: u32) -> Option<String> {
         let iterations = iteration.saturating_sub(self.back.iteration);
-        let words = words::count(iterations as usize, "iteration", "iterations");
-        (iterations > 0).then(|| format!("Run, {words}"))
+        if iterations > 0 {
+            let iterations = words::count(iterations as usize, "iteration", "iterations");
+            return Some(format!("Run, {iterations}"));
+        }
+        let SceneChange { parts, positions, .. } = &self.back.scene;
+        (!parts.is_empty() || !same_positions(positions, now)).then(|| "Run".to_owned())
     }
 }
