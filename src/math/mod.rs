@@ -19,6 +19,7 @@
 //! | `elementary` | angles, sine and cosine, cube root |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `indices` | sorting by integer keys, marked elements |
+//! | `limited_memory` | the inverse of a Hessian from the last steps of a descent |
 
 mod alignment;
 mod circle_fit;
@@ -29,6 +30,7 @@ mod eigenvector;
 mod elementary;
 mod indices;
 mod lane;
+mod limited_memory;
 mod nearest_centre;
 mod nearest_points;
 mod orthogonal_pair;
@@ -53,6 +55,7 @@ pub use eigenvector::Eigenvector;
 pub use elementary::{angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, sine};
 pub use indices::{argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};
+pub use limited_memory::{LimitedMemory, inner_product};
 pub use nearest_points::NearestPoints;
 pub use orthogonal_pair::OrthogonalPair;
 pub use polygon::{plane_frame, polygon_corners, polygon_sides, twice_vector_area};
@@ -65,4 +68,4 @@ pub use round_within::{PrincipalRound, RoundWithin};
 pub use singular::SingularValues;
 pub use symmetric3::{Scatter, Symmetric3};
 pub use unit_polygon::UnitPolygon;
-pub use vec3::{Vec3, centre, in_range, largest_coordinate};
+pub use vec3::{Vec3, centre, in_range, largest_coordinate, mean};
