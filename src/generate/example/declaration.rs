@@ -17,8 +17,6 @@ pub struct Example {
     pub summary: &'static str,
     /// The result of solving it with its own settings, in one sentence; tests check it.
     pub statement: &'static str,
-    /// Extension of its mesh file: `obj`, or `mesh` (Medit) for tetrahedra.
-    pub(super) ending: &'static str,
     pub(super) make: fn(&mut Scene) -> Mesh,
 }
 
@@ -28,9 +26,9 @@ impl Example {
         format!("{}.shapeup.json", self.id)
     }
 
-    /// The name of its mesh file, in the same folder.
+    /// The name of its mesh file, in the same folder: OBJ, or Medit for tetrahedra, which its own name says.
     pub fn mesh_file(&self) -> String {
-        format!("{}.{}", self.id, self.ending)
+        format!("{}.{}", self.id, if self.id.ends_with("-tets") { "mesh" } else { "obj" })
     }
 
     /// The scene, which refers to its mesh file by name, and the mesh.

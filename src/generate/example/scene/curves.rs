@@ -13,7 +13,6 @@ pub(super) const LANTERN: Example = Example {
     title: "Lantern, pulled out of the round",
     summary: "The rim is lifted, widened and tilted: the panels change in size and position, but their corners stay on circles.",
     statement: "All corners stay within 2 cm of the circles of their panels, and the panels are less than 4 mm from circular on average.",
-    ending: "obj",
     make: lantern,
 };
 
@@ -22,7 +21,6 @@ pub(super) const WEB: Example = Example {
     title: "Web of circular arcs",
     summary: "Every line of edges, in both directions, bends to one circular arc while the handles pull, and the panels keep their proportions.",
     statement: "The lines, up to 6 m from circles once the handles have moved, come within 10 cm of them.",
-    ending: "obj",
     make: web,
 };
 
@@ -72,7 +70,6 @@ pub(super) const SLABS: Example = Example {
     title: "Tower of flat slabs and round ribs",
     summary: "Every second line around the wavy tower becomes flat, as a floor slab has to be, and the lines between become circles; the panels follow.",
     statement: "Slabs that are up to 57 cm from a plane come within 2 mm of one; ribs that are up to 1 m from a circle come within 5 mm of one.",
-    ending: "obj",
     make: slabs,
 };
 
@@ -81,7 +78,6 @@ pub(super) const POINTS: Example = Example {
     title: "Pavilion of points, surveyed and set right",
     summary: "There are no faces here, only groups of inaccurate points: those of the dome settle on a sphere, those of floor and wall on planes, those of each column on a line.",
     statement: "Points that are up to 35 cm from the sphere, plane or line of their group come within 5 mm of it.",
-    ending: "obj",
     make: points,
 };
 

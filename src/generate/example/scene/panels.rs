@@ -12,7 +12,6 @@ pub(super) const PLANAR: Example = Example {
     title: "Hall of flat panels",
     summary: "Colour the panels by planarity and run: two thousand bent panels become flat, and the roof keeps its shape.",
     statement: "With the paper's weights the panels, 8.5 mm from flat on average, come to less than 2.2 mm.",
-    ending: "obj",
     make: |scene| quads(scene, "plane"),
 };
 
@@ -21,7 +20,6 @@ pub(super) const CIRCULAR: Example = Example {
     title: "Hall of circular panels",
     summary: "Colour the panels by circularity and run: the four corners of each panel come to lie on a circle, which makes them flat as well.",
     statement: "With the paper's weights the panels, 22 cm from circular on average, come to less than 4 mm.",
-    ending: "obj",
     make: |scene| quads(scene, "circle"),
 };
 
@@ -30,7 +28,6 @@ pub(super) const MIXED: Example = Example {
     title: "Hall of hexagons and other polygons",
     summary: "Nothing here is limited to quads: hexagons, pentagons, heptagons and the pieces along the border all come closer to circles by the same rule.",
     statement: "With the paper's weights the panels, 29 cm from circular on average, come to less than 5 cm.",
-    ending: "obj",
     make: mixed,
 };
 
@@ -69,7 +66,6 @@ pub(super) const SQUARES: Example = Example {
     title: "Skew panels become squares",
     summary: "Press Half step, under Shape, Weights and solver, again and again: the local step finds the square that fits each panel best, and the global step moves each vertex to the middle between the corners of its squares.",
     statement: "Corners that are up to 39 cm from the best square of their panel come within 2 cm in 200 plain iterations.",
-    ending: "obj",
     make: squares,
 };
 
@@ -86,7 +82,6 @@ pub(super) const ARCHWAY: Example = Example {
     title: "Gatehouse with better quads",
     summary: "Uneven panels become more like squares: corners of panels glide over the surface, those on a crease only along it, and those where creases meet stay in place.",
     statement: "Of all corners of panels, 30 per cent are within 10 degrees of a right angle before, and more than 90 per cent after; vertices on a crease stay within 5 mm of it.",
-    ending: "obj",
     make: archway,
 };
 
@@ -111,7 +106,6 @@ pub(super) const STRIP: Example = Example {
     title: "Strip with collapsing edges",
     summary: "Both long sides are fixed, and circular panels and fairness conflict in between: where both cannot be satisfied, edges shrink to almost nothing.",
     statement: "The corners, up to 38 mm from the circles of their panels, come within 7 mm, and the shortest edge falls from 24 cm to less than 2 cm.",
-    ending: "obj",
     make: strip,
 };
 
