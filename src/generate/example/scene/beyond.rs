@@ -107,7 +107,7 @@ fn fit(scene: &mut Scene) -> Mesh {
 }
 
 fn transfer(scene: &mut Scene) -> Mesh {
-    let tower = Tower { meridians: 32, rows: 20, ..Tower::default() };
+    let tower = Tower { meridians: 32, rows: 20 };
     let upright = tower.mesh();
     // The leaning pose; its foot stays in place, for the handles.
     let mut posed = upright.positions.clone();

@@ -4,7 +4,7 @@
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::{Element, Selector, Set};
 use crate::generate::example::Example;
-use crate::generate::model::{Lantern, Net, Pavilion, Tower};
+use crate::generate::model::{Lantern, Net, Tower, pavilion};
 use crate::mesh::Mesh;
 use crate::scene::{ClosenessTo, Scene, Smoothness, SmoothnessOf, Weighting, Weights};
 
@@ -44,14 +44,13 @@ fn lantern(scene: &mut Scene) -> Mesh {
 }
 
 fn web(scene: &mut Scene) -> Mesh {
-    let net = Net::default();
-    let mesh = net.mesh();
+    let mesh = Net::mesh();
     scene.constraints = vec![
         constraint("circle", each(Element::Curve), 10.0),
         constraint("similar", each(Element::Face), 1.0),
     ];
     scene.closeness.to = ClosenessTo::None;
-    let [nx, ny] = net.panels.map(|n| n as u32);
+    let [nx, ny] = Net::PANELS.map(|n| n as u32);
     let vertex = |i: u32, j: u32| j * (nx + 1) + i;
     // The corners are fixed; the middle of one long side is lifted and pulled out, the other
     // lowered.
@@ -104,7 +103,7 @@ fn slabs(scene: &mut Scene) -> Mesh {
 }
 
 fn points(scene: &mut Scene) -> Mesh {
-    let (mesh, groups) = Pavilion::default().cloud();
+    let (mesh, groups) = pavilion();
     for (name, vertices) in groups {
         let kind = match name.as_str() {
             "dome" => "sphere",

@@ -96,14 +96,13 @@ fn dome(scene: &mut Scene) -> Mesh {
 }
 
 fn hypar(scene: &mut Scene) -> Mesh {
-    let hypar = Hypar::default();
     scene.constraints = vec![
         constraint("line", each(Element::Curve), 1.0),
         constraint("plane", each(Element::Face), 0.1),
     ];
     // The beams along the sides are already straight.
-    scene.handles = vec![fixed(hypar.sides())];
+    scene.handles = vec![fixed(Hypar::sides())];
     scene.weights = Weights { shape: 10.0, close: 0.0, smooth: 0.01 };
     scene.closeness.to = ClosenessTo::None;
-    hypar.mesh()
+    Hypar::mesh()
 }

@@ -2,7 +2,7 @@
 //! command line's `parametrize` flatten their meshes.
 
 use crate::generate::example::Example;
-use crate::generate::model::{Mask, Mounds, opened};
+use crate::generate::model::{self, Mounds, opened};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 
@@ -23,7 +23,7 @@ pub(super) const POLYGONS: Example = Example {
 };
 
 fn mask(_: &mut Scene) -> Mesh {
-    Mask::default().mesh()
+    model::mask()
 }
 
 fn polygons(_: &mut Scene) -> Mesh {

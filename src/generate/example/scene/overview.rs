@@ -62,12 +62,10 @@ fn overview(scene: &mut Scene) -> Mesh {
 }
 
 fn triangles(scene: &mut Scene) -> Mesh {
-    let vase = Vase::default();
-    let mesh = vase.mesh();
-    let rings = |rings: std::ops::RangeInclusive<u32>| -> Vec<u32> {
-        rings.flat_map(|k| vase.ring(k)).collect()
-    };
-    let (foot, rim) = (rings(0..=3), rings(vase.rows..=vase.rows));
+    let mesh = Vase::mesh();
+    let rings =
+        |rings: std::ops::RangeInclusive<u32>| -> Vec<u32> { rings.flat_map(Vase::ring).collect() };
+    let (foot, rim) = (rings(0..=3), rings(Vase::ROWS..=Vase::ROWS));
     for (name, vertices) in [("foot", foot), ("belly", rings(6..=16)), ("rim", rim.clone())] {
         scene.sets.insert(name.to_owned(), Set { vertices, faces: Vec::new() });
     }
@@ -81,7 +79,7 @@ fn triangles(scene: &mut Scene) -> Mesh {
     // The foot is fixed; one side of the rim is pulled.
     let lip = rim[0];
     scene.handles = vec![
-        fixed(vase.ring(0).collect()),
+        fixed(Vase::ring(0).collect()),
         moved(&mesh, vec![lip], |[x, y, z]| [x + 2.5, y, z - 0.5]),
     ];
     scene.weights = Weights { shape: 10.0, close: 0.0, smooth: 0.1 };

@@ -3,7 +3,7 @@
 use super::parts::{constraint, each, fixed};
 use crate::constraint::Element;
 use crate::generate::example::Example;
-use crate::generate::model::{Archway, Hall, Patch, Strip, honeycomb};
+use crate::generate::model::{self, Hall, Patch, Strip, honeycomb};
 use crate::mesh::Mesh;
 use crate::scene::{Accelerator, BoundaryCloseness, ClosenessTo, Scene, Weights};
 
@@ -38,16 +38,15 @@ fn quads(scene: &mut Scene, kind: &str) -> Mesh {
 
 fn mixed(scene: &mut Scene) -> Mesh {
     const WIDTH: f64 = 1.5;
-    let hall = Hall::default();
     shaped(scene, "circle");
     // Rows of hexagons are closer together than hexagons are wide.
-    let rows = (hall.length / (0.866 * WIDTH)) as usize;
+    let rows = (Hall::LENGTH / (0.866 * WIDTH)) as usize;
     honeycomb(
         rows,
-        |u| (hall.girth(u) / WIDTH) as usize,
+        |u| (Hall::girth(u) / WIDTH) as usize,
         |u, v| {
-            let [u, v] = hall.askew(u, v);
-            hall.point(u, v)
+            let [u, v] = Hall::askew(u, v);
+            Hall::point(u, v)
         },
     )
 }
@@ -86,7 +85,7 @@ pub(super) const ARCHWAY: Example = Example {
 };
 
 fn archway(scene: &mut Scene) -> Mesh {
-    let mesh = Archway::default().mesh();
+    let mesh = model::archway();
     scene.constraints = vec![
         constraint("square", each(Element::Face), 1.0),
         // Each crease is a group. They are few and have to be kept, hence the large weight.
