@@ -1,30 +1,22 @@
 //! Curvature estimates of descent methods, from their steps.
 
-use std::collections::VecDeque;
+use crate::math::{LimitedMemory, inner_product};
 
 /// Approximation of the inverse Hessian from the steps `s` and the changes `y` of the gradient
 /// along them. It is the identity before the first step.
 pub(super) enum Curvature {
     /// None: gradient descent.
     Ignored,
-    /// L-BFGS (Nocedal and Wright, Algorithm 7.4): the last `window` steps, the oldest first.
-    Recent { pairs: VecDeque<Pair>, window: usize },
+    /// L-BFGS.
+    Recent(LimitedMemory),
     /// BFGS (Algorithm 6.1): the matrix, `n by n`, and whether it has been updated.
     Dense { inverse: Vec<f64>, learned: bool },
-}
-
-/// A step and the change of the gradient along it.
-pub(super) struct Pair {
-    s: Vec<f64>,
-    y: Vec<f64>,
-    /// `s . y`
-    curvature: f64,
 }
 
 impl Curvature {
     /// L-BFGS.
     pub(super) fn recent(window: usize) -> Curvature {
-        Curvature::Recent { pairs: VecDeque::new(), window }
+        Curvature::Recent(LimitedMemory::of(window))
     }
 
     /// BFGS for `n` unknowns.
@@ -36,7 +28,7 @@ impl Curvature {
     pub(super) fn has_learned(&self) -> bool {
         match self {
             Curvature::Ignored => false,
-            Curvature::Recent { pairs, .. } => !pairs.is_empty(),
+            Curvature::Recent(memory) => !memory.is_empty(),
             Curvature::Dense { learned, .. } => *learned,
         }
     }
@@ -45,7 +37,7 @@ impl Curvature {
     pub(super) fn forget(&mut self) {
         match self {
             Curvature::Ignored => {}
-            Curvature::Recent { pairs, .. } => pairs.clear(),
+            Curvature::Recent(memory) => memory.forget(),
             Curvature::Dense { inverse, learned } => {
                 *inverse = identity(inverse.len().isqrt());
                 *learned = false;
@@ -57,32 +49,29 @@ impl Curvature {
     pub(super) fn direction(&self, gradient: &[f64]) -> Vec<f64> {
         let mut q = match self {
             Curvature::Dense { inverse, learned: true } => product(inverse, gradient),
-            Curvature::Recent { pairs, .. } => two_loops(pairs, gradient),
             _ => gradient.to_vec(),
         };
+        if let Curvature::Recent(memory) = self {
+            memory.apply(&mut q);
+        }
         q.iter_mut().for_each(|q| *q = -*q);
         q
     }
 
     /// Updates the approximation with a step, unless the gradient does not grow along it.
     pub(super) fn learn(&mut self, s: Vec<f64>, y: Vec<f64>) {
-        let curvature = dot(&s, &y);
+        let curvature = inner_product(&s, &y);
         let is_convex = curvature > 0.0;
         if !is_convex {
             return;
         }
         match self {
             Curvature::Ignored => {}
-            Curvature::Recent { pairs, window } => {
-                if pairs.len() == *window {
-                    pairs.pop_front();
-                }
-                pairs.push_back(Pair { s, y, curvature });
-            }
+            Curvature::Recent(memory) => memory.learn(s, y),
             Curvature::Dense { inverse, learned } => {
                 if !*learned {
                     // Scaling from the first step (6.20).
-                    let scale = curvature / dot(&y, &y);
+                    let scale = curvature / inner_product(&y, &y);
                     inverse.iter_mut().for_each(|entry| *entry *= scale);
                     *learned = true;
                 }
@@ -92,29 +81,10 @@ impl Curvature {
     }
 }
 
-/// Two-loop recursion (Algorithm 7.4).
-fn two_loops(pairs: &VecDeque<Pair>, gradient: &[f64]) -> Vec<f64> {
-    let mut q = gradient.to_vec();
-    let mut alphas = Vec::new();
-    for pair in pairs.iter().rev() {
-        let alpha = dot(&pair.s, &q) / pair.curvature;
-        add_scaled(&mut q, -alpha, &pair.y);
-        alphas.push(alpha);
-    }
-    let newest = pairs.back();
-    let scale = newest.map_or(1.0, |pair| pair.curvature / dot(&pair.y, &pair.y));
-    q.iter_mut().for_each(|q| *q *= scale);
-    for (pair, alpha) in pairs.iter().zip(alphas.iter().rev()) {
-        let beta = dot(&pair.y, &q) / pair.curvature;
-        add_scaled(&mut q, alpha - beta, &pair.s);
-    }
-    q
-}
-
 /// `H <- (I - s y' / c) H (I - y s' / c) + s s' / c` with `c = s . y` (6.17), expanded.
 fn update(inverse: &mut [f64], s: &[f64], y: &[f64], curvature: f64) {
     let along = product(inverse, y);
-    let own = (1.0 + dot(y, &along) / curvature) / curvature;
+    let own = (1.0 + inner_product(y, &along) / curvature) / curvature;
     for ((row, &s_row), &along_row) in inverse.chunks_exact_mut(s.len()).zip(s).zip(&along) {
         let (by_s, by_along) = (own * s_row - along_row / curvature, -s_row / curvature);
         for ((entry, &s), &along) in row.iter_mut().zip(s).zip(&along) {
@@ -130,12 +100,7 @@ fn identity(n: usize) -> Vec<f64> {
 }
 
 fn product(matrix: &[f64], x: &[f64]) -> Vec<f64> {
-    matrix.chunks_exact(x.len()).map(|row| dot(row, x)).collect()
-}
-
-/// Dot product, summed in the same order on every machine.
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    matrix.chunks_exact(x.len()).map(|row| inner_product(row, x)).collect()
 }
 
 /// `y += factor * x`.
@@ -155,13 +120,13 @@ mod tests {
     /// As many conjugate steps as unknowns determine the Hessian.
     #[test]
     fn as_many_conjugate_steps_as_unknowns_teach_a_quadratic() {
-        let times = |x: &[f64]| HESSIAN.map(|row| dot(&row, x)).to_vec();
+        let times = |x: &[f64]| HESSIAN.map(|row| inner_product(&row, x)).to_vec();
         let mut conjugate: Vec<Vec<f64>> = Vec::new();
         for k in 0..3 {
             let mut s = vec![0.0; 3];
             s[k] = 1.0;
             for other in &conjugate {
-                let part = dot(&times(other), &s) / dot(&times(other), other);
+                let part = inner_product(&times(other), &s) / inner_product(&times(other), other);
                 add_scaled(&mut s, -part, other);
             }
             conjugate.push(s);

@@ -1,9 +1,10 @@
 //! Methods that use only the total energy and its gradient, the sum of `2 w_i (x - P_i(x))`
 //! (Appendix A). The projections are not differentiated, and no linear system is solved.
 
-use super::curvature::{Curvature, add_scaled, dot};
+use super::curvature::{Curvature, add_scaled};
 use super::declaration::{Method, Step};
 use super::line_search::{Along, wolfe_step};
+use crate::math::inner_product;
 use crate::mesh::{Mesh, Point};
 use crate::scene::Scene;
 use crate::session::Error;
@@ -64,13 +65,13 @@ impl Descent {
 impl Method for Descent {
     fn step(&mut self) -> Result<Step, Error> {
         let mut direction = self.curvature.direction(&self.gradient);
-        let mut slope = dot(&direction, &self.gradient);
+        let mut slope = inner_product(&direction, &self.gradient);
         // Written so that NaN also resets the curvature.
         let falls = slope < 0.0;
         if !falls {
             self.curvature.forget();
             direction = self.curvature.direction(&self.gradient);
-            slope = dot(&direction, &self.gradient);
+            slope = inner_product(&direction, &self.gradient);
         }
         if slope == 0.0 {
             return Ok(Step::Stalled);
@@ -86,7 +87,7 @@ impl Method for Descent {
             energy = solver.energy().total;
             gradient.clear();
             gradient.extend(solver.gradient().flatten());
-            Along { value: energy, slope: dot(&direction, &gradient) }
+            Along { value: energy, slope: inner_product(&direction, &gradient) }
         });
         let Some(step) = found else {
             if !self.curvature.has_learned() {

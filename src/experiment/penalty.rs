@@ -67,8 +67,8 @@ impl Measured {
     fn new(mesh: &Mesh, topology: &Topology) -> Measured {
         Measured {
             faces: mesh.faces.clone(),
-            edges: topology.edges().to_vec(),
-            diameter: mesh.size(),
+            edges: topology.body_edges().collect(),
+            diameter: mesh.bounding_diameter(),
         }
     }
 
@@ -253,5 +253,32 @@ impl Continuation {
         // The remaining distance decreases as the weight grows, and the error is its square.
         self.weight *= ratio.sqrt().clamp(1.0 / GREATEST_CHANGE, GREATEST_CHANGE);
         (ratio - 1.0).abs() <= TOLERANCE
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// It was relative to the faces alone, and a guide line could be the shortest edge.
+    #[test]
+    fn guide_lines_count_in_the_scale_of_the_error_and_not_among_the_edges() {
+        let mesh = Mesh {
+            positions: vec![
+                [0.0, 0.0, 0.0],
+                [2.0, 0.0, 0.0],
+                [3.0, 1.0, 0.0],
+                [0.0, 1.0, 0.0],
+                [9.0, 0.0, 0.0],
+                [9.0, 0.1, 0.0],
+            ],
+            faces: [[0, 1, 2, 3]].iter().collect(),
+            curves: [[4, 5]].iter().collect(),
+            ..Mesh::default()
+        };
+        let at = &mesh.positions;
+        let values = Measured::new(&mesh, &Topology::new(&mesh)).values(0.0, at);
+        let error = Measures::new(at, &mesh.faces, mesh.bounding_diameter()).circularity.e_c_mean;
+        assert_eq!(values, [0.0, error, 1.0]);
     }
 }

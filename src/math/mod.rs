@@ -20,6 +20,7 @@
 //! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `indices` | sorting by integer keys, marked elements |
 //! | `ragged` | lists of lists of indices |
+//! | `limited_memory` | the inverse of a Hessian from the last steps of a descent |
 
 mod alignment;
 mod circle_fit;
@@ -30,6 +31,7 @@ mod eigenvector;
 mod elementary;
 mod indices;
 mod lane;
+mod limited_memory;
 mod nearest_centre;
 mod nearest_points;
 mod orthogonal_pair;
@@ -55,6 +57,7 @@ pub use eigenvector::Eigenvector;
 pub use elementary::{angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, sine};
 pub use indices::{argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};
+pub use limited_memory::{LimitedMemory, inner_product};
 pub use nearest_points::NearestPoints;
 pub use orthogonal_pair::OrthogonalPair;
 pub use polygon::{plane_frame, polygon_corners, polygon_sides, twice_vector_area};
@@ -68,4 +71,4 @@ pub use round_within::{PrincipalRound, RoundWithin};
 pub use singular::SingularValues;
 pub use symmetric3::{Scatter, Symmetric3};
 pub use unit_polygon::UnitPolygon;
-pub use vec3::{Vec3, centre, in_range, largest_coordinate};
+pub use vec3::{Vec3, centre, in_range, largest_coordinate, mean};

@@ -114,6 +114,16 @@ impl Vec3<f64> {
     }
 }
 
+/// Returns the mean of points, summed in their order; zero without any.
+pub fn mean(points: impl IntoIterator<Item = Vec3<f64>>) -> Vec3<f64> {
+    let (mut sum, mut count) = (Vec3::zero(), 0.0);
+    for point in points {
+        sum += point;
+        count += 1.0;
+    }
+    sum * (1.0 / f64::max(count, 1.0))
+}
+
 /// Subtracts the mean from the points, `N_i` of paper Eq. 5, and returns the mean.
 #[inline(always)]
 pub fn centre<S: Lane>(points: &mut [Vec3<S>]) -> Vec3<S> {

@@ -1,8 +1,8 @@
 //! Problems of a mesh as a whole: unused vertices, open seams, duplicate faces, non-manifold edges.
 
-use super::half_edges::{HalfEdge, half_edges};
 use super::problem::{DiagnosticCounts, MeshProblem, ProblemKind};
 use super::seams::{seams, seams_of};
+use super::sides::{Side, sides_of_faces};
 use super::{Mesh, Point};
 use crate::math::{argsort, key_of_number, marked};
 
@@ -39,7 +39,7 @@ pub fn elements_with_problem(mesh: &Mesh, kind: ProblemKind) -> ElementsWithProb
         }
         ProblemKind::DuplicateFace => elements_with_problem.faces = duplicates(mesh),
         ProblemKind::NonManifoldEdge | ProblemKind::FlippedNeighbour => {
-            let sides = half_edges(mesh);
+            let sides = sides_of_faces(mesh);
             let edges = sides.chunk_by(|a, b| a.ends == b.ends);
             elements_with_problem.edges = edges
                 .filter(|edge| problem_of(edge) == Some(kind))
@@ -51,10 +51,10 @@ pub fn elements_with_problem(mesh: &Mesh, kind: ProblemKind) -> ElementsWithProb
     elements_with_problem
 }
 
-/// Returns the problem of the edge with these half-edges, if any.
-fn problem_of(edge: &[HalfEdge]) -> Option<ProblemKind> {
+/// Returns the problem of the edge with these sides, if any.
+fn problem_of(edge: &[Side]) -> Option<ProblemKind> {
     match edge {
-        [a, b] if a.ascending == b.ascending => Some(ProblemKind::FlippedNeighbour),
+        [a, b] if a.ascends == b.ascends => Some(ProblemKind::FlippedNeighbour),
         [_] | [_, _] => None,
         _ => Some(ProblemKind::NonManifoldEdge),
     }
@@ -72,7 +72,7 @@ pub(super) fn examine(
     for vertex in unused(mesh) {
         counts.add(ProblemKind::UnusedVertex, line(vertex_lines, vertex));
     }
-    let sides = half_edges(mesh);
+    let sides = sides_of_faces(mesh);
     for [vertex, _] in seams_of(mesh, &sides) {
         counts.add(ProblemKind::UnjoinedVertex, line(vertex_lines, vertex as usize));
     }
@@ -81,7 +81,8 @@ pub(super) fn examine(
     }
     for edge in sides.chunk_by(|a, b| a.ends == b.ends) {
         if let Some(kind) = problem_of(edge) {
-            counts.add(kind, line(face_lines, edge[edge.len() - 1].face as usize));
+            let face = edge.last().and_then(|side| side.face);
+            counts.add(kind, face.and_then(|face| line(face_lines, face as usize)));
         }
     }
 }

@@ -8,7 +8,7 @@
 //! | `bounds` | bounding sphere and box, and the limit on coordinates |
 //! | `problem` | kinds and counts of the problems that do not stop reading a file |
 //! | `diagnostics` | the problems of a mesh as a whole: unused vertices, duplicate faces, non-manifold edges |
-//! | `half_edges` | the sides of faces, grouped by edge |
+//! | `sides` | the sides of all elements, grouped by edge |
 //! | `coincident` | vertices at one place, up to rounding |
 //! | `seams` | boundary vertices that lie on others without being joined |
 //! | `io` | reading and writing mesh files |
@@ -27,13 +27,13 @@ mod curvature;
 mod diagnostics;
 mod edit;
 mod file_order;
-mod half_edges;
 mod io;
 mod laplacian;
 mod measure;
 mod polygon_mesh;
 mod problem;
 mod seams;
+mod sides;
 mod topology;
 
 pub use crate::math::Ragged;
@@ -71,6 +71,5 @@ pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind, untouched_words};
 pub use seams::seams;
 pub use topology::{
-    Repeated, Topology, components, corners, edge_lines, feature_curves, hinges, repeated, stars,
-    strips,
+    Repeated, Topology, components, corners, edge_lines, hinges, repeated, stars, strips,
 };

@@ -3,7 +3,7 @@
 
 use super::Mesh;
 use super::coincident::{first_of_part, tolerance};
-use super::half_edges::{HalfEdge, half_edges};
+use super::sides::{Side, sides_of_faces};
 use crate::math::marked;
 
 /// Returns the pairs of boundary vertices that coincide, up to rounding, without being joined: each
@@ -11,11 +11,11 @@ use crate::math::marked;
 /// edge, are left out, and so are those of faces that lie on each other: two layers have no seam. A
 /// mesh with tetrahedra has none: they keep its faces together.
 pub fn seams(mesh: &Mesh) -> Vec<[u32; 2]> {
-    seams_of(mesh, &half_edges(mesh))
+    seams_of(mesh, &sides_of_faces(mesh))
 }
 
-/// As [`seams`], of a mesh with these half-edges.
-pub(super) fn seams_of(mesh: &Mesh, sides: &[HalfEdge]) -> Vec<[u32; 2]> {
+/// As [`seams`], of a mesh with these sides.
+pub(super) fn seams_of(mesh: &Mesh, sides: &[Side]) -> Vec<[u32; 2]> {
     let Some(tolerance) = tolerance(mesh).filter(|_| mesh.tets.is_empty()) else {
         return Vec::new();
     };
@@ -28,7 +28,7 @@ pub(super) fn seams_of(mesh: &Mesh, sides: &[HalfEdge]) -> Vec<[u32; 2]> {
     let others = mesh.faces.iter().zip(is_layered).filter(|(_, is_layered)| !is_layered);
     let faces = others.map(|(corners, _)| corners).collect();
     let mesh = Mesh { faces, ..mesh.clone() };
-    pairs(&mesh, &half_edges(&mesh), tolerance)
+    pairs(&mesh, &sides_of_faces(&mesh), tolerance)
 }
 
 /// Returns the faces that lie on each other: their corners coincide, up to rounding.
@@ -45,7 +45,7 @@ fn layered(mesh: &Mesh, tolerance: f64) -> Vec<u32> {
 }
 
 /// Returns the pairs as [`seams`], but also between the layers of a mesh.
-fn pairs(mesh: &Mesh, sides: &[HalfEdge], tolerance: f64) -> Vec<[u32; 2]> {
+fn pairs(mesh: &Mesh, sides: &[Side], tolerance: f64) -> Vec<[u32; 2]> {
     let rim = sides.chunk_by(|a, b| a.ends == b.ends).filter(|edge| edge.len() == 1);
     let ends: Vec<u32> = rim.flat_map(|edge| edge[0].ends).collect();
     let on_rim = marked(mesh.positions.len(), &ends);

@@ -112,13 +112,13 @@ impl RemeshError {
             RemeshError::SizeTooSmall { least } => {
                 let least = side(least * (1.0 + SAFE));
                 format!(
-                    "there would be more than 100 000 panels, expected a Side of {least} or more"
+                    "there would be more than 100 000 panels, expected sides of {least} or more"
                 )
             }
             RemeshError::SizeTooLarge { greatest, .. } => {
                 let greatest = side(greatest * (1.0 - SAFE));
                 format!(
-                    "panels of this size are too large for the surface, expected a Side of {greatest} or less"
+                    "panels of this size are too large for the surface, expected sides of {greatest} or less"
                 )
             }
             RemeshError::Numerical => {
@@ -133,8 +133,8 @@ impl RemeshError {
             }
             RemeshError::NotFollowed { fault, follows } => {
                 let remedy = match follows {
-                    Some(size) => format!("expected a Side of {}", side(*size)),
-                    None => "expected a smaller Side".to_owned(),
+                    Some(size) => format!("expected sides of {}", side(*size)),
+                    None => "expected smaller panels".to_owned(),
                 };
                 format!("panels of this size cannot follow the surface ({fault}): {remedy}")
             }

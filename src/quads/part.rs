@@ -9,7 +9,7 @@ use super::repair::{Repaired, repair, trim};
 use super::result::{Samples, Shape, verify};
 use super::surface::{InputSurface, Prepared};
 use super::{Boundary, MapOptions, RemeshError, RemeshObserver, RemeshStage};
-use crate::math::{Vec3, twice_vector_area};
+use crate::math::{Vec3, mean, twice_vector_area};
 use crate::mesh::{Measures, Mesh, Point, Ragged};
 use std::collections::BTreeMap;
 
@@ -208,10 +208,7 @@ fn finish(
     let Repaired { mut faces, replaced } = repair(&mut nodes, cells, is_trimmed);
     nodes[extracted..].iter_mut().for_each(|node| onto_boundary(&prepared.surface, node));
     glide(&prepared.surface, &mut nodes, &faces);
-    let middle = |face: &[usize]| {
-        let sum = face.iter().fold(Vec3::zero(), |sum, &node| sum + nodes[node].position);
-        sum * (1.0 / face.len().max(1) as f64)
-    };
+    let middle = |face: &[usize]| mean(face.iter().map(|&node| nodes[node].position));
     let mut lost: Vec<Vec3<f64>> = replaced.iter().map(|face| middle(face)).collect();
     let samples = Samples::of(prepared, &nodes);
     let is_turned = |face: &[usize]| {

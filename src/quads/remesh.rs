@@ -40,7 +40,7 @@ struct Measured {
 impl Measured {
     fn new(input: &Mesh, staying: &[u32]) -> Measured {
         let mesh = without(input, staying);
-        let surface = Surface::new(&mesh.positions, &mesh);
+        let surface = Surface::of_ground(&mesh.positions, &mesh);
         Measured { staying: staying.to_vec(), mesh, surface }
     }
 }
@@ -162,8 +162,11 @@ impl Remesher {
         if !observer(RemeshStage::Verify, 1.0) {
             return Err(RemeshError::Cancelled);
         }
+        // Of a face that touches itself, triangles can be in two parts.
+        let mut stays = vec![false; mesh.faces.len()];
+        let all = left.iter().flat_map(|part| &part.faces).chain(&self.stay).copied();
         let staying: Vec<u32> =
-            left.iter().flat_map(|part| &part.faces).chain(&self.stay).copied().collect();
+            all.filter(|&face| !std::mem::replace(&mut stays[face as usize], true)).collect();
         let cuts = options.boundary == Boundary::Cut;
         let last = self.measured.take().filter(|measured| measured.staying == staying);
         let measured = last.unwrap_or_else(|| Measured::new(mesh, &staying));

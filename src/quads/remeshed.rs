@@ -2,7 +2,7 @@
 
 use super::RemeshError;
 use super::part::Part;
-use super::result::{Distances, RemeshMeasures, Tally, places};
+use super::result::{Distances, RemeshMeasures, Tally, places, places_near};
 use super::surface::LeftPart;
 use crate::math::{Vec3, marked};
 use crate::mesh::{Mesh, Point, Surface};
@@ -157,7 +157,8 @@ fn not_followed(
     let how = match follows < least {
         true => format!("to follow {them} would take nearly 100 000 panels, or more"),
         false => {
-            format!("to follow {them}, set Side to {} or less", words::rough_length(follows, units))
+            let length = words::rough_length(follows, units);
+            format!("to follow {them} takes sides of {length} or less")
         }
     };
     let words = format!("{count} smaller than a panel: {how}");
@@ -183,16 +184,17 @@ fn abandoned(parts: &[Part]) -> Option<RemeshNote> {
 /// The size of panels along which the surface turns by [`TURN`], at that of some places where it turns
 /// most: by the mean curvature of the vertices of a part within a panel.
 fn follows(part: &Part, places: &[Vec3<f64>]) -> f64 {
-    let of_place = |&place: &Vec3<f64>| {
-        let is_near = |point: Vec3<f64>| (place - point).length() < part.size;
-        let near = part.positions.iter().zip(&part.samples.tensors).filter(|(p, _)| is_near(**p));
-        let curvature = near.map(|(_, &[xx, yy, zz, xy, xz, yz])| {
-            (xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
-        });
-        let (sum, count) = curvature.fold((0.0, 0.0), |(sum, count), one| (sum + one, count + 1.0));
-        if sum > 0.0 { TURN * count / sum } else { f64::INFINITY }
-    };
-    places.iter().map(of_place).fold(f64::INFINITY, f64::min)
+    let mut sums = vec![(0.0, 0.0); places.len()];
+    let near = places_near(&part.positions, places, part.size);
+    for (near, &[xx, yy, zz, xy, xz, yz]) in near.zip(&part.samples.tensors) {
+        let square = xx * xx + yy * yy + zz * zz + 2.0 * (xy * xy + xz * xz + yz * yz);
+        for place in near {
+            let (sum, count) = &mut sums[place];
+            (*sum, *count) = (*sum + square.sqrt(), *count + 1.0);
+        }
+    }
+    let turns = sums.into_iter().filter(|(sum, _)| *sum > 0.0);
+    turns.map(|(sum, count)| TURN * count / sum).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]
@@ -220,7 +222,7 @@ mod tests {
             note.expect("a place is lost").words
         };
         let place = "1 place is smaller than a panel: to follow it";
-        assert_eq!(said(0.05), format!("{place}, set Side to 80 mm or less"));
+        assert_eq!(said(0.05), format!("{place} takes sides of 80 mm or less"));
         assert_eq!(said(0.1), format!("{place} would take nearly 100 000 panels, or more"));
     }
 }

@@ -49,9 +49,9 @@ fn meshes() -> Vec<(&'static str, Mesh, usize)> {
     let examples = EXAMPLES.iter().map(|e| (e.id, e.build().1, loops(e.id)));
     let small = [
         ("small canopy", Canopy { panels: [1, 2], ..Canopy::default() }.mesh(), 1),
-        ("small dome", Dome { meridians: 4, rows: [0, 0], ..Dome::default() }.mesh(), 2),
-        ("small hall", Hall { panels: [3, 4], ..Hall::default() }.mesh(), 1),
-        ("small lantern", Lantern { meridians: 3, rows: 1, ..Lantern::default() }.mesh(), 2),
+        ("small dome", Dome { meridians: 4, rows: [0, 0] }.mesh(), 2),
+        ("small hall", Hall { panels: [3, 4] }.mesh(), 1),
+        ("small lantern", Lantern { meridians: 3, rows: 1 }.mesh(), 2),
         ("small mounds", Mounds { rows: 4, ..Mounds::default() }.mesh(), 1),
         ("coarse creature", Creature { spacing: 0.4 }.mesh(), 0),
     ];

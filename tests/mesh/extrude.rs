@@ -30,3 +30,24 @@ fn a_row_of_quads_around_a_sharp_corner_has_no_spike() {
     let [x, y, _] = wider.positions[3];
     assert!((x + 1.0).abs() < 1e-12 && y.abs() < 1e-12, "twice the distance: {x}, {y}");
 }
+
+/// A side without length counted as one at right angles to every other: its ends went twice as far.
+#[test]
+fn a_side_without_length_and_a_face_without_area_change_nothing() {
+    let wider = |positions: &[[f64; 2]], faces: &[&[u32]]| {
+        let positions = positions.iter().map(|&[x, y]| [x, y, 0.0]).collect();
+        let mesh = Mesh { positions, faces: faces.iter().collect(), ..Mesh::default() };
+        let made = apply(&mesh, "extrude", Some(&[1.0, 0.0]), &Picked::default()).unwrap();
+        area(&made.mesh)
+    };
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let [a, b, c, d] = square;
+    assert!((wider(&square, &[&[0, 1, 2, 3]]) - 9.0).abs() < 1e-12);
+    // A corner three times, and the middle of a side twice.
+    let doubled = [a, b, b, b, c, [0.5, 1.0], [0.5, 1.0], d];
+    assert!((wider(&doubled, &[&[0, 1, 2, 3, 4, 5, 6, 7]]) - 9.0).abs() < 1e-12);
+    // Slivers over a whole side, and over a part of one.
+    let thin = [a, b, c, d, [0.3, 0.0], [0.1 + 0.2, 1.0], [0.6, 1.0]];
+    let faces: [&[u32]; 3] = [&[0, 1, 2, 6, 3], &[0, 4, 1], &[3, 6, 5]];
+    assert!((wider(&thin, &faces) - 9.0).abs() < 1e-12);
+}

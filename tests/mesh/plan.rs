@@ -304,3 +304,20 @@ proptest! {
         }
     }
 }
+
+/// The roof stood on the others without a word, or too few were said to be marked.
+#[test]
+fn a_marked_corner_at_a_tip_without_a_face_is_refused() {
+    let mut lost = 0;
+    for k in 1..40 {
+        let tip = [20.0 + 0.1 * f64::from(k), 6.0];
+        let outline = points(&[[0.0, 0.0], [20.0, 5.7], tip, [20.0, 6.2], [0.0, 12.0]]);
+        let plan = Plan { support: Support::Corners, ..plan(outline, PlanLayout::Cut) };
+        match plan.surface() {
+            Ok(surface) => assert_eq!(surface.feet.len(), 5, "{tip:?}"),
+            Err(PlanError::TooCoarse(None)) => lost += 1,
+            Err(error) => panic!("{tip:?}: {error}"),
+        }
+    }
+    assert!(0 < lost && lost < 39, "{lost}");
+}

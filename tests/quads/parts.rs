@@ -157,7 +157,7 @@ fn what_cannot_be_remeshed_is_refused_with_the_reason() {
     // What is said to fit does, and has the unit.
     for (error, fits) in [(&large, "or less"), (&small, "or more")] {
         let words = error.words("m");
-        let side = words.split("a Side of ").nth(1).expect("it names a size");
+        let side = words.split("expected sides of ").nth(1).expect("it names a size");
         let (number, rest) = side.split_once(' ').expect("it has a unit");
         assert_eq!(rest, format!("m {fits}"));
         let length: f64 = number.replace('−', "-").parse().expect("it is a number");
@@ -202,6 +202,15 @@ fn a_part_that_cannot_be_covered_stays_as_it_is_and_is_named() {
     assert!(large.is_some_and(|words| words.contains("too large")), "{words:?}");
     let far = |point: &Vec3<f64>| point.x > 30.0;
     assert!(found.notes.iter().all(|note| note.places.iter().all(far)));
+
+    // A face whose two halves touch in one place: it was there twice.
+    let hourglass = [[0., 0.], [1., 0.], [0.5, 1.], [1., 2.], [0., 2.], [0.5, 1.]];
+    let hourglass = Mesh {
+        positions: hourglass.map(|[x, y]| [40.0 + x, y, 0.0]).to_vec(),
+        faces: [[0, 1, 2, 3, 4, 5]].iter().collect(),
+        ..Mesh::default()
+    };
+    assert_eq!(panels(&both(&tube(), &hourglass, [0.0; 3]), 200).unwrap().staying, 1);
 
     // What would leave most of it is refused.
     let most = both(&lid, &thin, [2.0, 0.0, 0.0]);

@@ -55,7 +55,7 @@ fn sorts_of_meshes() -> Vec<(&'static str, Mesh)> {
     let quads = wavy(5, 4);
     let halves = |f: &[u32]| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]];
     let triangles = Mesh { faces: quads.faces.iter().flat_map(halves).collect(), ..quads.clone() };
-    let dome = Dome { meridians: 6, rows: [1, 1], ..Dome::default() };
+    let dome = Dome { meridians: 6, rows: [1, 1] };
     vec![
         ("quads", quads),
         ("triangles", triangles),

@@ -1,9 +1,7 @@
-//! An example: its texts, the function that makes its scene and its mesh, and the plots suggested
-//! for it: hosts show a button for each, and need not know the examples.
+//! An example: its texts, and the function that makes its scene and its mesh.
 
 use crate::mesh::Mesh;
 use crate::scene::{MeshSource, Scene};
-use serde::Serialize;
 
 /// A scene to start from.
 #[derive(Clone, Copy, Debug)]
@@ -17,8 +15,6 @@ pub struct Example {
     pub summary: &'static str,
     /// The result of solving it with its own settings, in one sentence; tests check it.
     pub statement: &'static str,
-    /// Extension of its mesh file: `obj`, or `mesh` (Medit) for tetrahedra.
-    pub(super) ending: &'static str,
     pub(super) make: fn(&mut Scene) -> Mesh,
 }
 
@@ -28,9 +24,9 @@ impl Example {
         format!("{}.shapeup.json", self.id)
     }
 
-    /// The name of its mesh file, in the same folder.
+    /// The name of its mesh file, in the same folder: OBJ, or Medit for tetrahedra, which its own name says.
     pub fn mesh_file(&self) -> String {
-        format!("{}.{}", self.id, self.ending)
+        format!("{}.{}", self.id, if self.id.ends_with("-tets") { "mesh" } else { "obj" })
     }
 
     /// The scene, which refers to its mesh file by name, and the mesh.
@@ -40,37 +36,5 @@ impl Example {
         scene.units = "m".to_owned();
         let mesh = (self.make)(&mut scene);
         (scene, mesh)
-    }
-}
-
-/// A suggested plot of an example.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct SuggestedPlot {
-    /// The label of the button.
-    pub label: &'static str,
-    /// The id of the plot that the button opens.
-    pub plot: &'static str,
-}
-
-const ANGLES: SuggestedPlot = SuggestedPlot { label: "Angles before and after", plot: "angles" };
-
-/// The plots suggested for the example `id`.
-pub fn suggested_plots(id: &str) -> &'static [SuggestedPlot] {
-    match id {
-        "fig-07-quality" => &[ANGLES],
-        _ => &[],
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::generate::example::EXAMPLES;
-
-    #[test]
-    fn every_suggested_plot_is_of_an_example() {
-        let offered =
-            EXAMPLES.iter().map(|example| suggested_plots(example.id).len()).sum::<usize>();
-        assert_eq!(offered, 1);
     }
 }

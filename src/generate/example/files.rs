@@ -2,7 +2,7 @@
 //! engine of the page makes again: their scenes and meshes, and the list from which the page builds
 //! its menu and the gallery its cards.
 
-use super::declaration::{Example, SuggestedPlot, suggested_plots};
+use super::declaration::Example;
 use super::scene::EXAMPLES;
 use crate::constraint::Info;
 use crate::mesh::{Mesh, write_medit, write_obj};
@@ -32,11 +32,20 @@ struct Entry<'a> {
     /// `lambda_shape`, `lambda_close` and `lambda_smooth` of Eq. 13.
     weights: [f64; 3],
     /// Plots that hosts offer.
-    plots: &'static [SuggestedPlot],
+    plots: &'static [Plot],
     /// The task of a lesson.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     goals: Vec<GoalWords<'a>>,
 }
+
+/// The label of a button, and the id of the plot that it opens.
+#[derive(Serialize)]
+struct Plot {
+    label: &'static str,
+    plot: &'static str,
+}
+
+const ANGLES: &[Plot] = &[Plot { label: "Angles before and after", plot: "angles" }];
 
 #[derive(Serialize, PartialEq)]
 struct KindName {
@@ -70,7 +79,7 @@ impl<'a> Entry<'a> {
             units: &scene.units,
             kinds,
             weights: [scene.weights.shape, scene.weights.close, scene.weights.smooth],
-            plots: suggested_plots(example.id),
+            plots: if example.id == "fig-07-quality" { ANGLES } else { &[] },
             goals: lesson.map(|lesson| goals_in_words(lesson, &scene.units)).unwrap_or_default(),
         }
     }

@@ -3,7 +3,7 @@
 //!
 //! | file or folder | holds |
 //! |---|---|
-//! | `declaration` | the texts of an example, how it is built, and the plots suggested for it |
+//! | `declaration` | the texts of an example, and how it is built |
 //! | `scene` | the list of examples, and the scene of each |
 //! | `files` | the files of the examples |
 
@@ -11,6 +11,6 @@ mod declaration;
 mod files;
 mod scene;
 
-pub use declaration::{Example, SuggestedPlot, suggested_plots};
+pub use declaration::Example;
 pub use files::{example_file, example_files};
 pub use scene::EXAMPLES;

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 
 /// A cap of a sphere, in equal steps along its meridians.
 pub(super) fn dome(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let [diameter, rise, opening, around, rows] = exactly(sizes)?;
+    let [diameter, rise, opening, around, rows] = exactly(sizes);
     let (eaves, hole) = (0.5 * diameter, 0.5 * opening);
     let radius = (eaves * eaves + rise * rise) / (2.0 * rise);
     if hole >= eaves {
@@ -26,13 +26,13 @@ pub(super) fn dome(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 }
 
 pub(super) fn cone(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let [diameter, top, height, around, rows] = exactly(sizes)?;
+    let [diameter, top, height, around, rows] = exactly(sizes);
     revolved(around, rows, &|up| [0.5 * (diameter + up * (top - diameter)), up * height])
 }
 
 /// A quarter of an ellipse revolved about the axis: vertical at the neck, horizontal at the rim.
 pub(super) fn funnel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let [rim, neck, height, around, rows] = exactly(sizes)?;
+    let [rim, neck, height, around, rows] = exactly(sizes);
     if neck >= rim {
         let expected = "a neck that is narrower than the rim";
         return Err(NewMeshError::Together { expected });
@@ -44,7 +44,7 @@ pub(super) fn funnel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 }
 
 pub(super) fn tube(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let [diameter, height, around, rows] = exactly(sizes)?;
+    let [diameter, height, around, rows] = exactly(sizes);
     revolved(around, rows, &|up| [0.5 * diameter, up * height])
 }
 

@@ -8,13 +8,13 @@ use crate::mesh::{Mesh, Point};
 use std::f64::consts::TAU;
 
 pub(super) fn flat(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let [length, width, along, across] = exactly(sizes)?;
+    let [length, width, along, across] = exactly(sizes);
     quads(along, across, &|x, y| [0.5 * length * x, 0.5 * width * y, 0.0])
 }
 
 /// A piece of a cylinder, in equal steps along its arcs.
 pub(super) fn barrel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let [length, span, rise, along, across] = exactly(sizes)?;
+    let [length, span, rise, along, across] = exactly(sizes);
     let half = 0.5 * span;
     let radius = (half * half + rise * rise) / (2.0 * rise);
     let turns = angle(radius - rise, half).unwrap_or(0.0) / TAU;
@@ -26,7 +26,7 @@ pub(super) fn barrel(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 
 /// The upper half of a torus around the `z` axis.
 pub(super) fn torus(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let [radius, section, turn, along, across] = exactly(sizes)?;
+    let [radius, section, turn, along, across] = exactly(sizes);
     if section >= radius {
         let expected = "a section whose radius is smaller than that of the arc";
         return Err(NewMeshError::Together { expected });
@@ -39,7 +39,7 @@ pub(super) fn torus(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
 }
 
 pub(super) fn hypar(sizes: &[f64]) -> Result<Mesh, NewMeshError> {
-    let [span, height, panels] = exactly(sizes)?;
+    let [span, height, panels] = exactly(sizes);
     quads(panels, panels, &|x, y| [0.5 * span * x, 0.5 * span * y, 0.5 * height * (1.0 + x * y)])
 }
 
@@ -65,7 +65,7 @@ fn cap(
     sizes: &[f64],
     faces: f64,
 ) -> Result<(usize, usize, impl Fn(f64, f64) -> Point), NewMeshError> {
-    let [length, width, rise, size] = exactly(sizes)?;
+    let [length, width, rise, size] = exactly(sizes);
     if size > length || size > width {
         let expected = "panels that are smaller than length and width";
         return Err(NewMeshError::Together { expected });

@@ -13,86 +13,66 @@ use crate::mesh::{Mesh, Point};
 pub struct Hall {
     /// Panels along the spine and across.
     pub panels: [usize; 2],
-    /// Length of the spine in plan.
-    pub length: f64,
-    /// Mean radius of the sections.
-    pub radius: f64,
-    /// How much larger the radius is at the swelling, and smaller at the waist.
-    pub swelling: f64,
-    /// Amplitude of the spine in plan.
-    pub swing: f64,
-    /// Height of a section relative to a round one.
-    pub flatness: f64,
-    /// Sideways amplitude of the lines of panels along the spine, as a fraction of half the girth.
-    pub skew: f64,
 }
 
 impl Default for Hall {
     fn default() -> Self {
-        Hall {
-            panels: [60, 34],
-            length: 64.0,
-            radius: 9.5,
-            swelling: 3.0,
-            swing: 5.0,
-            flatness: 0.75,
-            skew: 0.26,
-        }
+        Hall { panels: [60, 34] }
     }
 }
 
+/// Amplitude of the spine of the hall in plan.
+const SWING: f64 = 5.0;
+/// Sideways amplitude of its lines of panels, as a fraction of half the girth.
+const SKEW: f64 = 0.26;
+
 impl Hall {
+    /// Length of the spine in plan.
+    pub const LENGTH: f64 = 64.0;
+
     /// The mesh of `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)` along the spine
     /// and across has index `j * (panels[0] + 1) + i`.
     pub fn mesh(&self) -> Mesh {
         rounded(grid(self.panels, |u, v| {
-            let [u, v] = self.askew(u, v);
-            self.point(u, v)
+            let [u, v] = Hall::askew(u, v);
+            Hall::point(u, v)
         }))
     }
 
     /// Maps parameters of an even grid to those of the askew one; each side of the border maps to
     /// itself.
-    pub fn askew(&self, u: f64, v: f64) -> [f64; 2] {
+    pub fn askew(u: f64, v: f64) -> [f64; 2] {
         let (inside_u, inside_v) = (1.0 - u * u, 1.0 - v * v);
-        [
-            u + 0.5 * self.skew * inside_u * sine(0.5 * v),
-            v + self.skew * inside_v * sine(0.75 * u + 0.1),
-        ]
+        [u + 0.5 * SKEW * inside_u * sine(0.5 * v), v + SKEW * inside_v * sine(0.75 * u + 0.1)]
     }
 
     /// A point of the roof: `u` from -1 to 1 along the spine, `v` from -1 to 1 across.
-    pub fn point(&self, u: f64, v: f64) -> Point {
+    pub fn point(u: f64, v: f64) -> Point {
         // The ends lean out over their thresholds.
         let along = u * (1.0 + 0.08 * u * u * (1.0 - v * v));
-        let swell = self.swell(u);
-        let radius = self.radius + self.swelling * swell;
-        let opening = opening(swell);
+        let (radius, opening) = section(u);
         let phase = 0.3 * along + 0.06;
-        let spine = [0.5 * self.length * along, self.swing * sine(phase)];
-        let slope = self.swing * 0.3 * std::f64::consts::TAU * cosine(phase) / (0.5 * self.length);
+        let spine = [0.5 * Hall::LENGTH * along, SWING * sine(phase)];
+        let slope = SWING * 0.3 * std::f64::consts::TAU * cosine(phase) / (0.5 * Hall::LENGTH);
         let tangent = (1.0 + slope * slope).sqrt();
         let side = [-slope / tangent, 1.0 / tangent];
         let aside = radius * sine(opening * v);
-        let up = radius * self.flatness * (cosine(opening * v) - cosine(opening));
+        let up = radius * 0.75 * (cosine(opening * v) - cosine(opening));
         [spine[0] + aside * side[0], spine[1] + aside * side[1], up]
     }
 
     /// The length of the section at `u`, computed without the flattening.
-    pub fn girth(&self, u: f64) -> f64 {
-        let swell = self.swell(u);
-        2.0 * std::f64::consts::TAU * opening(swell) * (self.radius + self.swelling * swell)
-    }
-
-    /// Runs from 1 at the swelling to -1 at the waist.
-    fn swell(&self, u: f64) -> f64 {
-        cosine(0.55 * (u + 0.6))
+    pub fn girth(u: f64) -> f64 {
+        let (radius, opening) = section(u);
+        2.0 * std::f64::consts::TAU * opening * radius
     }
 }
 
-/// Half the angle of a section, in turns.
-fn opening(swell: f64) -> f64 {
-    0.29 + 0.045 * swell
+/// The radius of the section of the hall at `u`, and half its angle, in turns.
+fn section(u: f64) -> (f64, f64) {
+    // From 1 at the swelling to -1 at the waist.
+    let swell = cosine(0.55 * (u + 0.6));
+    (9.5 + 3.0 * swell, 0.29 + 0.045 * swell)
 }
 
 /// A roof over a rectangle with two mounds, a wide one towards -x and a narrow one towards x.
@@ -100,17 +80,18 @@ fn opening(swell: f64) -> f64 {
 pub struct Mounds {
     /// Rows of cells along x.
     pub rows: usize,
-    /// Length along x and along y.
-    pub span: [f64; 2],
     /// Heights of the mounds.
     pub heights: [f64; 2],
 }
 
 impl Default for Mounds {
     fn default() -> Self {
-        Mounds { rows: 30, span: [40.0, 26.0], heights: [7.0, 4.5] }
+        Mounds { rows: 30, heights: [7.0, 4.5] }
     }
 }
+
+/// Length of the roof with mounds along x and along y.
+const SPAN: [f64; 2] = [40.0, 26.0];
 
 impl Mounds {
     /// Centres of the mounds in plan.
@@ -119,13 +100,13 @@ impl Mounds {
     /// The mesh.
     pub fn mesh(&self) -> Mesh {
         // Cells are as wide as their rows are apart, up to the slant of hexagons.
-        let width = self.span[0] / (0.866 * self.rows as f64);
-        let across = (self.span[1] / width) as usize;
+        let width = SPAN[0] / (0.866 * self.rows as f64);
+        let across = (SPAN[1] / width) as usize;
         honeycomb(self.rows, |_| across, |u, v| self.point(u, v))
     }
 
     fn point(&self, u: f64, v: f64) -> Point {
-        let (x, y) = (0.5 * self.span[0] * u, 0.5 * self.span[1] * v);
+        let (x, y) = (0.5 * SPAN[0] * u, 0.5 * SPAN[1] * v);
         let mound = |k: usize, width: f64| {
             let [dx, dy] = [x - Self::MIDDLES[k][0], y - Self::MIDDLES[k][1]];
             let far = 1.0 + (dx * dx + dy * dy) / (width * width);

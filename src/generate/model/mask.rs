@@ -4,27 +4,8 @@ use super::finish::rounded;
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point, Ragged};
 
-/// A mask that leans back: the front of an egg with a nose, brows, eyes, lips and a chin. It is
-/// open at the back, and its triangles are uneven.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mask {
-    /// Rings of triangles around the middle.
-    pub rings: u32,
-    /// Half the width, half the height, and the depth of the egg.
-    pub size: Point,
-    /// Angle from the middle to the rim, in turns.
-    pub reach: f64,
-    /// Rotation from -y towards x, then the lean backwards, in turns.
-    pub pose: [f64; 2],
-    /// Displacement of vertices from even spacing, as a fraction of the spacing.
-    pub jitter: f64,
-}
-
-impl Default for Mask {
-    fn default() -> Self {
-        Mask { rings: 30, size: [3.1, 4.2, 3.4], reach: 0.25, pose: [0.05, 0.07], jitter: 0.5 }
-    }
-}
+/// Rings of triangles around the middle.
+const RINGS: u32 = 30;
 
 /// A bump of the face: its position in x and z, its widths along x and z, and its height.
 type Bump = ([f64; 2], [f64; 2], f64);
@@ -48,56 +29,55 @@ const SIDES: [Bump; 4] = [
     ([1.7, -0.35], [0.8, 0.7], 0.28),
 ];
 
-impl Mask {
-    /// The mesh of `1 + 3 rings (rings + 1)` vertices, ring by ring from the middle.
-    pub fn mesh(&self) -> Mesh {
-        let mut positions = vec![self.point(0.0, 0.0)];
-        for ring in 1..=self.rings {
-            for i in 0..6 * ring {
-                // The rim stays even.
-                let jitter = if ring < self.rings { self.jitter } else { 0.0 };
-                let [a, b] = [0, 1].map(|k| jitter * scattered(ring, i, k));
-                let out = (f64::from(ring) + a) / f64::from(self.rings);
-                positions.push(self.point(out, (f64::from(i) + b) / f64::from(6 * ring)));
-            }
+/// A mask that leans back: the front of an egg with a nose, brows, eyes, lips and a chin. It is
+/// open at the back, and its triangles are uneven. Vertices are ring by ring from the middle.
+pub fn mask() -> Mesh {
+    let mut positions = vec![point(0.0, 0.0)];
+    for ring in 1..=RINGS {
+        for i in 0..6 * ring {
+            // The rim stays even.
+            let jitter = if ring < RINGS { 0.5 } else { 0.0 };
+            let [a, b] = [0, 1].map(|k| jitter * scattered(ring, i, k));
+            let out = (f64::from(ring) + a) / f64::from(RINGS);
+            positions.push(point(out, (f64::from(i) + b) / f64::from(6 * ring)));
         }
-        let mut faces = Ragged::new();
-        for ring in 0..self.rings {
-            for side in 0..6 {
-                // One of six sectors, with `ring` edges inside and one more outside.
-                let inner = |k: u32| vertex(ring, side * ring + k);
-                let outer = |k: u32| vertex(ring + 1, side * (ring + 1) + k);
-                for k in 0..=ring {
-                    faces.push(&[inner(k), outer(k), outer(k + 1)]);
-                    if k < ring {
-                        faces.push(&[inner(k), outer(k + 1), inner(k + 1)]);
-                    }
+    }
+    let mut faces = Ragged::new();
+    for ring in 0..RINGS {
+        for side in 0..6 {
+            // One of six sectors, with `ring` edges inside and one more outside.
+            let inner = |k: u32| vertex(ring, side * ring + k);
+            let outer = |k: u32| vertex(ring + 1, side * (ring + 1) + k);
+            for k in 0..=ring {
+                faces.push(&[inner(k), outer(k), outer(k + 1)]);
+                if k < ring {
+                    faces.push(&[inner(k), outer(k + 1), inner(k + 1)]);
                 }
             }
         }
-        rounded(Mesh { positions, faces, ..Mesh::default() })
     }
+    rounded(Mesh { positions, faces, ..Mesh::default() })
+}
 
-    /// The point at radius `out`, from 0 in the middle to 1 on the rim, in a direction in turns.
-    fn point(&self, out: f64, direction: f64) -> Point {
-        let [width, height, depth] = self.size;
-        let tilt = self.reach * out;
-        let (across, along) = (sine(tilt), cosine(tilt));
-        // The jaw is narrower than the skull.
-        let up = across * sine(direction);
-        let x = width * across * cosine(direction) * (1.0 + 0.16 * up);
-        let z = height * up;
-        // The relief fades out towards the back.
-        let front = along.clamp(0.0, 0.5) * 2.0;
-        self.posed([x, -(depth * along + front * relief(x, z)), z])
-    }
+/// The point at radius `out`, from 0 in the middle to 1 on the rim, in a direction in turns.
+fn point(out: f64, direction: f64) -> Point {
+    let [width, height, depth] = [3.1, 4.2, 3.4];
+    let tilt = 0.25 * out;
+    let (across, along) = (sine(tilt), cosine(tilt));
+    // The jaw is narrower than the skull.
+    let up = across * sine(direction);
+    let x = width * across * cosine(direction) * (1.0 + 0.16 * up);
+    let z = height * up;
+    // The relief fades out towards the back.
+    let front = along.clamp(0.0, 0.5) * 2.0;
+    posed([x, -(depth * along + front * relief(x, z)), z])
+}
 
-    /// Leans the point back about the x axis, then turns it about the z axis.
-    fn posed(&self, [x, y, z]: Point) -> Point {
-        let [turn, lean] = self.pose.map(|turns| [cosine(turns), sine(turns)]);
-        let [y, z] = [lean[0] * y + lean[1] * z, lean[0] * z - lean[1] * y];
-        [turn[0] * x - turn[1] * y, turn[1] * x + turn[0] * y, z]
-    }
+/// Leans the point back about the x axis, then turns it about the z axis from -y towards x.
+fn posed([x, y, z]: Point) -> Point {
+    let [turn, lean] = [0.05, 0.07].map(|turns| [cosine(turns), sine(turns)]);
+    let [y, z] = [lean[0] * y + lean[1] * z, lean[0] * z - lean[1] * y];
+    [turn[0] * x - turn[1] * y, turn[1] * x + turn[0] * y, z]
 }
 
 /// Index of vertex `i` of a ring, modulo its length.

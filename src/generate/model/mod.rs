@@ -13,14 +13,14 @@ mod sheets;
 mod towers;
 mod vault;
 
-pub use archway::Archway;
+pub use archway::archway;
 pub use blocks::Blocks;
 pub use creature::Creature;
 pub(super) use finish::Noise;
 pub use finish::{opened, soften};
 pub use halls::{Hall, Mounds, honeycomb};
-pub use mask::Mask;
-pub use pavilion::Pavilion;
+pub use mask::mask;
+pub use pavilion::pavilion;
 pub use roofs::{Canopy, Court, Dome};
 pub use sheets::{Hypar, Net, Patch, Strip};
 pub use towers::{Lantern, Tower, Vase};

@@ -14,32 +14,11 @@ pub struct Dome {
     pub meridians: usize,
     /// Rows of quads below and above the row of pentagons.
     pub rows: [usize; 2],
-    /// Half the width of the square.
-    pub half_width: f64,
-    /// Mean radius of the hole.
-    pub hole: f64,
-    /// How much longer the hole is along x and shorter along y, as a fraction of `hole`.
-    pub oval: f64,
-    /// Distance along x from the centre of the square to the centre of the hole.
-    pub shift: f64,
-    /// Height of the hole above the corners of the eaves.
-    pub rise: f64,
-    /// Height of the eaves at the middle of a side above the corners.
-    pub arch: f64,
 }
 
 impl Default for Dome {
     fn default() -> Self {
-        Dome {
-            meridians: 24,
-            rows: [5, 3],
-            half_width: 14.0,
-            hole: 3.2,
-            oval: 0.15,
-            shift: 3.0,
-            rise: 8.0,
-            arch: 2.4,
-        }
+        Dome { meridians: 24, rows: [5, 3] }
     }
 }
 
@@ -52,7 +31,7 @@ impl Dome {
             debug_assert_eq!(first as usize, mesh.positions.len());
             let up = k as f64 / (self.rings() - 1) as f64;
             mesh.positions
-                .extend((0..count).map(|i| self.point(f64::from(i) / f64::from(count), up)));
+                .extend((0..count).map(|i| Dome::point(f64::from(i) / f64::from(count), up)));
         }
         for k in 0..self.rings() - 1 {
             let ((low, below), (high, above)) = (self.ring(k), self.ring(k + 1));
@@ -85,20 +64,17 @@ impl Dome {
 
     /// A point of the surface: `turn` from 0 to 1 goes around, `up` from 0 at the eaves to 1 at the
     /// hole.
-    fn point(&self, turn: f64, up: f64) -> Point {
+    fn point(turn: f64, up: f64) -> Point {
         let (c, s) = (cosine(turn), sine(turn));
         let (cc, ss) = (c * c, s * s);
-        // The curve `x^4 + y^4 = half_width^4`, a square with round corners.
-        let square = self.half_width / (cc * cc + ss * ss).sqrt().sqrt();
+        // The curve `x^4 + y^4 = 14^4`, a square with round corners.
+        let square = 14.0 / (cc * cc + ss * ss).sqrt().sqrt();
         let down = 1.0 - up;
-        let hole = self.hole * (1.0 + self.oval * cosine(2.0 * turn));
+        let hole = 3.2 * (1.0 + 0.15 * cosine(2.0 * turn));
         let radius = down * square + up * hole;
-        let arch = 0.5 * self.arch * (1.0 + cosine(4.0 * turn));
-        [
-            radius * c + self.shift * up,
-            radius * s,
-            self.rise * (1.0 - down * down) + arch * down * down * down,
-        ]
+        // Of the eaves, above their corners.
+        let arch = 0.5 * 2.4 * (1.0 + cosine(4.0 * turn));
+        [radius * c + 3.0 * up, radius * s, 8.0 * (1.0 - down * down) + arch * down * down * down]
     }
 }
 
@@ -159,8 +135,6 @@ pub struct Court {
     pub meridians: u32,
     /// Rows of panels from the rim to the eaves.
     pub rows: u32,
-    /// The mean radius of the rim, and the radius of the eaves.
-    pub radii: [f64; 2],
     /// Amplitude of the rim's height.
     pub swing: f64,
     /// How unevenly the panels are spaced around: at 1 some would have no width.
@@ -169,7 +143,7 @@ pub struct Court {
 
 impl Default for Court {
     fn default() -> Self {
-        Court { meridians: 28, rows: 9, radii: [6.0, 15.0], swing: 1.2, crowding: 0.55 }
+        Court { meridians: 28, rows: 9, swing: 1.2, crowding: 0.55 }
     }
 }
 
@@ -177,11 +151,11 @@ impl Court {
     /// The mesh. Vertex `i` of ring `k`, from 0 at the rim to `rows` at the eaves, has index
     /// `k * meridians + i`.
     pub fn mesh(&self) -> Mesh {
-        let Court { radii: [rim, eaves], swing, crowding, .. } = *self;
+        let Court { swing, crowding, .. } = *self;
         let positions = self.rings().positions(|_, out, turn| {
             let turn = turn + crowding * sine(turn) / std::f64::consts::TAU;
-            let inner = rim * (1.0 + 0.25 * cosine(turn) - 0.1 * cosine(2.0 * turn));
-            let radius = inner + (eaves - inner) * out;
+            let inner = 6.0 * (1.0 + 0.25 * cosine(turn) - 0.1 * cosine(2.0 * turn));
+            let radius = inner + (15.0 - inner) * out;
             let height = 4.0 + swing * cosine(2.0 * turn) * (1.0 - out) - 2.5 * out * out;
             [radius * cosine(turn), radius * sine(turn), height]
         });

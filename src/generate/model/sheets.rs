@@ -8,45 +8,30 @@ use crate::mesh::Mesh;
 
 /// A hyperbolic paraboloid over a square, with edges along its two families of rulings, that sags
 /// in waves between its straight sides.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hypar {
-    /// Panels along each side.
-    pub panels: usize,
-    /// Length of a side in plan.
-    pub span: f64,
-    /// Height of the two high corners above the two low ones.
-    pub rise: f64,
-    /// Depth of the sag.
-    pub sag: f64,
-}
-
-impl Default for Hypar {
-    fn default() -> Self {
-        Hypar { panels: 16, span: 20.0, rise: 8.0, sag: 1.2 }
-    }
-}
+pub struct Hypar;
 
 impl Hypar {
-    /// The mesh of `(panels + 1)^2` vertices. Vertex `(i, j)` along x and y has index
-    /// `j * (panels + 1) + i`.
-    pub fn mesh(&self) -> Mesh {
-        let half = 0.5 * self.span;
-        grid([self.panels; 2], |x, y| {
+    /// Panels along each side.
+    const PANELS: usize = 16;
+
+    /// The mesh of 17 by 17 vertices. Vertex `(i, j)` along x and y has index `17 j + i`.
+    pub fn mesh() -> Mesh {
+        grid([Hypar::PANELS; 2], |x, y| {
             let inside = (1.0 - x * x) * (1.0 - y * y);
             let wave = 0.6 + 0.4 * sine(0.75 * (x - y)) + 0.4 * sine(0.5 * x + 0.9 * y);
             // Also sideways: lines already straight in plan would be too easy to straighten.
-            let sway = 0.5 * self.sag * inside;
+            let sway = 0.5 * 1.2 * inside;
             [
-                half * x + sway * sine(0.7 * y),
-                half * y + sway * sine(0.6 * x + 0.1),
-                0.5 * self.rise * (1.0 + x * y) - self.sag * inside * wave,
+                10.0 * x + sway * sine(0.7 * y),
+                10.0 * y + sway * sine(0.6 * x + 0.1),
+                0.5 * 8.0 * (1.0 + x * y) - 1.2 * inside * wave,
             ]
         })
     }
 
     /// The vertices of the four sides, in ascending order.
-    pub fn sides(&self) -> Vec<u32> {
-        let n = self.panels;
+    pub fn sides() -> Vec<u32> {
+        let n = Hypar::PANELS;
         let on_side = |v: &usize| {
             let (i, j) = (v % (n + 1), v / (n + 1));
             i == 0 || j == 0 || i == n || j == n
@@ -136,30 +121,20 @@ impl Strip {
 }
 
 /// The upper outer side of an upright torus: a vault.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Net {
-    /// Panels along the torus and around its tube.
-    pub panels: [usize; 2],
-    /// Radii of the centre circle of the tube, and of the tube.
-    pub radii: [f64; 2],
-    /// Half the angles along the torus and around its tube, in turns.
-    pub angles: [f64; 2],
-}
-
-impl Default for Net {
-    fn default() -> Self {
-        Net { panels: [36, 22], radii: [10.0, 12.0], angles: [0.14, 0.15] }
-    }
-}
+pub struct Net;
 
 impl Net {
-    /// The mesh of `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)` along x and y has
-    /// index `j * (panels[0] + 1) + i`. The corners are at height 0.
-    pub fn mesh(&self) -> Mesh {
-        let [large, small] = self.radii;
-        let [along, around] = self.angles;
+    /// Panels along the torus and around its tube.
+    pub const PANELS: [usize; 2] = [36, 22];
+
+    /// The mesh of 37 by 23 vertices. Vertex `(i, j)` along x and y has index `37 j + i`. The corners
+    /// are at height 0.
+    pub fn mesh() -> Mesh {
+        // Radii of the centre circle of the tube, and of the tube; half the angles, in turns.
+        let [large, small] = [10.0, 12.0];
+        let [along, around] = [0.14, 0.15];
         let corner = (large + small * cosine(around)) * cosine(along);
-        rounded(grid(self.panels, |x, y| {
+        rounded(grid(Net::PANELS, |x, y| {
             let radius = large + small * cosine(around * y);
             [
                 radius * sine(along * x),

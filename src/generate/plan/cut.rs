@@ -89,9 +89,7 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
         let place = [low[0] + place[0] * step[0], low[1] + place[1] * step[1]];
         rotated(place, [c, s])
     };
-    let mut ground = cells.compact(&faces, &corners, from_grid);
-    ground.corners.retain(|&v| v != u32::MAX);
-    Ok(ground)
+    Ok(cells.compact(&faces, &corners, from_grid))
 }
 
 impl Cells {
@@ -286,10 +284,11 @@ impl Cells {
         let mut named = Ragged::from_iter(faces);
         named.rename(&name);
         let on_outline = (0..).zip(&self.lies).filter(|(_, lies)| **lies == Lies::On(0));
-        let outline = on_outline.map(|(v, _): (usize, _)| name[v]).filter(|&v| v != u32::MAX);
+        let is_used = |v: &u32| *v != u32::MAX;
+        let outline = on_outline.map(|(v, _): (usize, _)| name[v]).filter(is_used);
         Ground {
             outline: outline.collect(),
-            corners: corners.iter().map(|&v| name[v as usize]).collect(),
+            corners: corners.iter().map(|&v| Some(name[v as usize]).filter(is_used)).collect(),
             mesh: Mesh { positions, faces: named, ..Mesh::default() },
         }
     }

@@ -98,8 +98,8 @@ impl fmt::Display for PlanSide {
     }
 }
 
-/// An error in a plan. Elements are written with their place in JSON; for those who have drawn the plan,
-/// `{:#}` leaves it out.
+/// An error in a plan. Elements and settings are written as in JSON; for those who have drawn the plan, `{:#}`
+/// has them as on the page.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanError {
     /// An invalid entry of the text.
@@ -131,6 +131,16 @@ pub enum PlanError {
 
 impl fmt::Display for PlanError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [corner, cut, outline, size] = if f.alternate() {
+            [
+                "“Corner of the roof”",
+                "“A grid, cut to fit”",
+                "“The whole outline”",
+                "their size, Panel",
+            ]
+        } else {
+            ["`corner`", "the layout `cut`", "to stand on the `outline`", "`size`"]
+        };
         match self {
             PlanError::Entry { path, message } if path.is_empty() => f.write_str(message),
             PlanError::Entry { path, message } => write!(f, "{path}: {message}"),
@@ -146,29 +156,28 @@ impl fmt::Display for PlanError {
             }
             PlanError::FourCorners(marked) => write!(
                 f,
-                "expected four corners for panels along the outline, found {marked}: mark four points as “Corner of the roof”, or choose “A grid, cut to fit”"
+                "expected four corners for panels along the outline, found {marked}: mark four points as {corner}, or choose {cut}"
             ),
-            PlanError::NoCorners(marked) => {
-                write!(
-                    f,
-                    "expected at least three corners to stand on, found {marked}: mark more points as “Corner of the roof”, or choose “The whole outline”"
-                )
+            PlanError::NoCorners(marked) => write!(
+                f,
+                "expected at least three corners to stand on, found {marked}: mark more points as {corner}, or choose {outline}"
+            ),
+            PlanError::Holes => write!(
+                f,
+                "panels along the outline cannot have holes: delete the holes, or choose {cut}"
+            ),
+            PlanError::Folded => {
+                write!(f, "panels along this outline would overlap: choose other corners, or {cut}")
             }
-            PlanError::Holes => f.write_str(
-                "panels along the outline cannot have holes: delete the holes, or choose “A grid, cut to fit”",
-            ),
-            PlanError::Folded => f.write_str(
-                "panels along this outline would overlap: choose other corners, or “A grid, cut to fit”",
-            ),
-            PlanError::TooCoarse(Some(hole)) => {
-                write_hole(f, *hole)?;
-                f.write_str(" is too small for these panels: reduce their size, Panel")
-            }
-            PlanError::TooCoarse(None) => {
-                f.write_str("the outline is too small for these panels: reduce their size, Panel")
+            PlanError::TooCoarse(hole) => {
+                match hole {
+                    Some(hole) => write_hole(f, *hole)?,
+                    None => f.write_str("the outline")?,
+                }
+                write!(f, " is too small for these panels: reduce {size}")
             }
             PlanError::NoSupport => {
-                f.write_str("a piece of the surface has no support: mark a point of it as “Corner of the roof”")
+                write!(f, "a piece of the surface has no support: mark a point of it as {corner}")
             }
             PlanError::TooManyFaces(why) => why.fmt(f),
         }

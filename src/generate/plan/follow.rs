@@ -42,7 +42,7 @@ pub(super) fn mesh(outline: &Loop, size: f64) -> Result<Ground, PlanError> {
     };
     Ok(Ground {
         outline: (0..mesh.positions.len() as u32).filter(is_outer).collect(),
-        corners: vec![corner(0, 0), corner(nx, 0), corner(nx, ny), corner(0, ny)],
+        corners: [[0, 0], [nx, 0], [nx, ny], [0, ny]].map(|[i, j]| Some(corner(i, j))).to_vec(),
         mesh,
     })
 }

@@ -46,7 +46,7 @@ impl Plan {
         };
         let Plan { size, turn, height, .. } = *self;
         expect("size", size, (1e-6..=1e6).contains(&size), "a length from 0.000001 to 1000000")?;
-        expect("height", height, (0.0..=1e6).contains(&height), "a length from 0")?;
+        expect("height", height, (0.0..=1e6).contains(&height), "a length from 0 to 1000000")?;
         expect("turn", turn, (-360.0..=360.0).contains(&turn), "an angle in degrees")?;
         let outline = Loop::of(&self.outline, None)?;
         let holes = (0..).zip(&self.holes).map(|(k, hole)| Loop::of(hole, Some(k)));
@@ -76,7 +76,11 @@ fn raised(ground: Ground, support: Support, height: f64) -> Result<PlanSurface, 
     let Ground { mut mesh, outline, corners } = ground;
     let (held, feet) = match support {
         Support::Corners if corners.len() < 3 => return Err(PlanError::NoCorners(corners.len())),
-        Support::Corners => (corners.clone(), corners),
+        Support::Corners => {
+            let feet: Option<Vec<u32>> = corners.into_iter().collect();
+            let feet = feet.ok_or(PlanError::TooCoarse(None))?;
+            (feet.clone(), feet)
+        }
         Support::Outline => (outline, Vec::new()),
     };
     let n = mesh.positions.len();

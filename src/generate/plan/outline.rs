@@ -35,8 +35,8 @@ pub(super) struct Ground {
     pub(super) mesh: Mesh,
     /// The vertices on the outline.
     pub(super) outline: Vec<u32>,
-    /// The vertices at marked corners.
-    pub(super) corners: Vec<u32>,
+    /// The vertices at marked corners; none at a tip so narrow that it has no face.
+    pub(super) corners: Vec<Option<u32>>,
 }
 
 /// `a + t b`.

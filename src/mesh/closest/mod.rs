@@ -17,7 +17,7 @@ pub use boundary_curves::{BoundaryCurve, BoundaryCurves, BoundaryPiece};
 pub use polyline::Polyline;
 pub use safe_region::ClosestPointCache;
 
-use crate::math::{Pair, Vec3};
+use crate::math::{Pair, Vec3, triangles_in_space};
 use crate::mesh::{Mesh, Point};
 use bvh::{Box3, Bvh};
 use neighbourhoods::TriangleNeighbourhoods;
@@ -45,13 +45,30 @@ impl Surface {
     /// `(f0, fk, fk+1)`; without faces, the segments of its curves; without both, its vertices.
     /// A triangle thinner than 1e-8 of its length is replaced by its three sides.
     pub fn new(positions: &[Point], mesh: &Mesh) -> Surface {
+        Surface::cut(positions, mesh, |corners| (2..corners.len()).map(|k| [0, k - 1, k]))
+    }
+
+    /// Returns the surface of which no face covers ground outside itself, as the fan of a concave one
+    /// does: to ask what lies on which face.
+    pub fn of_ground(positions: &[Point], mesh: &Mesh) -> Surface {
+        Surface::cut(positions, mesh, triangles_in_space)
+    }
+
+    fn cut<I: IntoIterator<Item = [usize; 3]>>(
+        positions: &[Point],
+        mesh: &Mesh,
+        triangles_of: impl Fn(&[Vec3<f64>]) -> I,
+    ) -> Surface {
         let at = |v: &u32| positions[*v as usize];
         let fans = mesh.faces.iter().map(|face| face.len().saturating_sub(2)).sum();
         let mut triangles: Vec<[Point; 3]> = Vec::with_capacity(fans);
         let mut faces = Vec::with_capacity(fans);
+        let mut corners: Vec<Vec3<f64>> = Vec::new();
         for (index, face) in (0..).zip(mesh.faces.iter()) {
-            for side in face[1..].windows(2) {
-                let [a, b, c] = [at(&face[0]), at(&side[0]), at(&side[1])];
+            corners.clear();
+            corners.extend(face.iter().map(|v| Vec3::from(at(v))));
+            for own in triangles_of(&corners) {
+                let [a, b, c] = own.map(|k| Point::from(corners[k]));
                 if is_sliver([a, b, c]) {
                     triangles.extend([[a, b, b], [b, c, c], [c, a, a]]);
                 } else {

@@ -2,7 +2,7 @@
 //! triangles, interpolated linearly.
 
 use super::{Curvature, SecondForm, curvatures};
-use crate::math::{Vec3, argsort, key_of_pair};
+use crate::math::{Vec3, argsort, key_of_pair, mean};
 use crate::mesh::{BoundingSphere, Mesh, Point, Topology, at_vertices};
 
 const NONE: u32 = u32::MAX;
@@ -62,9 +62,7 @@ impl CurvatureField {
                 continue;
             }
             let centre = points.len() as u32;
-            let corners = face.iter().map(|&v| points[v as usize]);
-            let sum = corners.fold(Vec3::zero(), |sum, corner| sum + corner);
-            points.push(sum * (1.0 / face.len() as f64));
+            points.push(mean(face.iter().map(|&v| points[v as usize])));
             forms.push(mean_form(face.iter().map(|&v| forms[v as usize])));
             for (k, &a) in face.iter().enumerate() {
                 triangles.push([a, face[(k + 1) % face.len()], centre]);

@@ -3,24 +3,30 @@
 
 use super::origins::{Combinations, Edited, Origins};
 use super::rebuild::regrouped;
-use crate::math::Vec3;
+use crate::math::{Vec3, mean};
 use crate::mesh::{Mesh, Point, Ragged, Surface};
+use std::collections::HashMap;
 
 /// A new vertex whose weight on a corner is at most this does not depend on it.
 const NEGLIGIBLE: f64 = 1e-9;
 
 impl Edited {
     /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
-    /// from the old face at its centre; sets and groups follow that. Curves stay, and so do vertices of
-    /// no face and of faces that are left as they are.
+    /// from [the same one](Mesh::same_faces), else from the old face at its centre; sets and groups
+    /// follow that. Curves stay, and so do vertices of no face and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
-        let surface = Surface::new(&mesh.positions, mesh);
+        let surface = Surface::of_ground(&mesh.positions, mesh);
         let face_at = |point: Point| surface.closest_face(point).unwrap_or(0);
+        let same = cover.same_faces(mesh);
         let mut vertices: Vec<(Point, Vec<(u32, f64)>)> = cover
             .positions
             .iter()
             .map(|&point| (point, weights(mesh, face_at(point), point)))
             .collect();
+        for (face, same) in cover.faces.iter().zip(&same) {
+            let olds = same.map_or(&[][..], |same| mesh.faces.row(same as usize));
+            face.iter().zip(olds).for_each(|(&v, &old)| vertices[v as usize].1 = vec![(old, 1.0)]);
+        }
         // Those vertices stay, unless there is a new one at their place.
         let mut stays = vec![true; mesh.positions.len()];
         mesh.faces.indices().iter().for_each(|&v| stays[v as usize] = false);
@@ -58,10 +64,29 @@ impl Edited {
         let places: Vec<u32> = now.iter().map(|new| new.unwrap_or(u32::MAX)).collect();
         made.curves = mesh.curves.clone();
         made.curves.rename(&places);
-        let faces: Ragged = cover.faces.iter().map(|face| [face_at(centre(cover, face))]).collect();
+        let origin = |(face, same): (&[u32], Option<u32>)| {
+            let centre = || mean(face.iter().map(|&v| cover.positions[v as usize].into()));
+            [same.unwrap_or_else(|| face_at(centre().into()))]
+        };
+        let faces: Ragged = cover.faces.iter().zip(same).map(origin).collect();
         let curves: Vec<Option<u32>> = (0..mesh.curves.len() as u32).map(Some).collect();
         made.groups = regrouped(mesh, &faces, &curves);
         Edited { mesh: made, origins: Origins { vertices: now, positions, between, faces } }
+    }
+}
+
+impl Mesh {
+    /// Returns for each face the face of `other` whose corners have the same positions, to the bit; of
+    /// several such faces each is returned once, in their order.
+    pub fn same_faces(&self, other: &Mesh) -> Vec<Option<u32>> {
+        let corners = |mesh: &Mesh, face: &[u32]| -> Vec<[u64; 3]> {
+            face.iter().map(|&v| mesh.positions[v as usize].map(f64::to_bits)).collect()
+        };
+        let mut there: HashMap<_, Vec<u32>> = HashMap::new();
+        for f in (0..other.faces.len()).rev() {
+            there.entry(corners(other, other.faces.row(f))).or_default().push(f as u32);
+        }
+        self.faces.iter().map(|face| there.get_mut(&corners(self, face))?.pop()).collect()
     }
 }
 
@@ -71,12 +96,6 @@ fn at_old(mesh: &Mesh, point: Point, terms: &[(u32, f64)]) -> Option<u32> {
         [(old, _)] if mesh.positions[old as usize] == point => Some(old),
         _ => None,
     }
-}
-
-/// The mean of the corners of a face.
-fn centre(mesh: &Mesh, face: &[u32]) -> Point {
-    let sum = face.iter().fold(Vec3::zero(), |sum, &v| sum + mesh.positions[v as usize].into());
-    (sum * (1.0 / face.len() as f64)).into()
 }
 
 /// A point as an affine combination of the corners of a face: of those of the triangle of its fan
@@ -191,5 +210,45 @@ mod tests {
         let edited = Edited::covering(&mesh, &quads);
         let groups: Vec<_> = edited.mesh.groups.iter().map(|group| &group.faces[..]).collect();
         assert_eq!(groups, [[1]]);
+    }
+
+    /// A face was looked for among fans: that of a concave one covers the ground of its neighbours.
+    #[test]
+    fn a_concave_face_has_no_more_ground_than_its_own() {
+        // The corner of an L first from which a fan covers its notch, with a square in it.
+        let positions = [[2, 1], [1, 1], [1, 2], [0, 2], [0, 0], [2, 0], [2, 2]];
+        let group = |name: &str, face: u32| Group {
+            name: name.to_owned(),
+            keyword: GroupKeyword::Group,
+            faces: vec![face],
+            curves: Vec::new(),
+        };
+        let faces: [&[u32]; 2] = [&[0, 1, 2, 3, 4, 5], &[1, 0, 6, 2]];
+        for order in [[0, 1], [1, 0]] {
+            let mesh = Mesh {
+                positions: positions.map(|[x, y]| [f64::from(x), f64::from(y), 0.0]).to_vec(),
+                faces: order.map(|f| faces[f as usize]).iter().collect(),
+                groups: vec![group("wall", order[0]), group("window", order[1])],
+                ..Mesh::default()
+            };
+            // Panels of the square, and the L as it is: the mean of its corners is in its notch.
+            let mut cover = Mesh { positions: mesh.positions.clone(), ..Mesh::default() };
+            for [x, y] in [[1.0, 1.0], [1.5, 1.0], [1.0, 1.5], [1.5, 1.5]] {
+                let first = cover.positions.len() as u32;
+                let corner = |[i, j]: [f64; 2]| [x + 0.5 * i, y + 0.5 * j, 0.0];
+                let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(corner);
+                cover.positions.extend(corners);
+                cover.faces.push(&[first, first + 1, first + 2, first + 3]);
+            }
+            cover.faces.push(faces[0]);
+            let edited = Edited::covering(&mesh, &cover);
+            let [wall, window] = order;
+            assert_eq!(edited.origins.faces.indices(), [window, window, window, window, wall]);
+            let with = |name: &str| {
+                let found = edited.mesh.groups.iter().find(|group| group.name == name);
+                found.map_or(0, |group| group.faces.len())
+            };
+            assert_eq!([with("wall"), with("window")], [1, 4]);
+        }
     }
 }

@@ -22,10 +22,8 @@ pub(super) struct Rebuild<'a> {
 
 struct Vertex {
     position: Point,
-    /// See [`Origins::positions`].
+    /// See [`Origins::positions`]; ascending.
     of: Vec<(u32, f64)>,
-    /// See [`Origins::between`].
-    between: Vec<u32>,
 }
 
 /// Error: this face would visit a vertex twice.
@@ -33,11 +31,7 @@ pub(super) struct Touching(pub(super) u32);
 
 impl<'a> Rebuild<'a> {
     pub(super) fn new(mesh: &'a Mesh) -> Rebuild<'a> {
-        let old = |(v, &position): (u32, &Point)| Vertex {
-            position,
-            of: vec![(v, 1.0)],
-            between: vec![v],
-        };
+        let old = |(v, &position): (u32, &Point)| Vertex { position, of: vec![(v, 1.0)] };
         Rebuild {
             mesh,
             names: (0..mesh.positions.len() as u32).collect(),
@@ -57,7 +51,7 @@ impl<'a> Rebuild<'a> {
 
     /// Adds a vertex at `position` that moves with the old vertex `with`.
     pub(super) fn vertex_at(&mut self, position: Point, with: u32) -> u32 {
-        self.vertices.push(Vertex { position, of: vec![(with, 1.0)], between: vec![with] });
+        self.vertices.push(Vertex { position, of: vec![(with, 1.0)] });
         self.vertices.len() as u32 - 1
     }
 
@@ -152,7 +146,7 @@ impl<'a> Rebuild<'a> {
         for (vertex, _) in vertices.iter().zip(&is_used).filter(|(_, used)| **used) {
             edited.positions.push(vertex.position);
             positions.push(&vertex.of);
-            between.push(&vertex.between);
+            between.push(&vertex.of.iter().map(|(old, _)| *old).collect::<Vec<_>>());
         }
         edited.faces.rename(&places);
         let mut next = 0..;
@@ -208,7 +202,7 @@ fn mean(mesh: &Mesh, vertices: &[u32]) -> Vertex {
     let of: Vec<(u32, f64)> = between.iter().map(|&v| (v, part)).collect();
     let mut combination = Combinations::default();
     combination.push(&of);
-    Vertex { position: combination.apply(&mesh.positions)[0], of, between }
+    Vertex { position: combination.apply(&mesh.positions)[0], of }
 }
 
 /// Whether a face visits a vertex twice.

@@ -114,11 +114,11 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         endings: &["mesh"],
         name: "Medit",
         reads: "vertices, triangles, quads, tetrahedra, edges",
-        writes: "vertices, triangles, quads, tetrahedra (command line)",
-        leaves_out: "binary files; faces of more than four corners, faces with holes, curves and groups when written",
+        writes: "vertices, triangles, quads, tetrahedra, edges of curves (command line)",
+        leaves_out: "binary files; faces of more than four corners, faces with holes, groups and polylines in one piece when written",
         lacks: &[
             MeshPart::LargeFaces,
-            MeshPart::Curves,
+            MeshPart::Polylines,
             MeshPart::Groups,
             MeshPart::FacesWithHoles,
         ],
@@ -244,7 +244,7 @@ mod tests {
         };
         assert_eq!(
             said("a.mesh"),
-            "1 face of more than four corners, 2 curves, 2 faces with holes"
+            "1 face of more than four corners, 1 polyline in one piece, 2 faces with holes"
         );
         assert_eq!(said("a.ply"), "1 polyline in one piece");
         // Points of curves are lost with these.

@@ -51,14 +51,36 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
-/// Statements of OBJ whose rest is a name, which may end in a backslash, as a folder does.
-const NAMES: &str = "o g usemtl mtllib maplib usemap";
-/// Other statements that a line may begin with.
-const STATEMENTS: &str = "v vt vn vp f fo l p s mg cstype deg curv curv2 surf parm trim hole end \
-    bevel c_interp d_interp lod";
+/// What a statement of OBJ is for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Statement {
+    /// A shape, or a part of one.
+    Shape,
+    /// Something else, whose rest is a name, which may end in a backslash, as a folder does.
+    Name,
+    /// A setting for the elements after it.
+    Setting,
+    /// Nothing here: it does not affect the shape, or only free-form elements.
+    Other,
+}
 
-fn is_one_of(words: &str, word: &str) -> bool {
-    words.split(' ').any(|known| known == word)
+/// The statements that a line may begin with.
+const STATEMENTS: [(Statement, &str); 4] = [
+    (Statement::Shape, "v f fo l p cstype deg curv curv2 surf"),
+    (Statement::Name, "o g usemtl mtllib maplib usemap"),
+    (Statement::Setting, "s mg bevel c_interp d_interp lod"),
+    (
+        Statement::Other,
+        "vt vn vp parm trim hole scrv sp end con bmat step ctech stech shadow_obj trace_obj call csh",
+    ),
+];
+
+impl Statement {
+    /// The one that begins with this word.
+    pub(crate) fn of(word: &str) -> Option<Statement> {
+        let is_it = |words: &str| words.split(' ').any(|known| known == word);
+        STATEMENTS.iter().find(|(_, words)| is_it(words)).map(|(statement, _)| *statement)
+    }
 }
 
 /// Returns the lines of OBJ, joining those that end in a backslash with the next and numbered by the
@@ -75,7 +97,7 @@ pub(crate) fn joined_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, s
         if statement.starts_with('#') {
             return Some((number, Cow::Borrowed(first)));
         }
-        let of_name = is_one_of(NAMES, statement);
+        let of_name = Statement::of(statement) == Some(Statement::Name);
         let is_own_word = first[..length].ends_with([' ', '\t']);
         if (of_name && !is_own_word) || !lines.goes_on(of_name) {
             let rest = if of_name { first } else { &first[..length] };
@@ -105,7 +127,7 @@ impl Lines<'_> {
         let next = Lines { rest: self.rest, number: 0 }.next().map_or("", |(_, line)| line);
         let word = next.split_ascii_whitespace().next().unwrap_or_default();
         let is_empty = word.is_empty() || word.starts_with('#');
-        !(is_one_of(NAMES, word) || is_one_of(STATEMENTS, word) || of_names && is_empty)
+        !(Statement::of(word).is_some() || of_names && is_empty)
     }
 }
 
@@ -169,6 +191,12 @@ mod tests {
         let found = joined("f 1 2 3\\\nf 2 3 4 \\\nv 0 0 0\n");
         let line = |number, text: &str| (number, text.to_owned());
         assert_eq!(found, [line(1, "f 1 2 3"), line(2, "f 2 3 4 "), line(3, "v 0 0 0")]);
+        // Statements that are ignored were joined with a face, which was skipped then.
+        for (_, words) in STATEMENTS {
+            for word in words.split(' ') {
+                assert_eq!(joined(&format!("f 1 2 3\\\n{word} a"))[0], line(1, "f 1 2 3"));
+            }
+        }
     }
 
     #[test]

@@ -78,11 +78,11 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
     Ok(builder)
 }
 
-/// Returns the mesh as the text of a Medit file: vertices, then triangles, quadrilaterals and
-/// tetrahedra, each in order, with the reference number 0. Numbers have the fewest digits that read
-/// back to the same `f64`.
+/// Returns the mesh as the text of a Medit file: vertices, then the segments of curves as edges,
+/// triangles, quadrilaterals and tetrahedra, each in order, with the reference number 0. Numbers have the
+/// fewest digits that read back to the same `f64`.
 ///
-/// Faces of more corners and groups, which Medit does not support, and curves are left out.
+/// Faces of more corners, faces with holes and groups, which Medit does not support, are left out.
 pub fn write_medit(mesh: &Mesh) -> String {
     let mut out = String::with_capacity(64 * mesh.positions.len());
     out.push_str("MeshVersionFormatted 2\nDimension 3\n");
@@ -92,6 +92,7 @@ pub fn write_medit(mesh: &Mesh) -> String {
         let numbers: Vec<_> = row.iter().map(|&v| (u64::from(v) + 1).to_string()).collect();
         numbers.join(" ")
     };
+    push_section(&mut out, "Edges", mesh.curves.iter().flat_map(|c| c.windows(2)).map(corners));
     for (name, n) in [("Triangles", 3), ("Quadrilaterals", 4)] {
         push_section(&mut out, name, mesh.faces.iter().filter(|f| f.len() == n).map(corners));
     }
@@ -124,11 +125,13 @@ mod tests {
         let mesh = Mesh {
             positions: vec![[0.1, 0.0, -0.0], [1e-7, 2.0, 3e20], [1.0; 3], [2.0; 3], [3.0; 3]],
             faces: Ragged::from_iter(faces),
+            curves: [&[0, 4][..], &[1, 2, 3]].into_iter().collect(),
             tets: vec![[0, 1, 2, 3], [4, 1, 2, 3]],
             ..Mesh::default()
         };
         let again = read("bar.mesh", write_medit(&mesh).as_bytes()).expect("it is a Medit file");
-        let kept = Mesh { faces: Ragged::from_iter(&faces[..2]), ..mesh };
+        let faces = Ragged::from_iter(&faces[..2]);
+        let kept = Mesh { faces, curves: [[0, 4], [1, 2], [2, 3]].iter().collect(), ..mesh };
         assert_eq!(again.mesh, kept);
         assert_eq!(again.problems, []);
     }

@@ -70,7 +70,7 @@ pub fn write_with_ending(
     match ending.to_ascii_lowercase().as_str() {
         "ply" => write_ply(mesh, positions, comments),
         "stl" => write_stl(mesh, positions),
-        "mesh" => write_medit(&Mesh { positions: positions.to_vec(), ..mesh.clone() }).into_bytes(),
+        "mesh" => write_medit(&mesh.at(positions)).into_bytes(),
         _ => write_obj_with_comments(mesh, positions, comments).into_bytes(),
     }
 }

@@ -5,19 +5,12 @@
 
 use super::builder::MeshBuilder;
 use super::groups::Groups;
-use super::lines::{joined_lines, words};
+use super::lines::{Statement, joined_lines, words};
 use super::number::{Numbering, whole};
 use crate::mesh::file_order::FilePart;
 use crate::mesh::{Decimal, ElementKind, Group, GroupKeyword, Mesh, Point, ProblemKind, Ragged};
 use crate::words;
 use std::fmt::{Display, Write};
-
-/// Statements ignored without a message: they do not affect the shape, or only free-form elements.
-const SILENT: &str = "vt vn vp s mg mtllib maplib usemap parm trim hole scrv sp end con bmat step \
-    ctech stech bevel c_interp d_interp lod shadow_obj trace_obj call csh";
-
-/// Statements that are written again where they were.
-const KEPT: &str = "o g usemtl mtllib s mg usemap maplib bevel c_interp d_interp lod";
 
 pub(crate) fn read(text: &str) -> MeshBuilder {
     let mut builder = MeshBuilder::default();
@@ -74,14 +67,16 @@ pub(crate) fn read(text: &str) -> MeshBuilder {
             }
             _ => {
                 let opens = |(word, _): &&(&str, GroupKeyword)| *word == statement;
-                if KEPT.split(' ').any(|kept| kept == statement) {
+                let known = Statement::of(statement);
+                // They are written again where they were.
+                if matches!(known, Some(Statement::Name | Statement::Setting)) {
                     builder.mesh.order.push(FilePart::Statement(text.trim_ascii().into()));
                 }
                 if let Some(&(_, keyword)) = GroupKeyword::STATEMENTS.iter().find(opens) {
                     if groups.open(keyword, &text) {
                         builder.counts.add(ProblemKind::TooManyNames, Some(line));
                     }
-                } else if !SILENT.split(' ').any(|silent| silent == statement) {
+                } else if known.is_none() {
                     builder.counts.add(ProblemKind::UnknownStatement, Some(line));
                 }
                 continue;

@@ -1,7 +1,7 @@
 //! How developable a surface is: its Gauss curvature at vertices, by angle defects, which is zero
 //! inside a developable surface; and strips of quads unrolled into the plane.
 
-use crate::math::{Vec3, angle_between, polygon_corners};
+use crate::math::{Vec3, angle_between, mean, polygon_corners};
 use crate::mesh::{Mesh, Point, Topology};
 use std::f64::consts::TAU;
 
@@ -81,7 +81,7 @@ pub fn gauss_curvature(positions: &[Point], mesh: &Mesh, topology: &Topology) ->
     let between = |a, b| angle_between(a, b).unwrap_or(f64::NAN);
     for face in mesh.faces.iter() {
         let share = 1.0 / face.len() as f64;
-        let centre = face.iter().fold(Vec3::zero(), |sum, &v| sum + at(v)) * share;
+        let centre = mean(face.iter().map(|&v| at(v)));
         let (mut at_centre, mut area) = (TAU, 0.0);
         for [before, v, after] in polygon_corners(face) {
             let [back, on, inward] = [at(before), at(after), centre].map(|p| p - at(v));

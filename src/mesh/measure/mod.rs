@@ -77,16 +77,16 @@ impl Measures {
         let mut all = Measures::default();
         let squares_scale = if diameter > 0.0 { 1.0 / diameter / diameter } else { 0.0 };
         let share = if faces.is_empty() { 0.0 } else { 1.0 / faces.len() as f64 };
-        let mut fit = FaceFit::default();
+        let mut corners = Vec::new();
         let (planarity, circularity) = (&mut all.planarity, &mut all.circularity);
         for face in faces.iter() {
-            let corners = face.iter().map(|&v| positions[v as usize]);
-            let errors = fit.errors(corners);
-            let (distance, e_p) = (errors.plane.largest_square.sqrt(), errors.plane.mean_square);
+            corners.clear();
+            corners.extend(face.iter().map(|&v| Vec3::from(positions[v as usize])));
+            let [[plane, e_p], [circle, e_c]] = face_errors(&mut corners);
+            let (distance, e_p) = (plane.sqrt(), squares_scale * e_p);
             all.planarity_distances.push(distance);
             planarity.max_distance = greater(planarity.max_distance, distance);
             planarity.mean_distance += share * distance;
-            let e_p = squares_scale * e_p;
             all.e_p.push(e_p);
             planarity.e_p_max = greater(planarity.e_p_max, e_p);
             planarity.e_p_mean += share * e_p;
@@ -94,11 +94,10 @@ impl Measures {
                 let ratio = diagonal_ratio([a, b, c, d].map(|v| positions[v as usize]));
                 planarity.diagonal_ratio_max = greater(planarity.diagonal_ratio_max, ratio);
             }
-            let (distance, e_c) = (errors.circle.largest_square.sqrt(), errors.circle.mean_square);
+            let (distance, e_c) = (circle.sqrt(), squares_scale * e_c);
             all.circularity_distances.push(distance);
             circularity.max_distance = greater(circularity.max_distance, distance);
             circularity.mean_distance += share * distance;
-            let e_c = squares_scale * e_c;
             all.e_c.push(e_c);
             circularity.e_c_max = greater(circularity.e_c_max, e_c);
             circularity.e_c_mean += share * e_c;
@@ -131,63 +130,36 @@ pub fn diagonal_ratio(corners: [Point; 4]) -> f64 {
     if mean > 0.0 { distance / mean } else { 0.0 }
 }
 
-/// Fits a plane and a circle to one face at a time.
-#[derive(Clone, Debug, Default)]
-struct FaceFit {
-    /// The corners of the current face, relative to their mean.
-    corners: Vec<Vec3<f64>>,
-}
-
-impl FaceFit {
-    /// Returns the errors of the face with these corners. The fitted circle of collinear corners is
-    /// their line; coincident corners have no error.
-    pub(crate) fn errors(&mut self, corners: impl Iterator<Item = Point>) -> FaceErrors {
-        self.corners.clear();
-        self.corners.extend(corners.map(Vec3::from));
-        centre(&mut self.corners);
-        match CircleFit::of(&self.corners) {
-            Some(circle) => self.sum(|p| circle.height_and_step(p)),
-            None => {
-                let circle = PrincipalCircle::rotate(&mut self.corners);
-                self.sum(|p| circle.height_and_step(p))
-            }
+/// Returns the largest and the mean of the squared distances of the corners of a face to its plane, and
+/// to the circle fitted in it. The circle of collinear corners is their line; coincident corners have no
+/// error. The corners are moved.
+fn face_errors(corners: &mut [Vec3<f64>]) -> [[f64; 2]; 2] {
+    centre(corners);
+    match CircleFit::of(corners) {
+        Some(circle) => errors(corners, |p| circle.height_and_step(p)),
+        None => {
+            let circle = PrincipalCircle::rotate(corners);
+            errors(corners, |p| circle.height_and_step(p))
         }
     }
-
-    /// Returns the errors, given the height of each corner over the plane and its displacement in
-    /// the plane to the circle.
-    #[inline(always)]
-    fn sum(&self, height_and_step: impl Fn(Vec3<f64>) -> (f64, Vec3<f64>)) -> FaceErrors {
-        let share = 1.0 / self.corners.len() as f64;
-        let mut errors = FaceErrors::default();
-        for p in &self.corners {
-            let (height, step) = height_and_step(*p);
-            errors.plane.add(height * height, share);
-            errors.circle.add(step.length_squared() + height * height, share);
-        }
-        errors
-    }
 }
 
-/// Errors of a face against its plane and its circle.
-#[derive(Clone, Copy, Debug, Default)]
-struct FaceErrors {
-    pub(crate) plane: Errors,
-    pub(crate) circle: Errors,
-}
-
-/// Distances of the corners of a face to a fitted shape.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Errors {
-    pub(crate) largest_square: f64,
-    pub(crate) mean_square: f64,
-}
-
-impl Errors {
-    fn add(&mut self, square: f64, share: f64) {
-        self.mean_square += share * square;
-        if square > self.largest_square {
-            self.largest_square = square;
+/// The errors, given the height of each corner over the plane and its displacement in the plane to the
+/// circle.
+#[inline(always)]
+fn errors(
+    corners: &[Vec3<f64>],
+    height_and_step: impl Fn(Vec3<f64>) -> (f64, Vec3<f64>),
+) -> [[f64; 2]; 2] {
+    let share = 1.0 / corners.len() as f64;
+    let mut errors = [[0.0; 2]; 2];
+    for &p in corners {
+        let (height, step) = height_and_step(p);
+        let squares = [height * height, step.length_squared() + height * height];
+        for ([largest, mean], square) in errors.iter_mut().zip(squares) {
+            *largest = greater(*largest, square);
+            *mean += share * square;
         }
     }
+    errors
 }

@@ -5,18 +5,17 @@
 
 mod boundary;
 mod edge_lines;
-mod feature_curves;
 mod local;
 mod strips;
 
 pub use boundary::components;
 pub use edge_lines::{Repeated, edge_lines, repeated};
-pub use feature_curves::feature_curves;
 pub use local::{corners, hinges, stars};
 pub use strips::strips;
 
-use crate::math::{Vec3, argsort, key_of_pair, polygon_sides};
-use crate::mesh::{Body, Mesh, Point, Ragged};
+use crate::math::Vec3;
+use crate::mesh::sides::sides;
+use crate::mesh::{Mesh, Point, Ragged};
 
 /// The adjacency of a mesh. Indices are those of the mesh; edges are numbered in lexicographic
 /// order of their ends.
@@ -215,45 +214,6 @@ fn spread<I: Iterator<Item = u32>>(
         inner = std::mem::replace(&mut ring, next);
     }
     all
-}
-
-/// One side of a face, one segment of a curve or one edge of a tetrahedron.
-#[derive(Clone, Copy)]
-struct Side {
-    /// The lower vertex first.
-    ends: [u32; 2],
-    /// Its kind of element.
-    of: Body,
-    /// `None` for curves and tetrahedra.
-    face: Option<u32>,
-    /// Whether it is traversed from the lower vertex to the higher.
-    ascends: bool,
-}
-
-/// Returns all sides, sorted by ends, then by face.
-fn sides(mesh: &Mesh) -> Vec<Side> {
-    const TET_EDGES: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-    let of_faces =
-        mesh.faces.iter().zip(0..).flat_map(|(face, f)| {
-            polygon_sides(face).map(move |ends| (ends, Body::Faces, Some(f)))
-        });
-    let of_curves = mesh
-        .curves
-        .iter()
-        .flat_map(|curve| curve.windows(2).map(|ends| ([ends[0], ends[1]], Body::Curves, None)));
-    let of_tets = mesh
-        .tets
-        .iter()
-        .flat_map(|tet| TET_EDGES.map(|[a, b]| ([tet[a], tet[b]], Body::Tetrahedra, None)));
-    // Faces come last and in order, and the sort is stable, so the sides of an edge are, too.
-    let sides: Vec<Side> = of_curves
-        .chain(of_tets)
-        .chain(of_faces)
-        .filter(|([a, b], ..)| a != b)
-        .map(|([a, b], of, face)| Side { ends: [a.min(b), a.max(b)], of, face, ascends: a < b })
-        .collect();
-    let order = argsort(sides.iter().map(|side| key_of_pair(side.ends)));
-    order.into_iter().map(|side| sides[side as usize]).collect()
 }
 
 /// Groups values by key (a counting sort): row `i` has the values of key `i`, in their order.

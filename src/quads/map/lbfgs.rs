@@ -1,6 +1,8 @@
 //! Minimisation of a smooth function of a few hundred unknowns: limited-memory BFGS (Nocedal 1980;
 //! Nocedal and Wright 2006, algorithm 7.5) with halved steps.
 
+use crate::math::{LimitedMemory, inner_product};
+
 /// Number of pairs remembered.
 const MEMORY: usize = 8;
 /// Sufficient decrease, as a fraction of that of the slope.
@@ -19,23 +21,23 @@ pub(super) fn minimise(
     let n = x.len();
     let mut gradient = vec![0.0; n];
     let mut value = function(x, &mut gradient);
-    let mut pairs: Vec<(Vec<f64>, Vec<f64>, f64)> = Vec::new();
+    let mut memory = LimitedMemory::of(MEMORY);
     let (mut next, mut next_gradient) = (vec![0.0; n], vec![0.0; n]);
     for _ in 0..steps {
         let mut direction: Vec<f64> = gradient.iter().map(|g| -g).collect();
-        apply_inverse(&pairs, &mut direction);
-        let mut slope = dot(&direction, &gradient);
+        memory.apply(&mut direction);
+        let mut slope = inner_product(&direction, &gradient);
         if slope >= 0.0 || !slope.is_finite() {
-            pairs.clear();
+            memory.forget();
             direction = gradient.iter().map(|g| -g).collect();
-            slope = -dot(&gradient, &gradient);
+            slope = -inner_product(&gradient, &gradient);
         }
         if slope == 0.0 {
             return;
         }
         // Without memory the length of the gradient says nothing.
         let longest = direction.iter().fold(0.0f64, |most, d| most.max(d.abs()));
-        let mut step = if pairs.is_empty() { (0.1 / longest).min(1.0) } else { 1.0 };
+        let mut step = if memory.is_empty() { (0.1 / longest).min(1.0) } else { 1.0 };
         let mut halvings = 0;
         let next_value = loop {
             for i in 0..n {
@@ -53,12 +55,8 @@ pub(super) fn minimise(
         };
         let moved: Vec<f64> = next.iter().zip(&*x).map(|(a, b)| a - b).collect();
         let changed: Vec<f64> = next_gradient.iter().zip(&gradient).map(|(a, b)| a - b).collect();
-        let curvature = dot(&moved, &changed);
-        if curvature > 1e-12 * dot(&changed, &changed) {
-            if pairs.len() == MEMORY {
-                pairs.remove(0);
-            }
-            pairs.push((moved, changed, 1.0 / curvature));
+        if inner_product(&moved, &changed) > 1e-12 * inner_product(&changed, &changed) {
+            memory.learn(moved, changed);
         }
         let decrease = value - next_value;
         x.copy_from_slice(&next);
@@ -68,28 +66,6 @@ pub(super) fn minimise(
             return;
         }
     }
-}
-
-/// Applies the remembered inverse to a vector, by the two loops of Nocedal.
-fn apply_inverse(pairs: &[(Vec<f64>, Vec<f64>, f64)], vector: &mut [f64]) {
-    let mut amounts = Vec::with_capacity(pairs.len());
-    for (moved, changed, inverse) in pairs.iter().rev() {
-        let amount = inverse * dot(moved, vector);
-        vector.iter_mut().zip(changed).for_each(|(v, y)| *v -= amount * y);
-        amounts.push(amount);
-    }
-    if let Some((_, changed, inverse)) = pairs.last() {
-        let scale = 1.0 / (inverse * dot(changed, changed));
-        vector.iter_mut().for_each(|v| *v *= scale);
-    }
-    for ((moved, changed, inverse), amount) in pairs.iter().zip(amounts.into_iter().rev()) {
-        let other = inverse * dot(changed, vector);
-        vector.iter_mut().zip(moved).for_each(|(v, s)| *v += (amount - other) * s);
-    }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 #[cfg(test)]

@@ -34,8 +34,6 @@ pub struct MapNotes {
     pub quads: f64,
     /// Number of integer unknowns that were rounded.
     pub integers: usize,
-    /// Number of pairs of points and lines that rounding would have put together.
-    pub separations: usize,
     /// Crease edges given up because they are nearer to each other than a panel.
     pub abandoned_creases: usize,
 }
@@ -190,7 +188,6 @@ impl Stage {
                 singularities: field.combed.singularities(),
                 quads: best.quads,
                 integers: relaxed.integers.count(),
-                separations: best.separations,
                 abandoned_creases: prepared.notes.abandoned.len(),
             };
             if !visit(prepared, map, notes, observer)? {

@@ -70,8 +70,6 @@ pub(super) struct Found {
     pub rounded: Rounded,
     /// Triangles without positive area.
     pub flipped: Vec<usize>,
-    /// Number of pairs that were separated.
-    pub separations: usize,
     /// Number of quads by the area of the map.
     pub quads: f64,
 }
@@ -140,9 +138,7 @@ impl Relaxed {
                 }
                 let quads = 0.5 * rounded.doubled.iter().sum::<f64>();
                 let flipped = rounded.flipped();
-                let separations = given.len();
-                let found = Found { factor, rounded, flipped, separations, quads };
-                return Ok(Attempt::Map(found));
+                return Ok(Attempt::Map(Found { factor, rounded, flipped, quads }));
             }
             // What is violated although it was given contradicts what was given before it.
             given.retain(|one| !more.contains(one));

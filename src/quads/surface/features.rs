@@ -5,14 +5,13 @@ use super::refine::Line;
 use crate::math::{Vec3, cosine};
 
 /// Marks the sides on the boundary, and those on creases: edges between triangles whose normals turn
-/// by more than `crease` degrees, in connected sets of at least the length `shortest`. Returns the
-/// marks, `#T by 3`, and the number of crease edges that were dropped.
+/// by more than `crease` degrees, in connected sets of at least the length `shortest`: `#T by 3`.
 pub(super) fn lines(
     positions: &[Vec3<f64>],
     triangles: &[[usize; 3]],
     crease: Option<f64>,
     shortest: f64,
-) -> (Vec<[Line; 3]>, usize) {
+) -> Vec<[Line; 3]> {
     let edges = Edges::new(triangles);
     let normal = |t: usize| {
         let [a, b, c] = triangles[t].map(|v| positions[v]);
@@ -31,11 +30,9 @@ pub(super) fn lines(
         })
         .collect();
     let mut at_vertex: Vec<Vec<usize>> = vec![Vec::new(); positions.len()];
-    for (e, &line) in line.iter().enumerate().filter(|&(_, &line)| line == Line::Crease) {
-        debug_assert_eq!(line, Line::Crease);
+    for (e, _) in line.iter().enumerate().filter(|&(_, &line)| line == Line::Crease) {
         edges.ends[e].iter().for_each(|&v| at_vertex[v].push(e));
     }
-    let mut dropped = 0;
     let mut seen = vec![false; line.len()];
     for first in 0..line.len() {
         if line[first] != Line::Crease || seen[first] {
@@ -54,9 +51,8 @@ pub(super) fn lines(
             }
         }
         if length < shortest {
-            dropped += set.len();
             set.into_iter().for_each(|e| line[e] = Line::None);
         }
     }
-    (edges.of_side.iter().map(|sides| sides.map(|e| line[e])).collect(), dropped)
+    edges.of_side.iter().map(|sides| sides.map(|e| line[e])).collect()
 }

@@ -2,7 +2,7 @@
 //! the size of panels.
 
 use super::edges::Edges;
-use crate::math::{Vec3, argsort, ears_in_space, marked};
+use crate::math::{Vec3, argsort, ears_in_space, marked, mean};
 use crate::mesh::{Mesh, Ragged, Topology, Weld, curvatures};
 use crate::quads::{RemeshError, Side};
 
@@ -155,9 +155,7 @@ impl InputSurface {
 
 /// The mean of the corners of triangles.
 fn middle(positions: &[Vec3<f64>], triangles: &[[usize; 3]]) -> Vec3<f64> {
-    let corners = triangles.as_flattened();
-    let sum = corners.iter().fold(Vec3::zero(), |sum, &v| sum + positions[v]);
-    sum * (1.0 / corners.len().max(1) as f64)
+    mean(triangles.as_flattened().iter().map(|&v| positions[v]))
 }
 
 /// The area of triangles.

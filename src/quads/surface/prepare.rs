@@ -54,8 +54,7 @@ impl Prepared {
         // Beside a crease that is released there is no wedge.
         let (cones, wedges) = cones(&surface, size);
         let creases = (0..is_feature.len()).filter(|&e| is_feature[e] && is_crease(e)).count();
-        let released = released.len();
-        let notes = PrepareNotes { corners, creases, released, wedges, ..PrepareNotes::default() };
+        let notes = PrepareNotes { corners, creases, abandoned: Vec::new(), wedges };
         let of_side = |t: usize| {
             [0, 1, 2].map(|k| {
                 let e = edges.of_side[t][k];
@@ -92,7 +91,6 @@ impl Prepared {
             queue.extend(edges.ends[e].iter().flat_map(|&v| &at_vertex[v]));
         }
         let mut prepared = Prepared::with_features(surface, self.tensors.clone(), self.size);
-        prepared.notes.dropped_creases = self.notes.dropped_creases;
         prepared.notes.abandoned = abandoned;
         prepared
     }
@@ -103,12 +101,8 @@ impl Prepared {
 pub struct PrepareNotes {
     /// Vertices of the surface at corners of feature chains.
     pub corners: Vec<usize>,
-    /// Crease edges of the input that are not followed, because their set is short.
-    pub dropped_creases: usize,
     /// Crease edges of the surface that are followed.
     pub creases: usize,
-    /// Edges of creases released beside another chain.
-    pub released: usize,
     /// The middles of crease edges of the surface that are given up, because they are nearer to each
     /// other than a panel.
     pub abandoned: Vec<Vec3<f64>>,
@@ -124,8 +118,7 @@ impl InputSurface {
     pub fn prepare(&self, size: f64, options: &MapOptions) -> Result<Prepared, RemeshError> {
         self.check(size)?;
         let shortest = SHORTEST_CREASE * size;
-        let (lines, dropped) =
-            features::lines(&self.positions, &self.triangles, options.crease, shortest);
+        let lines = features::lines(&self.positions, &self.triangles, options.crease, shortest);
         let mut refined = Refined {
             positions: self.positions.clone(),
             tensors: self.tensors.clone(),
@@ -150,9 +143,7 @@ impl InputSurface {
             faces,
             vertices,
         };
-        let mut prepared = Prepared::with_features(surface, tensors, size);
-        prepared.notes.dropped_creases = dropped;
-        Ok(prepared)
+        Ok(Prepared::with_features(surface, tensors, size))
     }
 
     /// Checks the size against the area and the boundary.

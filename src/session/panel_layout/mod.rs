@@ -25,7 +25,6 @@ use crate::quads::RemeshObserver;
 use crate::scene::{Lock, SceneError};
 use crate::session::Error;
 use crate::words;
-use std::collections::HashSet;
 use std::rc::Rc;
 
 impl Session {
@@ -69,12 +68,7 @@ impl Session {
         self.end_transaction();
         let shape = self.current_shape();
         // Faces that stay as they are have not been laid out.
-        let corners = |mesh: &Mesh| -> Vec<Vec<[u64; 3]>> {
-            let at = |&v: &u32| mesh.positions[v as usize].map(f64::to_bits);
-            mesh.faces.iter().map(|face| face.iter().map(at).collect()).collect()
-        };
-        let there: HashSet<_> = corners(&shape).into_iter().collect();
-        let new = corners(panels).iter().filter(|face| !there.contains(*face)).count();
+        let new = panels.same_faces(&shape).iter().filter(|same| same.is_none()).count();
         let edited = Edited::covering(&shape, panels);
         let Mesh { positions: rest, faces, .. } = self.mesh().clone();
         let positions = self.document().variants.design_positions().map_or(rest, <[_]>::to_vec);

@@ -16,7 +16,6 @@ pub(super) const CHOICE: Example = Example {
     title: "Two vertices exchanged",
     summary: "Drag the two handles by the same amount: every line across the sheet is to become an arc, but on the right two neighbouring lines have exchanged one vertex, and the surface responds differently.",
     statement: "Both halves start as mirror images and are pulled by the same amount; with two vertices exchanged between two constraints they end up to 1.5 m from mirror images, and without the exchange within a millimetre.",
-    ending: "obj",
     make: choice,
 };
 
@@ -25,7 +24,6 @@ pub(super) const FIT: Example = Example {
     title: "Panels fitted to another surface",
     summary: "The rough panels are near another surface, made of triangles: run, and they settle on it and become flat.",
     statement: "Vertices that are up to 3 m from the other surface come within 3 cm of it, and the panels, up to 13 cm from flat, within 7 mm.",
-    ending: "obj",
     make: fit,
 };
 
@@ -34,7 +32,6 @@ pub(super) const TRANSFER: Example = Example {
     title: "A tower takes the pose of another",
     summary: "Each ring of the upright tower takes the shape of the same ring of a leaning tower; the rings may turn and grow freely, and so the whole tower takes the pose.",
     statement: "Rings that are up to 83 cm from their shapes in the other pose come within 1 cm of them.",
-    ending: "obj",
     make: transfer,
 };
 
@@ -43,7 +40,6 @@ pub(super) const SPLINE: Example = Example {
     title: "Rim that glides on a spline",
     summary: "The corners around the court are crowded on one side, and spread until they are equally far apart: they glide along the smooth curve through their original positions, not along the straight edges.",
     statement: "The longest edge of the rim is 6 times as long as the shortest one before, and at most 2 % longer after; the rim stays within 1 cm of the curve, and moves more than 10 cm away from its original edges.",
-    ending: "obj",
     make: spline,
 };
 
@@ -52,7 +48,6 @@ pub(super) const STRIPS: Example = Example {
     title: "Strips that unroll",
     summary: "Long rows of panels, each exactly flat: every row unrolls into a strip of sheet metal or paper without stretching, though the whole surface does not. To lay them out, choose Build, Paper model, Strips.",
     statement: "Panels that are warped by up to 2 cm become flat, and each of the eight rows unrolls into a strip at most 29 m long and 3.6 m wide; the surface keeps a Gauss curvature of up to 0.04 per square metre, so it would not unroll as one piece.",
-    ending: "obj",
     make: strips,
 };
 
@@ -112,7 +107,7 @@ fn fit(scene: &mut Scene) -> Mesh {
 }
 
 fn transfer(scene: &mut Scene) -> Mesh {
-    let tower = Tower { meridians: 32, rows: 20, ..Tower::default() };
+    let tower = Tower { meridians: 32, rows: 20 };
     let upright = tower.mesh();
     // The leaning pose; its foot stays in place, for the handles.
     let mut posed = upright.positions.clone();

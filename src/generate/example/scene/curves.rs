@@ -4,7 +4,7 @@
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::{Element, Selector, Set};
 use crate::generate::example::Example;
-use crate::generate::model::{Lantern, Net, Pavilion, Tower};
+use crate::generate::model::{Lantern, Net, Tower, pavilion};
 use crate::mesh::Mesh;
 use crate::scene::{ClosenessTo, Scene, Smoothness, SmoothnessOf, Weighting, Weights};
 
@@ -13,7 +13,6 @@ pub(super) const LANTERN: Example = Example {
     title: "Lantern, pulled out of the round",
     summary: "The rim is lifted, widened and tilted: the panels change in size and position, but their corners stay on circles.",
     statement: "All corners stay within 2 cm of the circles of their panels, and the panels are less than 4 mm from circular on average.",
-    ending: "obj",
     make: lantern,
 };
 
@@ -22,7 +21,6 @@ pub(super) const WEB: Example = Example {
     title: "Web of circular arcs",
     summary: "Every line of edges, in both directions, bends to one circular arc while the handles pull, and the panels keep their proportions.",
     statement: "The lines, up to 6 m from circles once the handles have moved, come within 10 cm of them.",
-    ending: "obj",
     make: web,
 };
 
@@ -46,14 +44,13 @@ fn lantern(scene: &mut Scene) -> Mesh {
 }
 
 fn web(scene: &mut Scene) -> Mesh {
-    let net = Net::default();
-    let mesh = net.mesh();
+    let mesh = Net::mesh();
     scene.constraints = vec![
         constraint("circle", each(Element::Curve), 10.0),
         constraint("similar", each(Element::Face), 1.0),
     ];
     scene.closeness.to = ClosenessTo::None;
-    let [nx, ny] = net.panels.map(|n| n as u32);
+    let [nx, ny] = Net::PANELS.map(|n| n as u32);
     let vertex = |i: u32, j: u32| j * (nx + 1) + i;
     // The corners are fixed; the middle of one long side is lifted and pulled out, the other
     // lowered.
@@ -72,7 +69,6 @@ pub(super) const SLABS: Example = Example {
     title: "Tower of flat slabs and round ribs",
     summary: "Every second line around the wavy tower becomes flat, as a floor slab has to be, and the lines between become circles; the panels follow.",
     statement: "Slabs that are up to 57 cm from a plane come within 2 mm of one; ribs that are up to 1 m from a circle come within 5 mm of one.",
-    ending: "obj",
     make: slabs,
 };
 
@@ -81,7 +77,6 @@ pub(super) const POINTS: Example = Example {
     title: "Pavilion of points, surveyed and set right",
     summary: "There are no faces here, only groups of inaccurate points: those of the dome settle on a sphere, those of floor and wall on planes, those of each column on a line.",
     statement: "Points that are up to 35 cm from the sphere, plane or line of their group come within 5 mm of it.",
-    ending: "obj",
     make: points,
 };
 
@@ -108,7 +103,7 @@ fn slabs(scene: &mut Scene) -> Mesh {
 }
 
 fn points(scene: &mut Scene) -> Mesh {
-    let (mesh, groups) = Pavilion::default().cloud();
+    let (mesh, groups) = pavilion();
     for (name, vertices) in groups {
         let kind = match name.as_str() {
             "dome" => "sphere",

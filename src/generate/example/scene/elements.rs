@@ -14,7 +14,6 @@ pub(super) const PROTRUSIONS: Example = Example {
     title: "Plate with pegs",
     summary: "The plate bends as its right end is turned, and the pegs turn with it and keep their shape, because every polygon is rigid.",
     statement: "No corner of a panel is further than 5 cm from its place on a rigid copy of the panel; the plate is 34 m long.",
-    ending: "obj",
     make: protrusions,
 };
 
@@ -24,7 +23,6 @@ pub(super) const RINGS: [Example; 3] = [
         title: "Stretched sheet, elements of one ring",
         summary: "Each vertex with its neighbours may turn and grow but not shear: with such small elements the sheet swells most at its middle, and narrows towards its fixed ends.",
         statement: "Stretched from 30 m to 42 m, the sheet, 18 m wide at first, becomes more than 31 m wide at its middle.",
-        ending: "obj",
         make: |scene| sheet(scene, 1),
     },
     Example {
@@ -32,7 +30,6 @@ pub(super) const RINGS: [Example; 3] = [
         title: "Stretched sheet, elements of two rings",
         summary: "Larger elements overlap more and spread the growth: the middle swells less than with one ring, and the ends narrow less.",
         statement: "Stretched from 30 m to 42 m, the sheet, 18 m wide at first, becomes between 29 m and 30 m wide at its middle.",
-        ending: "obj",
         make: |scene| sheet(scene, 2),
     },
     Example {
@@ -40,7 +37,6 @@ pub(super) const RINGS: [Example; 3] = [
         title: "Stretched sheet, elements of three rings",
         summary: "Elements of three rings spread the growth widest: the middle swells least of the three sheets.",
         statement: "Stretched from 30 m to 42 m, the sheet, 18 m wide at first, becomes less than 29 m wide at its middle.",
-        ending: "obj",
         make: |scene| sheet(scene, 3),
     },
 ];
@@ -50,7 +46,6 @@ pub(super) const BLOCKS: Example = Example {
     title: "Stretched sheet, elements of blocks",
     summary: "Blocks of six by six panels that overlap by two: each may turn and grow but not shear, so the whole sheet grows almost evenly.",
     statement: "Stretched from 30 m to 42 m, the sheet, 18 m wide at first, becomes less than 27 m wide at its middle.",
-    ending: "obj",
     make: blocks,
 };
 
@@ -59,7 +54,6 @@ pub(super) const BAR_POLYGONS: Example = Example {
     title: "Bent bar of rigid polygons",
     summary: "Rigid quads of the surface alone: nothing fills the bar, and it caves in where it is bent.",
     statement: "The bar loses more than half of its volume.",
-    ending: "obj",
     make: |scene| bar(scene, Blocks::surface, Element::Face, 0),
 };
 
@@ -68,7 +62,6 @@ pub(super) const BAR_RINGS: Example = Example {
     title: "Bent bar of rigid rings",
     summary: "Each vertex with its neighbours is rigid, and these rings overlap, which makes a stiff shell of the same surface: it bends more evenly, with a dent inside the bend.",
     statement: "The bar keeps between 85 and 93 per cent of its volume.",
-    ending: "obj",
     make: |scene| bar(scene, Blocks::surface, Element::Ring, 1),
 };
 
@@ -77,7 +70,6 @@ pub(super) const BAR_TETS: Example = Example {
     title: "Bent bar of rigid tetrahedra",
     summary: "Rigid tetrahedra fill the bar: under the same handles it keeps its cross-section and its volume.",
     statement: "The bar keeps more than 95 per cent of its volume.",
-    ending: "mesh",
     make: |scene| bar(scene, Blocks::tetrahedra, Element::Tet, 0),
 };
 
@@ -187,7 +179,6 @@ pub(super) const COLLAPSE: Example = Example {
     title: "Animal, pressed flat, recovers",
     summary: "All vertices start in one plane; rigid rings of neighbours are enough to raise the animal again.",
     statement: "With the quasi-Newton accelerator the energy falls to a millionth of that at the start in fewer than 60 iterations, and the animal regains all of its volume.",
-    ending: "obj",
     make: collapse,
 };
 
@@ -196,7 +187,6 @@ pub(super) const RANDOM: Example = Example {
     title: "Animal, scattered, recovers",
     summary: "All vertices start at random positions in a box: all that is left of the animal is which vertices are neighbours, and the shape of each piece.",
     statement: "With the quasi-Newton accelerator the energy falls to a billionth of that at the start in fewer than 400 iterations, and the animal regains all of its volume.",
-    ending: "obj",
     make: random,
 };
 

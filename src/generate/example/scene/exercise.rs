@@ -17,7 +17,6 @@ pub(super) const PROJECTION: Example = Example {
     title: "Lesson: what a projection is",
     summary: "An exercise to hand in: the tiles of a crumpled sheet become squares by two simple steps in turn, and you say how far the sheet may move.",
     statement: "The tiles, up to 38 cm from squares, come within 4 cm, and one goal is missed: closeness holds the corners back.",
-    ending: "obj",
     make: projection,
 };
 
@@ -57,7 +56,6 @@ pub(super) const GLASS_ROOF: Example = Example {
     title: "Lesson: a glass roof of flat panes",
     summary: "An exercise to hand in: make every pane flat to a millimetre, and keep the roof where the architect drew it. Run alone is not enough; the right weights are.",
     statement: "The worst pane, 9 mm from flat, comes within 3 mm, and the roof moves by up to 6 cm: both goals are missed, but some weights meet both.",
-    ending: "obj",
     make: glass_roof,
 };
 
@@ -96,7 +94,6 @@ pub(super) const OFFSETS: Example = Example {
     title: "Lesson: circles and offsets, why circular",
     summary: "An exercise to hand in: put the corners of every panel of a roof exactly on a circle, because only then do its nodes have axes.",
     statement: "The corners of a panel, up to 155 mm from a circle, come within 1 mm, and one goal is missed: close is not exact.",
-    ending: "obj",
     make: offsets,
 };
 
@@ -131,7 +128,6 @@ pub(super) const CURVATURE: Example = Example {
     title: "Lesson: curvature and panels",
     summary: "An exercise to hand in: two vaults of the same shape, with edges along the lines of curvature on the left and across them on the right. Both get flat panels, but only one has to move.",
     statement: "The left vault is flat from the start and stays; the panels of the right one, up to 7.6 mm from flat, come within 2 mm, and one goal is missed.",
-    ending: "obj",
     make: curvature,
 };
 

@@ -15,7 +15,6 @@ pub(super) const SURFACE: Example = Example {
     title: "Lesson: from any surface to panels",
     summary: "An exercise to hand in: a roof came as quads that follow nothing. Made circular as they are, they carry the roof away; new panels along its lines of curvature do not.",
     statement: "The corners, up to 82 mm from the circles of their panels, come within 1 mm, and one goal is missed: the roof leaves its surface by more than 1 m.",
-    ending: "obj",
     make: surface,
 };
 
@@ -47,7 +46,6 @@ pub(super) const HEXAGONS: Example = Example {
     title: "Lesson: the stiffness of hexagons",
     summary: "An exercise to hand in: a shell of hexagonal plates. Its frame alone would fold; its plates make it stiff, once every one is exactly flat.",
     statement: "The plates, up to 7.7 mm from flat, come within 1 mm, and one goal is missed: close is not exact.",
-    ending: "obj",
     make: hexagons,
 };
 
@@ -74,7 +72,6 @@ pub(super) const PAPER: Example = Example {
     title: "Lesson: a model of paper",
     summary: "An exercise to hand in: a roof becomes a model of card, on two sheets of A4, to print, cut, fold and glue.",
     statement: "The worst panel, 4.8 mm from flat, comes within 1 mm; at 1:50 the model needs more than two sheets, at 1:100 no more.",
-    ending: "obj",
     make: paper,
 };
 
@@ -115,7 +112,6 @@ pub(super) const EXACT: Example = Example {
     title: "Lesson: exact, and what is still free",
     summary: "An exercise to hand in: all panes of a roof are exactly flat, and still it can take other shapes. Find one whose panes have better corners.",
     statement: "The panes, up to 9 mm from flat, become exactly flat, and one goal is missed: some corners are 25 degrees from right angles.",
-    ending: "obj",
     make: exact,
 };
 

@@ -15,7 +15,6 @@ pub(super) const CANOPY: Example = Example {
     title: "Canopy of circular panels",
     summary: "The corners of each panel come to lie exactly on a circle, while the blue handle lifts the edge over the entrance.",
     statement: "The corners, up to 43 cm from the circles of their panels, come to lie on them, to a millionth of a millimetre.",
-    ending: "obj",
     make: canopy,
 };
 
@@ -24,7 +23,6 @@ pub(super) const DOME: Example = Example {
     title: "Dome with a hole",
     summary: "The panels become flatter, the oval rim of the hole becomes a true circle, and the rows around it settle on one sphere.",
     statement: "The crown, up to 19 cm from a sphere, comes within 1 cm of one; the rim, up to 50 cm from a circle, within 2 mm.",
-    ending: "obj",
     make: dome,
 };
 
@@ -33,7 +31,6 @@ pub(super) const HYPAR: Example = Example {
     title: "Hypar of straight beams",
     summary: "Every line of edges becomes straight, and on a saddle of straight lines no panel can be flat: the planarity error stops falling before it reaches zero.",
     statement: "Lines that are up to 1 m from straight come within 2 cm, and the panels stay warped, by 15 mm on average.",
-    ending: "obj",
     make: hypar,
 };
 
@@ -99,14 +96,13 @@ fn dome(scene: &mut Scene) -> Mesh {
 }
 
 fn hypar(scene: &mut Scene) -> Mesh {
-    let hypar = Hypar::default();
     scene.constraints = vec![
         constraint("line", each(Element::Curve), 1.0),
         constraint("plane", each(Element::Face), 0.1),
     ];
     // The beams along the sides are already straight.
-    scene.handles = vec![fixed(hypar.sides())];
+    scene.handles = vec![fixed(Hypar::sides())];
     scene.weights = Weights { shape: 10.0, close: 0.0, smooth: 0.01 };
     scene.closeness.to = ClosenessTo::None;
-    hypar.mesh()
+    Hypar::mesh()
 }

@@ -2,7 +2,7 @@
 //! command line's `parametrize` flatten their meshes.
 
 use crate::generate::example::Example;
-use crate::generate::model::{Mask, Mounds, opened};
+use crate::generate::model::{self, Mounds, opened};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 
@@ -11,7 +11,6 @@ pub(super) const MASK: Example = Example {
     title: "Mask, flattened",
     summary: "Press Flatten: the squares of the flat map change in size over the nose and the eyes, but their angles stay right angles.",
     statement: "The map of the uneven triangles has a mean angle distortion of less than 1.05 (1 keeps all angles), and none is turned over.",
-    ending: "obj",
     make: mask,
 };
 
@@ -20,12 +19,11 @@ pub(super) const POLYGONS: Example = Example {
     title: "Mounds with an opening, flattened",
     summary: "Press Flatten: the mesh of hexagons and other polygons, with a hole in one mound, becomes flat; each polygon keeps its shape as well as it can.",
     statement: "The map of the polygons has a mean angle distortion of less than 1.1 (1 keeps all angles), and none is turned over.",
-    ending: "obj",
     make: polygons,
 };
 
 fn mask(_: &mut Scene) -> Mesh {
-    Mask::default().mesh()
+    model::mask()
 }
 
 fn polygons(_: &mut Scene) -> Mesh {

@@ -12,7 +12,6 @@ pub(super) const OVERVIEW: Example = Example {
     title: "Circles, a rigid area and a sphere together",
     summary: "Every polygon becomes circular and the top of the wide mound settles on a sphere, while a handle pulls up the narrow mound, whose top stays rigid.",
     statement: "The panels, 7 cm from circular on average, come to less than 3 cm; the crown, up to 50 cm from a sphere, comes within 2 cm of one; the rigid area keeps its shape within 3 cm.",
-    ending: "obj",
     make: overview,
 };
 
@@ -21,7 +20,6 @@ pub(super) const TRIANGLES: Example = Example {
     title: "Vase with a round belly",
     summary: "On triangles: the belly settles on a sphere and the rim becomes a circle, while the rim is pulled over and the foot stays rigid.",
     statement: "The belly, up to 39 cm from a sphere, comes within 1 cm of one; the rim, up to 2.2 m from a circle when it is pulled, within 1 cm; the foot keeps its shape within 2 mm.",
-    ending: "obj",
     make: triangles,
 };
 
@@ -30,7 +28,6 @@ pub(super) const TETRAHEDRA: Example = Example {
     title: "Solid club with a round head",
     summary: "On tetrahedra: the skin of the square head swells to a sphere and two collars become circles, while the grip stays rigid and the head is raised.",
     statement: "The skin of the head, more than 2 m from a sphere when it is pulled, comes within 15 cm of one; the collars, up to 48 cm from circles, within 3 cm; the grip keeps its shape within 1 cm.",
-    ending: "mesh",
     make: tetrahedra,
 };
 
@@ -65,12 +62,10 @@ fn overview(scene: &mut Scene) -> Mesh {
 }
 
 fn triangles(scene: &mut Scene) -> Mesh {
-    let vase = Vase::default();
-    let mesh = vase.mesh();
-    let rings = |rings: std::ops::RangeInclusive<u32>| -> Vec<u32> {
-        rings.flat_map(|k| vase.ring(k)).collect()
-    };
-    let (foot, rim) = (rings(0..=3), rings(vase.rows..=vase.rows));
+    let mesh = Vase::mesh();
+    let rings =
+        |rings: std::ops::RangeInclusive<u32>| -> Vec<u32> { rings.flat_map(Vase::ring).collect() };
+    let (foot, rim) = (rings(0..=3), rings(Vase::ROWS..=Vase::ROWS));
     for (name, vertices) in [("foot", foot), ("belly", rings(6..=16)), ("rim", rim.clone())] {
         scene.sets.insert(name.to_owned(), Set { vertices, faces: Vec::new() });
     }
@@ -84,7 +79,7 @@ fn triangles(scene: &mut Scene) -> Mesh {
     // The foot is fixed; one side of the rim is pulled.
     let lip = rim[0];
     scene.handles = vec![
-        fixed(vase.ring(0).collect()),
+        fixed(Vase::ring(0).collect()),
         moved(&mesh, vec![lip], |[x, y, z]| [x + 2.5, y, z - 0.5]),
     ];
     scene.weights = Weights { shape: 10.0, close: 0.0, smooth: 0.1 };

@@ -3,7 +3,7 @@
 use super::parts::{constraint, each, fixed};
 use crate::constraint::Element;
 use crate::generate::example::Example;
-use crate::generate::model::{Archway, Hall, Patch, Strip, honeycomb};
+use crate::generate::model::{self, Hall, Patch, Strip, honeycomb};
 use crate::mesh::Mesh;
 use crate::scene::{Accelerator, BoundaryCloseness, ClosenessTo, Scene, Weights};
 
@@ -12,7 +12,6 @@ pub(super) const PLANAR: Example = Example {
     title: "Hall of flat panels",
     summary: "Colour the panels by planarity and run: two thousand bent panels become flat, and the roof keeps its shape.",
     statement: "With the paper's weights the panels, 8.5 mm from flat on average, come to less than 2.2 mm.",
-    ending: "obj",
     make: |scene| quads(scene, "plane"),
 };
 
@@ -21,7 +20,6 @@ pub(super) const CIRCULAR: Example = Example {
     title: "Hall of circular panels",
     summary: "Colour the panels by circularity and run: the four corners of each panel come to lie on a circle, which makes them flat as well.",
     statement: "With the paper's weights the panels, 22 cm from circular on average, come to less than 4 mm.",
-    ending: "obj",
     make: |scene| quads(scene, "circle"),
 };
 
@@ -30,7 +28,6 @@ pub(super) const MIXED: Example = Example {
     title: "Hall of hexagons and other polygons",
     summary: "Nothing here is limited to quads: hexagons, pentagons, heptagons and the pieces along the border all come closer to circles by the same rule.",
     statement: "With the paper's weights the panels, 29 cm from circular on average, come to less than 5 cm.",
-    ending: "obj",
     make: mixed,
 };
 
@@ -41,16 +38,15 @@ fn quads(scene: &mut Scene, kind: &str) -> Mesh {
 
 fn mixed(scene: &mut Scene) -> Mesh {
     const WIDTH: f64 = 1.5;
-    let hall = Hall::default();
     shaped(scene, "circle");
     // Rows of hexagons are closer together than hexagons are wide.
-    let rows = (hall.length / (0.866 * WIDTH)) as usize;
+    let rows = (Hall::LENGTH / (0.866 * WIDTH)) as usize;
     honeycomb(
         rows,
-        |u| (hall.girth(u) / WIDTH) as usize,
+        |u| (Hall::girth(u) / WIDTH) as usize,
         |u, v| {
-            let [u, v] = hall.askew(u, v);
-            hall.point(u, v)
+            let [u, v] = Hall::askew(u, v);
+            Hall::point(u, v)
         },
     )
 }
@@ -69,7 +65,6 @@ pub(super) const SQUARES: Example = Example {
     title: "Skew panels become squares",
     summary: "Press Half step, under Shape, Weights and solver, again and again: the local step finds the square that fits each panel best, and the global step moves each vertex to the middle between the corners of its squares.",
     statement: "Corners that are up to 39 cm from the best square of their panel come within 2 cm in 200 plain iterations.",
-    ending: "obj",
     make: squares,
 };
 
@@ -86,12 +81,11 @@ pub(super) const ARCHWAY: Example = Example {
     title: "Gatehouse with better quads",
     summary: "Uneven panels become more like squares: corners of panels glide over the surface, those on a crease only along it, and those where creases meet stay in place.",
     statement: "Of all corners of panels, 30 per cent are within 10 degrees of a right angle before, and more than 90 per cent after; vertices on a crease stay within 5 mm of it.",
-    ending: "obj",
     make: archway,
 };
 
 fn archway(scene: &mut Scene) -> Mesh {
-    let mesh = Archway::default().mesh();
+    let mesh = model::archway();
     scene.constraints = vec![
         constraint("square", each(Element::Face), 1.0),
         // Each crease is a group. They are few and have to be kept, hence the large weight.
@@ -111,7 +105,6 @@ pub(super) const STRIP: Example = Example {
     title: "Strip with collapsing edges",
     summary: "Both long sides are fixed, and circular panels and fairness conflict in between: where both cannot be satisfied, edges shrink to almost nothing.",
     statement: "The corners, up to 38 mm from the circles of their panels, come within 7 mm, and the shortest edge falls from 24 cm to less than 2 cm.",
-    ending: "obj",
     make: strip,
 };
 

@@ -1,16 +1,22 @@
 //! A row of quads along a boundary.
 
 use super::declaration::{OperationError, Task};
-use crate::math::{Vec3, twice_vector_area};
+use crate::math::{Vec3, polygon_sides, twice_vector_area};
+use crate::mesh::components;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 use std::collections::BTreeMap;
+
+/// A side shorter than this fraction of its face has no direction, a face thinner than it no plane.
+const NONE: f64 = 1e-9;
 
 /// A boundary side of a face.
 struct Open {
     face: u32,
     /// In the direction of the face.
     ends: [u32; 2],
+    /// The fan of faces at each end. Where boundaries touch, a vertex has several.
+    fans: [u32; 2],
     /// Outward direction in the plane of the face, of unit length or zero.
     outward: Vec3<f64>,
 }
@@ -26,55 +32,26 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     if sides.is_empty() {
         return Err(OperationError::Expected("an edge of the boundary, both ends selected"));
     }
-    // Where boundaries touch, each fan of faces gets its own vertex; the key is the vertex and the
-    // first face of the fan.
-    let mut places: BTreeMap<[u32; 2], u32> = BTreeMap::new();
-    let mut away: Vec<(u32, Vec<Vec3<f64>>)> = Vec::new();
-    let mut corners = Vec::with_capacity(sides.len());
-    for &Open { face, ends, outward } in &sides {
-        corners.push(ends.map(|v| {
-            let corner = [v, first_around(task, v, face)];
-            let place = *places.entry(corner).or_insert(away.len() as u32) as usize;
-            if place == away.len() {
-                away.push((v, Vec::new()));
-            }
-            away[place].1.push(outward);
-            place
-        }));
+    let mut away: BTreeMap<u32, Vec<Vec3<f64>>> = BTreeMap::new();
+    for Open { fans, outward, .. } in &sides {
+        fans.iter().for_each(|&fan| away.entry(fan).or_default().push(*outward));
     }
+    let away: BTreeMap<u32, Vec3<f64>> =
+        away.into_iter().map(|(fan, directions)| (fan, mitre(&directions) * outward)).collect();
     let mut rebuild = Rebuild::new(task.mesh);
     let lift = Vec3::from(task.up) * up;
-    let mut outer = Vec::with_capacity(away.len());
-    for (v, directions) in &away {
-        let position = Vec3::from(task.mesh.positions[*v as usize]) + lift;
-        outer.push(rebuild.vertex_at((position + mitre(directions) * outward).into(), *v));
+    // Each fan at a vertex gets a vertex of its own.
+    let mut outer: BTreeMap<[u32; 2], u32> = BTreeMap::new();
+    for (v, fan) in sides.iter().flat_map(|side| side.ends.into_iter().zip(side.fans)) {
+        let position = Vec3::from(task.mesh.positions[v as usize]) + lift + away[&fan];
+        outer.entry([v, fan]).or_insert_with(|| rebuild.vertex_at(position.into(), v));
     }
     rebuild.keep(task.all_faces())?;
-    for (Open { face, ends: [a, b], .. }, corners) in sides.iter().zip(corners) {
-        let [over_a, over_b] = corners.map(|place| outer[place]);
-        rebuild.face(&[*b, *a, over_a, over_b], &[*face]);
+    for Open { face, ends: [a, b], fans: [of_a, of_b], .. } in sides {
+        let [over_a, over_b] = [[a, of_a], [b, of_b]].map(|corner| outer[&corner]);
+        rebuild.face(&[b, a, over_a, over_b], &[face]);
     }
     Ok(rebuild.finish())
-}
-
-/// Returns the first of the faces connected to `face` across edges at `v`.
-fn first_around(task: &Task<'_>, v: u32, face: u32) -> u32 {
-    let Task { mesh, topology, .. } = task;
-    let mut reached = vec![face];
-    let mut at = 0;
-    while let Some(&face) = reached.get(at) {
-        at += 1;
-        let sides = crate::math::polygon_sides(mesh.faces.row(face as usize));
-        for edge in sides.filter(|side| side.contains(&v)).filter_map(|[a, b]| topology.edge(a, b))
-        {
-            for &other in topology.edge_faces().row(edge as usize) {
-                if !reached.contains(&other) {
-                    reached.push(other);
-                }
-            }
-        }
-    }
-    reached.into_iter().min().unwrap_or(face)
 }
 
 /// Returns the displacement to distance 1 from each side at a vertex, of length 2 at most.
@@ -82,26 +59,66 @@ fn mitre(directions: &[Vec3<f64>]) -> Vec3<f64> {
     let mut sum = Vec3::zero();
     directions.iter().for_each(|&direction| sum += direction);
     let Some(along) = sum.length_and_direction().1 else { return Vec3::zero() };
-    let reach = directions.iter().map(|d| d.dot(along)).fold(1.0, f64::min);
+    let known = directions.iter().filter(|direction| **direction != Vec3::zero());
+    let reach = known.map(|d| d.dot(along)).fold(1.0, f64::min);
     along * (1.0 / reach.max(0.5))
 }
 
+/// Returns the picked sides. Both ends of one without a direction are of one fan, so that they go where
+/// its neighbours do.
 fn open_sides(task: &Task<'_>) -> Vec<Open> {
     let Task { mesh, topology, .. } = task;
     let is_picked = task.picked_vertices();
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    // Corners are numbered one face after another; those of faces that share an edge are joined.
+    let mut at_ends: Vec<Option<[u32; 2]>> = vec![None; topology.edges().len()];
+    let mut joined: Vec<[u32; 2]> = Vec::new();
+    let mut planes = Vec::with_capacity(mesh.faces.len());
+    for (face, &first) in mesh.faces.iter().zip(mesh.faces.offsets()) {
+        let mut squares = 0.0;
+        for (k, [a, b]) in (0..).zip(polygon_sides(face)) {
+            squares += (at(b) - at(a)).length_squared();
+            let Some(edge) = topology.edge(a, b) else { continue };
+            let corners = ordered(a < b, [first + k, first + (k + 1) % face.len() as u32]);
+            if let Some(known) = at_ends[edge as usize].replace(corners) {
+                joined.extend([0, 1].map(|end| [known[end], corners[end]]));
+            }
+        }
+        let normal = twice_vector_area(face.iter().map(|&v| at(v)));
+        let is_plane = normal.length_and_direction().0 > NONE * squares;
+        planes.push((if is_plane { normal } else { Vec3::zero() }, squares));
+    }
     let mut sides = Vec::new();
-    for ((&[a, b], faces), e) in topology.edges().iter().zip(topology.edge_faces().iter()).zip(0..)
-    {
-        let (&[face], true) = (faces, is_picked[a as usize] && is_picked[b as usize]) else {
+    for ((&ends, faces), e) in topology.edges().iter().zip(topology.edge_faces().iter()).zip(0..) {
+        let (&[face], true) = (faces, ends.iter().all(|&v| is_picked[v as usize])) else {
             continue;
         };
-        let corners = mesh.faces.row(face as usize);
-        let ends = if topology.edge_ascends(e)[0] { [a, b] } else { [b, a] };
-        let normal = twice_vector_area(corners.iter().map(|&v| at(v)));
-        let across = (at(ends[1]) - at(ends[0])).cross(normal);
+        let is_ahead = topology.edge_ascends(e)[0];
+        let corners = at_ends[e as usize].expect("it is a side of that face");
+        let [ends, corners] = [ends, corners].map(|both| ordered(is_ahead, both));
+        let (mut normal, squares) = planes[face as usize];
+        if normal == Vec3::zero() {
+            // It lies in the plane of the faces beside it.
+            let beside = ends.iter().flat_map(|&v| topology.vertex_faces().row(v as usize));
+            beside.for_each(|&face| normal += planes[face as usize].0);
+        }
+        let along = at(ends[1]) - at(ends[0]);
+        let is_long = along.length_squared() > NONE * NONE * squares;
+        let across = if is_long { along.cross(normal) } else { Vec3::zero() };
         let outward = across.direction_or_zero();
-        sides.push(Open { face, ends, outward });
+        if outward == Vec3::zero() {
+            joined.push(corners);
+        }
+        sides.push(Open { face, ends, fans: corners, outward });
+    }
+    let fans = components(mesh.faces.indices().len(), joined.iter().map(|pair| &pair[..]));
+    for side in &mut sides {
+        side.fans = side.fans.map(|corner| fans[corner as usize]);
     }
     sides
+}
+
+/// The two in their order, or turned.
+fn ordered(is_ahead: bool, [a, b]: [u32; 2]) -> [u32; 2] {
+    if is_ahead { [a, b] } else { [b, a] }
 }
