@@ -155,7 +155,7 @@ function bindSolver(client: SolverClient) {
       selection: NOTHING,
       dragged: [],
       dragMs: 0,
-      ...{ tint: null, pointed: null },
+      tints: {},
       tape: null,
       section: null,
     }),

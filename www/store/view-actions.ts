@@ -3,7 +3,7 @@
 import { NOTHING } from './selection.ts';
 import type { BetterPress } from '../solver/types.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
-import { AUTOMATIC, MICE, type PanelPress, type State, type Store } from './state.ts';
+import { AUTOMATIC, MICE, type Marking, type PanelPress, type State, type Store, type Tint } from './state.ts';
 
 /** Storage key of the mouse. */
 const MOUSE = 'shape-up.mouse';
@@ -97,9 +97,9 @@ export function createViewActions(store: Store) {
     setToleranceOf: (id: string, value: number | null) =>
       store.set({ tolerances: { ...store.get().tolerances, [id]: value } }),
 
-    tint: (tint: State['tint']) => store.set({ tint }),
-    /** Tints what is pointed at; null when it no longer is. */
-    tintPointed: (pointed: State['pointed']) => store.set({ pointed }),
+    /** Marks elements for a cause, in place of those that were; null when it is over. */
+    tint: (cause: Marking, tint: Tint | null) =>
+      store.set({ tints: { ...store.get().tints, [cause]: tint } }),
 
     useTool: (
       tool: Partial<

@@ -2,7 +2,7 @@
 
 import { areHandlesLocked, handlesNow } from '../store/handles.ts';
 import { declared, toleranceOf } from '../store/colours/measures.ts';
-import type { State, FlatMap } from '../store/state.ts';
+import { MARKINGS, type State, type FlatMap } from '../store/state.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { Geometry } from '../solver/solver-client.ts';
 import type { Parametrization } from '../solver/types.ts';
@@ -49,7 +49,7 @@ export const LAYERS: [
     (view, state) => view.highlightGizmo(state.gizmoPart, state.dragged.length > 0),
   ],
   [['selection', 'model'], showSelection],
-  [['tint', 'pointed', 'model'], showTint],
+  [['tints', 'model'], showTint],
   [['rowColours', 'model', 'flatMap'], showRowColours],
   [['measure', 'range', 'document', 'tolerances', 'display', 'flatMap'], showValues],
   [['flatMap'], showFlatMap],
@@ -102,9 +102,10 @@ function showSelection(view: View, { selection }: State) {
   view.setSelectedEdges(Uint32Array.from(selection.edges));
 }
 
-function showTint(view: View, { tint, pointed }: State) {
+function showTint(view: View, { tints }: State) {
   const none = { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
-  const { vertices, faces, colour } = pointed ?? tint ?? none;
+  const first = MARKINGS.map((cause) => tints[cause]).find(Boolean);
+  const { vertices, faces, colour } = first ?? none;
   const [red, green, blue] = colour.map((byte) => byte / 255);
   view.setTint(vertices, faces, red, green, blue);
 }

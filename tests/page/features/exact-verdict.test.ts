@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { RunMessages } from '../../../www/features/warnings/run-messages.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
+import { createViewActions } from '../../../www/store/view-actions.ts';
 import type { AppContext } from '../../../www/app/context.ts';
 import type { SceneDocument } from '../../../www/solver/types.ts';
 
@@ -21,9 +22,9 @@ async function shown() {
   });
   const actions = {
     ask: { exactWords: async () => ({ brief: 'not possible', numbers: '', suggestions: [] }) },
-    tint: (tint: State['tint']) => store.set({ tint }),
+    tint: createViewActions(store).tint,
   };
-  const messages = new RunMessages(store);
+  const messages = new RunMessages(actions);
   const app = { store, actions, solver: { geometry: null } } as unknown as AppContext;
   await new ExactVerdict(app, messages, () => false).show();
   return { store, messages };
@@ -32,9 +33,9 @@ async function shown() {
 test('what cannot be met is coloured as long as that is said', async () => {
   // It stayed red when the problem was solved.
   const { store, messages } = await shown();
-  assert.deepEqual(store.get().tint?.vertices, Uint32Array.of(2, 3));
+  assert.deepEqual(store.get().tints.unmet?.vertices, Uint32Array.of(2, 3));
   messages.withdraw();
-  assert.equal(store.get().tint, null);
+  assert.equal(store.get().tints.unmet, null);
 });
 
 test('colours that are shown again after the message go with the next change', async () => {
@@ -42,15 +43,7 @@ test('colours that are shown again after the message go with the next change', a
   const [showThem] = messages.now.value?.offers ?? [];
   messages.withdraw();
   showThem.act();
-  assert.ok(store.get().tint);
+  assert.ok(store.get().tints.unmet);
   messages.withdraw();
-  assert.equal(store.get().tint, null);
-});
-
-test('the colours of a row that is pointed at are left', async () => {
-  const { store, messages } = await shown();
-  const row = { vertices: Uint32Array.of(1), faces: Uint32Array.of(), colour: [0, 0, 0] };
-  store.set({ tint: row as State['tint'] });
-  messages.withdraw();
-  assert.equal(store.get().tint, row);
+  assert.equal(store.get().tints.unmet, null);
 });

@@ -66,7 +66,7 @@ export class Parts {
       stop();
       this.#isOpen = false;
       this.#withdraw();
-      actions.tintPointed(null);
+      actions.tint('pointed', null);
     };
   }
 

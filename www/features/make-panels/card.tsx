@@ -4,7 +4,7 @@
  */
 
 import './make-panels.css';
-import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
 import { isLocked, panelsCard } from '../../store/panels-card.ts';
 import { pressNamed } from '../../store/press.ts';
@@ -17,13 +17,16 @@ import { PanelButtons } from './buttons.tsx';
 import { openEdit } from './edit-dialog.tsx';
 import { makePanels } from './press.ts';
 import { useForecast, type Forecast } from './use-forecast.ts';
-import { Verdicts } from './verdicts.ts';
+import { verdicts } from './verdicts.ts';
 import type { BetterPress, PanelVerdict } from '../../solver/types.ts';
 import { Sentence } from '../../ui/components/sentence.tsx';
 
 /** @param children what is said below the verdict */
 export function PanelsCard({ children }: { children?: ComponentChildren }) {
-  const { state } = useApp().store;
+  const app = useApp();
+  const { state } = app.store;
+  // The verdict follows the shape also where there is no room for the card.
+  verdicts(app);
   const shows = panelsCard(state);
   const forecast = useForecast(shows === 'offer');
   if (shows === 'offer') return <Offer forecast={forecast} />;
@@ -87,13 +90,11 @@ function Offer({ forecast }: { forecast: Forecast }) {
 /** Progress during a run, and the verdict after it with ways to a better shape. */
 function Outcome({ forecast, children }: { forecast: Forecast; children: ComponentChildren }) {
   const app = useApp();
-  const verdicts = useMemo(() => new Verdicts(app), [app]);
-  useEffect(() => verdicts.follow(), [verdicts]);
   const hold = useRef<HTMLButtonElement>(null);
   useEffect(() => {
     if (hold.current) app.hold.bind(hold.current);
   }, [app]);
-  const { words, numbers, verdict } = verdicts.said.value;
+  const { words, numbers, verdict } = verdicts(app).said.value;
   const level = verdict?.level ?? '';
   const isPoor = verdict !== null && level !== 'good';
   return (
@@ -110,25 +111,17 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
         Hold to see the original
       </button>
       <CloseCard />
-      {verdict && <Changes verdict={verdict} verdicts={verdicts} forecast={forecast} />}
+      {verdict && <Changes verdict={verdict} forecast={forecast} />}
       {children}
     </Card>
   );
 }
 
 /** Ways to a better shape, if the verdict asks for any. */
-function Changes({
-  verdict,
-  verdicts,
-  forecast,
-}: {
-  verdict: PanelVerdict;
-  verdicts: Verdicts;
-  forecast: Forecast;
-}) {
+function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forecast }) {
   const app = useApp();
   const { store, actions } = app;
-  const better = verdicts.better.value;
+  const better = verdicts(app).better.value;
   const isFixed = isLocked(store.state, 'constraints');
   const isPoor = verdict.level !== 'good';
   const again = isFixed ? null : verdict.again;

@@ -4,6 +4,7 @@
  */
 
 import { isInLegend } from '../../store/colours/measures.ts';
+import { panelsCard } from '../../store/panels-card.ts';
 import { isHard } from '../../store/state.ts';
 import { untilChanged } from '../../store/until-changed.ts';
 import { count, length } from '../../ui/words.ts';
@@ -30,7 +31,7 @@ class Conditions {
 
   constructor(app: AppContext) {
     this.#app = app;
-    this.messages = new RunMessages(app.store);
+    this.messages = new RunMessages(app.actions);
     this.#exact = new ExactVerdict(app, this.messages, hasHint);
     const { store, solver, files, alerts } = app;
     const clear = () => this.messages.withdraw();
@@ -49,7 +50,8 @@ class Conditions {
       this.#flat = 0;
       wasRunning = false;
     });
-    store.subscribe(['document'], clear);
+    // Who closes the card of the panels has read what is on it.
+    store.subscribe(['document', 'closedCard'], clear);
     alerts.clearWith(clear);
     files.on('opened', () => this.#showProblems());
   }
@@ -95,7 +97,7 @@ class Conditions {
     const { worst, brief: words } = verdict;
     if (!worst) {
       // The card of the panels says it already.
-      if (!this.messages.hasCard()) this.messages.say({ words });
+      if (panelsCard(store.get()) !== 'verdict') this.messages.say({ result: words, words: '' });
       return;
     }
     const show = { label: 'Show it', act: () => showElements(this.#app, worst) };
@@ -127,4 +129,4 @@ class Conditions {
 }
 
 /** Whether a hint is shown: a first-time user should read one message at a time. */
-const hasHint = () => document.getElementById('hint-card')?.hidden === false;
+const hasHint = () => document.getElementById('hint-card')?.checkVisibility() ?? false;
