@@ -4,7 +4,13 @@ import { TOPIC_KEYS, isLocked, panelsTopic } from './panels-card.ts';
 import type { State } from './state.ts';
 
 /** What is needed to know it. */
-export const NEXT_STEP_KEYS = [...TOPIC_KEYS, 'running', 'converged', 'numbers', 'verdict'] as const;
+export const NEXT_STEP_KEYS = [
+  ...TOPIC_KEYS,
+  'running',
+  'converged',
+  'numbers',
+  'verdict',
+] as const;
 
 /**
  * - `shape`: nothing is constrained yet, and there are panels

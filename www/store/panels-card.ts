@@ -14,14 +14,7 @@ export const asksPanels = ({ document, kinds }: Pick<State, 'document' | 'kinds'
   ) ?? false;
 
 /** What is needed to know what there is to say of the panels. */
-export const TOPIC_KEYS = [
-  'model',
-  'document',
-  'kinds',
-  'example',
-  'press',
-  'closedCard',
-] as const;
+export const TOPIC_KEYS = ['model', 'document', 'kinds', 'example', 'press', 'closedCard'] as const;
 type Known = Pick<State, (typeof TOPIC_KEYS)[number]>;
 
 /**

@@ -144,6 +144,8 @@ export interface State {
   verdict: { shape: number | undefined; report: PanelVerdict } | null;
   /** the last press that made all panels one shape */
   press: PanelPress | null;
+  /** the model of which a press shows the fitted shapes, or hides them, whatever `display` says */
+  fitted: { model: Loaded; shown: boolean } | null;
   /** the model whose card of panels the user closed */
   closedCard: Loaded | null;
   /** null without fabrication panel */
@@ -306,6 +308,7 @@ const INITIAL: State = {
   flatMap: null,
   verdict: null,
   press: null,
+  fitted: null,
   closedCard: null,
   heldOriginal: null,
   build: null,
@@ -325,6 +328,14 @@ export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
 
 /** Whether a constraint must be met, exactly or within a distance. */
 export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
+
+/** Whether the fitted shapes are shown: as the last press has it, else as the user does. */
+export const showsFitted = ({
+  model,
+  fitted,
+  display,
+}: Pick<State, 'model' | 'fitted' | 'display'>) =>
+  fitted && fitted.model === model ? fitted.shown : display.shapes;
 
 export function createStore(): Store {
   const all = signal(INITIAL);

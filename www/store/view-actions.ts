@@ -3,7 +3,15 @@
 import { NOTHING } from './selection.ts';
 import type { BetterPress } from '../solver/types.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
-import { AUTOMATIC, MICE, type Marking, type PanelPress, type State, type Store, type Tint } from './state.ts';
+import {
+  AUTOMATIC,
+  MICE,
+  type Marking,
+  type PanelPress,
+  type State,
+  type Store,
+  type Tint,
+} from './state.ts';
 
 /** Storage key of the mouse. */
 const MOUSE = 'shape-up.mouse';
@@ -13,6 +21,7 @@ type Free =
   | 'parallel'
   | 'flatMap'
   | 'heldOriginal'
+  | 'fitted'
   | 'build'
   | 'renderer'
   | 'camera'
@@ -47,8 +56,12 @@ export function createViewActions(store: Store) {
     /** @param status last event, as text */
     setStatus: (status: string) => store.set({ status }),
 
+    /** As the user wishes, whatever a press shows or hides. */
     display: (change: Partial<State['display']>) =>
-      store.set({ display: { ...store.get().display, ...change } }),
+      store.set({
+        display: { ...store.get().display, ...change },
+        ...('shapes' in change && { fitted: null }),
+      }),
 
     /** Sets the measure that colours the faces. */
     colourBy: (measure: State['measure']) => store.set({ measure, measureChosen: true }),
@@ -89,6 +102,12 @@ export function createViewActions(store: Store) {
       const changed = { ...press, ...change };
       if (store.get().press === press) store.set({ press: changed });
       return changed;
+    },
+    /** Puts back what a press that was refused has changed, unless another one has come. */
+    pressRefused(press: PanelPress, { press: last, closedCard, fitted }: Readonly<State>) {
+      if (store.get().press !== press) return;
+      // An earlier one may have been refused meanwhile.
+      store.set({ press: last && { ...last, isUnderWay: false }, closedCard, fitted });
     },
     /** Closes the card of the panels, for this model. */
     closePanelsCard: () => store.set({ closedCard: store.get().model }),

@@ -2,7 +2,7 @@
 
 import { areHandlesLocked, handlesNow } from '../store/handles.ts';
 import { declared, toleranceOf } from '../store/colours/measures.ts';
-import { MARKINGS, type State, type FlatMap } from '../store/state.ts';
+import { MARKINGS, showsFitted, type State, type FlatMap } from '../store/state.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { Geometry } from '../solver/solver-client.ts';
 import type { Parametrization } from '../solver/types.ts';
@@ -24,7 +24,7 @@ export const LAYERS: [
 ][] = [
   [['dark'], (view, state) => view.setTheme(state.dark)],
   [['document'], (view, { document }) => document && view.setUp(document.up)],
-  [['display', 'halfway', 'heldOriginal', 'document'], showDisplay],
+  [['display', 'fitted', 'model', 'halfway', 'heldOriginal', 'document'], showDisplay],
   [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
   [
     ['section', 'model'],
@@ -71,13 +71,14 @@ export function showValues(view: View, state: State, geometry: Geometry | null) 
   view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, isLog);
 }
 
-export function showDisplay(view: View, { display, halfway, heldOriginal, document }: State) {
+export function showDisplay(view: View, state: State) {
+  const { display, halfway, heldOriginal, document } = state;
   const { edges, vertices } = display;
   // All three show the current shape, not the original. Outlines also show during a half step, when
   // the projections are computed but not yet applied.
   const [shapes, outlines, arrows] = heldOriginal
     ? [false, false, false]
-    : [display.shapes, display.outlines || halfway, display.arrows];
+    : [showsFitted(state), display.outlines || halfway, display.arrows];
   view.setDisplay(edges, vertices, shapes, outlines, arrows);
   view.setSurroundings(display.ghost, display.ground);
   view.setBands(display.bands);

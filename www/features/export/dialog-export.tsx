@@ -7,6 +7,7 @@ import { exportAs, exportForRhino, exportMesh, exportUnwelded } from '../../docu
 import { messageOf } from '../../solver/errors.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { isDrawn } from '../../store/state.ts';
+import { useStaleMap } from '../../store/stale-map.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { oneAtATime } from '../../ui/once.ts';
@@ -62,6 +63,8 @@ function ExportDialog({ close }: InDialog) {
   const { model, document: scene, flatMap } = store.state;
   const canDraw = isDrawn(store.state);
   const curvesOnly = (model?.faces ?? 0) === 0;
+  const map = useStaleMap() ? 'the flat map of an earlier shape' : 'its flat map';
+  const mapped = flatMap ? `, with ${map}` : '';
 
   useEffect(() => {
     problem.value = '';
@@ -93,7 +96,7 @@ function ExportDialog({ close }: InDialog) {
         <Format
           autofocus
           name="OBJ"
-          words={`The mesh as it is now, in the order of the file${flatMap ? ', with its flat map' : ''}`}
+          words={`The mesh as it is now, in the order of the file${mapped}`}
           onClick={make(() => exportMesh(app))}
         />
         {model?.welded && (

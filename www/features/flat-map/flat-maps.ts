@@ -117,12 +117,6 @@ class FlatMaps {
     return solver.geometry?.positions.slice() ?? new Float64Array(0);
   }
 
-  /** Whether the map is that of the shape as it is now. */
-  isCurrent({ shape }: FlatMap) {
-    const { positions } = this.#solver.geometry ?? {};
-    return positions?.length === shape.length && positions.every((x, i) => x === shape[i]);
-  }
-
   /** Shows the map of the current shape. */
   async flatten() {
     const { weights, norm } = this.#choices;
