@@ -10,6 +10,8 @@ import { createViewActions } from '../../../www/store/view-actions.ts';
 import type { AppContext } from '../../../www/app/context.ts';
 import type { BetterPress } from '../../../www/solver/types.ts';
 
+globalThis.window = globalThis as unknown as typeof window;
+
 const FOUND = [{ id: 'tolerance' }] as BetterPress[];
 
 function judged() {
