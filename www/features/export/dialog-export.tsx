@@ -10,6 +10,7 @@ import { isDrawn } from '../../store/state.ts';
 import { useStaleMap } from '../../store/stale-map.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { columnsOf } from '../../ui/plot/energies.ts';
 import { oneAtATime } from '../../ui/once.ts';
 import { pictureOf, pictureSize, type Ground } from './picture.ts';
 import { convergenceSvg } from './plot-svg.ts';
@@ -202,7 +203,8 @@ function ExportDialog({ close }: InDialog) {
             files.save('-convergence.svg', 'image/svg+xml', async () => {
               const title = `${model?.title || files.name}: convergence`;
               const squared = scene?.units ? `${scene.units}²` : '';
-              return convergenceSvg(await actions.ask.table('convergence'), title, squared);
+              const columns = columnsOf(await actions.ask.trace(), model?.size ?? 0);
+              return convergenceSvg(columns, title, squared);
             }),
           )}
         />
