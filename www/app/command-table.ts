@@ -18,6 +18,7 @@ import { canVary } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { isLocked } from '../store/panels-card.ts';
+import { mapInWords } from '../store/stale-map.ts';
 import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
@@ -437,8 +438,10 @@ export function commandTable(
       keys: ['Ctrl+E'],
       action: () => actions.reportErrors(exportMesh(app)),
       needsModel: true,
-      title: ({ flatMap }) =>
-        `Save the current shape${flatMap ? ', with its flat map,' : ''} as OBJ`,
+      title: (state) => {
+        const mapped = mapInWords(app, state);
+        return `Save the current shape${mapped ? `, ${mapped},` : ''} as OBJ`;
+      },
     },
     {
       id: 'palette',

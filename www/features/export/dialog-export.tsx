@@ -1,13 +1,13 @@
 /** The dialog More formats: the file formats, grouped by purpose. */
 
-import { signal } from '@preact/signals';
+import { signal, useComputed } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { ComponentProps } from 'preact';
 import { exportAs, exportForRhino, exportMesh, exportUnwelded } from '../../documents/exports.ts';
 import { messageOf } from '../../solver/errors.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { isDrawn } from '../../store/state.ts';
-import { useStaleMap } from '../../store/stale-map.ts';
+import { mapInWords } from '../../store/stale-map.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { columnsOf } from '../../ui/plot/energies.ts';
@@ -61,11 +61,10 @@ export function showExport(app: AppContext) {
 function ExportDialog({ close }: InDialog) {
   const app = useApp();
   const { store, files, viewport, actions } = app;
-  const { model, document: scene, flatMap } = store.state;
+  const { model, document: scene } = store.state;
   const canDraw = isDrawn(store.state);
   const curvesOnly = (model?.faces ?? 0) === 0;
-  const map = useStaleMap() ? 'the flat map of an earlier shape' : 'its flat map';
-  const mapped = flatMap ? `, with ${map}` : '';
+  const mapped = useComputed(() => mapInWords(app, store.state)).value;
 
   useEffect(() => {
     problem.value = '';
@@ -97,7 +96,7 @@ function ExportDialog({ close }: InDialog) {
         <Format
           autofocus
           name="OBJ"
-          words={`The mesh as it is now, in the order of the file${mapped}`}
+          words={`The mesh as it is now, in the order of the file${mapped ? `, ${mapped}` : ''}`}
           onClick={make(() => exportMesh(app))}
         />
         {model?.welded && (
