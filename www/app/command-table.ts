@@ -33,7 +33,10 @@ import type { AppContext, Command } from './context.ts';
 
 /** Whether the mesh is a surface, and no lesson locks it. */
 const canChangeMesh = ({ model, document }: State) =>
-  Boolean(model?.faces && !model.tets && !isLocked({ document }, 'mesh'));
+  Boolean(document && model?.faces && !model.tets && !isLocked({ document }, 'mesh'));
+/** Of a command that changes the mesh: why it is disabled, or else these words. */
+const orLocked = (words: string) => (state: State) =>
+  isLocked(state, 'mesh') ? 'Locked by the lesson' : words;
 
 /** The second levels of the steps. */
 const LEVELS = [
@@ -356,6 +359,7 @@ export function commandTable(
       keys: [],
       enabled: canChangeMesh,
       action: opens(() => openEdit(app)),
+      title: orLocked(''),
     },
     {
       id: 'refine',
@@ -364,6 +368,7 @@ export function commandTable(
       keys: [],
       enabled: canChangeMesh,
       action: opens(() => openRefine(app)),
+      title: orLocked(''),
     },
     {
       id: 'new-panels',
@@ -372,6 +377,7 @@ export function commandTable(
       keys: [],
       enabled: canChangeMesh,
       action: () => actions.openCorner('new-panels'),
+      title: orLocked('Lays out panels along the lines of curvature'),
     },
     {
       id: 'variations',
@@ -380,6 +386,10 @@ export function commandTable(
       keys: [],
       needsModel: true,
       enabled: canVary,
+      title: (state) =>
+        canVary(state)
+          ? 'Other shapes that are as exact as this one'
+          : 'Available once all required constraints are satisfied',
       action: docks('variations'),
     },
     {
