@@ -187,6 +187,40 @@ test('a goal on a measure of both signs stays one when the lesson is saved again
   expect(saved.goals).toEqual([goal]);
 });
 
+test('a lesson is corrected without loss of the kept shapes, unless students shall not have them', async ({
+  page,
+}) => {
+  // The box was ticked anew each time, and took the shapes away without a word.
+  const scene = await sceneOf(page);
+  const { positions } = scene.mesh;
+  const kept = ['Start', 'Variation 1'].map((name) => ({ name, positions }));
+  const lesson = { text: WORDS, goals: [{ measure: 'planarity', at_most: 0.1 }], lock: [] };
+  await page.evaluate((all) => window.shapeUp.open(all, 'lesson.shapeup.json'), {
+    ...scene,
+    ...{ lesson, variants: { kept, design: 1 } },
+  });
+  const dialog = page.getByRole('dialog', { name: 'Lesson' });
+  const unsolved = dialog.getByRole('checkbox', { name: /^Students start from the original/ });
+  const correct = async (words: string) => {
+    await showStep(page, 'Shape');
+    await page.getByRole('button', { name: 'Write a lesson' }).click();
+    await dialog.getByLabel('Task').fill(words);
+    await expect(unsolved).not.toBeChecked();
+  };
+  const save = async () => {
+    await dialog.getByRole('button', { name: 'Save lesson' }).click();
+    await expect(dialog).toBeHidden();
+    const { lesson, variants } = await sceneOf(page);
+    return [lesson.text, variants?.kept.length];
+  };
+  await correct('Another task.');
+  expect(await save()).toEqual(['Another task.', 2]);
+  await correct('Without them.');
+  await unsolved.check();
+  await expect(unsolved).toHaveAccessibleName(/; 2 kept shapes are removed$/);
+  expect(await save()).toEqual(['Without them.', undefined]);
+});
+
 test('a lesson with locks is passed on twice, as a file and as a link', async ({
   page,
   context,

@@ -46,12 +46,12 @@ export function OperationForm(props: { operation: Operation; close: () => void }
   );
   const limit = Number(params.find((param) => typeof param.default === 'number')?.default);
   const { units } = frameOf(state);
-  const unit = measure && {
-    ...(measure.id === state.measure
-      ? shownUnit(state)
-      : writtenUnit(measure.unit, units, tolerance ?? limit)),
-    isLength: measure.unit === 'length',
-  };
+  const isColouring = measure !== undefined && measure.id === state.measure;
+  const written = isColouring
+    ? shownUnit(state)
+    : measure && writtenUnit(measure.unit, units, tolerance ?? limit);
+  const isLength = measure?.unit === 'length';
+  const unit = written && { symbol: written.symbol, factor: written.factor, isLength };
 
   async function find(combine: Combine) {
     // What is wrong is said at its field.
