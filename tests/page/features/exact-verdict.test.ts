@@ -24,7 +24,7 @@ async function shown() {
     ask: { exactWords: async () => ({ brief: 'not possible', numbers: '', suggestions: [] }) },
     tint: createViewActions(store).tint,
   };
-  const messages = new RunMessages(actions);
+  const messages = new RunMessages({ store, actions } as unknown as AppContext);
   const app = { store, actions, solver: { geometry: null } } as unknown as AppContext;
   await new ExactVerdict(app, messages, () => false).show();
   return { store, messages };

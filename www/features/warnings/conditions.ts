@@ -4,7 +4,6 @@
  */
 
 import { isInLegend } from '../../store/colours/measures.ts';
-import { panelsCard } from '../../store/panels-card.ts';
 import { isHard } from '../../store/state.ts';
 import { untilChanged } from '../../store/until-changed.ts';
 import { count, length } from '../../ui/words.ts';
@@ -31,7 +30,7 @@ class Conditions {
 
   constructor(app: AppContext) {
     this.#app = app;
-    this.messages = new RunMessages(app.actions);
+    this.messages = new RunMessages(app);
     this.#exact = new ExactVerdict(app, this.messages, hasHint);
     const { store, solver, files, alerts } = app;
     const clear = () => this.messages.withdraw();
@@ -95,16 +94,13 @@ class Conditions {
     const verdict = await actions.ask.runVerdict().catch(() => null);
     if (!verdict || store.get().document !== scene || store.get().running) return;
     const { worst, brief: words } = verdict;
-    if (!worst) {
-      // The card of the panels says it already.
-      if (panelsCard(store.get()) !== 'verdict') this.messages.say({ result: words, words: '' });
-      return;
-    }
+    if (!worst) return void this.messages.say({ result: words, words: '' });
     const show = { label: 'Show it', act: () => showElements(this.#app, worst) };
     const row = scene.constraints.find(({ index }) => index === worst.row);
     const elsewhere = isInLegend(store.get(), row?.measure ?? null) ? 'in-legend' : 'in-rows';
     const message = this.messages.say({
       words,
+      isProblem: true,
       numbers: { words: verdict.numbers, elsewhere },
       offers: [show],
       waits: 'Looking for suggestions …',

@@ -142,6 +142,7 @@ export class ExactVerdict {
     }));
     this.#messages.say({
       words: words.brief,
+      isProblem: true,
       numbers: { words: words.numbers, elsewhere: 'in-rows' },
       // Their colours end with the message, and so would what helps.
       offers: [{ label: 'Show them', stays: true, act: show }, ...suggestions],

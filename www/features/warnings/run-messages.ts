@@ -1,7 +1,8 @@
 /** The message on the last run: one at a time, which another one replaces. */
 
 import { signal } from '@preact/signals';
-import type { Actions } from '../../store/actions.ts';
+import { panelsCard } from '../../store/panels-card.ts';
+import type { AppContext } from '../../app/context.ts';
 
 /** A button of a message; pressing it withdraws the message first, unless that `stays`. */
 export interface Offer {
@@ -15,26 +16,30 @@ export interface Message {
   /** the result of the run, which the card of the panels says itself */
   result?: string;
   words: string;
+  /** whether something is to be done about it */
+  isProblem?: boolean;
   /** the numbers, and where they are shown else, or that they are shown only where there is room */
   numbers?: { words: string; elsewhere: 'in-legend' | 'in-rows' | 'where-room' };
   offers?: Offer[];
   /** what is still looked for */
   waits?: string;
+  /** whether it could be read on the card when it was said */
+  wasOnCard?: boolean;
 }
 
 export class RunMessages {
   readonly now = signal<Message | null>(null);
-  #actions;
+  #app;
 
-  constructor(actions: Pick<Actions, 'tint'>) {
-    this.#actions = actions;
+  constructor(app: Pick<AppContext, 'store' | 'actions'>) {
+    this.#app = app;
   }
 
   /** Shows a message in place of the current one. */
-  say(message: Message): Message {
+  say(said: Message): Message {
     this.withdraw();
-    this.now.value = message;
-    return message;
+    const wasOnCard = panelsCard(this.#app.store.get()) === 'verdict';
+    return (this.now.value = { ...said, wasOnCard });
   }
 
   isShown(message: Message) {
@@ -53,6 +58,6 @@ export class RunMessages {
   withdraw(message?: Message) {
     if (message && !this.isShown(message)) return;
     this.now.value = null;
-    this.#actions.tint('unmet', null);
+    this.#app.actions.tint('unmet', null);
   }
 }
