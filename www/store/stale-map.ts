@@ -6,7 +6,7 @@ import type { AppContext } from '../app/context.ts';
 import type { FlatMap, State } from './state.ts';
 
 /** Whether a map is that of a shape with these positions. */
-export const isMapOf = ({ shape }: FlatMap, positions: Float64Array | undefined) =>
+const isMapOf = ({ shape }: FlatMap, positions: Float64Array | undefined) =>
   positions?.length === shape.length && positions.every((x, i) => x === shape[i]);
 
 /** Whether a map is shown and the shape has changed since. Each shape comes with its numbers. */

@@ -38,6 +38,22 @@ test('what cannot be met is coloured as long as that is said', async () => {
   assert.equal(store.get().tints.unmet, null);
 });
 
+test('what is found for a message is said also after the card that it was on has gone', async () => {
+  // "Looking for suggestions …" stayed for ever.
+  const { store, messages } = await shown();
+  const model = { faces: 4, panels: [{}] };
+  const judged = {
+    ...{ model, press: { model }, kinds: [{ id: 'circle', panels: 'circular' }] },
+    document: { constraints: [{ kind: 'circle', enabled: true }] },
+  };
+  store.set(judged as unknown as State);
+  const message = messages.say({ words: 'too far', waits: 'Looking for suggestions …' });
+  assert.equal(message.wasOnCard, true);
+  store.set({ flatMap: {} as State['flatMap'] });
+  messages.turn(message, { waits: '' });
+  assert.equal(messages.now.value?.waits, '');
+});
+
 test('colours that are shown again after the message go with the next change', async () => {
   const { store, messages } = await shown();
   const [showThem] = messages.now.value?.offers ?? [];

@@ -9,6 +9,7 @@ import type { ComponentChildren } from 'preact';
 import { isLocked, panelsCard } from '../../store/panels-card.ts';
 import { pressNamed } from '../../store/press.ts';
 import { useApp } from '../../store/use-app.ts';
+import { useForecastWords } from '../../store/use-forecast-words.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { byId } from '../../ui/dom.ts';
 import { showElements } from '../../viewport/camera.ts';
@@ -16,10 +17,30 @@ import { useCover } from '../../viewport/use-cover.ts';
 import { PanelButtons } from './buttons.tsx';
 import { openEdit } from './edit-dialog.tsx';
 import { makePanels } from './press.ts';
-import { useForecast, type Forecast } from './use-forecast.ts';
 import { verdicts } from './verdicts.ts';
+import type { ForecastWords, MeshSuggestion } from '../../pkg/engine/shape_up.js';
 import type { BetterPress, PanelVerdict } from '../../solver/types.ts';
 import { Sentence } from '../../ui/components/sentence.tsx';
+
+/** How far the mesh will move for one shape of all panels, and what would reduce that. */
+interface Forecast {
+  /** null if there is none, undefined until it is known */
+  found: ForecastWords | null | undefined;
+  /** whether panels along the lines of curvature would help */
+  newPanelsHelp: boolean;
+  /** a simple change of the mesh that would reduce the move, unless new panels are the better choice */
+  suggestion: MeshSuggestion | null;
+}
+
+/** @param isWanted whether it is shown */
+function useForecast(isWanted: boolean): Forecast {
+  const { model, document } = useApp().store.state;
+  const found = useForecastWords(isWanted);
+  const isFixed = isLocked({ document }, 'mesh');
+  const newPanelsHelp = !isFixed && Boolean(model?.newPanels || found?.newPanels);
+  const suggestion = !isFixed && !newPanelsHelp && found ? found.suggestion : null;
+  return { found, newPanelsHelp, suggestion };
+}
 
 /** @param children what is said below the verdict */
 export function PanelsCard({ children }: { children?: ComponentChildren }) {
