@@ -182,7 +182,7 @@ test('a goal on a measure of both signs stays one when the lesson is saved again
   await page.getByRole('button', { name: 'Write a lesson' }).click();
   const dialog = page.getByRole('dialog', { name: 'Lesson' });
   await expect(about(dialog, 2).locator('option:checked')).toHaveText(
-    'Panels beyond 5°: Angle error',
+    'Panels beyond 5.00°: Angle error',
   );
   await dialog.getByLabel('Task').fill('Another task.');
   await dialog.getByRole('button', { name: 'Save lesson' }).click();
