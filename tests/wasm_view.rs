@@ -85,10 +85,8 @@ async fn draws_a_mesh_once_and_again_only_when_something_changed() {
     assert!(distinct_colours(&pixels(&canvas)) > 20);
     assert!(!view.needs_draw());
     assert!(!view.draw().unwrap());
-    assert_eq!(view.frames(), 1);
     view.orbit(40.0, 10.0);
     assert!(view.needs_draw() && view.draw().unwrap());
-    assert_eq!(view.frames(), 2);
 }
 
 #[wasm_bindgen_test]

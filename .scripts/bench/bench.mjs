@@ -128,10 +128,10 @@ async function measure(options, words) {
   return { machine: machineText(words, places.browser?.version), moments, rows };
 }
 
-/** Returns the tables of results as text: those of the documentation, or all. */
-function markdown({ machine, moments, rows }, forPage) {
+/** Returns the tables of results as text. */
+function markdown({ machine, moments, rows }) {
   const texts = Object.entries(rows).flatMap(([name, all]) =>
-    tablesOf(name, forPage)
+    tablesOf(name)
       .map(([title, columns]) => [title, table(columns, all)])
       .filter(([, text]) => text),
   );
@@ -152,7 +152,7 @@ export function writeTables(results, path) {
   const [before, rest] = readFileSync(path, 'utf8').split(start);
   const after = rest?.split(end)[1];
   if (after === undefined) throw new Problem(`${path}: the marks of the tables are gone`);
-  const section = markdown(results, true);
+  const section = markdown(results);
   writeFileSync(path, `${before}${start}\n${section}\n\n${end}${after}`);
 }
 

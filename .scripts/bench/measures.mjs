@@ -4,6 +4,8 @@
 import init, { ModelCopy, Solver } from '/www/pkg/engine/shape_up.js';
 import { median, medians, sum } from './statistics.mjs';
 
+export { limits } from './limits.mjs';
+
 const { memory } = await init();
 const encoder = new TextEncoder();
 

@@ -49,6 +49,8 @@ export async function startNative(trial) {
       };
       return { none: of('none'), 'quasi-newton': of('quasi-newton') };
     },
+    /** How many numbers the factor has. */
+    nonzeros: ({ sceneFile }) => reportOn('solve', sceneFile, '--iterations', '1').factor_nonzeros,
     exact({ sceneFile, size }) {
       const { seconds, max_distance, misses } = reportOn('solve', sceneFile).exact;
       return { seconds, distance: max_distance / size, misses };

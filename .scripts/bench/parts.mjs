@@ -1,5 +1,6 @@
 // The parts of the benchmark: the problems and sizes that each measures, and the tables of its rows.
 
+import { measureLimits } from './limits.mjs';
 import { measurePeer, peers } from './peers.mjs';
 import { letters, problemOf } from './problems.mjs';
 import { measureQuads, quadCases } from './quads.mjs';
@@ -14,15 +15,13 @@ const rowOf = ({ surface, kind, vertices }) => ({ surface, kind, vertices });
 
 /**
  * By name: the `problems` in vertices of `sizes`, with `--full` also of `more`, and the `places` of
- * the measurement of this name, which are both unless named. Two parts have their own `cases` for
- * some options, and `measure` one as a row or several. `tables` are columns by title; with `published`
- * the first one is for the documentation.
+ * the measurement of this name, which are both unless named. Some parts have their own `cases` for
+ * the options, or `measure` one as a row or several. `tables` are columns by title.
  */
 export const parts = {
   iterations: {
     problems: ['A', 'B', 'C', 'E'],
     ...SIZES,
-    published: true,
     tables: {
       'In the browser, milliseconds, medians:': `
         problem | vertices | iteration = browser.quasi-newton.total |
@@ -39,12 +38,24 @@ export const parts = {
     },
   },
 
+  limits: {
+    problems: ['A', 'B', 'C'],
+    ...SIZES,
+    measure: ({ problem, size }, on, where) =>
+      where.length === 2 ? measureLimits(problemOf(problem, size), on) : [],
+    tables: {
+      'The global step in the browser beside what this machine can do at best. A solve reads the factor twice, which moves as many bytes as a copy of it; and it multiplies and adds each of its numbers twice for three coordinates, four at a time in registers. Milliseconds:': `
+        problem | vertices | MB to move = limit.MB | to move them = limit.moved |
+        to compute = limit.computed | at 1e9 operations a second = limit.perSecond |
+        global step = limit.global | times the larger = limit.times`,
+    },
+  },
+
   maps: {
     problems: ['D'],
     sizes: [2500, 10_000],
     // The paper's largest map has 35,000 vertices.
     more: [35_000, 100_000],
-    published: true,
     tables: {
       'The first conformal map of a visit (problem D), milliseconds:':
         'vertices | natively = native.cold | in the browser = browser.cold',
@@ -68,7 +79,6 @@ export const parts = {
     problems: ['B', 'C'],
     ...SIZES,
     places: ['browser'],
-    published: true,
     tables: {
       'Seconds (iterations) from the moved handle until the energy is within 1e-4 of the converged one:': `
         problem | vertices | plain = browser.none | quasi-newton = browser.quasi-newton |
@@ -79,7 +89,6 @@ export const parts = {
   start: {
     cases: ({ where }) => (where.includes('browser') ? [{}] : []),
     measure: measureStart,
-    published: true,
     tables: {
       'The page with its first model, drawn without a graphics card, in milliseconds. The kB are those until a second and a half later: with what the page keeps for use without a network.': `
         visit | first paint = median.painted | model there, solved = median.solved |
@@ -126,7 +135,6 @@ export const parts = {
       const ours = await on(placeOf(peer), measure, problem);
       return { what, equal, ...rowOf(problem), ...theirs, ours: ours.none ?? ours };
     },
-    published: true,
     tables: {
       'Other libraries, natively, and what of their problem is equal to ours, in milliseconds:': `
         library | what | equal | vertices | it = its | ours in the browser = ours.total`,
@@ -138,12 +146,8 @@ export const parts = {
   },
 };
 
-/** Returns [title, columns] of the tables of a part: all, or the one for the documentation. */
-export function tablesOf(name, published = false) {
-  const all = Object.entries(parts[name].tables);
-  if (!published) return all;
-  return parts[name].published ? [all[0]] : [];
-}
+/** Returns [title, columns] of the tables of a part. */
+export const tablesOf = (name) => Object.entries(parts[name].tables);
 
 /** Returns the cases of a part for some options. */
 export function casesOf(name, options) {

@@ -71,10 +71,13 @@ impl Session {
     }
 
     /// The mean edge at rest, by which the place of a shape is judged; infinite if the shape is meant to
-    /// be elsewhere than the original.
+    /// be elsewhere than the original, which may be the surface that the panels were laid out on.
     pub(super) fn edge_of_design(&self) -> f64 {
-        let is_kept =
-            matches!(self.document().closeness.to, ClosenessTo::Rest | ClosenessTo::Surface);
+        let closeness = &self.document().closeness;
+        let is_kept = match closeness.to {
+            ClosenessTo::Rest | ClosenessTo::Surface => true,
+            _ => self.rest.original(closeness.target_mesh()).is_some(),
+        };
         if is_kept && !self.is_pulled() && !self.is_asked_elsewhere() {
             self.rest.mean_edge()
         } else {

@@ -9,7 +9,7 @@ import { tablesOf } from '../../.scripts/bench/parts.mjs';
 import { benchFolder } from '../../.scripts/bench/problems.mjs';
 import { at } from '../../.scripts/project.mjs';
 
-const asked = ['iterations', 'maps', 'factors', 'convergence', 'exact'];
+const asked = ['iterations', 'limits', 'maps', 'factors', 'convergence', 'exact'];
 let rows;
 let text;
 
@@ -29,7 +29,7 @@ test('every problem is measured, and every table is filled', () => {
   }
   const problems = asked.map((part) => rows[part].map(({ problem }) => problem));
   const letters = [...'ABC'];
-  assert.deepEqual(problems.slice(0, 4), [letters, ['D'], letters, ['B', 'C']]);
+  assert.deepEqual(problems.slice(0, 5), [letters, letters, ['D'], letters, ['B', 'C']]);
   assert.equal(rows.exact.length, 4);
 });
 
@@ -44,6 +44,13 @@ test('an iteration is the longest of its parts, and opening includes one', () =>
   for (const { vertices, browser } of rows.factors) {
     assert.equal(vertices, 400);
     assert.ok(browser['sprs-ldl'] > 0 && browser.supernodal > 0);
+  }
+});
+
+test('no global step is faster than the machine can move and compute its numbers', () => {
+  for (const { limit, vertices } of rows.limits) {
+    assert.equal(vertices, 400);
+    assert.ok(limit.moved > 0 && limit.computed > 0 && limit.times > 1);
   }
 });
 

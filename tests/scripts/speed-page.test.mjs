@@ -30,3 +30,17 @@ test('each time of the published table is plotted, and the page has its table', 
   assert.ok(html.includes(`<td>${times10000[1]}</td>`));
   assert.doesNotMatch(html, /<!-- (plot|text)/);
 });
+
+test('the numbers of the README are in the tables of the speed page', () => {
+  const section = readFileSync(at('README.md'), 'utf8')
+    .split('## Five numbers')[1]
+    .split('\n\n')[1];
+  const tables = readFileSync(at('src', 'solve', 'performance.md'), 'utf8').split('## Tables')[1];
+  const measured = new Set(tables.match(/\d[\d,.e-]*/g).map((number) => number.replace(/,/g, '')));
+  const rows = section.split('\n').slice(2);
+  assert.equal(rows.length, 5);
+  for (const row of rows) {
+    const claimed = row.split('|')[2].match(/\d[\d,.e-]*/g);
+    for (const number of claimed) assert.ok(measured.has(number.replace(/,/g, '')), row);
+  }
+});

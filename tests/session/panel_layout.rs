@@ -7,7 +7,7 @@ use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Surface};
 use shape_up::quads::{Boundary, RemeshStage};
 use shape_up::scene::{MeshSource, Scene, Target};
-use shape_up::session::{Edit, LayoutSettings, PanelLayout, PanelStart, Session};
+use shape_up::session::{Edit, Flaw, LayoutSettings, Level, PanelLayout, PanelStart, Session};
 
 const USUAL: LayoutSettings =
     LayoutSettings { count: None, size: None, follow: 2.0 / 3.0, even: 0.25, boundary: None };
@@ -127,7 +127,20 @@ fn circular_panels_after_them_stay_near_the_surface_before_them() {
     let MeshSource::Inline(mesh) = scene.mesh.clone() else { panic!("the mesh is in the scene") };
     let mut again = Session::open(scene, *mesh).expect("the scene is valid");
     let same = again.verdict(1e-3).expect("panels");
-    assert_eq!((same.surface, same.is_on_other), (verdict.surface, true));
+    assert_eq!((same.surface, same.is_on_other, same.within), (verdict.surface, true, same.of));
+    assert_eq!((verdict.level, &verdict.flaws[..]), (Level::Good, &[][..]));
+
+    // Circular panels an edge away from the surface are circular, but not the roof that was asked for.
+    let mut scene = Scene::from_json(&session.scene_with_mesh()).expect("a scene");
+    let pose = scene.current.as_mut().expect("it is solved");
+    pose.iter_mut().for_each(|point| point[2] += layout.size);
+    let MeshSource::Inline(mesh) = scene.mesh.clone() else { panic!("the mesh is in the scene") };
+    let mut away = Session::open(scene, *mesh).expect("the scene is valid");
+    let verdict = away.verdict(1.001e-3).expect("panels");
+    assert_eq!((verdict.within, verdict.level), (verdict.of, Level::Fair));
+    assert!(verdict.flaws.contains(&Flaw::Away), "{verdict:?}");
+    let words = away.verdict_words(&verdict).full();
+    assert!(words.contains("off the surface that they were laid out on"), "{words}");
 }
 
 #[test]

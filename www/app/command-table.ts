@@ -86,7 +86,7 @@ export function commandTable(
 
   /** Docks a panel, or closes it if it is docked. */
   const docks = (panel: NonNullable<State['docked']>) => () =>
-    actions.dock(store.get().docked === panel ? null : panel);
+    actions.look({ docked: store.get().docked === panel ? null : panel });
 
   /**
    * Opens something: a press while that or another is being prepared has no effect, as two dialogs
@@ -221,7 +221,7 @@ export function commandTable(
       group: 'Tools',
       label: 'Drag handles and orbit',
       keys: ['V'],
-      action: () => actions.useTool({ tool: 'drag' }),
+      action: () => actions.look({ tool: 'drag' }),
       pressed: ({ tool }) => tool === 'drag',
     },
     {
@@ -229,7 +229,7 @@ export function commandTable(
       group: 'Tools',
       label: 'Select with a box, a lasso or a brush',
       keys: [],
-      action: () => actions.useTool({ tool: 'select' }),
+      action: () => actions.look({ tool: 'select' }),
       pressed: ({ tool }) => tool === 'select',
     },
     {
@@ -314,7 +314,8 @@ export function commandTable(
       group: 'View',
       label: 'Curvature',
       keys: [],
-      action: () => actions.openCorner(store.get().corner === 'curvature' ? null : 'curvature'),
+      action: () =>
+        actions.look({ corner: store.get().corner === 'curvature' ? null : 'curvature' }),
       needsModel: true,
       enabled: ({ model, renderer }) => Boolean(model?.faces) && renderer !== 'none',
     },
@@ -376,7 +377,7 @@ export function commandTable(
       label: 'New panels along the lines of curvature',
       keys: [],
       enabled: canChangeMesh,
-      action: () => actions.openCorner('new-panels'),
+      action: () => actions.look({ corner: 'new-panels' }),
       title: orLocked('Lays out panels along the lines of curvature'),
     },
     {

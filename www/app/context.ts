@@ -59,5 +59,3 @@ export interface AppContext {
   /** commands of selection operations are added later */
   commands: Command[];
 }
-
-export {};

@@ -64,10 +64,7 @@ const files = new Files(store, solver, alerts, actions);
 const region = new RegionSelection(store, viewport, actions);
 const selecting = new Selecting(store, solver, actions);
 const pointer = new PointerInput(store, solver, viewport, region, actions, {
-  addHandles: (vertices) => actions.addHandles(vertices, false),
-  selectedHandles: actions.selectedHandles,
   showMenu: (at) => showContextMenu(at, app),
-  fitAll: () => viewport.with((view) => view.fit()),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
 bindHandleKeys(viewport, store, solver, actions);
@@ -143,7 +140,7 @@ function bindSolver(client: SolverClient) {
       // A restarted worker keeps the view settings.
       ...(!client.restoring && {
         ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
-        frameChosen: null,
+        ...{ frameChosen: null, section: null },
       }),
       model: loaded,
       document: null,
@@ -157,7 +154,6 @@ function bindSolver(client: SolverClient) {
       dragMs: 0,
       tints: {},
       tape: null,
-      section: null,
     }),
   );
   client.on('loading', ({ bytes, all }) => showLoading(store, bytes, all));

@@ -16,6 +16,7 @@ import {
 import { MOST, recentDocuments, removals, type Work } from '../documents/recent-documents.ts';
 import { readLink } from '../documents/share-link.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
+import { exampleOf } from '../solver/examples.ts';
 import { byId, element } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { saveFile } from '../ui/output.ts';
@@ -24,7 +25,7 @@ import { removeFirstPicture } from '../viewport/placeholder.ts';
 import type { Files } from '../documents/files.ts';
 import type { AppContext } from './context.ts';
 import type { Opening } from '../documents/openings.ts';
-import type { Loaded } from '../solver/types.ts';
+import type { Opened } from '../solver/types.ts';
 
 export class Startup {
   #store;
@@ -192,7 +193,7 @@ export class Startup {
 
   /** @returns null if a later opening has taken its place: other tabs can have the work then */
   async #openWork(taken: Taken, opening: Opening) {
-    let loaded: Loaded | null = null;
+    let loaded: Opened | null = null;
     try {
       loaded = await this.#reopen(taken, opening);
     } finally {
@@ -201,7 +202,7 @@ export class Startup {
     return loaded;
   }
 
-  async #reopen({ work, text, saved }: Taken, opening: Opening): Promise<Loaded | null> {
+  async #reopen({ work, text, saved }: Taken, opening: Opening): Promise<Opened | null> {
     const bytes = new TextEncoder().encode(text);
     // The work has all that it needs: without a network it comes back without the note on its example.
     const examples = work.example ? await this.#files.examples().catch(() => []) : [];
@@ -240,7 +241,7 @@ export class Startup {
     if (!link) return false;
     const { example, text, run, name } = link;
     const from = { link: hash };
-    let loaded: Loaded | null = null;
+    let loaded: Opened | null = null;
     if (example) loaded = await this.#openExample(example, text, from, opening);
     else if (text)
       loaded = await this.#files.open([sceneFile(name ?? 'shared', text)], from, { opening });
@@ -250,10 +251,7 @@ export class Startup {
 
   /** @param edits text of a scene that replaces the scene of the example */
   async #openExample(id: string, edits: string | null, from: { link: string }, opening: Opening) {
-    const examples = await this.#files.examples();
-    const example = examples.find((one) => one.id === id);
-    if (!example)
-      throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
+    const example = exampleOf(await this.#files.examples(), id);
     if (!edits) return this.#files.openExample(example, { ...from, opening });
     const mesh = { name: example.mesh, bytes: await this.#files.exampleFile(example.mesh) };
     const files = [sceneFile(example.id, edits), mesh];

@@ -37,7 +37,7 @@ export function Docked({
       {...{ id, title, head }}
       class="docked"
       row="heading-row"
-      close={() => actions.dock(null)}
+      close={() => actions.look({ docked: null })}
     >
       {children}
     </Pane>

@@ -6,7 +6,7 @@ import { FIT, readSecondFile } from '../store/second-files.ts';
 import { openLarge } from './large-file-import.ts';
 import { namedBytes } from './missing-files.ts';
 import type { AppContext } from '../app/context.ts';
-import type { NamedBytes, Loaded } from '../solver/types.ts';
+import type { NamedBytes, Opened } from '../solver/types.ts';
 import type { Opening } from './openings.ts';
 
 /** Size in bytes from which a progress display is shown. */
@@ -41,7 +41,7 @@ export async function openChosen(
 
 /** Reads the files and opens them together. */
 async function read({ actions, files, alerts }: AppContext, opening: Opening, chosen: File[]) {
-  const open: (given: NamedBytes[], cancelled?: AbortSignal) => Promise<Loaded | null> = (
+  const open: (given: NamedBytes[], cancelled?: AbortSignal) => Promise<Opened | null> = (
     given,
     cancelled,
   ) => files.open(given, {}, { opening, cancelled }).catch(() => null);
@@ -52,8 +52,7 @@ async function read({ actions, files, alerts }: AppContext, opening: Opening, ch
     return await open(await Promise.all(chosen.map((file) => namedBytes(file))));
   } catch (error) {
     if (!(await opening.isWanted())) return null;
-    const names = chosen.map(({ name }) => name).join(' and ');
-    alerts.error(`${names} could not be read from the disk (${messageOf(error)}).`);
+    alerts.error(messageOf(error));
   }
 }
 

@@ -14,7 +14,7 @@ import type { FromRhino } from './rhino/rhino-in.ts';
 import { digestOf, rememberedFrame } from './known-frames.ts';
 import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { NamedBytes, Saved, SceneDocument, Loaded } from '../solver/types.ts';
+import type { NamedBytes, Saved, SceneDocument, Opened } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
 import { STARTS_LATER } from '../store/press.ts';
 import { untilChanged } from '../store/until-changed.ts';
@@ -139,7 +139,7 @@ export class Files extends Emitter<{ opened: void }> {
     given: NamedBytes[],
     origin: Origin = {},
     { opening, cancelled }: { opening?: Opening; cancelled?: AbortSignal } = {},
-  ): Promise<Loaded | null> {
+  ): Promise<Opened | null> {
     if (opening) return this.#open(given, origin, opening, cancelled);
     return this.openings.begin((own) => this.#open(given, origin, own, cancelled));
   }
@@ -149,7 +149,7 @@ export class Files extends Emitter<{ opened: void }> {
     origin: Origin,
     opening: Opening,
     cancelled?: AbortSignal,
-  ): Promise<Loaded | null> {
+  ): Promise<Opened | null> {
     try {
       const hidden = origin.hidden ?? false;
       const files = await Promise.all(given.map((file) => asMesh(file, hidden, cancelled)));
@@ -226,7 +226,7 @@ export class Files extends Emitter<{ opened: void }> {
   async openExample(
     example: Example,
     { first = false, link, opening }: { first?: boolean; link?: string; opening?: Opening } = {},
-  ): Promise<Loaded | null> {
+  ): Promise<Opened | null> {
     if (!opening)
       return this.openings.begin((own) => this.openExample(example, { first, link, opening: own }));
     const names = [example.scene, example.mesh];
@@ -270,7 +270,7 @@ export class Files extends Emitter<{ opened: void }> {
    * @param next may ask for the open one as it is: what is opened meanwhile was begun later, and wins
    * @returns null if it is not open; an alert gives the reason
    */
-  #openInstead(next: () => Promise<Left> | Left): Promise<Loaded | null> {
+  #openInstead(next: () => Promise<Left> | Left): Promise<Opened | null> {
     return this.openings.begin(async (opening) => {
       const left = await this.#actions.reportErrors(next());
       // Of a refusal the reason is told where it opens.
@@ -320,7 +320,7 @@ export class Files extends Emitter<{ opened: void }> {
     return this.#examples;
   }
 
-  #reportWelded({ before, after, tolerance }: NonNullable<Loaded['welded']>, units: string) {
+  #reportWelded({ before, after, tolerance }: NonNullable<Opened['welded']>, units: string) {
     const words = `Joined vertices that lie on each other: ${groupDigits(before)} became ${groupDigits(after)} (up to ${length(tolerance, units)} apart).`;
     const action = () => this.#openOtherwise(this.#given, { unwelded: true }, 'Separate vertices');
     untilChanged(this.#store, this.#alerts.notice(words, { label: 'Undo', action }));

@@ -7,9 +7,9 @@ import '../ui/styles/waiting.css';
 import { button } from '../ui/controls/fields.ts';
 import { byId, element, removeKeepingFocus, setText } from '../ui/dom.ts';
 import { groupDigits, megabytes } from '../ui/words.ts';
-import { Cancelled, messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf, unreadable } from '../solver/errors.ts';
 import { faceCountOf } from './face-count.ts';
-import type { NamedBytes, Loaded } from '../solver/types.ts';
+import type { NamedBytes, Opened } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 
@@ -28,7 +28,7 @@ export async function openLarge(
   }: {
     actions: Actions;
     alerts: Alerts;
-    open: (files: NamedBytes[], cancelled: AbortSignal) => Promise<Loaded | null>;
+    open: (files: NamedBytes[], cancelled: AbortSignal) => Promise<Opened | null>;
     overtaken: AbortSignal;
   },
 ) {
@@ -48,12 +48,12 @@ export async function openLarge(
     for (const file of chosen) {
       const count = faceCountOf(file);
       const withThis = () => faces + (count?.faces ?? 0);
-      const bytes = await bytesOf(file, card.cancelled, (chunk) => {
+      const reading = bytesOf(file, card.cancelled, (chunk) => {
         read += chunk.length;
         count?.take(chunk);
         card.show(`Reading ${names} · ${progress(read, all)}${facesIn(withThis())}`, read / all);
       });
-      files.push({ name: file.name, bytes });
+      files.push({ name: file.name, bytes: await reading.catch(unreadable(file)) });
       faces = withThis();
     }
     const most = await card.unlessCancelled(limit);
@@ -82,7 +82,8 @@ export async function openLarge(
 /** @param onChunk called for each chunk */
 async function bytesOf(file: File, cancelled: AbortSignal, onChunk: (chunk: Uint8Array) => void) {
   const bytes = new Uint8Array(file.size);
-  const reader = file.stream().getReader();
+  // It may have grown since it was chosen.
+  const reader = file.slice(0, file.size).stream().getReader();
   cancelled.addEventListener('abort', () => reader.cancel());
   for (let at = 0; ;) {
     const { done, value } = await reader.read();

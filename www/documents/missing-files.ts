@@ -1,5 +1,6 @@
 /** Files from the user that are chosen because a scene names them. */
 
+import { unreadable } from '../solver/errors.ts';
 import { element } from '../ui/dom.ts';
 import type { NamedBytes } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
@@ -61,9 +62,9 @@ const choose = (missing: string[]): Promise<File[]> =>
   });
 
 /**
- * Reads a file.
+ * Reads a file; rejects if it cannot be read from the disk.
  * @param name in place of its own
  */
 export async function namedBytes(file: File, name: string = file.name): Promise<NamedBytes> {
-  return { name, bytes: new Uint8Array(await file.arrayBuffer()) };
+  return { name, bytes: new Uint8Array(await file.arrayBuffer().catch(unreadable(file))) };
 }

@@ -9,8 +9,8 @@ const TURN = 1 << 20;
 const FORMAT = 'deflate-raw';
 
 /** Compresses. */
-export async function deflate(content: string | Uint8Array<ArrayBuffer> | Blob) {
-  const packed = new Blob([content]).stream().pipeThrough(new CompressionStream(FORMAT));
+export async function deflate(content: Blob) {
+  const packed = content.stream().pipeThrough(new CompressionStream(FORMAT));
   return new Uint8Array(await new Response(packed).arrayBuffer());
 }
 

@@ -11,6 +11,7 @@
  */
 
 import { outdated, packScene, unpackScene } from './link-code.ts';
+import { sceneOf, type SceneText } from '../solver/scene-text.ts';
 import type { Example, Files } from './files.ts';
 import type { AppContext } from '../app/context.ts';
 
@@ -49,7 +50,7 @@ export async function linkTo({
 }: Pick<AppContext, 'store' | 'actions' | 'files'>) {
   const text = await actions.ask.scene();
   const { numbers, document: scene } = store.get();
-  const { mesh, variants, current } = JSON.parse(text);
+  const { mesh, variants, current } = sceneOf(text);
   const { origin } = files;
   const example = (await isUnchanged(mesh, files)) ? origin.example : undefined;
   // A kept design needs no run: it is already solved.
@@ -65,10 +66,7 @@ export async function linkTo({
 }
 
 /** Whether a mesh is still that of its example: refining and other edits of the mesh change it. */
-async function isUnchanged(
-  { positions, faces = [], tets }: { positions: number[][]; faces?: number[][]; tets?: number[][] },
-  files: Files,
-) {
+async function isUnchanged({ positions, faces = [], tets }: SceneText['mesh'], files: Files) {
   const { example } = files.origin;
   // The solver changes no mesh of tetrahedra.
   if (!example || tets) return true;
@@ -126,7 +124,7 @@ export const areSameUnsolved = (text: string, other: string) =>
 
 /** @param text of a scene */
 function withoutPositions(text: string) {
-  const scene = JSON.parse(text);
+  const scene = sceneOf(text);
   delete scene.current;
   return scene;
 }

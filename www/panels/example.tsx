@@ -2,7 +2,6 @@
 
 import { useEffect, useState } from 'preact/hooks';
 import { linkToExample } from '../documents/examples.ts';
-import { showPlot } from '../store/show-plot.ts';
 import { useApp } from '../store/use-app.ts';
 import { Button } from '../ui/components/buttons.tsx';
 import type { Example } from '../solver/examples.ts';
@@ -31,7 +30,7 @@ function Note({ example: { id, figure, summary, statement, plots, kinds } }: { e
         {kinds.length > 0 ? 'Once solved' : 'Once flattened'}: {statement}
       </p>
       {plots.map(({ label, plot }) => (
-        <Button key={plot} class="bordered small" onClick={() => showPlot(actions, plot)}>
+        <Button key={plot} class="bordered small" onClick={() => actions.showPlot(plot)}>
           {label}
         </Button>
       ))}

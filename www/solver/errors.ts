@@ -54,6 +54,14 @@ export function messageOf(thrown: unknown): string {
     : message;
 }
 
+/** Says which file could not be read: browsers say only why. */
+export const unreadable =
+  ({ name }: { name: string }) =>
+  (thrown: unknown): never => {
+    if (thrown instanceof Cancelled) throw thrown;
+    throw new Error(`${name} could not be read from the disk (${messageOf(thrown)}).`);
+  };
+
 /**
  * Whether the wasm instance has trapped, which makes its state unusable. Other errors leave it
  * intact, including a RangeError of the page's own code; but one with wasm frames on its stack is

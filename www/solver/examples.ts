@@ -34,6 +34,14 @@ type Plot = { label: string; plot: string };
 
 const LIST = new URL(/* @vite-ignore */ 'examples/index.json', document.baseURI);
 
+/** @throws if there is none with this id */
+export function exampleOf(examples: Example[], id: string) {
+  const example = examples.find((one) => one.id === id);
+  if (!example)
+    throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
+  return example;
+}
+
 /** @returns in the order of the figures */
 export async function listOfExamples(): Promise<Example[]> {
   const response = await fetch(LIST).catch(() => {

@@ -5,8 +5,10 @@
 
 import { Emitter } from './emitter.ts';
 import { Cancelled, again } from './errors.ts';
-import { calling, Waiting, type Answer, type Remote } from './remote.ts';
-import type { JobCall, Jobs, OnCopy } from '../worker/jobs-worker.ts';
+import { calling, Waiting, type Answer, type Call, type Remote } from './remote.ts';
+import type { JobCall, Jobs } from '../worker/jobs-worker.ts';
+import type { Holder } from '../worker/jobs/model-copy.ts';
+import type { ModelCopy } from '../pkg/engine/shape_up.js';
 import type { Snapshot } from './types.ts';
 
 type ErrorOf = (name: string, place: number) => Error;
@@ -32,7 +34,7 @@ export class JobsClient extends Emitter<{
   /** Raised when the worker ends: what it had made is lost. */
   generation = 0;
 
-  /** The methods of the worker, and those of the copy that it has of a model. */
+  /** The methods of the worker. */
   readonly ask: Remote<Jobs> = calling((name, given) => this.#call(name, given));
 
   /** @param module the compiled engine */
@@ -45,27 +47,33 @@ export class JobsClient extends Emitter<{
    * The methods of a copy of a model, which is made first unless the worker has it. What waited when
    * another job was cancelled is asked for again, since it needs nothing that the worker had.
    */
-  copy = (model: Snapshot): Remote<OnCopy> =>
-    calling((name, given) => again(() => this.#call(name, given, model)));
+  copy = (model: Snapshot, holder: Holder = 'questions'): Remote<ModelCopy> =>
+    calling((name, given) => again(() => this.#call(name, given, { model, holder })));
+
+  /** What goes on with what it has begun on a copy of a model: `ask` is about that, whatever others ask; `free` ends it. */
+  of(holder: Exclude<Holder, 'questions'>) {
+    const ask: Remote<ModelCopy> = calling((name, given) => this.#call(name, given, { holder }));
+    return { copy: (model: Snapshot) => this.copy(model, holder), ask };
+  }
 
   /**
    * Cancels the current job, or those with these names. What waits for the worker ends with it, but is
    * told that it was not meant.
    */
-  cancel(...names: (keyof Remote<Jobs>)[]) {
+  cancel(...names: (keyof Remote<Jobs & ModelCopy>)[]) {
     const meant: string[] = names;
     this.#end(
       (name, place) => new Cancelled(names.length > 0 ? meant.includes(name) : place === 0),
     );
   }
 
-  async #call(name: string, given: unknown[], model?: Snapshot) {
+  async #call(name: string, given: unknown[], of: Omit<JobCall, keyof Call> = {}) {
     const place = this.#worker ? 1 : 0;
     const started = (this.#worker ??= this.#start());
     const worker = await started;
     if (this.#worker !== started) throw this.#ended(name, place);
     const answer = this.#waiting.call(name, given, (call) =>
-      worker.postMessage({ ...call, model } satisfies JobCall),
+      worker.postMessage({ ...call, ...of } satisfies JobCall),
     );
     if (this.#waiting.size === 1) this.#follow();
     return answer;

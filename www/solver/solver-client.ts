@@ -6,7 +6,7 @@
  */
 
 import { Emitter } from './emitter.ts';
-import { Cancelled, messageOf } from './errors.ts';
+import { again, Cancelled, messageOf } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
 import type { Connectivity, Loaded, Measure, Snapshot, Projections, Saved } from './types.ts';
@@ -46,6 +46,12 @@ const MOST_MISSED = 3;
 const STEPS_MISSED = 10;
 /** Number of checks after which the user may want to stop the current work. */
 const LONG_WORK = 3;
+
+/**
+ * Changes that end with the work that they wait for: they would have taken it back, or who asks for
+ * them has a say in it.
+ */
+const ONCE: ReadonlySet<string> = new Set<keyof Changes>(['undo', 'redo', 'open']);
 
 /** Error of a refused request; `path` is the position of the error in the scene, if any. */
 class Refusal extends Error {
@@ -114,10 +120,8 @@ export class SolverClient extends Emitter<SolverEvents> {
   #show: Call | null = null;
 
   /** Questions and changes: their promises settle after all events that they cause. */
-  readonly ask: Remote<Questions> = calling((name, given) => this.#request(name, given));
-  readonly change: Remote<Changes> = calling((name, given) =>
-    this.begin(this.#request(name, given)),
-  );
+  readonly ask: Remote<Questions> = calling((name, given) => this.#asked(name, given));
+  readonly change: Remote<Changes> = calling((name, given) => this.begin(this.#asked(name, given)));
   /** Commands, which have no answer. */
   readonly tell: Told<Commands> = calling((name, given) => {
     const command = { name, given, mesh: this.#mesh };
@@ -220,6 +224,12 @@ export class SolverClient extends Emitter<SolverEvents> {
     const busy = checks >= LONG_WORK;
     if (busy === before >= LONG_WORK) return;
     this.emit('busy', { busy });
+  }
+
+  /** Requests something; what waits behind cancelled work is done after it. */
+  #asked(name: string, given: unknown[]) {
+    const request = () => this.#request(name, given);
+    return ONCE.has(name) ? request() : again(request);
   }
 
   #request(name: string, given: unknown[]) {

@@ -35,6 +35,7 @@ export type {
   KindWords as KindInfo,
   LessonWords,
   Members,
+  OffsetLayer,
   Operation,
   PanelStart,
   PanelVerdict,
@@ -58,20 +59,19 @@ export type {
   WorstRow,
 } from '../pkg/engine/shape_up.js';
 
-export type { OnCopy } from '../worker/jobs-worker.ts';
 export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
 export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
 
-/**
- * An opened model: `guessed` are unit and axis as they were guessed, null where the file states them;
- * `files` are those it was opened from; `undoLost` is the reason why its saved undo history is lost, or
- * empty.
- */
+/** A model: `guessed` are unit and axis as they were guessed, null where the file states them. */
 export type Loaded = Omit<import('../pkg/engine/shape_up.js').Loaded, 'guessed'> & {
   guessed: { units: string | null; up: 'y' | 'z' | null };
-  files: string[];
-  undoLost: string;
 };
+
+/**
+ * A model as it was opened: `files` are those it was opened from; `undoLost` is the reason why its saved
+ * undo history is lost, or empty.
+ */
+export type Opened = Loaded & { files: string[]; undoLost: string };
 
 /** The id of a {@link FaceMeasure}. */
 export type Measure = string;
@@ -121,14 +121,3 @@ export type Drag = {
 
 /** All build settings; a scene contains only those that differ from the default. */
 export type BuildSettings = Required<import('../pkg/engine/shape_up.js').BuildSettings>;
-
-/**
- * The offset as the view shows it: points `#V by 3`, edges (two vertices each), and the vertices
- * and panels that exceed a limit.
- */
-export type OffsetLayer = {
-  points: Float64Array;
-  edges: Uint32Array;
-  vertices: Uint32Array;
-  panels: Uint32Array;
-};

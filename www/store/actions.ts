@@ -6,7 +6,6 @@
 import { workingKey } from '../ui/keys.ts';
 import { count } from '../ui/words.ts';
 import { again, Cancelled, messageOf } from '../solver/errors.ts';
-import { calling } from '../solver/remote.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { Edit, Handle, PanelStart, Require } from '../solver/types.ts';
@@ -108,8 +107,6 @@ export function createActions(
   let original: Promise<Float64Array> | null = null;
   solver.on('model', () => (original = null));
 
-  const questions = solver.ask as Record<string, (...given: unknown[]) => Promise<unknown>>;
-
   const connectivity = () => solver.geometry?.connectivity;
 
   /** Returns the selected vertices that are handles. */
@@ -169,11 +166,8 @@ export function createActions(
 
   return {
     ...view,
-    /**
-     * Questions to the solver, which leave document and shape as they are. What waits behind cancelled
-     * work is asked after it.
-     */
-    ask: calling<SolverClient['ask']>((name, given) => again(() => questions[name](...given))),
+    /** Questions to the solver, which leave document and shape as they are. */
+    ask: solver.ask,
 
     /** Returns the positions at opening, `#V by 3`; asked for once. */
     originalPositions: () =>
@@ -209,9 +203,10 @@ export function createActions(
         reportErrors(solver.change.makeExact(shape, positions, joins)),
     },
 
-    /** Passes numbers of the build, by id, to the session; goals of a lesson may bound them. */
+    /** Passes numbers of the build of the shape that is shown, by id; goals of a lesson may bound them. */
     setBuildNumbers: (numbers: [string, number][]) =>
       solver.change.setBuildNumbers(
+        solver.geometry?.positions ?? new Float64Array(0),
         numbers.map(([id]) => id),
         Float64Array.from(numbers, ([, value]) => value),
       ),

@@ -1,5 +1,6 @@
 /** Edits that read a second file, chosen or dropped. */
 
+import { unreadable } from '../solver/errors.ts';
 import type { Edit } from '../solver/types.ts';
 import type { Actions } from './actions.ts';
 
@@ -31,7 +32,7 @@ export async function readSecondFile(
   actions: Actions,
   replaced: AbortSignal,
 ) {
-  const text = await file.text();
+  const text = await file.text().catch(unreadable(file));
   if (replaced.aborted)
     return actions.setStatus(`${file.name} was not used: another model was opened meanwhile.`);
   const edited = await actions.edit(edit(file.name, text));

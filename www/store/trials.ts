@@ -8,7 +8,8 @@ import { again } from '../solver/errors.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Remote } from '../solver/remote.ts';
-import type { BetterPress, ExactOffer, ExactShape, OnCopy, Suggestion } from '../solver/types.ts';
+import type { ModelCopy } from '../pkg/engine/shape_up.js';
+import type { BetterPress, ExactOffer, ExactShape, Suggestion } from '../solver/types.ts';
 
 /** Time limit of the search for better presses, in milliseconds. */
 const MOST_PRESSES_MS = 20_000;
@@ -23,7 +24,8 @@ export interface ExactFound {
   positions: Float64Array;
 }
 
-export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
+export function createTrials(solver: SolverClient, jobs: JobsClient) {
+  const { ask, copy } = jobs.of('trials');
   /** Number of the current trial, and of changes that end every trial. */
   let [turn, changes] = [0, 0];
   /** Settled when the last trial has ended. */
@@ -53,7 +55,7 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
    * @returns what was read; null without a model
    */
   async function run<Found>(
-    begin: (copy: Remote<OnCopy>) => Promise<unknown>,
+    begin: (copy: Remote<ModelCopy>) => Promise<unknown>,
     goesOn: () => boolean,
     read: (isCurrent: boolean) => Promise<Found> | Found,
     after: () => Promise<unknown> = () => Promise.resolve(),
@@ -69,7 +71,9 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
         more = await ask.advance();
         if (mine === turn) await after();
       }
-      return read(mine === turn);
+      const found = await read(mine === turn);
+      if (mine === turn) await ask.free();
+      return found;
     });
     last = trial.catch(() => null);
     return trial;
@@ -90,7 +94,7 @@ export function createTrials(solver: SolverClient, { ask, copy }: JobsClient) {
       if (!solver.copy()) await new Promise((come) => solver.once('scene', come));
       const model = solver.copy();
       if (!model) return null;
-      return (await copy(model).forecast()) ?? null;
+      return (await jobs.copy(model).forecast()) ?? null;
     },
 
     /**

@@ -2,6 +2,8 @@
 
 import { NOTHING } from './selection.ts';
 import type { BetterPress } from '../solver/types.ts';
+import { byId } from '../ui/dom.ts';
+import { reveal } from '../ui/reveal.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
 import {
   AUTOMATIC,
@@ -15,39 +17,6 @@ import {
 
 /** Storage key of the mouse. */
 const MOUSE = 'shape-up.mouse';
-
-/** What is only set: no other part of the state has to change with it. */
-type Free =
-  | 'parallel'
-  | 'flatMap'
-  | 'heldOriginal'
-  | 'fitted'
-  | 'build'
-  | 'renderer'
-  | 'camera'
-  | 'section'
-  | 'views'
-  | 'step'
-  | 'plot'
-  | 'presenting'
-  | 'measure'
-  | 'measureChosen'
-  | 'tolerances'
-  | 'verdict'
-  | 'mode'
-  | 'selection'
-  | 'tape'
-  | 'gizmoPart'
-  | 'pointedAt'
-  | 'frameChosen'
-  | 'firstExample'
-  | 'nothingOpen'
-  | 'fileName'
-  | 'example'
-  | 'undoes'
-  | 'redoes'
-  | 'saved'
-  | 'status';
 
 export function createViewActions(store: Store) {
   const mouse = MICE.find((one) => one === getItem(MOUSE));
@@ -78,15 +47,10 @@ export function createViewActions(store: Store) {
       store.set({ ownRange: { low: null, high: greatest, top: greatest } });
     },
 
-    /** Opens a card in the corner of the view; the one that is there closes. */
-    openCorner: (corner: State['corner']) => store.set({ corner }),
     /** Says that a card has left the corner. */
     leaveCorner(corner: State['corner']) {
       if (store.get().corner === corner) store.set({ corner: null });
     },
-
-    /** Docks a panel below the view, in place of the one that is there. */
-    dock: (docked: State['docked']) => store.set({ docked }),
 
     /** Adds the presses that end better to the verdict, if it is still that on this shape. */
     suggest(shape: number | undefined, suggestions: BetterPress[]) {
@@ -120,14 +84,15 @@ export function createViewActions(store: Store) {
     tint: (cause: Marking, tint: Tint | null) =>
       store.set({ tints: { ...store.get().tints, [cause]: tint } }),
 
-    useTool: (
-      tool: Partial<
-        Pick<State, 'tool' | 'shape' | 'through' | 'touching' | 'adds' | 'brush' | 'tape'>
-      >,
-    ) => store.set(tool),
+    /** Shows the region of plots and lists at one of them, by its id; its step may be closed. */
+    async showPlot(plot: string) {
+      store.set({ plot });
+      await Promise.resolve();
+      reveal(byId('analysis'));
+    },
 
     /** Sets parts of the state that nothing else has to follow. */
-    look: (change: Partial<Pick<State, Free>>) => store.set(change),
+    look: (change: Partial<State>) => store.set(change),
 
     /** Chooses what the mouse buttons do, now and at later visits. */
     useMouse(mouse: State['mouse']) {

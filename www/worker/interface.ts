@@ -107,9 +107,12 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     step: () => paused(() => scheduler.step()),
     /** Performs the local step, or the global step after it. */
     halfStep: () => paused(() => scheduler.halfStep()),
-    /** Stores numbers of the build, which goals of a lesson may bound. */
-    setBuildNumbers(ids: string[], values: Float64Array) {
-      shows(() => solver.setBuildNumbers(ids, values));
+    /**
+     * Stores numbers of the build, which goals of a lesson may bound, if its shape is still the current one.
+     * @param positions `#V by 3`
+     */
+    setBuildNumbers(positions: Float64Array, ids: string[], values: Float64Array) {
+      shows(() => solver.setBuildNumbers(positions, ids, values));
       return null;
     },
     /**

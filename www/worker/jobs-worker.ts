@@ -8,21 +8,18 @@ import { messageOf } from '../solver/errors.ts';
 import { answerTo, type Answer, type Call } from '../solver/remote.ts';
 import { builds } from './jobs/build.ts';
 import { curvature } from './jobs/curvature.ts';
-import { copyOf, currentCopy } from './jobs/model-copy.ts';
-import type { ModelCopy } from '../pkg/engine/shape_up.js';
+import { copyOf, letGo, type Holder } from './jobs/model-copy.ts';
 import type { Snapshot } from '../solver/types.ts';
 
 const jobs = { ...builds, ...curvature };
-/** What a copy of the open model answers. */
-export type OnCopy = Omit<ModelCopy, 'free'>;
-export type Jobs = typeof jobs & OnCopy;
+export type Jobs = typeof jobs;
 
-/** A call of a copy of this model, if it names one. */
-export type JobCall = Call & { model?: Snapshot };
+/** A call of the copy of a holder: of this model if one is named, else of that which it has. */
+export type JobCall = Call & { holder?: Holder; model?: Snapshot };
 
 /** What has the method that is called. */
-const called = ({ name, model }: JobCall) =>
-  model ? copyOf(model) : name in jobs ? jobs : currentCopy();
+const called = ({ name, holder, model }: JobCall) =>
+  !holder ? jobs : name === 'free' ? { free: () => letGo(holder) } : copyOf(holder, model);
 
 /** The first message is the engine's module, compiled; the others are calls. */
 onmessage = ({ data: module }: MessageEvent<WebAssembly.Module>) => {

@@ -3,7 +3,7 @@
 import { isTrap, messageOf } from '../solver/errors.ts';
 import { filesNamed, mainOf } from '../solver/opened-files.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
-import type { Loaded, NamedBytes, Saved } from '../solver/types.ts';
+import type { Opened, NamedBytes, Saved } from '../solver/types.ts';
 import type { Scheduler } from './scheduler.ts';
 
 export interface Opening {
@@ -22,14 +22,15 @@ export function open(
   solver: Solver,
   scheduler: Scheduler,
   { files, saved, frame = '', solved, weld }: Opening,
-): Loaded {
+): Opened {
   const main = mainOf(files);
-  const named = filesNamed(files, (scene) => solver.sceneFiles(scene));
+  // Of a scene alone, which may be large, `load` says what is missing.
+  const named = files.length > 1 ? filesNamed(files, (scene) => solver.sceneFiles(scene)) : [];
   solver.setDefaultFrame(frame);
   solver.keepUnwelded(weld === false);
   for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
   const read = scheduler.replace(() => solver.load(main.name, main.bytes));
-  const loaded: Loaded = {
+  const loaded: Opened = {
     ...read,
     guessed: {
       units: read.guessed.units ? read.units : null,

@@ -19,12 +19,6 @@ const FRAME_SHARE = 0.25;
  */
 const PROGRESS_EVERY_MS = 800;
 const PROGRESS_SHARE = 0.05;
-/** What only a file has; a mesh made from one keeps its name and guesses, as the page knows. */
-const OF_NO_FILE: Pick<Loaded, 'guessed' | 'files' | 'undoLost'> = {
-  guessed: { units: null, up: null },
-  files: [],
-  undoLost: '',
-};
 
 /**
  * Performs an action, and recovers from an error; not from a trap, after which the solver refuses every
@@ -274,7 +268,8 @@ export class Scheduler {
   changed() {
     // Refining, and undoing it, replace the mesh.
     const loaded = this.#solver.remeshed();
-    if (loaded) this.sendModel({ ...loaded, ...OF_NO_FILE });
+    // The page keeps the name and the guesses of the file.
+    if (loaded) this.sendModel({ ...loaded, guessed: { units: null, up: null } });
     // The scene comes first, so that it is up to date whenever the page has the document.
     this.sendScene();
     this.#sendDocument();

@@ -70,10 +70,10 @@ impl Layout {
         Layout { remeshed, topology, forecast, boundary }
     }
 
-    /// Whether some panels will move a lot to become circular or flat.
-    pub(super) fn moves_a_lot(&self) -> bool {
+    /// Whether panels will hardly move to become circular or flat.
+    pub(super) fn hardly_moves(&self) -> bool {
         let kinds = self.forecast.iter().flat_map(|forecast| &forecast.kinds);
-        kinds.into_iter().any(|kind| kind.how_far == HowFar::Lot)
+        kinds.into_iter().all(|kind| matches!(kind.how_far, HowFar::Nothing | HowFar::Hardly))
     }
 
     /// The largest mean move of the kinds of panels, in the unit of the mesh.

@@ -116,7 +116,7 @@ impl PanelLayouts {
     ) -> Result<Rc<Layout>, RemeshError> {
         let wished = settings.boundary.unwrap_or(Boundary::Followed);
         let layout = self.layout(settings, wished, observer)?;
-        if settings.boundary.is_some() || !self.has_boundary || !layout.moves_a_lot() {
+        if settings.boundary.is_some() || !self.has_boundary || layout.hardly_moves() {
             return Ok(layout);
         }
         // Panels that are cut may move less. What cannot be cut stays followed.

@@ -68,7 +68,7 @@ impl Verdict {
             self.reached(units),
             second,
             after,
-            match self.is_on_other {
+            match self.is_on_other && !self.flaws.contains(&Flaw::Away) {
                 true => {
                     let far = length(self.surface.max, units);
                     format!("They stay within {far} of the surface that they were laid out on.")
@@ -101,7 +101,13 @@ impl Verdict {
             Flaw::Rougher | Flaw::Flatter => self.bend.words(),
             Flaw::Away => {
                 let far = length(self.surface.max, scale.units);
-                format!("The surface moved by up to {far}, {}.", edges(self.surface.max))
+                let edges = edges(self.surface.max);
+                match self.is_on_other {
+                    true => format!(
+                        "The panels are up to {far}, {edges}, off the surface that they were laid out on."
+                    ),
+                    false => format!("The surface moved by up to {far}, {edges}."),
+                }
             }
             Flaw::Moved => format!(
                 "Panels slid by {} on average; the surface stays within {}.",

@@ -94,9 +94,11 @@ impl ShapeMeasure {
     fn parts(&self, edge: f64) -> [(Flaw, f64); 5] {
         let relative =
             |length: f64, limit: f64| if edge > 0.0 { length / (limit * edge) } else { 0.0 };
+        // Where panels are on the surface that they were laid out on was nobody's design.
+        let slid = if self.is_on_other { 0.0 } else { self.moved.mean };
         [
             (Flaw::Away, relative(self.surface.max, AWAY)),
-            (Flaw::Moved, relative(self.moved.mean, MOVED)),
+            (Flaw::Moved, relative(slid, MOVED)),
             (Flaw::OffBoundary, relative(self.boundary, OFF_BOUNDARY)),
             (Flaw::Short, if self.shortest_edge < SHORT { 2.0 } else { 0.0 }),
             (Flaw::Shrunk, self.area_lost / SHRUNK),

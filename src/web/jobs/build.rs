@@ -7,9 +7,10 @@ use crate::fabricate::{
 };
 use crate::mesh::Mesh;
 use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings, Up};
-use crate::web::values::{Js, plain, plains, read};
+use crate::web::values::{AsIs, Js, flat, indices, plain, plains, read};
 use crate::web::{log_panics, mesh_of, thrown};
 use crate::words;
+use js_sys::{Float64Array, Uint32Array};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
@@ -76,10 +77,25 @@ pub fn build_offers() -> Result<Js<BuildOffers>, JsValue> {
     plain(&BuildOffers { presets: &BUILD_PRESETS, settings: BUILD_SETTINGS, defaults })
 }
 
+/// The offset as the view shows it.
+#[derive(Serialize, Tsify)]
+pub struct OffsetLayer {
+    /// `#V by 3`; empty if no offset is offered.
+    points: AsIs<Float64Array>,
+    /// The edges whose beams exceed a limit, as pairs of vertices.
+    edges: AsIs<Uint32Array>,
+    /// The vertices whose axes do.
+    vertices: AsIs<Uint32Array>,
+    /// The panels that do.
+    panels: AsIs<Uint32Array>,
+}
+
 /// The parts of a shape.
 #[wasm_bindgen]
 pub struct Builder {
     build: Build,
+    /// Whether z is up, else y.
+    z_up: bool,
 }
 
 #[wasm_bindgen]
@@ -111,7 +127,7 @@ impl Builder {
         let build = LengthInMetres::of(&symbol)
             .and_then(|unit| Build::standing(&mesh, &settings, unit, &stand));
         let said = |fault: Fault| thrown(format!("{}.", words::sentence(&fault.0)));
-        Ok(Builder { build: build.map_err(said)? })
+        Ok(Builder { build: build.map_err(said)?, z_up })
     }
 
     /// Returns all numbers, as in the report of the command line, and their words.
@@ -126,11 +142,11 @@ impl Builder {
         plain(&WordedCard { words: self.build.card_words(&report), report })
     }
 
-    /// Returns at most `count` sheets as pictures, starting with sheet `first`.
-    pub fn sheets(&self, first: usize, count: usize) -> Result<Vec<Js<SheetPicture>>, JsValue> {
+    /// Returns the first sheets as pictures, at most `count`.
+    pub fn sheets(&self, count: usize) -> Result<Vec<Js<SheetPicture>>, JsValue> {
         let drawings = self.build.drawings();
         let failed = self.build.failed_sides(&self.build.failed());
-        let shown = drawings.iter().zip(&failed).skip(first).take(count);
+        let shown = drawings.iter().zip(&failed).take(count);
         plains(&shown.map(|(drawing, failed)| picture(drawing, failed)).collect::<Vec<_>>())
     }
 
@@ -142,9 +158,16 @@ impl Builder {
         plain(&NumbersById(known.collect()))
     }
 
-    /// Returns the vertices of the offset, `#V by 3`; undefined if no offset is offered.
-    pub fn layer(&self) -> Option<Vec<f64>> {
-        self.build.layer().map(|points| points.into_iter().flatten().collect())
+    /// Returns the offset.
+    pub fn layer(&self) -> Result<Js<OffsetLayer>, JsValue> {
+        let failed = self.build.failed();
+        let ends = |&e: &u32| self.build.surface.edges[e as usize].ends;
+        plain(&OffsetLayer {
+            points: AsIs(flat(&self.build.layer().unwrap_or_default())),
+            edges: indices(&failed.edges.iter().flat_map(ends).collect::<Vec<_>>()),
+            vertices: indices(&failed.nodes),
+            panels: indices(&failed.panels),
+        })
     }
 
     /// Sets another distance of the offset, with the same axes and parts.
@@ -158,25 +181,6 @@ impl Builder {
         self.build.reshape(positions.as_chunks().0);
     }
 
-    /// Returns the panels that exceed a limit.
-    #[wasm_bindgen(js_name = failedPanels)]
-    pub fn failed_panels(&self) -> Vec<u32> {
-        self.build.failed().panels
-    }
-
-    /// Returns the edges whose beams exceed a limit, as pairs of vertices.
-    #[wasm_bindgen(js_name = failedEdges)]
-    pub fn failed_edges(&self) -> Vec<u32> {
-        let ends = |&e: &u32| self.build.surface.edges[e as usize].ends;
-        self.build.failed().edges.iter().flat_map(ends).collect()
-    }
-
-    /// Returns the vertices whose axes exceed a limit.
-    #[wasm_bindgen(js_name = failedNodes)]
-    pub fn failed_nodes(&self) -> Vec<u32> {
-        self.build.failed().nodes
-    }
-
     /// Returns the errors of each kind of offset.
     pub fn choices(&self) -> Result<Vec<Js<WordedChoice>>, JsValue> {
         let choices = self.build.choices().into_iter();
@@ -184,34 +188,28 @@ impl Builder {
         plains(&worded.collect::<Vec<_>>())
     }
 
-    /// Returns shape, offset and beams as binary glTF; `z_up` if the up axis is z, else y.
-    pub fn presentation(&self, z_up: bool) -> Vec<u8> {
-        self.build.presentation(z_up)
+    /// Returns shape, offset and beams as binary glTF.
+    pub fn presentation(&self) -> Vec<u8> {
+        self.build.presentation(self.z_up)
     }
 
-    /// Returns the build as objects on layers, for CAD programs; the up axis is z or y.
+    /// Returns the build as objects on layers, for CAD programs.
     #[wasm_bindgen(js_name = spatialParts)]
-    pub fn spatial_parts(&self, z_up: bool) -> Result<Vec<Js<SpatialPart>>, JsValue> {
-        plains(&self.build.spatial_parts(z_up))
+    pub fn spatial_parts(&self) -> Result<Vec<Js<SpatialPart>>, JsValue> {
+        plains(&self.build.spatial_parts(self.z_up))
     }
 
-    /// Returns the report as an HTML document. `camera` has its turn about the up axis (z or y) and
-    /// its downward tilt, in radians. An empty `link` is left out.
+    /// Returns the report as an HTML document. `camera` has its turn about the up axis and its downward
+    /// tilt, in radians. An empty `link` is left out.
     #[wasm_bindgen(js_name = reportPage)]
-    pub fn report_page(
-        &self,
-        title: String,
-        z_up: bool,
-        camera: Option<Vec<f64>>,
-        link: String,
-    ) -> String {
+    pub fn report_page(&self, title: String, camera: Option<Vec<f64>>, link: String) -> String {
         let camera = camera.and_then(|camera| <[f64; 2]>::try_from(camera).ok());
-        self.build.report_page(&ReportView { title, z_up, camera, link })
+        self.build.report_page(&ReportView { title, z_up: self.z_up, camera, link })
     }
 
-    /// Returns all files: `name` and `text`; `z_up` if the up axis is z, else y.
-    pub fn files(&self, z_up: bool) -> Result<Vec<Js<NamedFile>>, JsValue> {
-        let files = self.build.files(z_up).into_iter();
+    /// Returns all files: `name` and `text`.
+    pub fn files(&self) -> Result<Vec<Js<NamedFile>>, JsValue> {
+        let files = self.build.files(self.z_up).into_iter();
         plains(
             &files.map(|file| NamedFile { name: file.name, text: file.text }).collect::<Vec<_>>(),
         )

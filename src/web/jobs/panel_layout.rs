@@ -109,11 +109,6 @@ fn telling(told: &Function) -> impl FnMut(RemeshStage, f64) -> bool {
 impl LaidOut {
     fn of(layout: &PanelLayout) -> LaidOut {
         let faces = &layout.mesh.faces;
-        let mut offsets = vec![0];
-        offsets.extend(faces.iter().scan(0, |end, face| {
-            *end += face.len() as u32;
-            Some(*end)
-        }));
         let mut ends = vec![0];
         ends.extend(layout.lines.iter().scan(0, |end, line| {
             *end += line.len() as u32;
@@ -122,7 +117,7 @@ impl LaidOut {
         LaidOut {
             said: layout.in_words(),
             positions: AsIs(flat(&layout.mesh.positions)),
-            offsets: indices(&offsets),
+            offsets: indices(faces.offsets()),
             indices: indices(faces.indices()),
             points: AsIs(flat(&layout.lines.concat())),
             ends: indices(&ends),

@@ -26,7 +26,6 @@ pub struct View {
     tile: Option<Placement>,
     renderer: Renderer,
     backend: &'static str,
-    frames: u32,
     canvas: HtmlCanvasElement,
     context_lost: Closure<dyn FnMut()>,
 }
@@ -102,7 +101,6 @@ impl View {
             tile: None,
             renderer: Renderer::new(device),
             backend,
-            frames: 0,
             canvas,
             context_lost,
         })
@@ -333,10 +331,7 @@ impl View {
     /// The device is lost; the page then creates a new view on a new canvas.
     pub fn draw(&mut self) -> Result<bool, JsValue> {
         let (model, map) = self.pictures.to_draw();
-        let drawn = self.renderer.draw(model, map, self.pixel_ratio, self.tile);
-        let drawn = drawn.map_err(thrown)?;
-        self.frames += u32::from(drawn);
-        Ok(drawn)
+        self.renderer.draw(model, map, self.pixel_ratio, self.tile).map_err(thrown)
     }
 
     /// Returns whether the last computed occlusion fits the current picture, and so costs nothing.
@@ -344,11 +339,6 @@ impl View {
     pub fn occlusion_fits(&self) -> bool {
         let size = self.tile.map_or(self.renderer.device.size(), |tile| tile.size);
         self.renderer.occlusion_fits(self.pictures.model(), size)
-    }
-
-    /// Returns the number of pictures drawn so far.
-    pub fn frames(&self) -> u32 {
-        self.frames
     }
 }
 

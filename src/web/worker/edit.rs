@@ -100,11 +100,19 @@ impl Solver {
         Ok(())
     }
 
-    /// Stores numbers of the build of the current shape: `ids` and as many `values`.
+    /// Stores numbers of the build of the shape with these `positions` (`#V by 3`), if it is still the
+    /// current one: `ids` and as many `values`.
     #[wasm_bindgen(js_name = setBuildNumbers)]
-    pub fn set_build_numbers(&mut self, ids: Vec<String>, values: &[f64]) -> Result<(), JsValue> {
-        let numbers = ids.into_iter().zip(values.iter().copied()).collect();
-        self.open_mut()?.set_build_numbers(numbers);
+    pub fn set_build_numbers(
+        &mut self,
+        positions: &[f64],
+        ids: Vec<String>,
+        values: &[f64],
+    ) -> Result<(), JsValue> {
+        let session = self.open_mut()?;
+        if session.positions() == points(positions) {
+            session.set_build_numbers(ids.into_iter().zip(values.iter().copied()).collect());
+        }
         Ok(())
     }
 }

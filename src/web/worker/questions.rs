@@ -54,6 +54,12 @@ pub struct Elements {
     faces: AsIs<Uint32Array>,
 }
 
+impl Elements {
+    fn of(vertices: &[u32], edges: &[u32], faces: &[u32]) -> Elements {
+        Elements { vertices: indices(vertices), edges: indices(edges), faces: indices(faces) }
+    }
+}
+
 /// The faces and vertices on which a row of constraints acts.
 #[derive(Serialize, Tsify)]
 pub struct Members {
@@ -141,21 +147,13 @@ impl Solver {
         let session = self.open()?;
         let found = session.elements_with_problem(name);
         let found = found.ok_or_else(|| thrown(format!("unknown flaw {name:?}")))?;
-        plain(&Elements {
-            vertices: indices(&found.vertices),
-            edges: indices(&session.edges_between(&found.edges)),
-            faces: indices(&found.faces),
-        })
+        plain(&Elements::of(&found.vertices, &session.edges_between(&found.edges), &found.faces))
     }
 
     /// Returns the selection after an operation.
     pub fn select(&mut self, request: Js<SelectRequest>) -> Result<Js<Elements>, JsValue> {
         let found = self.open_mut()?.select(&read(request)?).map_err(|error| thrown_at(&error))?;
-        plain(&Elements {
-            vertices: indices(&found.vertices),
-            edges: indices(&found.edges),
-            faces: indices(&found.faces),
-        })
+        plain(&Elements::of(&found.vertices, &found.edges, &found.faces))
     }
 
     /// Returns the faces and vertices on which row `constraint` acts.

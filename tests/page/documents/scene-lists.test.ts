@@ -8,6 +8,7 @@ import {
   indices,
   pointsOf,
 } from '../../../www/documents/rhino/scene-lists.ts';
+import type { Point, SceneText } from '../../../www/solver/scene-text.ts';
 
 test('ranges include both ends, and an empty list has no index', () => {
   assert.deepEqual(indices('0-3,7'), [0, 1, 2, 3, 7]);
@@ -38,12 +39,12 @@ test('the faces of no group, and the curves, are on layers of their own', () => 
 });
 
 test('a Rhino file has the current shape, of a scene saved at its design that variant', () => {
-  const mesh = { positions: [[0, 0, 0]] };
-  const kept = [{ positions: [[1, 2, 3]] }, { positions: [[4, 5, 6]] }];
+  const mesh: SceneText['mesh'] = { positions: [[0, 0, 0]] };
+  const kept: { positions: Point[] }[] = [{ positions: [[1, 2, 3]] }, { positions: [[4, 5, 6]] }];
   assert.deepEqual(pointsOf({ mesh }), [[0, 0, 0]]);
   assert.deepEqual(pointsOf({ mesh, variants: { kept } }), [[0, 0, 0]]);
   assert.deepEqual(pointsOf({ mesh, variants: { kept, design: 1 } }), [[4, 5, 6]]);
-  const current = [[7, 8, 9]];
+  const current: Point[] = [[7, 8, 9]];
   assert.deepEqual(pointsOf({ mesh, variants: { kept, design: 1 }, current, up: 'y' }), [
     [7, -9, 8],
   ]);

@@ -42,6 +42,18 @@ function withTriangle(own: object, refuse: (why: string) => unknown = assert.fai
   return { state, live: new LiveBuild(app as unknown as AppContext, 'panel', on) };
 }
 
+test('a build is out of date with the shape and with the document, which has its settings', async () => {
+  // Goals of a lesson were met or missed by numbers of the settings before.
+  const { state, live } = withTriangle({ jobs: jobsThat(() => {}) });
+  await live.offers();
+  await live.update();
+  assert.equal(live.isCurrent(), true);
+  state.document = { ...DOCUMENT };
+  assert.equal(live.isCurrent(), false);
+  await live.again();
+  assert.equal(live.isCurrent(), true);
+});
+
 test('faces that change during a build are built, although no vertex has moved', async () => {
   /** Corners of the meshes that were built. */
   const built: number[] = [];

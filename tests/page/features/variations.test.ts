@@ -42,8 +42,7 @@ test('variations that ended with the worker of another job are searched again wh
   const store = createStore();
   const asked: string[] = [];
   let left = 0;
-  const jobs = {
-    generation: 0,
+  const asks = {
     ask: calling(async (name) => {
       asked.push(name);
       if (name === 'variation') return new Float32Array(9);
@@ -55,6 +54,7 @@ test('variations that ended with the worker of another job are searched again wh
     }),
     copy: () => ({ findVariations: async () => true }),
   };
+  const jobs = { generation: 0, of: () => asks };
   const actions = {
     variations: { leave: async () => {} },
     atRest: async () => ({ generation: 1 }),
@@ -90,7 +90,7 @@ test('sliders that are back in the middle show no variation', async () => {
   const actions = { variations, reportErrors: (promise: Promise<unknown>) => promise };
   // The farthest that the constraints allow is the middle itself.
   const go = async () => ({ positions: [], part: 0.001, report: {} });
-  const jobs = { generation: 0, ask: { go, towards: async () => [] } };
+  const jobs = { generation: 0, of: () => ({ ask: { go, towards: async () => [] } }) };
   const panel = new Variations({ jobs, actions } as unknown as AppContext);
   panel.found.value = [{ slide: 1 } as (typeof panel.found.value)[number]];
   panel.steps.value = [0];
@@ -112,7 +112,8 @@ test('sliders that are back in the middle show no variation', async () => {
 
 test('where nothing is required, no run is asked for', async () => {
   const store = createStore();
-  const jobs = { generation: 0, ask: {}, copy: () => ({ findVariations: async () => false }) };
+  const copy = () => ({ findVariations: async () => false });
+  const jobs = { generation: 0, of: () => ({ copy }) };
   const actions = { variations: { leave: async () => {} }, atRest: async () => ({}) };
   const solver = { geometry: { connectivity: {} } };
   const app = { store, jobs, actions, solver } as unknown as AppContext;

@@ -377,6 +377,18 @@ test('a section plane cuts the model open', looks, async ({ page }) => {
   await card.getByRole('button', { name: 'Other side' }).click();
   await expect.poll(() => seen(5)).not.toBeNull();
   expect(await seen(0)).toBeNull();
+  // It ended with every other mesh of the model.
+  await showStep(page, 'Shape');
+  await page.getByRole('button', { name: 'Refine', exact: true }).click();
+  await page
+    .getByRole('dialog', { name: 'Refine' })
+    .getByRole('button', { name: 'Refine now' })
+    .click();
+  await waitForState(page, (now) => now.vertices > 8);
+  await expect(card).toBeVisible();
+  expect(await seen(0)).toBeNull();
+  await page.keyboard.press('ControlOrMeta+z');
+  await waitForState(page, (now) => now.vertices === 8);
   await card.getByLabel('Section across').selectOption('z');
   await card.getByRole('slider', { name: 'Position of the section' }).fill('0');
   await expect.poll(() => seen(0)).not.toBeNull();

@@ -43,7 +43,7 @@ test('the worker starts with the first call, and gets the module before it', asy
   const { jobs } = client();
   await tick();
   assert.equal(FakeWorker.all.length, 0);
-  const calls = [jobs.ask.buildOffers(), jobs.ask.variation(3)];
+  const calls = [jobs.ask.buildOffers(), jobs.of('variations').ask.variation(3)];
   await tick();
   const [worker] = FakeWorker.all;
   const [module, ...posted] = worker.posted;
@@ -69,7 +69,10 @@ test('a long job is told by its name', async (context) => {
   const names: string[] = [];
   jobs.on('busy', ({ job }) => names.push(job));
   void jobs.ask.buildOffers();
-  void jobs.ask.variation(3).catch(() => {});
+  void jobs
+    .of('variations')
+    .ask.variation(3)
+    .catch(() => {});
   await tick();
   context.mock.timers.tick(1500);
   assert.deepEqual(names, ['buildOffers']);
@@ -128,7 +131,7 @@ test('what waits while another job is cancelled is told that, and what is of a c
 test('a job can be cancelled by its name, whichever is the current one', async () => {
   const { jobs } = client();
   const current = jobs.ask.buildOffers();
-  const named = jobs.ask.variation(3);
+  const named = jobs.of('variations').ask.variation(3);
   await tick();
   jobs.cancel('variation');
   await assert.rejects(current, { isMeant: false });
@@ -144,7 +147,7 @@ test('a call during the start of a worker that is cancelled is cancelled too', a
 
 test('after a trap the other calls fail, and the next has another worker', async () => {
   const { jobs } = client();
-  const calls = [jobs.ask.advance(), jobs.ask.buildOffers()];
+  const calls = [jobs.of('trials').ask.advance(), jobs.ask.buildOffers()];
   await tick();
   const [worker] = FakeWorker.all;
   worker.answer(1, { refused: 'unreachable', isDead: true });

@@ -217,39 +217,43 @@ test('what is edited while the model comes back is edited then, but no other mod
   assert.equal(FakeWorker.latest.mesh, 0);
 });
 
-test('work that the user cancels is no error, and what waits behind it can be asked for again', async () => {
+test('what waits behind cancelled work is done by the next worker, but nothing that the user has cancelled', async () => {
+  // A change was dropped without a word, though only the long work before it was cancelled. An undo would
+  // have taken that back; the caller of an opening opens again, unless it is cancelled itself.
   const client = await clientWithRoof();
-  const asked = [client.change.open({ files: [] }), client.ask.scene()];
-  const ended = Promise.allSettled(asked);
-  client.abandon();
-  const errors = (await ended).map((one) => one.status === 'rejected' && one.reason);
-  // It was said that the solver had stopped.
-  assert.deepEqual(
-    errors.map((error) => [error instanceof Cancelled, isUnmeant(error)]),
-    [
-      [true, false],
-      [true, true],
-    ],
-  );
-});
-
-test('what waits behind a run that the user cancels was not meant, but the call at work is', async () => {
-  // The first call that waited was taken for the work: a file dropped during a long run was not opened.
-  const client = await clientWithRoof();
-  const areMeant = async (isForFirst: boolean) => {
-    const asked = [client.change.open({ files: [] }), client.ask.scene()];
-    const ended = Promise.allSettled(asked);
+  const { ask, change } = client;
+  const waiting = () => [
+    ...[change.open({ files: [] }), change.edit('reset'), ask.scene()],
+    ...[change.undo(), change.makePanels('circle', 1, 'now')],
+  ];
+  /** @param work the place of the call at work; none of a run */
+  const after = async (work?: number) => {
+    const ended = waiting().map((each) => each.catch((error: Error) => isUnmeant(error)));
     const worker = FakeWorker.latest;
-    const [first] = worker.posted.flatMap(({ id }) => id ?? []).slice(-2);
-    worker.say({ type: 'working', ...(isForFirst && { id: first }) });
+    const ids = worker.posted.flatMap(({ id }) => id ?? []).slice(-ended.length);
+    worker.say({ type: 'working', id: work === undefined ? work : ids[work] });
     // Its first part is the end of the run.
     worker.say({ type: 'working' });
     client.abandon();
+    await tick();
     FakeWorker.latest.say({ type: 'ready' });
-    return (await ended).map((one) => one.status === 'rejected' && !isUnmeant(one.reason));
+    const names = FakeWorker.latest.posted.map(({ name }) => name);
+    return { names, of: (place: number) => ended[place] };
   };
-  assert.deepEqual(await areMeant(false), [false, false]);
-  assert.deepEqual(await areMeant(true), [true, false]);
+  const behindRun = await after();
+  assert.deepEqual(behindRun.names, ['open', 'edit', 'scene', 'makePanels']);
+  assert.deepEqual([await behindRun.of(0), await behindRun.of(3)], [true, true]);
+  const behindOpening = await after(0);
+  assert.deepEqual(behindOpening.names.slice(0, 4), ['open', 'edit', 'scene', 'makePanels']);
+  assert.equal(await behindOpening.of(0), false);
+});
+
+test('work that the user cancels is no error', async () => {
+  // It was said that the solver had stopped.
+  const client = await clientWithRoof();
+  const edited = client.change.edit('reset');
+  client.abandon();
+  await assert.rejects(edited, (error) => error instanceof Cancelled && !isUnmeant(error));
 });
 
 test('an undo history that is lost by cancelling is told', async () => {

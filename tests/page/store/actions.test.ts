@@ -1,10 +1,9 @@
-// What is asked of the solver once, and when it is asked again.
+// What is asked of the solver once, and which handles are held.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createActions } from '../../../www/store/actions.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
-import { Cancelled } from '../../../www/solver/errors.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
 import type { Alerts } from '../../../www/ui/controls/alerts.ts';
 import type { JobsClient } from '../../../www/solver/jobs-client.ts';
@@ -21,33 +20,13 @@ test('the original is asked for once for every model', async () => {
   const { originalPositions } = createActions(
     createStore(),
     solver,
-    {} as JobsClient,
+    { of: () => ({}) } as unknown as JobsClient,
     {} as Alerts,
   );
   assert.equal(await originalPositions(), 1);
   assert.equal(await originalPositions(), 1);
   solverEvents.emit('model', {});
   assert.equal(await originalPositions(), 2);
-});
-
-test('a question that waited behind cancelled work is asked again, and not one that was cancelled', async () => {
-  // An example that was chosen during a long run did not open when the run was cancelled.
-  let isMeant = false;
-  let asked = 0;
-  const exampleFile = async (name: string) => {
-    if (++asked === 1) throw new Cancelled(isMeant);
-    return name;
-  };
-  const solver = { on() {}, ask: { exampleFile }, change: {}, tell: {} };
-  const { ask } = createActions(
-    createStore(),
-    solver as unknown as SolverClient,
-    {} as JobsClient,
-    {} as Alerts,
-  );
-  assert.equal(await ask.exampleFile('canopy.obj'), 'canopy.obj');
-  [isMeant, asked] = [true, 0];
-  await assert.rejects(ask.exampleFile('canopy.obj'), Cancelled);
 });
 
 /** Actions on these handles, fixed or not, by vertex; with the edits that they send. */
@@ -68,7 +47,16 @@ function holding(handles: [vertex: number, fixed: boolean][], selected: number[]
   const geometry = { connectivity: { edges: [], faceOffsets: [], faceIndices: [] } };
   const given = { ...{ on() {}, ask: {}, tell: {} }, change, geometry, settled: async () => {} };
   const solver = given as unknown as SolverClient;
-  return { store, sent, actions: createActions(store, solver, {} as JobsClient, {} as Alerts) };
+  return {
+    store,
+    sent,
+    actions: createActions(
+      store,
+      solver,
+      { of: () => ({}) } as unknown as JobsClient,
+      {} as Alerts,
+    ),
+  };
 }
 
 test('making handles leaves fixed ones fixed, and making them soft makes no new ones', async () => {

@@ -37,3 +37,13 @@ test('a second file is used for the model that it was chosen for, and no other',
     'ground.obj was not used: another model was opened meanwhile.',
   ]);
 });
+
+test('a file that cannot be read from the disk is named', async () => {
+  // Browsers say only why; of a large mesh that was all that was said.
+  const text = () => Promise.reject(new Error('permission denied'));
+  const file = { name: 'ground.obj', text } as unknown as File;
+  await assert.rejects(
+    readSecondFile(FIT, file, {} as Actions, new AbortController().signal),
+    /^Error: ground\.obj could not be read from the disk \(permission denied\)\.$/,
+  );
+});

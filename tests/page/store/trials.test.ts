@@ -48,10 +48,11 @@ function trials(during: (solver: Fake) => void, scene = 5) {
     positions: async () => FOUND.positions,
     suggestions: async () => ['smooth less'],
     betterPresses: async () => (steps > 3 ? ['within 50 mm'] : []),
+    free: async () => {},
   };
   const made = createTrials(
     solver as unknown as SolverClient,
-    { ask, copy } as unknown as JobsClient,
+    { of: () => ({ ask, copy }) } as unknown as JobsClient,
   );
   solver.emit('frame', { generation: 5 });
   solver.emit('scene', { generation: scene });

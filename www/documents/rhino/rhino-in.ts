@@ -5,9 +5,10 @@
  */
 
 import { count, rhinoUnit, unitsOfLength } from '../../ui/words.ts';
-import { rhino, type Point } from './rhino.ts';
+import { rhino } from './rhino.ts';
 import { objText } from './rhino-mesh.ts';
 import { objectsOf, unreadWords, type Face, type Line } from './rhino-objects.ts';
+import type { Point } from '../../solver/scene-text.ts';
 import type { NamedBytes } from '../../solver/types.ts';
 
 /** A mesh, and what of the Rhino file is not in it. */

@@ -3,7 +3,7 @@
  * separately.
  */
 
-import type { Point } from './rhino.ts';
+import type { Point } from '../../solver/scene-text.ts';
 import type { Face } from './rhino-objects.ts';
 
 /** Upper bound on the welding distance, relative to the size: many Rhino meshes store seven digits. */

@@ -5,7 +5,7 @@
  */
 
 import { count } from '../../ui/words.ts';
-import type { Point } from './rhino.ts';
+import type { Point } from '../../solver/scene-text.ts';
 
 export type Face = { layer: string; corners: Point[] };
 export type Line = Face & { role: string | undefined };

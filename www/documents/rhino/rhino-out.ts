@@ -7,9 +7,10 @@
  */
 
 import { rhinoUnit } from '../../ui/words.ts';
-import { addMesh, addPolyline, attributesOf, layersIn, rhino, type Point } from './rhino.ts';
+import { addMesh, addPolyline, attributesOf, layersIn, rhino } from './rhino.ts';
 import { ROLE } from './rhino-objects.ts';
 import { byLayer, curvesLayer, pointsOf } from './scene-lists.ts';
+import { sceneOf, type Point } from '../../solver/scene-text.ts';
 import type { SpatialPart } from '../../solver/types.ts';
 
 const PLANARITY = 'shape-up:planarity';
@@ -40,16 +41,17 @@ async function written(
  * @param errors table of face errors from the solver (CSV)
  */
 export async function rhinoFile(text: string, errors: string): Promise<Uint8Array<ArrayBuffer>> {
-  const scene = JSON.parse(text);
-  const { faces: own = [], untouched = [], curves = [], groups = {} } = scene.mesh;
+  const scene = sceneOf(text);
+  const { units = '', mesh } = scene;
+  const { faces: own = [], untouched = [], curves = [], groups = {} } = mesh;
   const faces = [...own, ...untouched];
   if (faces.length + curves.length === 0)
     throw new Error('There are no faces or curves, which a Rhino file is made of.');
   const points = pointsOf(scene);
   const distances = planarities(errors);
-  const inWords = (value: number) => `${value} ${scene.units ?? ''}`.trim();
+  const inWords = (value: number) => `${value} ${units}`.trim();
 
-  return written(scene.units, (api, file, layerAt) => {
+  return written(units, (api, file, layerAt) => {
     for (const [name, members] of byLayer(faces.length, groups)) {
       const layer = layerAt(name);
       const isLine = (face: number) => face >= own.length || faces[face].length > 4;
@@ -66,7 +68,7 @@ export async function rhinoFile(text: string, errors: string): Promise<Uint8Arra
     if (curves.length > 0) {
       const layer = layerAt(curvesLayer(groups));
       for (const curve of curves) {
-        const line = curve.map((vertex: number) => points[vertex]);
+        const line = curve.map((vertex) => points[vertex]);
         addPolyline(api, file, line, attributesOf(api, layer, { [ROLE]: 'curve' }));
       }
     }

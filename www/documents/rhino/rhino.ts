@@ -6,6 +6,7 @@
 
 import open from 'rhino3dm/rhino3dm.module.min.js';
 import module from 'rhino3dm/rhino3dm.wasm?url';
+import type { Point } from '../../solver/scene-text.ts';
 
 export function rhino(): Promise<any> {
   return open({ locateFile: () => module }).catch((error: unknown) => {
@@ -14,8 +15,6 @@ export function rhino(): Promise<any> {
     });
   });
 }
-
-export type Point = [number, number, number];
 
 /**
  * Returns a function from the full path of a layer, such as `Roof::North`, to its index, which adds what

@@ -1,23 +1,19 @@
 /** What of a scene goes into a Rhino file: the vertices as they are there, and one layer per group. */
 
-import type { Point } from './rhino.ts';
+import type { Groups, Point, SceneText } from '../../solver/scene-text.ts';
 
 /**
  * Returns the current shape of a scene with its mesh, with z up. A scene saved at its design has
  * no other positions than those of that variant.
  */
-export function pointsOf({ mesh, variants, current, up }: any): Point[] {
-  const points = current ?? variants?.kept[variants.design]?.positions ?? mesh.positions;
+export function pointsOf({ mesh, variants, current, up }: SceneText): Point[] {
+  const design = variants?.kept?.[variants.design ?? -1];
+  const points = current ?? design?.positions ?? mesh.positions;
   return up === 'y' ? points.map(rotated) : points;
 }
 
 /** Rotates from y up to z up. */
 const rotated = ([x, y, z]: Point): Point => [x, -z, y];
-
-type Group = { faces?: number[] | string };
-
-/** The groups of a scene by name; an array if several share one. */
-export type Groups = Record<string, Group | Group[]>;
 
 /** Layer of the faces that are in no group. */
 const REST = 'Panels';

@@ -24,9 +24,10 @@ export class LiveBuild {
   #builds = latestOnly(() => this.#once());
   /** Generations of the worker and of the shape, and settings of the last build. */
   #key = '';
-  /** Mesh of the last build, and generation of its shape. */
+  /** Mesh of the last build, generation of its shape, and its document. */
   #mesh: object | null = null;
   #generation = 0;
+  #document: SceneDocument | null = null;
   /** Settings of the last build; empty if it was refused. */
   #agreed = '';
   /** Duration of the last build. */
@@ -83,7 +84,7 @@ export class LiveBuild {
     const { connectivity: mesh, generation } = geometry;
     const positions = geometry.positions.slice();
     const held = document.handles.filter(({ fixed }) => fixed).map(({ vertex }) => vertex);
-    const site = { symbol, z_up: this.#isZUp(), held };
+    const site = { symbol, z_up: document.up === 'z', held };
     const agreed = JSON.stringify([site, settings]);
     const keyNow = () => [jobs.generation, generation, agreed].join();
     const key = keyNow();
@@ -97,7 +98,7 @@ export class LiveBuild {
         return await this.#offset(jobs.ask.reshape(this.#asker, positions));
       }
       [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
-      this.#generation = generation;
+      [this.#generation, this.#document] = [generation, document];
       const { faceOffsets: offsets, faceIndices: indices, unplaced } = mesh;
       const untouched = mesh.untouchedOffsets.length - 1;
       const faces = { offsets, indices, unplaced, untouched };
@@ -158,12 +159,14 @@ export class LiveBuild {
 
   /** All files as a ZIP archive. */
   zip() {
-    return this.#whole(() => this.#app.jobs.ask.zipParts(this.#asker, this.#isZUp()));
+    return this.#whole(() => this.#app.jobs.ask.zipParts(this.#asker));
   }
 
-  /** Whether the last build is of the shape as it is now. */
+  /** Whether the last build is of shape and document as they are now. */
   isCurrent() {
-    return this.#app.solver.geometry?.generation === this.#generation;
+    const { solver, store } = this.#app;
+    const isOfShape = solver.geometry?.generation === this.#generation;
+    return isOfShape && store.get().document === this.#document;
   }
 
   /** The numbers that a lesson may bound. */
@@ -173,7 +176,7 @@ export class LiveBuild {
 
   /** The parts in space and the sheets, for CAD programs. */
   spatialParts() {
-    return this.#whole(() => this.#app.jobs.ask.spatialParts(this.#asker, this.#isZUp()));
+    return this.#whole(() => this.#app.jobs.ask.spatialParts(this.#asker));
   }
 
   /** The report. */
@@ -186,13 +189,7 @@ export class LiveBuild {
     camera: Float64Array | null;
     link: string;
   }) {
-    return this.#whole(() =>
-      this.#app.jobs.ask.reportPage(this.#asker, title, this.#isZUp(), camera, link),
-    );
-  }
-
-  #isZUp() {
-    return this.#app.store.get().document?.up === 'z';
+    return this.#whole(() => this.#app.jobs.ask.reportPage(this.#asker, title, camera, link));
   }
 }
 
@@ -211,7 +208,8 @@ export async function measureGoals(app: AppContext) {
 
   async function tell() {
     const numbers = await live.numbers();
-    // Of another shape they say nothing; it is built in its turn.
+    await actions.settled();
+    // Of another shape, or with other settings, they say nothing; that is built in its turn.
     if (live.isCurrent()) await actions.setBuildNumbers(numbers);
   }
 

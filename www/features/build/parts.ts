@@ -59,7 +59,7 @@ export class Parts {
       // Panels of another mesh mean nothing here.
       if (now.model !== model) this.#withdraw();
       ({ model } = now);
-      if (!model) actions.dock(null);
+      if (!model) actions.look({ docked: null });
       else void this.live.update();
     });
     return () => {

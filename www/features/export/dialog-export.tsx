@@ -140,7 +140,7 @@ function ExportDialog({ close }: InDialog) {
           disabled={curvesOnly}
           onClick={() => {
             close();
-            actions.dock('parts');
+            actions.look({ docked: 'parts' });
           }}
         />
       </section>

@@ -197,7 +197,7 @@ function NewPanelsButton({ hidden }: { hidden: boolean }) {
   const { store, actions } = useApp();
   async function layOut() {
     if (store.get().document?.constraints.length) await actions.reset();
-    actions.openCorner('new-panels');
+    actions.look({ corner: 'new-panels' });
   }
   return (
     <Button

@@ -175,20 +175,21 @@ export class Layouts {
       if (panels.boundary)
         void this.#foretell(() => jobs.copy(model).panelsAtBoundaries(settings, kept));
     } catch (error) {
-      if (this.#isOpen) await this.#refuse(error);
+      if (this.#isOpen) await this.#refuse(error, () => jobs.copy(model).panelsRefusedAt());
     } finally {
       if (!this.#layouts.hasNext()) this.doing.value = null;
     }
   }
 
-  async #refuse(error: unknown) {
+  /** @param place asks where */
+  async #refuse(error: unknown, place: () => Promise<RefusedAt | undefined>) {
     const before = this.laidOut.value;
     if (error instanceof Cancelled) {
       if (!before) return this.#close();
       this.wishes.value = before.asked;
       return this.#show(before);
     }
-    const refused = (await this.#app.jobs.ask.panelsRefusedAt().catch(() => null)) ?? null;
+    const refused = (await place().catch(() => null)) ?? null;
     if (this.#layouts.hasNext()) return;
     this.laidOut.value = this.forecast.value = null;
     this.#refused.value = refused;

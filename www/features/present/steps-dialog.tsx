@@ -10,6 +10,7 @@ import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { TextField } from '../../ui/components/text-field.tsx';
 import { Thumbnail } from '../../ui/components/thumbnail.tsx';
+import { sceneOf } from '../../solver/scene-text.ts';
 import { count } from '../../ui/words.ts';
 import { present } from './stage.tsx';
 import type { Slide } from '../../solver/types.ts';
@@ -28,7 +29,7 @@ function StepsDialog({ close }: InDialog) {
   const saving = useRef<Promise<unknown>>(Promise.resolve());
   const { document: scene, dark } = store.state;
   const { connectivity } = solver.geometry ?? {};
-  const shapes = useMemo(() => shapesIn(solver.sceneText ?? '{}'), [scene]);
+  const shapes = useMemo(() => shapesIn(solver.sceneText), [scene]);
   const steps = sent.value ?? scene?.steps ?? [];
 
   /** @param made from the steps as they are at the press */
@@ -193,9 +194,11 @@ const directionOf = ({ camera }: Slide) => camera && { turn: camera[TURN], above
 const saysShape = ({ original, variant }: Slide) => original || variant !== undefined;
 
 /** The original and the kept shapes of a scene, `#V by 3`, of which the steps show some. */
-function shapesIn(scene: string) {
-  const { mesh, variants } = JSON.parse(scene);
-  const flat = (positions?: number[][]) => positions?.flat();
-  const kept: { positions: number[][] }[] = variants?.kept ?? [];
-  return { original: flat(mesh?.positions), kept: kept.map(({ positions }) => flat(positions)) };
+function shapesIn(text: string | null) {
+  const scene = text === null ? null : sceneOf(text);
+  const kept = scene?.variants?.kept ?? [];
+  return {
+    original: scene?.mesh.positions.flat(),
+    kept: kept.map(({ positions }) => positions.flat()),
+  };
 }

@@ -13,7 +13,7 @@ export function selectCommands({ store, actions }: AppContext): Command[] {
     group: 'Select',
     label,
     keys: [key],
-    action: () => actions.useTool({ tool: 'select', shape: id }),
+    action: () => actions.look({ tool: 'select', shape: id }),
     pressed: ({ tool, shape }: State) => tool === 'select' && shape === id,
     title: () => title,
   });
@@ -25,7 +25,7 @@ export function selectCommands({ store, actions }: AppContext): Command[] {
     repeats: true,
     action: () => {
       const radius = Math.round(store.get().brush * factor);
-      actions.useTool({ brush: Math.min(Math.max(radius, BRUSH[0]), BRUSH[1]) });
+      actions.look({ brush: Math.min(Math.max(radius, BRUSH[0]), BRUSH[1]) });
     },
   });
   return [
@@ -42,7 +42,7 @@ export function selectCommands({ store, actions }: AppContext): Command[] {
       group: 'Select',
       label: 'Also select hidden elements',
       keys: ['T'],
-      action: () => actions.useTool({ through: !store.get().through }),
+      action: () => actions.look({ through: !store.get().through }),
       pressed: ({ through }) => through,
       title: () => 'Also select what the surface hides',
     },

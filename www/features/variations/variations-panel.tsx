@@ -40,7 +40,7 @@ function Panel() {
   const variations = useMemo(() => new Variations(app), [app]);
   /** Another panel may have taken its place. */
   const close = () => {
-    if (app.store.get().docked === 'variations') app.actions.dock(null);
+    if (app.store.get().docked === 'variations') app.actions.look({ docked: null });
   };
   useEffect(() => variations.begin(close), [variations]);
   const keep = useRef<HTMLButtonElement>(null);

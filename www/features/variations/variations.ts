@@ -120,7 +120,7 @@ export class Variations {
       return null;
     }
     if (this.#wanted === 'exact') return this.#project();
-    const shape = await jobs.ask.towards(this.#coefficients());
+    const shape = await jobs.of('variations').ask.towards(this.#coefficients());
     // A variation that is shown is what Undo takes back: in the middle there is none.
     if (!this.isMoved()) return variations.leave();
     return variations.show(this.#varied.generation, shape, null);
@@ -135,7 +135,7 @@ export class Variations {
     const { actions, jobs } = this.#app;
     const { variations } = actions;
     const asked = this.steps.value;
-    const { positions, part, report } = await jobs.ask.go(this.#coefficients());
+    const { positions, part, report } = await jobs.of('variations').ask.go(this.#coefficients());
     const isShown = await variations.show(this.#varied.generation, positions, report);
     if (!isShown || this.#updates.hasNext()) return;
     if (part < 1) this.steps.value = asked.map((step) => Math.round(part * step));
@@ -158,6 +158,7 @@ export class Variations {
   /** @param mine the number of the search */
   async #findIn(mine: number) {
     const { store, solver, jobs, actions } = this.#app;
+    const { ask, copy } = jobs.of('variations');
     const { connectivity } = solver.geometry ?? {};
     const isCurrent = () => mine === this.#search;
     this.found.value = this.ranges.value = this.steps.value = [];
@@ -167,20 +168,20 @@ export class Variations {
     const model = await actions.atRest();
     // A run has begun meanwhile: its end begins another search.
     if (!model) return;
-    if (!connectivity || !(await jobs.copy(model).findVariations())) {
+    if (!connectivity || !(await copy(model).findVariations())) {
       const isRequired = store.get().document?.constraints.some(isHard);
       if (isCurrent()) this.words.value = isRequired ? NONE : NOTHING;
       return;
     }
     if (!isCurrent()) return;
     this.#varied = { generation: model.generation, worker: jobs.generation };
-    let progress = await jobs.ask.advanceVariations();
-    while (isCurrent() && progress.found === null) progress = await jobs.ask.advanceVariations();
+    let progress = await ask.advanceVariations();
+    while (isCurrent() && progress.found === null) progress = await ask.advanceVariations();
     if (!isCurrent()) return;
     const shape = solver.geometry?.positions.slice() ?? new Float64Array(0);
     const { slide } = progress;
     for (let index = 0; index < (progress.found ?? 0); index++) {
-      const displacements = await jobs.ask.variation(index);
+      const displacements = await ask.variation(index);
       if (!isCurrent()) return;
       this.steps.value = [...this.steps.value, 0];
       this.found.value = [...this.found.value, { shape, connectivity, displacements, slide }];
@@ -195,7 +196,7 @@ export class Variations {
       // Slider moves take priority.
       while (this.#updates.isBusy() && isCurrent())
         await new Promise((resolve) => setTimeout(resolve, 50));
-      if (isCurrent()) progress = await jobs.ask.advanceVariations();
+      if (isCurrent()) progress = await ask.advanceVariations();
     }
   }
 }

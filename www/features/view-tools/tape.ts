@@ -30,7 +30,7 @@ export class Tape {
 
   constructor(app: AppContext) {
     this.#app = app;
-    const end = () => app.actions.useTool({ tape: null });
+    const end = () => app.actions.look({ tape: null });
     const close = closeButton('End measuring', end, { title: 'Esc' });
     this.#card = element(
       'div.card',

@@ -91,7 +91,7 @@ export function viewCommands(app: AppContext): Command[] {
       action: () => {
         const { tape, selection } = store.get();
         const chosen = [...selection.vertices];
-        actions.useTool({ tape: tape ? null : chosen.length === 2 ? chosen : [], tool: 'drag' });
+        actions.look({ tape: tape ? null : chosen.length === 2 ? chosen : [], tool: 'drag' });
       },
       needsModel: true,
       enabled,

@@ -1,8 +1,9 @@
 /** The poster of an embedded view until the user starts it: a picture, a button and a link. */
 
 import { readLink } from '../../documents/share-link.ts';
-import { listOfExamples } from '../../solver/examples.ts';
+import { exampleOf, listOfExamples } from '../../solver/examples.ts';
 import { messageOf } from '../../solver/errors.ts';
+import { sceneOf } from '../../solver/scene-text.ts';
 import { byId, setText } from '../../ui/dom.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
 import { PRESSED } from '../../ui/embedded.ts';
@@ -31,8 +32,8 @@ function start() {
 function showScene(text: string | null, name: string) {
   setText(byId('title'), name);
   if (!text) return;
-  const { mesh, up = 'z' } = JSON.parse(text);
-  const faces: number[][] = mesh.faces ?? [];
+  const { mesh, up = 'z' } = sceneOf(text);
+  const faces = mesh.faces ?? [];
   let end = 0;
   const faceOffsets = Uint32Array.from([0, ...faces.map(({ length }) => (end += length))]);
   const drawing = byId<HTMLCanvasElement>('drawing');
@@ -43,9 +44,7 @@ function showScene(text: string | null, name: string) {
 
 async function showExample(id: string, pose: 'start' | 'end') {
   try {
-    const example = (await listOfExamples()).find((one) => one.id === id);
-    if (!example)
-      throw new Error(`There is no example called ${id}. The link is outdated or mistyped.`);
+    const example = exampleOf(await listOfExamples(), id);
     setText(byId('title'), example.title);
     const picture = byId<HTMLImageElement>('picture');
     picture.src = `pictures/${example.id}-${pose}.webp`;

@@ -1,6 +1,5 @@
 /** The contents of the model, and the problems of its file. */
 
-import { showPlot } from '../../store/show-plot.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { count, groupDigits } from '../../ui/words.ts';
@@ -73,7 +72,7 @@ function Report({ model: { problems, notes } }: { model: Loaded }) {
           </li>
         ))}
       </ul>
-      <Button class="small bordered" onClick={() => showPlot(actions, 'log')}>
+      <Button class="small bordered" onClick={() => actions.showPlot('log')}>
         Details
       </Button>
     </Details>

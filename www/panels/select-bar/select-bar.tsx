@@ -47,7 +47,7 @@ export function SelectBar() {
         title="Also select what a box or a lasso only touches, whichever way it is drawn"
         aria-pressed={touching}
         hidden={!selects || shape === 'paint'}
-        onClick={() => actions.useTool({ touching: !touching })}
+        onClick={() => actions.look({ touching: !touching })}
       >
         <Icon name="touching" />
         <span>Touching</span>
@@ -59,7 +59,7 @@ export function SelectBar() {
         title="Add to the selection instead of replacing it"
         aria-pressed={adds}
         hidden={!words}
-        onClick={() => actions.useTool({ adds: !adds })}
+        onClick={() => actions.look({ adds: !adds })}
       >
         <Icon name="add" />
         <span>Add to selection</span>
@@ -74,7 +74,7 @@ export function SelectBar() {
         aria-valuetext={`${brush} pixels`}
         value={brush}
         hidden={!selects || shape !== 'paint'}
-        onInput={({ currentTarget }) => actions.useTool({ brush: currentTarget.valueAsNumber })}
+        onInput={({ currentTarget }) => actions.look({ brush: currentTarget.valueAsNumber })}
       />
       <button
         ref={opener}

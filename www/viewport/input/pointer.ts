@@ -78,9 +78,6 @@ export class PointerInput {
     region: RegionSelection,
     actions: Actions,
     commands: {
-      addHandles: (vertices: number[]) => Promise<void>;
-      fitAll: () => void;
-      selectedHandles: () => number[];
       showMenu: (at: [number, number]) => void;
       doubleClick: (mode: Mode, item: number, event: MouseEvent) => void;
     },
@@ -198,7 +195,7 @@ export class PointerInput {
     this.#gizmoPart = this.#viewport.with((view) => view.pickGizmo(...at));
     this.#handle = this.#handleAt(at, this.#gizmoPart ? ON_HANDLE : near(event));
     if (this.#handle !== undefined) this.#gizmoPart = undefined;
-    else if (this.#gizmoPart) [this.#handle] = this.#commands.selectedHandles();
+    else if (this.#gizmoPart) [this.#handle] = this.#actions.selectedHandles();
   }
 
   /** Makes the vertex under the pointer a handle and drags it, as one step of undo. */
@@ -353,7 +350,7 @@ export class PointerInput {
     if (tape) {
       const end = this.#handle ?? this.#vertexAt(event, at);
       const isOther = tape.length === 1 && tape[0] !== end;
-      if (end !== undefined) this.#actions.useTool({ tape: isOther ? [...tape, end] : [end] });
+      if (end !== undefined) this.#actions.look({ tape: isOther ? [...tape, end] : [end] });
       return;
     }
     const combine = this.#combineOf(event);
@@ -388,12 +385,12 @@ export class PointerInput {
     if (this.#store.get().tape || this.#gizmoPart) return;
     this.#viewport.with((view) => {
       const vertex = view.pickVertex(...at, ON_VERTEX);
-      if (vertex !== undefined) return void this.#commands.addHandles([vertex]);
+      if (vertex !== undefined) return void this.#actions.addHandles([vertex], false);
       const edge = view.pickEdge(...at, ON_EDGE);
       const face = view.pickFace(...at);
       if (edge !== undefined) this.#commands.doubleClick('edges', edge, event);
       else if (face !== undefined) this.#commands.doubleClick('faces', face, event);
-      else this.#commands.fitAll();
+      else this.#viewport.with((view) => view.fit());
     });
   }
 

@@ -2,7 +2,7 @@
 
 import { zipSync, type Zippable } from 'fflate';
 import { Builder, buildOffers, type Site } from '../../pkg/engine/shape_up.js';
-import type { BuildSettings, OffsetLayer } from '../../solver/types.ts';
+import type { BuildSettings } from '../../solver/types.ts';
 
 /** The file name of the shape with its offset, the same as on the command line. */
 const PRESENTATION = 'model.glb';
@@ -59,13 +59,6 @@ export type Asker = 'panel' | 'goals';
 
 const parts: Record<Asker, Parts> = { panel: new Parts(), goals: new Parts() };
 
-const layerOf = (builder: Builder): OffsetLayer => ({
-  points: builder.layer() ?? new Float64Array(0),
-  edges: builder.failedEdges(),
-  vertices: builder.failedNodes(),
-  panels: builder.failedPanels(),
-});
-
 /** All but `buildOffers` and `build` are about the last build of who asks. */
 export const builds = {
   /** The presets, the declared settings and their defaults. */
@@ -73,19 +66,19 @@ export const builds = {
   /** Makes the parts of a shape, and draws at most `sheets` sheets. */
   build(asker: Asker, shape: Shape, sheets: number) {
     const builder = parts[asker].renew(shape);
-    return { ...builder.report(), sheets: builder.sheets(0, sheets), layer: layerOf(builder) };
+    return { ...builder.report(), sheets: builder.sheets(sheets), layer: builder.layer() };
   },
   /** Changes the distance of its offset. */
   moveLayer(asker: Asker, distance: number) {
     const { builder } = parts[asker];
     if (!builder) return null;
     builder.moveLayer(distance);
-    return { ...builder.card(), layer: layerOf(builder) };
+    return { ...builder.card(), layer: builder.layer() };
   },
   /** Changes the positions of its offset, during a drag. */
   reshape(asker: Asker, positions: Float64Array) {
     const builder = parts[asker].reshape(positions);
-    return builder && { ...builder.card(), layer: layerOf(builder) };
+    return builder && { ...builder.card(), layer: builder.layer() };
   },
   /** The numbers that a lesson may bound, by id. */
   buildNumbers: (asker: Asker) => parts[asker].whole().numbers(),
@@ -95,20 +88,15 @@ export const builds = {
    * An HTML document.
    * @param camera of its picture: two angles in radians; null for the default
    */
-  reportPage: (
-    asker: Asker,
-    title: string,
-    zUp: boolean,
-    camera: Float64Array | null,
-    link: string,
-  ) => parts[asker].whole().reportPage(title, zUp, camera, link),
-  spatialParts: (asker: Asker, zUp: boolean) => parts[asker].whole().spatialParts(zUp),
+  reportPage: (asker: Asker, title: string, camera: Float64Array | null, link: string) =>
+    parts[asker].whole().reportPage(title, camera, link),
+  spatialParts: (asker: Asker) => parts[asker].whole().spatialParts(),
   /** All files in one archive. */
-  zipParts(asker: Asker, zUp: boolean) {
+  zipParts(asker: Asker) {
     const builder = parts[asker].whole();
     const files: Zippable = {};
-    for (const { name, text } of builder.files(zUp)) files[name] = new TextEncoder().encode(text);
-    files[PRESENTATION] = builder.presentation(zUp);
+    for (const { name, text } of builder.files()) files[name] = new TextEncoder().encode(text);
+    files[PRESENTATION] = builder.presentation();
     return zipSync(files);
   },
 };

@@ -1,27 +1,52 @@
-/** The copy of the open model in the second worker, which answers under its own names. */
+/**
+ * Copies of the open model in the second worker, which answer under their own names. What goes on with
+ * something that it has begun keeps its copy meanwhile: a question of another one, about the model as it
+ * is by then, would take it away.
+ */
 
 import { ModelCopy } from '../../pkg/engine/shape_up.js';
 import type { Snapshot } from '../../solver/types.ts';
 
-let copy: ModelCopy | null = null;
-/** What it is a copy of. */
-let copied: Snapshot | null = null;
+/** Who has a copy: what goes on with it, or questions, each of which is answered at once. */
+export type Holder = 'trials' | 'variations' | 'questions';
 
-/** Opens the model, unless it is the one that is open. */
-export function copyOf(model: Snapshot): ModelCopy {
-  const { text, generation } = model;
-  // A new worker of the solver counts its generations anew.
-  if (copy && copied?.generation === generation && copied.text === text) return copy;
-  copy?.free();
-  // The constructor may throw.
-  copy = copied = null;
-  copy = new ModelCopy(text, generation, (told: string) => postMessage({ told }));
-  copied = model;
-  return copy;
+interface Copy {
+  model: Snapshot;
+  copy: ModelCopy;
 }
 
-/** The copy on which something was begun. */
-export function currentCopy(): ModelCopy {
-  if (!copy) throw new Error('nothing has been begun');
-  return copy;
+const copies: Map<Holder, Copy> = new Map();
+
+const isOf = ({ model }: Copy, { text, generation }: Snapshot) =>
+  // A new worker of the solver counts its generations anew.
+  model.generation === generation && model.text === text;
+
+/**
+ * The copy of a holder, of this model if one is given. Those of the same model have the same one.
+ * @throws without a model, if it has none
+ */
+export function copyOf(holder: Holder, model?: Snapshot): ModelCopy {
+  const own = copies.get(holder);
+  if (own && (!model || isOf(own, model))) return own.copy;
+  if (!model) throw new Error('nothing has been begun');
+  letGo(holder);
+  let held = [...copies.values()].find((other) => isOf(other, model));
+  if (!held) {
+    // There is room for no more than are needed.
+    letGo('questions');
+    const { text, generation } = model;
+    held = {
+      model,
+      copy: new ModelCopy(text, generation, (told: string) => postMessage({ told })),
+    };
+  }
+  copies.set(holder, held);
+  return held.copy;
+}
+
+/** Frees the copy of a holder, unless others have it too. */
+export function letGo(holder: Holder) {
+  const own = copies.get(holder);
+  copies.delete(holder);
+  if (own && ![...copies.values()].includes(own)) own.copy.free();
 }
