@@ -16,7 +16,7 @@ import { Stage } from '../features/present/stage.tsx';
 import { VariationsButton, VariationsPanel } from '../features/variations/variations-panel.tsx';
 import { SectionCard } from '../features/view-tools/section-card.tsx';
 import { ViewMenu } from '../features/view-tools/view-menu.tsx';
-import { RunMessageOnCard } from '../features/warnings/run-message.tsx';
+import { RunMessage } from '../features/warnings/run-message.tsx';
 import { Warnings } from '../features/warnings/warnings.tsx';
 import { FirstHints } from '../features/hints.tsx';
 import { Colours } from '../panels/colours/colours.tsx';
@@ -50,7 +50,7 @@ const PLACES: Record<string, ComponentType> = {
   'make-panels-place': lockable('constraints', PanelsInStep),
   'panels-card-place': () => (
     <PanelsCard>
-      <RunMessageOnCard />
+      <RunMessage isOnCard />
     </PanelsCard>
   ),
   'more-messages': Warnings,

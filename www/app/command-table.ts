@@ -18,6 +18,7 @@ import { canVary } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
 import { isLocked } from '../store/panels-card.ts';
+import { mapInWords } from '../store/stale-map.ts';
 import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
 import { byId } from '../ui/dom.ts';
@@ -32,7 +33,10 @@ import type { AppContext, Command } from './context.ts';
 
 /** Whether the mesh is a surface, and no lesson locks it. */
 const canChangeMesh = ({ model, document }: State) =>
-  Boolean(model?.faces && !model.tets && !isLocked({ document }, 'mesh'));
+  Boolean(document && model?.faces && !model.tets && !isLocked({ document }, 'mesh'));
+/** Of a command that changes the mesh: why it is disabled, or else these words. */
+const orLocked = (words: string) => (state: State) =>
+  isLocked(state, 'mesh') ? 'Locked by the lesson' : words;
 
 /** The second levels of the steps. */
 const LEVELS = [
@@ -356,6 +360,7 @@ export function commandTable(
       keys: [],
       enabled: canChangeMesh,
       action: opens(() => openEdit(app)),
+      title: orLocked(''),
     },
     {
       id: 'refine',
@@ -364,6 +369,7 @@ export function commandTable(
       keys: [],
       enabled: canChangeMesh,
       action: opens(() => openRefine(app)),
+      title: orLocked(''),
     },
     {
       id: 'new-panels',
@@ -372,6 +378,7 @@ export function commandTable(
       keys: [],
       enabled: canChangeMesh,
       action: () => actions.look({ corner: 'new-panels' }),
+      title: orLocked('Lays out panels along the lines of curvature'),
     },
     {
       id: 'variations',
@@ -380,6 +387,10 @@ export function commandTable(
       keys: [],
       needsModel: true,
       enabled: canVary,
+      title: (state) =>
+        canVary(state)
+          ? 'Other shapes that are as exact as this one'
+          : 'Available once all required constraints are satisfied',
       action: docks('variations'),
     },
     {
@@ -438,8 +449,10 @@ export function commandTable(
       keys: ['Ctrl+E'],
       action: () => actions.reportErrors(exportMesh(app)),
       needsModel: true,
-      title: ({ flatMap }) =>
-        `Save the current shape${flatMap ? ', with its flat map,' : ''} as OBJ`,
+      title: (state) => {
+        const mapped = mapInWords(app, state);
+        return `Save the current shape${mapped ? `, ${mapped},` : ''} as OBJ`;
+      },
     },
     {
       id: 'palette',

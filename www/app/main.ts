@@ -152,7 +152,7 @@ function bindSolver(client: SolverClient) {
       selection: NOTHING,
       dragged: [],
       dragMs: 0,
-      ...{ tint: null, pointed: null },
+      tints: {},
       tape: null,
     }),
   );

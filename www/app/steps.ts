@@ -18,6 +18,9 @@ import { narrow } from '../viewport/camera.ts';
 /** Storage key of the ids of what is open; `index.html` reads it before the first paint. */
 const OPEN = 'shape-up.open';
 
+/** As the style sheets have it: there is room for the model and one card. */
+const small = matchMedia('(max-width: 699px), (max-height: 480px)');
+
 const placeOf = (step: Step): HTMLDetailsElement => byId(`step-${step}`);
 
 export function followSteps(store: Store) {
@@ -92,7 +95,15 @@ function tabs(store: Store, panel: HTMLElement) {
     dataset.sheet = isOpen ? 'open' : 'closed';
     store.set({ step });
     update();
+    measure();
   };
+  /** What of the window is left for the view. */
+  function measure() {
+    const isSheet = narrow.matches && dataset.sheet === 'open';
+    store.set({ room: isSheet ? 'sheet' : small.matches ? 'small' : 'wide' });
+  }
+  for (const query of [narrow, small]) query.addEventListener('change', measure);
+  measure();
   function update() {
     const { step } = store.get();
     dataset.step = step;

@@ -16,7 +16,6 @@ import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { NamedBytes, Saved, SceneDocument, Opened } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
-import { hideWithNextWork } from './fitted-shapes.ts';
 import { STARTS_LATER } from '../store/press.ts';
 import { untilChanged } from '../store/until-changed.ts';
 import type { Store } from '../store/state.ts';
@@ -190,6 +189,8 @@ export class Files extends Emitter<{ opened: void }> {
       this.original = origin.original ?? origin.text ?? this.#solver.sceneText;
       this.nameInAddress();
       if (!origin.first) removeFirstPicture();
+      // What only the first view was to show.
+      if (!origin.first && this.#store.get().firstExample) this.#actions.display({ shapes: false });
       this.#actions.look({
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,
@@ -202,7 +203,6 @@ export class Files extends Emitter<{ opened: void }> {
       if (loaded.welded) this.#reportWelded(loaded.welded, loaded.units);
       this.#reportLeftOut(files, given);
       this.emit('opened', undefined);
-      if (origin.first) hideWithNextWork(this, this.#actions);
       return loaded;
     } catch (error) {
       const isCancelled = error instanceof Cancelled;

@@ -7,11 +7,8 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { useAnswer } from '../store/use-answer.ts';
 import { useApp } from '../store/use-app.ts';
 import { messageOf } from '../solver/errors.ts';
-import { energyOrZero } from '../ui/words.ts';
+import { columnsOf, TRACE_WIDTH } from '../ui/plot/energies.ts';
 import type { EnergyPlot } from '../ui/plot/plot.ts';
-
-/** Numbers per iteration in a trace. */
-const TRACE_WIDTH = 6;
 
 /**
  * The least interval between redraws: a plot of thousands of iterations takes some milliseconds.
@@ -69,15 +66,4 @@ function Curves({ trace }: { trace: Float64Array }) {
   useEffect(() => plot?.restyle(), [dark]);
 
   return <div ref={place}>{problem && <p>The plot could not be loaded: {problem}</p>}</div>;
-}
-
-/** Returns columns: iteration, shape, close, smooth, handles, total; rounding errors as zero. */
-function columnsOf(trace: Float64Array, size: number) {
-  const rows = trace.length / TRACE_WIDTH;
-  return Array.from({ length: TRACE_WIDTH }, (_, column) =>
-    Array.from({ length: rows }, (_, row) => {
-      const value = trace[row * TRACE_WIDTH + column];
-      return column === 0 ? value : energyOrZero(value, size);
-    }),
-  );
 }

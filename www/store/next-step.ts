@@ -1,10 +1,16 @@
 /** The next step that the page proposes: its button is filled, and the status bar names it. */
 
-import { CARD_KEYS, isLocked, shownVerdict } from './panels-card.ts';
+import { TOPIC_KEYS, isLocked, panelsTopic } from './panels-card.ts';
 import type { State } from './state.ts';
 
 /** What is needed to know it. */
-export const NEXT_STEP_KEYS = [...CARD_KEYS, 'running', 'converged', 'numbers', 'verdict'] as const;
+export const NEXT_STEP_KEYS = [
+  ...TOPIC_KEYS,
+  'running',
+  'converged',
+  'numbers',
+  'verdict',
+] as const;
 
 /**
  * - `shape`: nothing is constrained yet, and there are panels
@@ -32,8 +38,7 @@ export function nextStep(state: Known): NextStep {
     ({ enabled, require }, row) =>
       enabled && require === 'soft' && (numbers?.worst[row] ?? 0) > document.tolerance,
   );
-  // A map in its place changes nothing about the shape.
-  const verdict = shownVerdict({ ...state, flatMap: null });
+  const verdict = panelsTopic(state) === 'verdict' ? state.verdict : null;
   const isPoor = verdict && verdict.report.level !== 'good';
   return isBeyond || isPoor ? 'choose' : 'build';
 }

@@ -1,5 +1,6 @@
 /** What the card of the panels shows, and what may be done to the mesh. */
 
+import { isEmbedded } from '../ui/embedded.ts';
 import type { State } from './state.ts';
 
 /** Whether all panels can be asked to be one shape. */
@@ -12,31 +13,36 @@ export const asksPanels = ({ document, kinds }: Pick<State, 'document' | 'kinds'
     ({ enabled, kind }) => enabled && kinds.some(({ id, panels }) => id === kind && panels),
   ) ?? false;
 
-/** What is needed to know what the card shows. */
-export const CARD_KEYS = [
-  'model',
-  'document',
-  'kinds',
-  'example',
-  'flatMap',
-  'press',
-  'closedCard',
-] as const;
-type Known = Pick<State, (typeof CARD_KEYS)[number]>;
+/** What is needed to know what there is to say of the panels. */
+export const TOPIC_KEYS = ['model', 'document', 'kinds', 'example', 'press', 'closedCard'] as const;
+type Known = Pick<State, (typeof TOPIC_KEYS)[number]>;
 
-/** The buttons for a mesh just opened, or how far they came; null if the card is not shown. */
-export function panelsCard(state: Known): 'offer' | 'verdict' | null {
-  const { model, document, example, flatMap, press, closedCard } = state;
-  // The legend of a flat map is in the card's position.
-  if (!offersPanels(state) || !document || flatMap || closedCard === model) return null;
+/**
+ * What there is to say of the panels, wherever there is room for it: the buttons for a mesh just
+ * opened, or how far they came; null if nothing is, or the user has closed it.
+ */
+export function panelsTopic(state: Known): 'offer' | 'verdict' | null {
+  const { model, document, example, press, closedCard } = state;
+  if (!offersPanels(state) || !document || closedCard === model) return null;
   if (press?.model === model && asksPanels(state)) return 'verdict';
   const isOffered = document.constraints.length === 0 && !example;
   return isOffered && !isLocked(state, 'constraints') ? 'offer' : null;
 }
 
-/** The verdict on the panels, if the card shows it. */
-export const shownVerdict = (state: Known & Pick<State, 'verdict'>) =>
-  panelsCard(state) === 'verdict' ? state.verdict : null;
+/**
+ * What of it the card over the view shows. It is there if and only if this is not null: where there
+ * is no room for it, others have what is on it.
+ */
+export function panelsCard(
+  state: Known & Pick<State, 'flatMap' | 'docked' | 'corner' | 'presenting' | 'room'>,
+): ReturnType<typeof panelsTopic> {
+  const { flatMap, docked, corner, presenting, room } = state;
+  // The legend of a flat map is in the card's position; a docked panel leaves room for the model only.
+  if (isEmbedded || presenting || flatMap || docked || corner === 'new-panels') return null;
+  if (corner === 'curvature' && room !== 'wide') return null;
+  const topic = panelsTopic(state);
+  return topic === 'verdict' && room === 'sheet' ? null : topic;
+}
 
 /** Whether a lesson locks this. */
 export const isLocked = ({ document }: Pick<State, 'document'>, part: 'mesh' | 'constraints') =>

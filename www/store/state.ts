@@ -81,14 +81,14 @@ export interface State {
   pointedAt: number | undefined;
   /** time from the last pointer move to new positions */
   dragMs: number;
-  /** elements that are marked, as what cannot be met, until that is over */
-  tint: Tint | null;
-  /** elements of the row or the part under the pointer, shown instead for that time */
-  pointed: Tint | null;
+  /** elements that are marked, each by its cause as long as that lasts */
+  tints: Partial<Record<Marking, Tint | null>>;
   /** colours of constraint rows */
   rowColours: RowColours | null;
   /** the visible step if there is room for only one */
   step: Step;
+  /** of the window: wide, small (narrow or low), or narrow with a step open over a part of the view */
+  room: 'wide' | 'small' | 'sheet';
   /** by which the faces are coloured */
   measure: Measure | null;
   /** whether the user chose it since the model was opened */
@@ -144,6 +144,8 @@ export interface State {
   verdict: { shape: number | undefined; report: PanelVerdict } | null;
   /** the last press that made all panels one shape */
   press: PanelPress | null;
+  /** the model of which a press shows the fitted shapes, or hides them, whatever `display` says */
+  fitted: { model: Loaded; shown: boolean } | null;
   /** the model whose card of panels the user closed */
   closedCard: Loaded | null;
   /** null without fabrication panel */
@@ -216,6 +218,12 @@ export type Step = (typeof STEPS)[number];
 export type Mode = 'vertices' | 'edges' | 'faces';
 /** Edges by their index in `Connectivity.edges`. */
 export type Selection = Record<Mode, ReadonlySet<number>>;
+/**
+ * Why elements are marked; of several causes the view shows the first: under the pointer, cannot be
+ * met, cannot be built, nothing acts on them.
+ */
+export const MARKINGS = ['pointed', 'unmet', 'unbuildable', 'free'] as const;
+export type Marking = (typeof MARKINGS)[number];
 export type Tint = { vertices: Uint32Array; faces: Uint32Array; colour: [number, number, number] };
 /** The original shape, `#V by 3`, and its values of the measure, `#F`, if there is one. */
 type HeldOriginal = { positions: Float64Array; values: Float32Array | null };
@@ -263,10 +271,10 @@ const INITIAL: State = {
   gizmoPart: undefined,
   pointedAt: undefined,
   dragMs: 0,
-  tint: null,
-  pointed: null,
+  tints: {},
   rowColours: null,
   step: 'shape',
+  room: 'wide',
   measure: null,
   measureChosen: false,
   range: [0, 0],
@@ -300,6 +308,7 @@ const INITIAL: State = {
   flatMap: null,
   verdict: null,
   press: null,
+  fitted: null,
   closedCard: null,
   heldOriginal: null,
   build: null,
@@ -319,6 +328,14 @@ export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
 
 /** Whether a constraint must be met, exactly or within a distance. */
 export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
+
+/** Whether the fitted shapes are shown: as the last press has it, else as the user does. */
+export const showsFitted = ({
+  model,
+  fitted,
+  display,
+}: Pick<State, 'model' | 'fitted' | 'display'>) =>
+  fitted && fitted.model === model ? fitted.shown : display.shapes;
 
 export function createStore(): Store {
   const all = signal(INITIAL);

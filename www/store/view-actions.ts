@@ -5,7 +5,15 @@ import type { BetterPress } from '../solver/types.ts';
 import { byId } from '../ui/dom.ts';
 import { reveal } from '../ui/reveal.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
-import { AUTOMATIC, MICE, type PanelPress, type State, type Store } from './state.ts';
+import {
+  AUTOMATIC,
+  MICE,
+  type Marking,
+  type PanelPress,
+  type State,
+  type Store,
+  type Tint,
+} from './state.ts';
 
 /** Storage key of the mouse. */
 const MOUSE = 'shape-up.mouse';
@@ -17,8 +25,12 @@ export function createViewActions(store: Store) {
     /** @param status last event, as text */
     setStatus: (status: string) => store.set({ status }),
 
+    /** As the user wishes, whatever a press shows or hides. */
     display: (change: Partial<State['display']>) =>
-      store.set({ display: { ...store.get().display, ...change } }),
+      store.set({
+        display: { ...store.get().display, ...change },
+        ...('shapes' in change && { fitted: null }),
+      }),
 
     /** Sets the measure that colours the faces. */
     colourBy: (measure: State['measure']) => store.set({ measure, measureChosen: true }),
@@ -55,12 +67,22 @@ export function createViewActions(store: Store) {
       if (store.get().press === press) store.set({ press: changed });
       return changed;
     },
+    /** Puts back what a press that was refused has changed, unless another one has come. */
+    pressRefused(press: PanelPress, { press: last, closedCard, fitted }: Readonly<State>) {
+      if (store.get().press !== press) return;
+      // An earlier one may have been refused meanwhile.
+      store.set({ press: last && { ...last, isUnderWay: false }, closedCard, fitted });
+    },
     /** Closes the card of the panels, for this model. */
     closePanelsCard: () => store.set({ closedCard: store.get().model }),
 
     /** Sets the tolerance of another measure, in its unit. */
     setToleranceOf: (id: string, value: number | null) =>
       store.set({ tolerances: { ...store.get().tolerances, [id]: value } }),
+
+    /** Marks elements for a cause, in place of those that were; null when it is over. */
+    tint: (cause: Marking, tint: Tint | null) =>
+      store.set({ tints: { ...store.get().tints, [cause]: tint } }),
 
     /** Shows the region of plots and lists at one of them, by its id; its step may be closed. */
     async showPlot(plot: string) {

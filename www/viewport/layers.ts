@@ -2,7 +2,7 @@
 
 import { areHandlesLocked, handlesNow } from '../store/handles.ts';
 import { declared, toleranceOf } from '../store/colours/measures.ts';
-import type { State, FlatMap } from '../store/state.ts';
+import { MARKINGS, showsFitted, type State, type FlatMap } from '../store/state.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { Geometry } from '../solver/solver-client.ts';
 import type { Parametrization } from '../solver/types.ts';
@@ -24,7 +24,7 @@ export const LAYERS: [
 ][] = [
   [['dark'], (view, state) => view.setTheme(state.dark)],
   [['document'], (view, { document }) => document && view.setUp(document.up)],
-  [['display', 'halfway', 'heldOriginal', 'document'], showDisplay],
+  [['display', 'fitted', 'model', 'halfway', 'heldOriginal', 'document'], showDisplay],
   [['parallel'], (view, { parallel }) => view.setParallel(parallel)],
   [
     ['section', 'model'],
@@ -49,7 +49,7 @@ export const LAYERS: [
     (view, state) => view.highlightGizmo(state.gizmoPart, state.dragged.length > 0),
   ],
   [['selection', 'model'], showSelection],
-  [['tint', 'pointed', 'model'], showTint],
+  [['tints', 'model'], showTint],
   [['rowColours', 'model', 'flatMap'], showRowColours],
   [['measure', 'range', 'document', 'tolerances', 'display', 'flatMap'], showValues],
   [['flatMap'], showFlatMap],
@@ -71,13 +71,14 @@ export function showValues(view: View, state: State, geometry: Geometry | null) 
   view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, isLog);
 }
 
-export function showDisplay(view: View, { display, halfway, heldOriginal, document }: State) {
+export function showDisplay(view: View, state: State) {
+  const { display, halfway, heldOriginal, document } = state;
   const { edges, vertices } = display;
   // All three show the current shape, not the original. Outlines also show during a half step, when
   // the projections are computed but not yet applied.
   const [shapes, outlines, arrows] = heldOriginal
     ? [false, false, false]
-    : [display.shapes, display.outlines || halfway, display.arrows];
+    : [showsFitted(state), display.outlines || halfway, display.arrows];
   view.setDisplay(edges, vertices, shapes, outlines, arrows);
   view.setSurroundings(display.ghost, display.ground);
   view.setBands(display.bands);
@@ -102,9 +103,10 @@ function showSelection(view: View, { selection }: State) {
   view.setSelectedEdges(Uint32Array.from(selection.edges));
 }
 
-function showTint(view: View, { tint, pointed }: State) {
+function showTint(view: View, { tints }: State) {
   const none = { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
-  const { vertices, faces, colour } = pointed ?? tint ?? none;
+  const first = MARKINGS.map((cause) => tints[cause]).find(Boolean);
+  const { vertices, faces, colour } = first ?? none;
   const [red, green, blue] = colour.map((byte) => byte / 255);
   view.setTint(vertices, faces, red, green, blue);
 }

@@ -26,13 +26,9 @@ export function useCover<Kind extends HTMLElement>(
     const stop = viewport.on('ready', renew);
     const size = new ResizeObserver(renew);
     size.observe(element);
-    // A docked panel hides a card. Noticed here, before the smaller view is framed anew.
-    const body = new MutationObserver(renew);
-    body.observe(document.body, { attributeFilter: ['data-docked'] });
     return () => {
       stop();
       size.disconnect();
-      body.disconnect();
       uncover(viewport, element);
       told(0);
     };

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { register } from 'node:module';
 import { test } from 'node:test';
 import type { AppContext } from '../../../www/app/context.ts';
-import { surfaceLines } from '../../../www/features/curvature/surface-lines.ts';
+import { CurvatureLines, type Wish } from '../../../www/features/curvature/curvature-lines.ts';
 import type { Lines, Question } from '../../../www/worker/jobs/curvature.ts';
 
 test('after a refusal the shape is sent again', async () => {
@@ -26,22 +26,15 @@ test('after a refusal the shape is sent again', async () => {
     viewport: { unmeasured() {}, on() {} },
   } as unknown as AppContext;
   const model = { vertices: 3 };
-  const how: Question = { draw: 'strokes', distance: null, vertices: none, faces: none };
-  const told: string[] = [];
-  const lines = surfaceLines(
-    app,
-    () => how,
-    (_, refused) => told.push(refused),
-  );
-  await lines.update();
-  assert.deepEqual(told, ['The surface has no area.']);
+  const how = { distance: null, vertices: none, faces: none };
+  const lines = new CurvatureLines(app);
+  await lines.draw({ ...how, draw: 'strokes' });
+  assert.equal(lines.told.value.refused, 'The surface has no area.');
   // The same request is not sent again; a different one is, together with the shape.
-  await lines.update();
-  how.draw = 'lines';
+  await lines.draw({ ...how, draw: 'strokes' });
   answer = () => found;
-  await lines.update();
-  how.draw = 'strokes';
-  await lines.update();
+  await lines.draw({ ...how, draw: 'lines' });
+  await lines.draw({ ...how, draw: 'strokes' });
   assert.deepEqual(
     sent.map(({ draw, shape }) => [draw, Boolean(shape)]),
     [
@@ -71,16 +64,12 @@ test('another shape is sent to the worker, even one with equal sums of its coord
     viewport: { unmeasured() {}, on() {} },
   } as unknown as AppContext;
   const none = new Uint32Array(0);
-  const lines = surfaceLines(
-    app,
-    () => ({ draw: 'strokes', distance: null, vertices: none, faces: none }),
-    () => {},
-  );
-  await lines.update();
+  const lines = new CurvatureLines(app);
+  const strokes: Wish = { draw: 'strokes', distance: null, vertices: none, faces: none };
+  await lines.draw(strokes);
   // The first and the eighth coordinate had the same weight in a check sum.
   solver.geometry = shape(2, 5, 0, 0, 0, 1, 0, 0, 1, 0);
-  await lines.update();
-  await lines.update();
+  for (let turn = 0; turn < 2; turn++) await lines.draw(strokes);
   assert.deepEqual(sent, [1, 5]);
 });
 

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { RunMessages } from '../../../www/features/warnings/run-messages.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
+import { createViewActions } from '../../../www/store/view-actions.ts';
 import type { AppContext } from '../../../www/app/context.ts';
 import type { SceneDocument } from '../../../www/solver/types.ts';
 
@@ -21,9 +22,9 @@ async function shown() {
   });
   const actions = {
     ask: { exactWords: async () => ({ brief: 'not possible', numbers: '', suggestions: [] }) },
-    look: (change: Partial<State>) => store.set(change),
+    tint: createViewActions(store).tint,
   };
-  const messages = new RunMessages(store);
+  const messages = new RunMessages({ store, actions } as unknown as AppContext);
   const app = { store, actions, solver: { geometry: null } } as unknown as AppContext;
   await new ExactVerdict(app, messages, () => false).show();
   return { store, messages };
@@ -32,9 +33,25 @@ async function shown() {
 test('what cannot be met is coloured as long as that is said', async () => {
   // It stayed red when the problem was solved.
   const { store, messages } = await shown();
-  assert.deepEqual(store.get().tint?.vertices, Uint32Array.of(2, 3));
+  assert.deepEqual(store.get().tints.unmet?.vertices, Uint32Array.of(2, 3));
   messages.withdraw();
-  assert.equal(store.get().tint, null);
+  assert.equal(store.get().tints.unmet, null);
+});
+
+test('what is found for a message is said also after the card that it was on has gone', async () => {
+  // "Looking for suggestions …" stayed for ever.
+  const { store, messages } = await shown();
+  const model = { faces: 4, panels: [{}] };
+  const judged = {
+    ...{ model, press: { model }, kinds: [{ id: 'circle', panels: 'circular' }] },
+    document: { constraints: [{ kind: 'circle', enabled: true }] },
+  };
+  store.set(judged as unknown as State);
+  const message = messages.say({ words: 'too far', waits: 'Looking for suggestions …' });
+  assert.equal(message.wasOnCard, true);
+  store.set({ flatMap: {} as State['flatMap'] });
+  messages.turn(message, { waits: '' });
+  assert.equal(messages.now.value?.waits, '');
 });
 
 test('colours that are shown again after the message go with the next change', async () => {
@@ -42,15 +59,7 @@ test('colours that are shown again after the message go with the next change', a
   const [showThem] = messages.now.value?.offers ?? [];
   messages.withdraw();
   showThem.act();
-  assert.ok(store.get().tint);
+  assert.ok(store.get().tints.unmet);
   messages.withdraw();
-  assert.equal(store.get().tint, null);
-});
-
-test('the colours of a row that is pointed at are left', async () => {
-  const { store, messages } = await shown();
-  const row = { vertices: Uint32Array.of(1), faces: Uint32Array.of(), colour: [0, 0, 0] };
-  store.set({ tint: row as State['tint'] });
-  messages.withdraw();
-  assert.equal(store.get().tint, row);
+  assert.equal(store.get().tints.unmet, null);
 });

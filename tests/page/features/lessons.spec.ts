@@ -171,7 +171,9 @@ test('a goal on a measure of both signs stays one when the lesson is saved again
   // It became one on the first measure, with its limit in another unit.
   const scene = await sceneOf(page);
   const goal = { measure: 'mean-curvature', at_most: 0.1 };
-  const lesson = { text: WORDS, goals: [goal], lock: [] };
+  // This one was offered as a length.
+  const counted = { measure: 'angles', beyond: 5, at_most: 0 };
+  const lesson = { text: WORDS, goals: [goal, counted], lock: [] };
   await page.evaluate((all) => window.shapeUp.open(all, 'lesson.shapeup.json'), {
     ...scene,
     lesson,
@@ -179,12 +181,49 @@ test('a goal on a measure of both signs stays one when the lesson is saved again
   await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Write a lesson' }).click();
   const dialog = page.getByRole('dialog', { name: 'Lesson' });
+  await expect(about(dialog, 2).locator('option:checked')).toHaveText(
+    'Panels beyond 5.00°: Angle error',
+  );
   await dialog.getByLabel('Task').fill('Another task.');
   await dialog.getByRole('button', { name: 'Save lesson' }).click();
   await expect(dialog).toBeHidden();
   const saved = (await sceneOf(page)).lesson;
   expect(saved.text).toBe('Another task.');
-  expect(saved.goals).toEqual([goal]);
+  expect(saved.goals).toEqual([goal, counted]);
+});
+
+test('a lesson is corrected without loss of the kept shapes, unless students shall not have them', async ({
+  page,
+}) => {
+  // The box was ticked anew each time, and took the shapes away without a word.
+  const scene = await sceneOf(page);
+  const { positions } = scene.mesh;
+  const kept = ['Start', 'Variation 1'].map((name) => ({ name, positions }));
+  const lesson = { text: WORDS, goals: [{ measure: 'planarity', at_most: 0.1 }], lock: [] };
+  await page.evaluate((all) => window.shapeUp.open(all, 'lesson.shapeup.json'), {
+    ...scene,
+    ...{ lesson, variants: { kept, design: 1 } },
+  });
+  const dialog = page.getByRole('dialog', { name: 'Lesson' });
+  const unsolved = dialog.getByRole('checkbox', { name: /^Students start from the original/ });
+  const correct = async (words: string) => {
+    await showStep(page, 'Shape');
+    await page.getByRole('button', { name: 'Write a lesson' }).click();
+    await dialog.getByLabel('Task').fill(words);
+    await expect(unsolved).not.toBeChecked();
+  };
+  const save = async () => {
+    await dialog.getByRole('button', { name: 'Save lesson' }).click();
+    await expect(dialog).toBeHidden();
+    const { lesson, variants } = await sceneOf(page);
+    return [lesson.text, variants?.kept.length];
+  };
+  await correct('Another task.');
+  expect(await save()).toEqual(['Another task.', 2]);
+  await correct('Without them.');
+  await unsolved.check();
+  await expect(unsolved).toHaveAccessibleName(/; 2 kept shapes are removed$/);
+  expect(await save()).toEqual(['Without them.', undefined]);
 });
 
 test('a lesson with locks is passed on twice, as a file and as a link', async ({

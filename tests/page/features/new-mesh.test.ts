@@ -81,3 +81,22 @@ test('a file opened just after Cancel stays, although a trial was still being ma
   await new Promise((done) => setTimeout(done));
   assert.equal(files.origin.work, 'own');
 });
+
+test('a mesh that could not be kept with its supports gives way to the model before', async () => {
+  // Closing the dialog left the trial, which is never saved.
+  const files = new Files();
+  const before = { given: [], origin: { work: 'roof' } };
+  files.origin = before.origin;
+  const actions = { addHandles: async () => {}, ask: { scene: async () => '{}' }, setStatus() {} };
+  const trial = new Trial({ files, actions } as unknown as AppContext, before);
+  const end = trial.begin(() => {});
+  trial.ask('Square', { make: () => ({ text: 'f 1 2 3 4', supports: [0] }) });
+  await new Promise((done) => files.once('opened', () => done(undefined)));
+  files.wait = async ({ work }) => {
+    if (work !== 'roof') throw new Error('cancelled');
+  };
+  await trial.keep(() => assert.fail('the dialog stays'));
+  end();
+  await new Promise((done) => setTimeout(done));
+  assert.equal(files.origin.work, 'roof');
+});

@@ -11,8 +11,8 @@ test('an offset that arrives after another mesh was opened tints none of its fac
   const tinted = () => [...(tints.at(-1)?.faces ?? [])];
   const model = { vertices: 4 };
   const app = {
-    store: { get: () => ({ tint: null, model }), subscribe: () => {} },
-    actions: { look: ({ tint }: { tint: Tint | null }) => tints.push(tint) },
+    store: { get: () => ({ model }) },
+    actions: { tint: (_: string, tint: Tint | null) => tints.push(tint) },
     viewport: { on: () => {}, unmeasured: () => {} },
   };
   const layer = offsetLayer(app as unknown as AppContext);

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
-import { createStore, type State } from '../../../www/store/state.ts';
+import { createStore, showsFitted, type State } from '../../../www/store/state.ts';
+import { createViewActions } from '../../../www/store/view-actions.ts';
 import type { AppContext } from '../../../www/app/context.ts';
 import type { KindInfo } from '../../../www/solver/types.ts';
 
@@ -13,32 +14,31 @@ const { makePanels } = await import('../../../www/features/make-panels/press.ts'
 /** A page on which fitted shapes are shown or hidden. */
 function page(shown: boolean) {
   const store = createStore();
-  const display = (change: object) => store.set({ display: { ...store.get().display, ...change } });
+  const view = createViewActions(store);
   const panels = [{ kind: 'circle', reason: null }];
   const open = () => store.set({ model: { panels } as State['model'] });
   open();
-  display({ shapes: shown });
+  view.display({ shapes: shown });
   const solver = new Emitter<{ activity: { running: boolean; converged: boolean } }>();
   const made: unknown[] = [];
-  const make = async (_: string, within?: number) => {
+  const make = async (_: string, within?: number): Promise<null | undefined> => {
     made.push(within);
     return null;
   };
-  const actions = { display, pressed() {}, pressTurns() {}, makePanels: make };
+  const actions = { ...view, makePanels: make };
   let end = () => {};
   const transition = () => {
     end();
     return new Promise<void>((done) => (end = done));
   };
   const app = {
-    ...{ store, solver, actions, viewport: { transition } },
+    ...{ store, solver, actions, viewport: { transition, endTransition: () => end() } },
     files: {
       openings: { coming: null as Promise<void> | null },
       untilOpen: () => app.files.openings.coming,
-      on: () => () => {},
     },
   };
-  const isShown = () => store.get().display.shapes;
+  const isShown = () => showsFitted(store.get());
   const press = () => {
     void makePanels(app as unknown as AppContext, { id: 'circle' } as KindInfo);
     assert.equal(isShown(), false, 'those of the final shape are not known yet');
@@ -54,7 +54,7 @@ function page(shown: boolean) {
     await new Promise((done) => setTimeout(done));
     return made.splice(0);
   };
-  return { press, pressBefore, arrive, open, isShown };
+  return { ...{ press, pressBefore, arrive, open, isShown }, app, store, view };
 }
 
 /** Whether fitted shapes are shown after a press, during whose transition another model comes. */
@@ -102,4 +102,21 @@ test('a press with a length is about the open model, a plain one about the next'
   assert.deepEqual(await pressBefore(undefined, open), [undefined]);
   assert.deepEqual(await pressBefore({ within: 12 }, open), []);
   assert.deepEqual(await pressBefore({ within: 12 }, () => {}), [12]);
+});
+
+test('a press that is refused leaves the card and the last press as they were', async () => {
+  // One under a lesson's lock opened the card again that the user had closed.
+  const { press, arrive, isShown, app, store, view } = page(false);
+  press();
+  await arrive();
+  for (const running of [true, false]) app.solver.emit('activity', { running, converged: true });
+  await arrive();
+  view.closePanelsCard();
+  const before = store.get();
+  app.actions.makePanels = async () => undefined;
+  press();
+  await arrive();
+  const { press: last, closedCard } = store.get();
+  assert.deepEqual([last, closedCard], [before.press, before.closedCard]);
+  assert.equal(isShown(), true);
 });

@@ -37,7 +37,7 @@ test('parts of a mesh are neither kept nor shown once another one is open', asyn
     store.set({ model: { vertices: 3, faces: 1 } as State['model'], document });
     await soon();
   }
-  const actions = { look() {}, reportErrors: (made: unknown) => made };
+  const actions = { look() {}, tint() {}, reportErrors: (made: unknown) => made };
   const viewport = { on() {}, unmeasured() {} };
   await open();
   const app = { store, jobs, solver, actions, viewport } as unknown as AppContext;

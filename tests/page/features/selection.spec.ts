@@ -342,6 +342,9 @@ test('a length by which faces are found has the unit of the legend, and is not t
   await expect(above).toHaveValue('5');
   await measure.selectOption('Mean curvature');
   await expect(above).not.toHaveValue('5');
+  // An error without a tolerance had the unit of the mesh.
+  await measure.selectOption('Moved');
+  await expect(menu.getByText('mm', { exact: true })).toBeVisible();
   await measure.selectOption('Planarity');
   await expect(above).toHaveValue(tolerance);
   await above.fill('1');

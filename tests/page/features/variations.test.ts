@@ -2,11 +2,13 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { keptShapes } from '../../../www/features/variations/kept-shapes.ts';
 import { Variations } from '../../../www/features/variations/variations.ts';
 import { Cancelled } from '../../../www/solver/errors.ts';
 import { calling } from '../../../www/solver/remote.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
 import type { AppContext } from '../../../www/app/context.ts';
+import type { VariantRow } from '../../../www/solver/types.ts';
 
 test('a panel that is closed while it is being opened leaves no subscription', async () => {
   const store = createStore();
@@ -126,4 +128,22 @@ test('where nothing is required, no run is asked for', async () => {
   };
   assert.match(await saidWith(row), /Press Run first/);
   assert.match(await saidWith({ ...row, enabled: false }), /nothing is required now/);
+});
+
+test('a kept shape is asked for once, and again only under a name that another one has', async () => {
+  // Each change of the document fetched and drew all of them.
+  const asked: number[] = [];
+  const shapesOf = keptShapes({
+    variantPositions: async (index) => {
+      asked.push(index);
+      return new Float64Array(3);
+    },
+  });
+  const row = (name: string, max: number) =>
+    ({ name, moved: { max, mean: 0 }, area: 1 }) as VariantRow;
+  const [start] = await shapesOf([row('Start', 0), row('Variation 1', 2)]);
+  assert.equal((await shapesOf([row('Start', 0), row('Variation 1', 2)]))[0], start);
+  assert.deepEqual(asked.splice(0), [0, 1]);
+  await shapesOf([row('Start', 0), row('Variation 1', 3)]);
+  assert.deepEqual(asked, [1]);
 });

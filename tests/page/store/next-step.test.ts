@@ -54,8 +54,6 @@ test('what is not good is not to be built, unless its verdict was closed', () =>
   const poor = { shape: 3, report: { level: 'poor' } };
   assert.equal(after({ verdict: poor }), 'choose');
   assert.equal(after({ verdict: poor, closedCard: model }), 'build');
-  // A look at a flat map made Build the next step.
-  assert.equal(after({ verdict: poor, flatMap: {} }), 'choose');
   assert.equal(after({ verdict: null }), 'build');
 });
 

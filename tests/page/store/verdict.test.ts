@@ -2,10 +2,15 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { panelsCard } from '../../../www/store/panels-card.ts';
+import { verdicts } from '../../../www/features/make-panels/verdicts.ts';
+import { Emitter } from '../../../www/solver/emitter.ts';
+import { panelsCard, panelsTopic } from '../../../www/store/panels-card.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
 import { createViewActions } from '../../../www/store/view-actions.ts';
+import type { AppContext } from '../../../www/app/context.ts';
 import type { BetterPress } from '../../../www/solver/types.ts';
+
+globalThis.window = globalThis as unknown as typeof window;
 
 const FOUND = [{ id: 'tolerance' }] as BetterPress[];
 
@@ -34,6 +39,33 @@ test('the card has a verdict only while a constraint asks the panels for a shape
   assert.equal(shown(), 'offer');
 });
 
+test('the card is where there is room for it, and what there is to say does not depend on that', () => {
+  // Style sheets hid a card whose message, offers and buttons were then nowhere.
+  const model = { faces: 4, panels: [{}] };
+  const kinds = [{ id: 'circle', panels: 'circular' }];
+  const offered = { model, kinds, document: { constraints: [] } };
+  const circle = { kind: 'circle', enabled: true };
+  const judged = { ...offered, press: { model }, document: { constraints: [circle] } };
+  const where = (room: object) =>
+    [offered, judged].map((known) => {
+      const state = { ...known, room: 'wide', ...room } as unknown as State;
+      return [panelsCard(state), panelsTopic(state)];
+    });
+  const both = [
+    ['offer', 'offer'],
+    ['verdict', 'verdict'],
+  ];
+  const none = both.map(([, topic]) => [null, topic]);
+  for (const room of [{}, { room: 'small' }, { corner: 'curvature' }])
+    assert.deepEqual(where(room), both, JSON.stringify(room));
+  for (const room of [
+    ...[{ docked: 'parts' }, { flatMap: {} }, { presenting: {} }, { corner: 'new-panels' }],
+    { corner: 'curvature', room: 'small' },
+  ])
+    assert.deepEqual(where(room), none, JSON.stringify(room));
+  assert.deepEqual(where({ room: 'sheet' }), [both[0], none[1]]);
+});
+
 test('those for another shape are dropped, also after its verdict is gone', () => {
   const { store, actions } = judged();
   actions.suggest(4, FOUND);
@@ -42,4 +74,22 @@ test('those for another shape are dropped, also after its verdict is gone', () =
   actions.suggest(3, FOUND);
   actions.suggest(undefined, FOUND);
   assert.equal(store.get().verdict, null);
+});
+
+test('a verdict is asked for also where no card shows it', async () => {
+  // After a run beside a flat map, Build was the next step for a shape that nobody had judged.
+  const store = createStore();
+  const model = { faces: 4, panels: [{}] };
+  const asked = {
+    ...{ model, press: { model, label: '' }, flatMap: {} },
+    kinds: [{ id: 'circle', panels: 'circular' }],
+    document: { constraints: [{ kind: 'circle', enabled: true }] },
+  };
+  store.set(asked as unknown as State);
+  const solver = Object.assign(new Emitter<{ frame: void }>(), { geometry: { generation: 7 } });
+  const ask = { verdict: async () => ({ level: 'good', brief: '', numbers: '' }) };
+  const actions = { ...createViewActions(store), ask };
+  verdicts({ store, solver, actions } as unknown as AppContext);
+  await new Promise((done) => setTimeout(done));
+  assert.equal(store.get().verdict?.shape, 7);
 });

@@ -8,11 +8,11 @@ import { createViewActions } from '../../../www/store/view-actions.ts';
 globalThis.matchMedia = () => ({ matches: false }) as MediaQueryList;
 const { LAYERS } = await import('../../../www/viewport/layers.ts');
 
-test('what is pointed at is marked for that time, and then what was marked before', () => {
-  // Pointing at a row took the red marks of constraints that cannot be met away.
+test('of what is marked, the view shows the first cause that lasts', () => {
+  // Pointing at a row took the red marks of constraints that cannot be met away, and so did Build.
   const store = createStore();
   const actions = createViewActions(store);
-  const [[, show]] = LAYERS.filter(([keys]) => keys.includes('tint'));
+  const [[, show]] = LAYERS.filter(([keys]) => keys.includes('tints'));
   const marked = () => {
     let faces: number[] = [];
     const setTint = (_: Uint32Array, those: Uint32Array) => (faces = [...those]);
@@ -22,12 +22,16 @@ test('what is pointed at is marked for that time, and then what was marked befor
   const tintOf = (face: number): Tint => ({
     ...{ vertices: new Uint32Array(0), faces: Uint32Array.of(face), colour: [0, 0, 0] },
   });
-  actions.look({ tint: tintOf(1) });
+  actions.tint('free', tintOf(0));
+  actions.tint('unmet', tintOf(1));
   assert.deepEqual(marked(), [1]);
-  actions.look({ pointed: tintOf(2) });
+  actions.tint('pointed', tintOf(2));
   assert.deepEqual(marked(), [2]);
-  actions.look({ pointed: null });
+  actions.tint('pointed', null);
+  actions.tint('unbuildable', tintOf(3));
   assert.deepEqual(marked(), [1]);
-  actions.look({ tint: null });
-  assert.deepEqual(marked(), []);
+  actions.tint('unbuildable', null);
+  assert.deepEqual(marked(), [1]);
+  actions.tint('unmet', null);
+  assert.deepEqual(marked(), [0]);
 });

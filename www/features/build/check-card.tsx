@@ -1,5 +1,6 @@
 /** The build check: five numbers with their limits; clicking one shows its worst element. */
 
+import { isLocked } from '../../store/panels-card.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { showElements } from '../../viewport/camera.ts';
@@ -14,7 +15,9 @@ export type MakePanels = (app: AppContext, kind: KindInfo, how: { within: number
 
 export function CheckCard({ parts, makePanels }: { parts: Parts; makePanels: MakePanels }) {
   const app = useApp();
-  const { model, kinds } = app.store.state;
+  const { state } = app.store;
+  const { model, kinds } = state;
+  const isFixed = isLocked(state, 'constraints');
   const card = parts.card.value;
   if (!card) return null;
   const { report, words } = card;
@@ -36,7 +39,12 @@ export function CheckCard({ parts, makePanels }: { parts: Parts; makePanels: Mak
         ))}
       </ul>
       <div class="tighten">
-        <Button aria-describedby="tighten-reason" disabled={at < 0} onClick={tighten}>
+        <Button
+          aria-describedby="tighten-reason"
+          disabled={at < 0 || isFixed}
+          title={isFixed ? 'Locked by the lesson' : ''}
+          onClick={tighten}
+        >
           Tighten
         </Button>
         <p class="quiet" id="tighten-reason">

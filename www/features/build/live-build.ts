@@ -11,6 +11,13 @@ const LIVE_MS = 100;
 /** Maximum number of sheets drawn. */
 export const MOST_SHEETS = 24;
 
+interface Listener {
+  show: (built: Built) => void;
+  /** called while the shape moves */
+  showOffset: (reshaped: Reshaped) => void;
+  refuse: (why: string) => void;
+}
+
 export class LiveBuild {
   #app;
   #asker: Asker;
@@ -26,29 +33,12 @@ export class LiveBuild {
   /** Duration of the last build. */
   #milliseconds = 0;
   #defaults: BuildSettings | null = null;
-  #show: (built: Built) => void;
-  #showOffset: (reshaped: Reshaped) => void;
-  #refuse: (why: string) => void;
+  #on;
 
-  /** @param on.showOffset called while the shape moves */
-  constructor(
-    app: AppContext,
-    asker: Asker,
-    {
-      show,
-      showOffset,
-      refuse,
-    }: {
-      show: (built: Built) => void;
-      showOffset: (reshaped: Reshaped) => void;
-      refuse: (why: string) => void;
-    },
-  ) {
+  constructor(app: AppContext, asker: Asker, on: Listener) {
     this.#app = app;
     this.#asker = asker;
-    this.#show = show;
-    this.#showOffset = showOffset;
-    this.#refuse = refuse;
+    this.#on = on;
   }
 
   /** Returns the presets, the declared settings and their defaults. */
@@ -116,14 +106,14 @@ export class LiveBuild {
       const begun = performance.now();
       const built = await jobs.ask.build(this.#asker, shape, MOST_SHEETS);
       this.#milliseconds = performance.now() - begun;
-      if (this.#isOf(mesh)) this.#show(built);
+      if (this.#isOf(mesh)) this.#on.show(built);
     } catch (error) {
       this.#agreed = '';
       // It was in the way of another job, which was cancelled.
       if (isUnmeant(error)) return await this.#once(isSaved);
       // A build that was cancelled, or has ended its worker, is not begun again by itself.
       this.#key = keyNow();
-      if (this.#isOf(mesh)) this.#refuse(messageOf(error));
+      if (this.#isOf(mesh)) this.#on.refuse(messageOf(error));
       if (isSaved) throw error;
     }
   }
@@ -140,7 +130,7 @@ export class LiveBuild {
   async #offset(made: Promise<Reshaped>) {
     const { geometry } = this.#app.solver;
     const reshaped = await made;
-    if (this.#isOf(geometry?.connectivity)) this.#showOffset(reshaped);
+    if (this.#isOf(geometry?.connectivity)) this.#on.showOffset(reshaped);
   }
 
   /** Whether this mesh is open. */

@@ -66,7 +66,7 @@ export class Parts {
       stop();
       this.#isOpen = false;
       this.#withdraw();
-      actions.look({ pointed: null });
+      actions.tint('pointed', null);
     };
   }
 

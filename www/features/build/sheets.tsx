@@ -43,9 +43,10 @@ export function Sheets({ parts }: { parts: Parts }) {
     );
     const panels = parts.length === 1 ? parts[0] : to && 'panel' in to ? [to.panel] : null;
     const vertices = new Uint32Array(0);
-    actions.look({
-      pointed: panels && { faces: Uint32Array.from(panels), vertices, colour: POINTED },
-    });
+    actions.tint(
+      'pointed',
+      panels && { faces: Uint32Array.from(panels), vertices, colour: POINTED },
+    );
   }
   // What is pointed at on a sheet is another part when the parts are made again.
   useEffect(() => {

@@ -4,7 +4,7 @@
  */
 
 import './curvature.css';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { declared } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useForecastWords } from '../../store/use-forecast-words.ts';
@@ -12,7 +12,7 @@ import { AmountField, Choice } from '../../ui/components/fields.tsx';
 import { Pane } from '../../ui/components/pane.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { number, writtenUnit } from '../../ui/words.ts';
-import { curvatureLines } from './curvature-lines.ts';
+import { CurvatureLines } from './curvature-lines.ts';
 import type { Lines, LinesQuestion } from '../../solver/types.ts';
 
 type Drawn = LinesQuestion['draw'] | '';
@@ -22,6 +22,7 @@ const LINES: [Drawn, string][] = [
   ['through', 'Lines through the selection'],
   ['', 'No lines'],
 ];
+const NONE = new Uint32Array(0);
 const KEYS = ['Larger curvature', 'Smaller curvature'];
 
 export function Curvature() {
@@ -137,12 +138,22 @@ function Consequences() {
 function useLines(draw: Drawn, distance: number | null) {
   const app = useApp();
   const { mode, selection } = app.store.state;
-  const lines = curvatureLines(app);
-  useEffect(() => lines.follow(), [lines]);
-  useEffect(
-    () => lines.draw(draw || null, draw === 'lines' ? distance : null),
-    [draw, distance, mode, selection],
-  );
+  const lines = useMemo(() => new CurvatureLines(app), [app]);
+  useEffect(() => lines.begin(), [lines]);
+  useEffect(() => {
+    const isThrough = draw === 'through';
+    const hasFaces = mode === 'faces';
+    void lines.draw(
+      draw === ''
+        ? null
+        : {
+            ...{ draw, distance: draw === 'lines' ? distance : null },
+            vertices:
+              isThrough && !hasFaces ? Uint32Array.from(app.actions.selectedVertices()) : NONE,
+            faces: isThrough && hasFaces ? Uint32Array.from(selection.faces) : NONE,
+          },
+    );
+  }, [draw, distance, mode, selection]);
   return lines.told.value;
 }
 

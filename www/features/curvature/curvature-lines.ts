@@ -1,57 +1,97 @@
-/** The lines of the curvature card: what is asked for, and what was found. */
+/**
+ * The lines on the current shape: one request at a time to the second worker, always for the latest
+ * shape and wish.
+ */
 
 import { signal } from '@preact/signals';
+import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
+import { again, messageOf } from '../../solver/errors.ts';
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
-import { once } from '../../ui/once.ts';
-import { surfaceLines } from './surface-lines.ts';
-import type { AppContext } from '../../app/context.ts';
 import type { Lines, LinesQuestion } from '../../solver/types.ts';
+import type { AppContext } from '../../app/context.ts';
 
-type Question = Omit<LinesQuestion, 'shape'>;
-const NONE = new Uint32Array(0);
+/** What is to be drawn. */
+export type Wish = Omit<LinesQuestion, 'shape'>;
 
-export const curvatureLines = once((app: AppContext) => {
-  const { store, solver, actions } = app;
-  let asked: Question | null = null;
-  const told = signal<{ answer: Lines | null; refused: string }>({ answer: null, refused: '' });
-  const drawing = surfaceLines(
-    app,
-    () => asked,
-    (answer, refused) => {
-      told.value = { answer, refused };
-    },
-  );
-  const soon = throttled(RENEW_MS, () => drawing.update());
+export class CurvatureLines {
+  /** What was found last, or why nothing was. */
+  readonly told = signal<{ answer: Lines | null; refused: string }>({ answer: null, refused: '' });
+  #app;
+  #wish: Wish | null = null;
+  /** Generation of the shape that the worker has; 0 if none. */
+  #known = 0;
+  /** The last question. */
+  #asked: unknown[] = [];
+  #updates = latestOnly(() => this.#update());
+  #soon = throttled(RENEW_MS, () => void this.#updates.ask());
 
-  return {
-    /** What was found last. */
-    told,
+  constructor(app: AppContext) {
+    this.#app = app;
+  }
 
-    /**
-     * Draws lines on the shape.
-     * @param draw null for none
-     * @param distance between them; null for one that suits the model
-     */
-    draw(draw: Question['draw'] | null, distance: number | null) {
-      const { mode, selection } = store.get();
-      const isThrough = draw === 'through';
-      const hasFaces = mode === 'faces';
-      asked = draw && {
-        ...{ draw, distance },
-        vertices: isThrough && !hasFaces ? Uint32Array.from(actions.selectedVertices()) : NONE,
-        faces: isThrough && hasFaces ? Uint32Array.from(selection.faces) : NONE,
-      };
-      soon();
-    },
+  /** Follows the shape, until the returned function is called, which removes the lines. */
+  begin() {
+    const { store, solver, viewport } = this.#app;
+    const stops = [
+      solver.on('frame', this.#soon),
+      store.subscribe(['running', 'model'], this.#soon),
+      viewport.on('ready', () => this.#draw()),
+    ];
+    return () => {
+      stops.forEach((stop) => stop());
+      this.#wish = null;
+      this.#clear();
+    };
+  }
 
-    /** Follows the shape, until the returned function is called, which removes the lines. */
-    follow() {
-      const stops = [solver.on('frame', soon), store.subscribe(['running', 'model'], soon)];
-      return () => {
-        stops.forEach((stop) => stop());
-        asked = null;
-        void drawing.update();
-      };
-    },
-  };
-});
+  /** @param wish null for no lines */
+  async draw(wish: Wish | null) {
+    this.#wish = wish;
+    await this.#updates.ask();
+  }
+
+  async #update() {
+    const { store, solver, jobs } = this.#app;
+    const { model, running } = store.get();
+    const { geometry } = solver;
+    const how = this.#wish;
+    if (!how || !model || !geometry) return this.#clear();
+    if (running && model.vertices > MOST_LIVE_VERTICES) return;
+    const { generation, positions, connectivity } = geometry;
+    const { faceOffsets: offsets, faceIndices: indices } = connectivity;
+    const question = [generation, how.draw, how.distance, how.vertices, how.faces];
+    if (question.every((part, i) => part === this.#asked[i])) return;
+    this.#asked = question;
+    const shape = { positions: positions.slice(), offsets, indices };
+    const ask = (how: LinesQuestion) => jobs.ask.surfaceLines(how);
+    let answer: Lines | null = null;
+    let refused = '';
+    try {
+      answer = generation === this.#known ? await again(() => ask(how)) : null;
+      // The worker lacks the shape, or what it had was lost.
+      answer ??= await again(() => ask({ ...how, shape }));
+    } catch (error) {
+      refused = messageOf(error);
+    }
+    // A worker that refuses may not have taken the shape.
+    this.#known = answer ? generation : 0;
+    // Another mesh may have been opened since.
+    if (store.get().model !== model || !this.#wish) return;
+    this.told.value = { answer, refused };
+    this.#draw();
+  }
+
+  #clear() {
+    const isDrawn = this.told.value.answer !== null;
+    this.#asked = [];
+    this.told.value = { answer: null, refused: '' };
+    // Another card may have drawn its lines since.
+    if (isDrawn) this.#draw();
+  }
+
+  #draw() {
+    const { answer } = this.told.value;
+    const { points = new Float64Array(0), offsets = new Uint32Array(1), count = 0 } = answer ?? {};
+    this.#app.viewport.unmeasured((view) => view.setSurfaceLines(points, offsets, count));
+  }
+}

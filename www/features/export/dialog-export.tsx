@@ -1,14 +1,16 @@
 /** The dialog More formats: the file formats, grouped by purpose. */
 
-import { signal } from '@preact/signals';
+import { signal, useComputed } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { ComponentProps } from 'preact';
 import { exportAs, exportForRhino, exportMesh, exportUnwelded } from '../../documents/exports.ts';
 import { messageOf } from '../../solver/errors.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { isDrawn } from '../../store/state.ts';
+import { mapInWords } from '../../store/stale-map.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
+import { columnsOf } from '../../ui/plot/energies.ts';
 import { oneAtATime } from '../../ui/once.ts';
 import { pictureOf, pictureSize, type Ground } from './picture.ts';
 import { convergenceSvg } from './plot-svg.ts';
@@ -59,9 +61,10 @@ export function showExport(app: AppContext) {
 function ExportDialog({ close }: InDialog) {
   const app = useApp();
   const { store, files, viewport, actions } = app;
-  const { model, document: scene, flatMap } = store.state;
+  const { model, document: scene } = store.state;
   const canDraw = isDrawn(store.state);
   const curvesOnly = (model?.faces ?? 0) === 0;
+  const mapped = useComputed(() => mapInWords(app, store.state)).value;
 
   useEffect(() => {
     problem.value = '';
@@ -93,7 +96,7 @@ function ExportDialog({ close }: InDialog) {
         <Format
           autofocus
           name="OBJ"
-          words={`The mesh as it is now, in the order of the file${flatMap ? ', with its flat map' : ''}`}
+          words={`The mesh as it is now, in the order of the file${mapped ? `, ${mapped}` : ''}`}
           onClick={make(() => exportMesh(app))}
         />
         {model?.welded && (
@@ -199,7 +202,8 @@ function ExportDialog({ close }: InDialog) {
             files.save('-convergence.svg', 'image/svg+xml', async () => {
               const title = `${model?.title || files.name}: convergence`;
               const squared = scene?.units ? `${scene.units}²` : '';
-              return convergenceSvg(await actions.ask.table('convergence'), title, squared);
+              const columns = columnsOf(await actions.ask.trace(), model?.size ?? 0);
+              return convergenceSvg(columns, title, squared);
             }),
           )}
         />

@@ -1,32 +1,11 @@
 /** The convergence plot as a figure: energies over iterations. */
 
+import { DECADES, SERIES } from '../../ui/plot/energies.ts';
 import { tickExponents } from '../../ui/plot/ticks.ts';
 import { brief } from '../../ui/words.ts';
 
-/** In the order of the table's columns. */
-const SERIES = ['shape', 'close', 'smooth', 'handles', 'total'];
-
-/**
- * @param csv the table of iterations from the solver
- * @param units of the energies; empty if unknown
- */
-export function convergenceSvg(csv: string, title: string, units: string) {
-  const rows = csv.trim().split('\n').slice(1);
-  const table = rows.map((row) => row.split(',').map(Number));
-  const lines = SERIES.map((label, i) => ({
-    label,
-    colour: PRINTED[i],
-    x: table.map(([iteration]) => iteration),
-    y: table.map((row) => row[i + 1]),
-    width: label === 'total' ? 2 : 1.25,
-  }));
-  return linesSvg(lines, { title, x: 'iteration', y: `energy${units ? ` in ${units}` : ''}` });
-}
-
 /** Of the figure, with its margins. */
 const SIZE = { width: 640, height: 400, left: 76, right: 128, top: 24, bottom: 48 };
-/** Decades below the greatest value that are on the scale. */
-const DECADES = 14;
 /** The least distance between the labels at the ends of lines. */
 const LEAST_GAP = 14;
 const MOST_TICKS = 6;
@@ -34,44 +13,41 @@ const MOST_TICKS = 6;
 /** Colours for print, for successive lines. */
 const PRINTED = ['#1f5fc4', '#b8560b', '#1d7a4f', '#8a3fa6', '#1d2123'];
 
-interface Line {
-  label: string;
-  colour: string;
-  x: number[];
-  /** values that are not positive are not drawn */
-  y: number[];
-  /** of the line */
-  width: number;
-}
-
 /**
- * Draws lines over a logarithmic scale as an SVG file for print.
- * @param words the title, and labels of the axes
+ * Draws the energies over a logarithmic scale as an SVG file for print.
+ * @param columns the iterations, then one per energy; values that are not positive are not drawn
+ * @param units of the energies; empty if unknown
  */
-function linesSvg(given: Line[], words: { title: string; x: string; y: string }) {
-  const values = given.flatMap(({ y }) => y);
+export function convergenceSvg(columns: number[][], title: string, units: string) {
+  const [iterations, ...energies] = columns;
+  const values = energies.flat();
   // If all values are zero, any scale will do.
   const greatest = values.reduce((a, b) => Math.max(a, b), 0) || 1;
   const drawn = values.filter((value) => value > greatest * 10 ** -DECADES);
   const low = Math.floor(Math.log10(drawn.reduce((a, b) => Math.min(a, b), greatest)));
   const high = Math.max(Math.ceil(Math.log10(greatest)), low + 1);
-  const last = given.flatMap(({ x }) => x).reduce((a, b) => Math.max(a, b), 0) || 1;
+  const last = iterations.at(-1) || 1;
 
   const { width, height, left, right, top, bottom } = SIZE;
   const x = (place: number) => left + (place / last) * (width - left - right);
   const y = (value: number) =>
     top + ((high - Math.log10(value)) / (high - low)) * (height - top - bottom);
 
-  const lines = given
-    .map((line) => {
-      const points = line.y
-        .map((value, i) => ({ at: x(line.x[i]), value }))
-        .filter(({ value }) => value >= 10 ** low);
-      const end = points.at(-1);
-      const path = points.map(({ at, value }) => `${round(at)},${round(y(value))}`).join(' ');
-      return { ...line, path, end: end && y(end.value), at: end?.at ?? 0 };
-    })
-    .filter(({ end }) => end !== undefined);
+  const lines = SERIES.map(({ id, width }, i) => {
+    const points = energies[i]
+      .map((value, row) => ({ at: x(iterations[row]), value }))
+      .filter(({ value }) => value >= 10 ** low);
+    const end = points.at(-1);
+    const path = points.map(({ at, value }) => `${round(at)},${round(y(value))}`).join(' ');
+    return {
+      label: id,
+      colour: PRINTED[i],
+      width,
+      path,
+      end: end && y(end.value),
+      at: end?.at ?? 0,
+    };
+  }).filter(({ end }) => end !== undefined);
 
   const parts = [
     ...tickExponents(low, high).map((exponent) => {
@@ -91,11 +67,11 @@ function linesSvg(given: Line[], words: { title: string; x: string; y: string })
     ),
     ...apart(lines).map(
       ({ label, colour, at, end }) =>
-        `<text x="${round(at + 6)}" y="${round(end + 4)}" fill="${colour}">${escape(label)}</text>`,
+        `<text x="${round(at + 6)}" y="${round(end + 4)}" fill="${colour}">${label}</text>`,
     ),
-    `<text x="${(left + width - right) / 2}" y="${height - 10}" text-anchor="middle">${escape(words.x)}</text>`,
-    `<text transform="translate(16 ${(top + height - bottom) / 2}) rotate(-90)" text-anchor="middle">${escape(words.y)}</text>`,
-    `<text x="${left}" y="14" font-weight="600">${escape(words.title)}</text>`,
+    `<text x="${(left + width - right) / 2}" y="${height - 10}" text-anchor="middle">iteration</text>`,
+    `<text transform="translate(16 ${(top + height - bottom) / 2}) rotate(-90)" text-anchor="middle">energy${units && ` in ${escape(units)}`}</text>`,
+    `<text x="${left}" y="14" font-weight="600">${escape(title)}</text>`,
   ];
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" ` +

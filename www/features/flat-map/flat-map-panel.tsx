@@ -1,8 +1,8 @@
 /** The flat map in its step: its errors, its settings, and the look of the two surfaces. */
 
-import { useComputed } from '@preact/signals';
 import { Fragment } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
+import { useStaleMap } from '../../store/stale-map.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
@@ -45,10 +45,7 @@ function Panel({ flatMap }: Of) {
     if (place.current) reveal(place.current);
   }, []);
   const { found, weights, norm, onModel, onMap, squares } = flatMap;
-  // Each shape comes with its numbers.
-  const isStale = useComputed(
-    () => state.numbers && state.flatMap && !maps.isCurrent(state.flatMap),
-  ).value;
+  const isStale = useStaleMap();
   const notice = [isStale ? STALE : '', closedWords(found)].filter(Boolean).join(' ');
   return (
     <section id="flat-map-section" ref={place} aria-labelledby="heading-flat-map">

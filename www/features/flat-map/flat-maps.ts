@@ -17,11 +17,7 @@ type Choices = Pick<FlatMap, 'weights' | 'norm' | 'onModel' | 'onMap' | 'squares
 export const flatMaps = once((app: AppContext) => new FlatMaps(app));
 
 class FlatMaps {
-  #store;
-  #solver;
-  #viewport;
-  #actions;
-  #jobs;
+  #app;
   #choices: Choices = {
     weights: 'inverse-area',
     norm: 'boundary',
@@ -34,76 +30,72 @@ class FlatMaps {
   #flattened: Snapshot | null = null;
   /** A map that is closed while the next one is made stays closed. */
   #newest = newestOnly(
-    () => this.#store.get().model,
-    () => this.#store.get().flatMap === null,
+    () => this.#app.store.get().model,
+    () => this.#app.store.get().flatMap === null,
   );
 
-  constructor({ store, solver, viewport, actions, jobs }: AppContext) {
-    this.#store = store;
-    this.#solver = solver;
-    this.#viewport = viewport;
-    this.#actions = actions;
-    this.#jobs = jobs;
+  constructor(app: AppContext) {
+    this.#app = app;
   }
 
   toggle() {
-    if (this.#store.get().flatMap) this.close();
+    if (this.#app.store.get().flatMap) this.close();
     else return this.flatten();
   }
 
   /** Closes the flat map. */
   close() {
-    this.#actions.look({ flatMap: null, status: 'Back to the model' });
+    this.#app.actions.look({ flatMap: null, status: 'Back to the model' });
   }
 
   /** Changes options. Options of appearance apply at once; the others require a new map. */
   choose(choices: Partial<Choices>) {
     Object.assign(this.#choices, choices);
-    const { flatMap } = this.#store.get();
+    const { flatMap } = this.#app.store.get();
     if ('weights' in choices || 'norm' in choices) void this.flatten();
-    else if (flatMap) this.#actions.look({ flatMap: { ...flatMap, ...choices } });
+    else if (flatMap) this.#app.actions.look({ flatMap: { ...flatMap, ...choices } });
   }
 
   /** Selects the faces that the map flips, and zooms to them on the model and on the map. */
   showFlipped() {
-    const { flatMap } = this.#store.get();
+    const { flatMap } = this.#app.store.get();
     if (!flatMap) return;
-    this.#actions.select({ vertices: [], faces: flatMap.found.flippedFaces });
-    this.#viewport.with((view) => view.showFlipped());
+    this.#app.actions.select({ vertices: [], faces: flatMap.found.flippedFaces });
+    this.#app.viewport.with((view) => view.showFlipped());
   }
 
   /** Looks for settings that flip fewer triangles of the flattened shape. A run goes on. */
   async findFewerFlips() {
-    const { flatMap } = this.#store.get();
+    const { flatMap } = this.#app.store.get();
     const model = this.#flattened;
     if (!flatMap || !model) return;
     const { found } = flatMap;
     const show = (fewerFlips: FlatMap['fewerFlips']) => {
-      const now = this.#store.get().flatMap;
-      if (now?.found === found) this.#actions.look({ flatMap: { ...now, fewerFlips } });
+      const now = this.#app.store.get().flatMap;
+      if (now?.found === found) this.#app.actions.look({ flatMap: { ...now, fewerFlips } });
     };
     show('searching');
     const search = async () => {
       try {
-        show((await this.#jobs.copy(model).fewerFlips(found.flipped)) ?? 'none');
+        show((await this.#app.jobs.copy(model).fewerFlips(found.flipped)) ?? 'none');
       } catch (error) {
         show(null);
         throw error;
       }
     };
-    await this.#actions.reportErrors(search());
+    await this.#app.actions.reportErrors(search());
   }
 
   /** Withdraws the status of a map that was closed while it was made. */
   #sayNothing() {
-    const { flatMap, status } = this.#store.get();
-    if (!flatMap && status === FLATTENING) this.#actions.setStatus('');
+    const { flatMap, status } = this.#app.store.get();
+    if (!flatMap && status === FLATTENING) this.#app.actions.setStatus('');
   }
 
   async #map(weights: MapWeights, norm: MapNorm) {
-    const model = await this.#actions.rest();
+    const model = await this.#app.actions.rest();
     const [found, shape] = await Promise.all([
-      this.#jobs.copy(model).parametrize(weights, norm),
+      this.#app.jobs.copy(model).parametrize(weights, norm),
       this.#shapeOf(model),
     ]);
     return { model, found, shape };
@@ -111,28 +103,22 @@ class FlatMaps {
 
   /** The positions of the model: the frame that has them may come after it. */
   async #shapeOf({ generation }: Snapshot) {
-    const solver = this.#solver;
+    const solver = this.#app.solver;
     if (solver.geometry?.solved !== generation)
       await new Promise((come) => solver.once('frame', come));
     return solver.geometry?.positions.slice() ?? new Float64Array(0);
   }
 
-  /** Whether the map is that of the shape as it is now. */
-  isCurrent({ shape }: FlatMap) {
-    const { positions } = this.#solver.geometry ?? {};
-    return positions?.length === shape.length && positions.every((x, i) => x === shape[i]);
-  }
-
   /** Shows the map of the current shape. */
   async flatten() {
     const { weights, norm } = this.#choices;
-    this.#actions.setStatus(FLATTENING);
+    this.#app.actions.setStatus(FLATTENING);
     try {
       const map = await this.#newest(this.#map(weights, norm));
       if (!map) return this.#sayNothing();
       const { model, found, shape } = map;
       this.#flattened = model;
-      this.#actions.look({
+      this.#app.actions.look({
         flatMap: { found, shape, fewerFlips: null, ...this.#choices },
         status: `Flattened in ${duration(1000 * found.seconds)}`,
       });
@@ -140,11 +126,11 @@ class FlatMaps {
       const isOpen = found.closedParts < found.parts;
       if (found.flipped > 0 && isOpen && found.seconds < QUICK) await this.findFewerFlips();
     } catch (error) {
-      this.#actions.setStatus('');
+      this.#app.actions.setStatus('');
       // The panel shows those of the map that is there, and the next one begins with them.
-      const { flatMap } = this.#store.get();
+      const { flatMap } = this.#app.store.get();
       if (flatMap) Object.assign(this.#choices, { weights: flatMap.weights, norm: flatMap.norm });
-      await this.#actions.reportErrors(Promise.reject(error));
+      await this.#app.actions.reportErrors(Promise.reject(error));
     }
   }
 }

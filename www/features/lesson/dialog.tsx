@@ -10,7 +10,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
 import { NumberInput, numberIn } from '../../ui/components/number-input.tsx';
-import { length, rounded, writtenUnit } from '../../ui/words.ts';
+import { count, measured, rounded, writtenUnit } from '../../ui/words.ts';
 import { LOCKS } from './panel.tsx';
 import type { AppContext } from '../../app/context.ts';
 import type { GoalFile } from '../../pkg/engine/shape_up.js';
@@ -58,15 +58,18 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
   const measures = state.model?.faces
     ? state.measures.filter(({ signed, id }) => !signed || isAsked(id))
     : [];
-  /** The goal that counts faces beyond a length. */
-  const counting = (measure: string, beyond: number) => ({
-    value: `beyond ${beyond} ${measure}`,
-    label: `Panels beyond ${length(beyond, units)}: ${declared(state, measure)?.label ?? measure}`,
-    unit: 'panels',
-    isCount: true,
-    factor: 1,
-    goal: { measure, beyond },
-  });
+  /** The goal that counts faces beyond a value. */
+  function counting(measure: string, beyond: number) {
+    const { label = measure, unit = 'length' } = declared(state, measure) ?? {};
+    return {
+      value: `beyond ${beyond} ${measure}`,
+      label: `Panels beyond ${measured(beyond, unit, units)}: ${label}`,
+      unit: 'panels',
+      isCount: true,
+      factor: 1,
+      goal: { measure, beyond },
+    };
+  }
   const all: Subject[] = [
     ...measures.map((measure) => ({
       value: `measure ${measure.id}`,
@@ -142,6 +145,7 @@ function LessonDialog({
   const { store, files, actions } = app;
   const [goals, setGoals] = useState(() => firstGoals(store.get(), scene, subjects));
   const [refusal, setRefusal] = useState('');
+  const kept = scene.variants.length;
   const form = useRef<HTMLFormElement>(null);
   const text = useRef<HTMLTextAreaElement>(null);
   const add = useRef<HTMLButtonElement>(null);
@@ -258,8 +262,10 @@ function LessonDialog({
         ))}
       </fieldset>
       <label>
-        <input type="checkbox" name="unsolved" defaultChecked />
+        {/* Who corrects a lesson, or has kept shapes, is not to lose them unasked. */}
+        <input type="checkbox" name="unsolved" defaultChecked={!scene.lesson && kept === 0} />
         Students start from the original, unsolved
+        {kept > 0 && `; ${count(kept, 'kept shape is', 'kept shapes are')} removed`}
       </label>
       <p class="quiet">
         Students see the text and whether each goal is satisfied while they work. Locked controls

@@ -6,12 +6,12 @@
 import './make-panels.css';
 import type { ComponentChildren } from 'preact';
 import { isLocked, offersPanels, panelsCard } from '../../store/panels-card.ts';
+import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Drawing } from '../../ui/kinds/drawing.tsx';
 import { openEdit } from './edit-dialog.tsx';
 import { makePanels } from './press.ts';
-import { openRefine } from './refine-dialog.tsx';
 import type { KindInfo } from '../../solver/types.ts';
 
 /** Describes the buttons. */
@@ -130,34 +130,14 @@ function ChangeFirst({ label, operation }: { label: string; operation: string })
 }
 
 /** The buttons that change the mesh. */
-export function MeshTools() {
-  const app = useApp();
-  const { store, actions } = app;
-  const { model, document } = store.state;
-  const isFixed = isLocked({ document }, 'mesh');
-  const tools = {
-    disabled: !model?.faces || model.tets > 0 || !document || isFixed,
-    title: isFixed ? 'Locked by the lesson' : '',
-  };
-  return (
-    <>
-      <Button
-        {...tools}
-        title={tools.title || 'Lays out panels along the lines of curvature'}
-        onClick={() => actions.look({ corner: 'new-panels' })}
-      >
-        New panels
-      </Button>
-      <Button
-        {...tools}
-        aria-haspopup="dialog"
-        onClick={() => actions.reportErrors(openRefine(app))}
-      >
-        Refine
-      </Button>
-      <Button {...tools} aria-haspopup="dialog" onClick={() => actions.reportErrors(openEdit(app))}>
-        Edit mesh
-      </Button>
-    </>
-  );
-}
+export const MeshTools = () => (
+  <>
+    <CommandButton of="new-panels">New panels</CommandButton>
+    <CommandButton of="refine" aria-haspopup="dialog">
+      Refine
+    </CommandButton>
+    <CommandButton of="edit-mesh" aria-haspopup="dialog">
+      Edit mesh
+    </CommandButton>
+  </>
+);

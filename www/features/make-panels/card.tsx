@@ -4,11 +4,12 @@
  */
 
 import './make-panels.css';
-import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { useEffect, useRef } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
 import { isLocked, panelsCard } from '../../store/panels-card.ts';
 import { pressNamed } from '../../store/press.ts';
 import { useApp } from '../../store/use-app.ts';
+import { useForecastWords } from '../../store/use-forecast-words.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { byId } from '../../ui/dom.ts';
 import { showElements } from '../../viewport/camera.ts';
@@ -16,14 +17,37 @@ import { useCover } from '../../viewport/use-cover.ts';
 import { PanelButtons } from './buttons.tsx';
 import { openEdit } from './edit-dialog.tsx';
 import { makePanels } from './press.ts';
-import { useForecast, type Forecast } from './use-forecast.ts';
-import { Verdicts } from './verdicts.ts';
+import { verdicts } from './verdicts.ts';
+import type { ForecastWords, MeshSuggestion } from '../../pkg/engine/shape_up.js';
 import type { BetterPress, PanelVerdict } from '../../solver/types.ts';
 import { Sentence } from '../../ui/components/sentence.tsx';
 
+/** How far the mesh will move for one shape of all panels, and what would reduce that. */
+interface Forecast {
+  /** null if there is none, undefined until it is known */
+  found: ForecastWords | null | undefined;
+  /** whether panels along the lines of curvature would help */
+  newPanelsHelp: boolean;
+  /** a simple change of the mesh that would reduce the move, unless new panels are the better choice */
+  suggestion: MeshSuggestion | null;
+}
+
+/** @param isWanted whether it is shown */
+function useForecast(isWanted: boolean): Forecast {
+  const { model, document } = useApp().store.state;
+  const found = useForecastWords(isWanted);
+  const isFixed = isLocked({ document }, 'mesh');
+  const newPanelsHelp = !isFixed && Boolean(model?.newPanels || found?.newPanels);
+  const suggestion = !isFixed && !newPanelsHelp && found ? found.suggestion : null;
+  return { found, newPanelsHelp, suggestion };
+}
+
 /** @param children what is said below the verdict */
 export function PanelsCard({ children }: { children?: ComponentChildren }) {
-  const { state } = useApp().store;
+  const app = useApp();
+  const { state } = app.store;
+  // The verdict follows the shape also where there is no room for the card.
+  verdicts(app);
   const shows = panelsCard(state);
   const forecast = useForecast(shows === 'offer');
   if (shows === 'offer') return <Offer forecast={forecast} />;
@@ -87,13 +111,11 @@ function Offer({ forecast }: { forecast: Forecast }) {
 /** Progress during a run, and the verdict after it with ways to a better shape. */
 function Outcome({ forecast, children }: { forecast: Forecast; children: ComponentChildren }) {
   const app = useApp();
-  const verdicts = useMemo(() => new Verdicts(app), [app]);
-  useEffect(() => verdicts.follow(), [verdicts]);
   const hold = useRef<HTMLButtonElement>(null);
   useEffect(() => {
     if (hold.current) app.hold.bind(hold.current);
   }, [app]);
-  const { words, numbers, verdict } = verdicts.said.value;
+  const { words, numbers, verdict } = verdicts(app).said.value;
   const level = verdict?.level ?? '';
   const isPoor = verdict !== null && level !== 'good';
   return (
@@ -110,25 +132,17 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
         Hold to see the original
       </button>
       <CloseCard />
-      {verdict && <Changes verdict={verdict} verdicts={verdicts} forecast={forecast} />}
+      {verdict && <Changes verdict={verdict} forecast={forecast} />}
       {children}
     </Card>
   );
 }
 
 /** Ways to a better shape, if the verdict asks for any. */
-function Changes({
-  verdict,
-  verdicts,
-  forecast,
-}: {
-  verdict: PanelVerdict;
-  verdicts: Verdicts;
-  forecast: Forecast;
-}) {
+function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forecast }) {
   const app = useApp();
   const { store, actions } = app;
-  const better = verdicts.better.value;
+  const better = verdicts(app).better.value;
   const isFixed = isLocked(store.state, 'constraints');
   const isPoor = verdict.level !== 'good';
   const again = isFixed ? null : verdict.again;

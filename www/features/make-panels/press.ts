@@ -1,7 +1,6 @@
 /** One press for all panels: the run, its transition, and commands for it. */
 
 import { endOfRun } from '../../store/end-of-run.ts';
-import { hideWithNextWork } from '../../documents/fitted-shapes.ts';
 import { isLocked } from '../../store/panels-card.ts';
 import type { KindInfo, PanelStart } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -10,9 +9,6 @@ import type { State } from '../../store/state.ts';
 /** Minimum duration of the transition: a jump would not show what changes. */
 const TRANSITION_MS = 800;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
-
-/** By model: whether the user has the fitted shapes shown, and whether a press shows them instead. */
-const fitted: WeakMap<object, { byUser: boolean; byPress: boolean }> = new WeakMap();
 
 interface How {
   /** the shape to start from */
@@ -31,33 +27,25 @@ export async function makePanels(app: AppContext, kind: KindInfo, how?: How) {
   const { from = 'now', within, label = '' } = how ?? {};
   const { store, solver, viewport, actions, files } = app;
   if (files.openings.coming && !(await isMeantAfter(app, kind.id, !how))) return;
-  const { model, display } = store.get();
+  const before = store.get();
+  const { model } = before;
   if (!model) return;
   const press = { model, isUnderWay: true, label };
   actions.pressed(press);
   const settle = () => actions.pressTurns(press, { isUnderWay: false });
   const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
-  const last = fitted.get(model);
-  // What an earlier press shows is not what the user had.
-  const byUser = last?.byPress === display.shapes ? last.byUser : display.shapes;
-  const show = (shapes: boolean) => {
-    fitted.set(model, { byUser, byPress: shapes });
-    actions.display({ shapes });
-  };
+  const show = (shown: boolean) => actions.look({ fitted: { model, shown } });
   // The fitted shapes are those of the final shape.
   if (arrived) show(false);
   const { ended, stop } = endOfRun(solver);
   if ((await actions.makePanels(kind.id, within, from)) === undefined) {
     stop();
-    settle();
     viewport.endTransition();
-    return show(display.shapes);
+    return actions.pressRefused(press, before);
   }
   await arrived;
-  // Another model is shown as before.
-  if (store.get().model !== model) return show(byUser);
+  if (store.get().model !== model) return;
   show(true);
-  if (!byUser) hideWithNextWork(app.files, actions);
   await ended;
   settle();
 }

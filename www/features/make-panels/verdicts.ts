@@ -1,11 +1,13 @@
 /**
- * What the card says of the panels: how far a run is, and the verdict after it, with presses that end
- * better.
+ * What is to say of the panels, whether or not the card is there to show it: how far a run is, and the
+ * verdict after it, with presses that end better.
  */
 
 import { signal } from '@preact/signals';
 import { latestOnly } from '../../store/latest-only.ts';
+import { panelsTopic } from '../../store/panels-card.ts';
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
+import { once } from '../../ui/once.ts';
 import type { BetterPress, PanelVerdict } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -23,34 +25,34 @@ interface Better {
 const NOTHING: Said = { words: '', numbers: '', verdict: null };
 const NONE: Better = { presses: [], isLooking: false };
 
-export class Verdicts {
+/** What is said of the panels of the open model. */
+export const verdicts = once((app: AppContext) => new Verdicts(app));
+
+class Verdicts {
   readonly said = signal(NOTHING);
   readonly better = signal(NONE);
   #app;
   #renewals = latestOnly(() => this.#renew());
-  #isFollowed = false;
   /** The shape, the tolerance and the unit for which better presses were looked for. */
   #triedFor = '';
 
   constructor(app: AppContext) {
     this.#app = app;
+    const soon = throttled(RENEW_MS, () => {
+      if (this.#isAsked()) void this.#renewals.ask();
+    });
+    const follow = () => {
+      if (this.#isAsked()) return soon();
+      this.said.value = NOTHING;
+      this.#forget();
+    };
+    app.solver.on('frame', follow);
+    app.store.subscribe(['document', 'running', 'press', 'closedCard'], follow);
   }
 
-  /** Follows the shape, until the returned function is called. */
-  follow() {
-    const { store, solver } = this.#app;
-    this.#isFollowed = true;
-    const soon = throttled(RENEW_MS, () => {
-      if (this.#isFollowed) void this.#renewals.ask();
-    });
-    const stops = [
-      solver.on('frame', soon),
-      store.subscribe(['document', 'running', 'press'], soon),
-    ];
-    return () => {
-      this.#isFollowed = false;
-      stops.forEach((stop) => stop());
-    };
+  /** Whether there is a verdict on the shape, or one to come. */
+  #isAsked() {
+    return panelsTopic(this.#app.store.get()) === 'verdict';
   }
 
   #goesOn() {
@@ -61,7 +63,7 @@ export class Verdicts {
   async #renew() {
     const { store, actions, solver } = this.#app;
     const { model } = store.get();
-    const isShown = () => store.get().model === model && this.#isFollowed;
+    const isShown = () => store.get().model === model && this.#isAsked();
     if (this.#goesOn()) {
       const progress = await actions.ask.panelProgress().catch(() => '');
       if (!progress || !isShown() || !this.#goesOn()) return;

@@ -82,9 +82,15 @@ export class Trial {
     if (!this.canKeep.value || !this.#isOpen || this.#isKept) return;
     this.#isKept = true;
     this.#asked?.kept?.();
-    // The next command acts on the mesh with its fixed vertices.
-    if (this.#held.length) await this.#hold();
-    else files.keepTrial();
+    try {
+      // The next command acts on the mesh with its fixed vertices.
+      if (this.#held.length) await this.#hold();
+      else files.keepTrial();
+    } catch {
+      // An alert gives the reason, unless it was cancelled.
+      this.#isKept = false;
+      return;
+    }
     close();
     actions.setStatus(`New mesh: ${this.#label}`);
   }

@@ -6,6 +6,7 @@ import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { Thumbnail } from '../../ui/components/thumbnail.tsx';
 import { areaOf, groupDigits, length } from '../../ui/words.ts';
+import { keptShapes } from './kept-shapes.ts';
 import type { Connectivity, Edit, SceneDocument, VariantRow } from '../../solver/types.ts';
 
 /** Headings and tooltips of the table. */
@@ -132,17 +133,16 @@ function Numbers({ row, scene }: { row: VariantRow; scene: SceneDocument }) {
 /** The kept shapes, asked for again when the scene or the shape has changed. */
 function useKept() {
   const { store, solver, actions } = useApp();
-  const { document: scene, running } = store.state;
+  const { document: scene, model, running } = store.state;
   const newest = useMemo(() => newestOnly(), []);
+  const shapesOf = useMemo(() => keptShapes(actions.ask), [model]);
   const [kept, setKept] = useState<KeptShapes | null>(null);
   useEffect(() => {
     const ask = async (): Promise<KeptShapes | null> => {
       const { connectivity } = solver.geometry ?? {};
       if (!scene || !connectivity || scene.variants.length === 0) return null;
       const rows = await actions.ask.variantTable();
-      const shapes: Float64Array[] = [];
-      for (const index of rows.keys()) shapes.push(await actions.ask.variantPositions(index));
-      return { scene, connectivity, rows, shapes };
+      return { scene, connectivity, rows, shapes: await shapesOf(rows) };
     };
     void actions.reportErrors(newest(ask())).then((found) => {
       if (found !== undefined) setKept(found);

@@ -4,10 +4,9 @@
  */
 
 import './variations.css';
-import { useComputed } from '@preact/signals';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { Docked } from '../../docked/docked.tsx';
-import { pressNamed } from '../../store/press.ts';
+import { CommandButton } from '../../store/command-button.tsx';
 import { isHard, type State } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -26,24 +25,9 @@ const isMet = ({ document: scene, numbers }: Readonly<State>) =>
 
 /** The button of that command, where there are exact constraints or kept shapes. */
 export function VariationsButton() {
-  const app = useApp();
-  const { state } = app.store;
-  const { document: scene } = state;
-  const isReady = useComputed(() => canVary(state)).value;
+  const { document: scene } = useApp().store.state;
   if (!scene?.variants.length && !scene?.constraints.some(isHard)) return null;
-  return (
-    <Button
-      disabled={!isReady}
-      title={
-        isReady
-          ? 'Other shapes that are as exact as this one'
-          : 'Available once all required constraints are satisfied'
-      }
-      onClick={() => pressNamed('variations', app)}
-    >
-      Variations
-    </Button>
-  );
+  return <CommandButton of="variations">Variations</CommandButton>;
 }
 
 /** The panel, while it is docked. */

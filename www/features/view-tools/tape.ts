@@ -6,16 +6,13 @@
 import { closeButton } from '../../ui/controls/fields.ts';
 import { element, setText } from '../../ui/dom.ts';
 import { comparedLengths } from '../../ui/words.ts';
-import type { Store } from '../../store/state.ts';
-import type { Label, Viewport } from '../../viewport/viewport.ts';
-import type { Actions } from '../../store/actions.ts';
+import type { AppContext } from '../../app/context.ts';
+import type { Label } from '../../viewport/viewport.ts';
 
 const NAMES = ['Distance', 'dx', 'dy', 'dz'];
 
 export class Tape {
-  #store;
-  #viewport;
-  #actions;
+  #app;
   #label = element('div', { id: 'tape-label', 'aria-hidden': 'true', hidden: true });
   #title = element('span');
   /** Cells by row and column. */
@@ -31,11 +28,9 @@ export class Tape {
   /** The vertices last announced: once, not in every iteration. */
   #said = '';
 
-  constructor(store: Store, viewport: Viewport, actions: Actions) {
-    this.#store = store;
-    this.#actions = actions;
-    this.#viewport = viewport;
-    const end = () => actions.look({ tape: null });
+  constructor(app: AppContext) {
+    this.#app = app;
+    const end = () => app.actions.look({ tape: null });
     const close = closeButton('End measuring', end, { title: 'Esc' });
     this.#card = element(
       'div.card',
@@ -43,12 +38,12 @@ export class Tape {
       element('div.title', this.#title, close),
       this.#table,
     );
-    viewport.element.after(this.#label, this.#card);
+    app.viewport.element.after(this.#label, this.#card);
   }
 
   /** Updates the card and the label after a frame. */
   show() {
-    const { tape, document } = this.#store.get();
+    const { tape, document } = this.#app.store.get();
     this.#card.hidden = !tape;
     const measured = tape && this.#measured();
     this.#label.hidden = !measured;
@@ -69,7 +64,7 @@ export class Tape {
     if (about === this.#said || rest.length === 0) return;
     this.#said = about;
     const unitOf = document?.units ? ` ${unit}` : '';
-    this.#actions.setStatus(`Distance ${now[0]}${unitOf}, originally ${rest[0]}${unitOf}`);
+    this.#app.actions.setStatus(`Distance ${now[0]}${unitOf}, originally ${rest[0]}${unitOf}`);
   }
 
   #ask(tape: number[]) {
@@ -79,9 +74,9 @@ export class Tape {
 
   /** Distance, dx, dy, dz now and at rest, in words, with their unit; null if incomplete. */
   #measured() {
-    const numbers = this.#viewport.view?.measured();
+    const numbers = this.#app.viewport.view?.measured();
     if (!numbers) return null;
-    const units = this.#store.get().document?.units ?? '';
+    const units = this.#app.store.get().document?.units ?? '';
     // dx, dy, dz now, and then those at rest if they are known.
     const all = [...numbers];
     const ways = [all.slice(0, 3), all.slice(3)].filter((way) => way.length > 0);
@@ -91,14 +86,14 @@ export class Tape {
   }
 
   #middle(): number[] | undefined {
-    const at = this.#viewport.view?.tapeMiddle();
+    const at = this.#app.viewport.view?.tapeMiddle();
     return at && [...at];
   }
 
   /** Places the label at the middle of the tape, or hides it if that is outside the view. */
   #place() {
     const at = this.#middle();
-    const { clientWidth, clientHeight } = this.#viewport.element;
+    const { clientWidth, clientHeight } = this.#app.viewport.element;
     const isSeen = at && at[0] > 0 && at[1] > 0 && at[0] < clientWidth && at[1] < clientHeight;
     this.#label.hidden = !isSeen;
     if (isSeen) this.#label.style.translate = `calc(${at[0]}px - 50%) calc(${at[1]}px - 50%)`;
@@ -106,7 +101,7 @@ export class Tape {
 
   /** The label for a saved picture. */
   labels(): Label[] {
-    const measured = this.#store.get().tape && this.#measured();
+    const measured = this.#app.store.get().tape && this.#measured();
     const at = this.#middle();
     if (!measured || !at) return [];
     const text = `${measured.now[0]} ${measured.unit}`;

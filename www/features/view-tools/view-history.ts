@@ -40,18 +40,13 @@ export class ViewHistory {
     this.#at = this.#seen.length - 1;
   }
 
-  /** Whether there is a camera before the current one (-1) or after it (1). */
-  has(step: -1 | 1) {
-    return this.#seen[this.#at + step] !== undefined;
-  }
-
   /** Goes back (-1) or forward (1). */
   go(step: -1 | 1) {
     const { actions, viewport } = this.#app;
-    if (!this.has(step)) return actions.setStatus(`No view to go ${step < 0 ? 'back' : 'on'} to`);
+    const camera = this.#seen[this.#at + step];
+    if (!camera) return actions.setStatus(`No view to go ${step < 0 ? 'back' : 'on'} to`);
     this.#at += step;
-    const camera = Float64Array.from(this.#seen[this.#at]);
-    fly(viewport, (view) => view.placeCamera(camera));
+    fly(viewport, (view) => view.placeCamera(Float64Array.from(camera)));
     actions.setStatus(step < 0 ? 'The view before' : 'The view after');
   }
 }

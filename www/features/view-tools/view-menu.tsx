@@ -4,7 +4,7 @@
  */
 
 import { useEffect } from 'preact/hooks';
-import { isEnabled, press } from '../../store/press.ts';
+import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { MICE } from '../../store/state.ts';
 import { CloseButton, Key } from '../../ui/components/buttons.tsx';
@@ -45,27 +45,17 @@ export function ViewMenu() {
 
 /** The button of a command. */
 function Item({ id, label, closes = false }: { id: string; label: string; closes?: boolean }) {
-  const { store, commands } = useApp();
-  const command = commands.find((known) => known.id === id);
-  if (!command) throw new Error(`no command is called ${id}`);
-  // What a command depends on is followed where it reads it.
-  const state = store.state as State;
-  const { keys, pressed } = command;
+  const { keys = [], pressed } = useApp().commands.find((known) => known.id === id) ?? {};
   return (
-    <button
-      type="button"
+    <CommandButton
+      of={id}
       class={id}
       title={workingKeys(...keys).join(', ')}
-      aria-pressed={pressed?.(state)}
-      disabled={!isEnabled(command, state)}
-      onClick={() => {
-        press(command, store);
-        if (closes) popover().hidePopover();
-      }}
+      onClick={() => closes && popover().hidePopover()}
     >
       {label}
       {pressed && <Key of={keys} />}
-    </button>
+    </CommandButton>
   );
 }
 

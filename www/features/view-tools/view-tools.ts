@@ -16,9 +16,7 @@ import type { Label } from '../../viewport/viewport.ts';
 const BAR = 120;
 
 export class ViewTools {
-  #store;
-  #actions;
-  #viewport;
+  #app;
   #tape;
   #bar = element('i');
   #scaleText = element('span');
@@ -28,13 +26,12 @@ export class ViewTools {
   /** Rest positions of that model, #V by 3. */
   #rest: Float64Array | null = null;
 
-  #newest = newestOnly(() => this.#store.get().model);
+  #newest = newestOnly(() => this.#app.store.get().model);
 
-  constructor({ store, actions, viewport }: AppContext) {
-    this.#store = store;
-    this.#actions = actions;
-    this.#viewport = viewport;
-    this.#tape = new Tape(store, viewport, actions);
+  constructor(app: AppContext) {
+    this.#app = app;
+    this.#tape = new Tape(app);
+    const { store, viewport } = app;
     viewport.element.after(this.#scale);
     viewport.on('ready', () => this.#handOver());
     viewport.on('drawn', () => this.#show());
@@ -47,19 +44,19 @@ export class ViewTools {
 
   /** Turns the camera to a named view, in a short flight unless the user prefers reduced motion. */
   flyTo(name: string) {
-    const { parallel } = this.#store.get();
-    this.#actions.setStatus(`View: ${name}${parallel ? ', parallel' : ''}`);
-    fly(this.#viewport, (view) => view.preset(name));
+    const { parallel } = this.#app.store.get();
+    this.#app.actions.setStatus(`View: ${name}${parallel ? ', parallel' : ''}`);
+    fly(this.#app.viewport, (view) => view.preset(name));
   }
 
   /** Requests the original positions, once for each model that needs them. */
   async #takeRest() {
-    const { model, display, tape } = this.#store.get();
+    const { model, display, tape } = this.#app.store.get();
     if (!model || model === this.#model) return;
     if (!display.ghost && !display.ground && !tape) return;
     this.#model = model;
     this.#rest = null;
-    const rest = await this.#newest(this.#actions.originalPositions());
+    const rest = await this.#newest(this.#app.actions.originalPositions());
     if (!rest) return;
     this.#rest = rest;
     this.#handOver();
@@ -67,14 +64,14 @@ export class ViewTools {
 
   #handOver() {
     const rest = this.#rest;
-    if (rest && this.#store.get().model === this.#model)
-      this.#viewport.with((view) => view.setRest(rest));
+    if (rest && this.#app.store.get().model === this.#model)
+      this.#app.viewport.with((view) => view.setRest(rest));
   }
 
   /** The scale: the size of the grid's squares, or in parallel projection a scale bar. */
   #scaleNow() {
-    const { document, flatMap, parallel } = this.#store.get();
-    const { view } = this.#viewport;
+    const { document, flatMap, parallel } = this.#app.store.get();
+    const { view } = this.#app.viewport;
     if (!view || !document || flatMap) return { text: '', pixels: 0 };
     const step = view.gridStep();
     if (!parallel) {
@@ -97,7 +94,7 @@ export class ViewTools {
   #scaleLabels(): Label[] {
     const { text, pixels } = this.#scaleNow();
     if (text === '') return [];
-    const box = this.#viewport.element.getBoundingClientRect();
+    const box = this.#app.viewport.element.getBoundingClientRect();
     return [{ text, x: box.width - 14, y: box.height - 14, align: 'right', bar: pixels }];
   }
 }

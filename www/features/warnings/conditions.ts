@@ -30,7 +30,7 @@ class Conditions {
 
   constructor(app: AppContext) {
     this.#app = app;
-    this.messages = new RunMessages(app.store);
+    this.messages = new RunMessages(app);
     this.#exact = new ExactVerdict(app, this.messages, hasHint);
     const { store, solver, files, alerts } = app;
     const clear = () => this.messages.withdraw();
@@ -49,7 +49,8 @@ class Conditions {
       this.#flat = 0;
       wasRunning = false;
     });
-    store.subscribe(['document'], clear);
+    // Who closes the card of the panels has read what is on it.
+    store.subscribe(['document', 'closedCard'], clear);
     alerts.clearWith(clear);
     files.on('opened', () => this.#showProblems());
   }
@@ -93,16 +94,13 @@ class Conditions {
     const verdict = await actions.ask.runVerdict().catch(() => null);
     if (!verdict || store.get().document !== scene || store.get().running) return;
     const { worst, brief: words } = verdict;
-    if (!worst) {
-      // The card of the panels says it already.
-      if (!this.messages.hasCard()) this.messages.say({ words });
-      return;
-    }
+    if (!worst) return void this.messages.say({ result: words, words: '' });
     const show = { label: 'Show it', act: () => showElements(this.#app, worst) };
     const row = scene.constraints.find(({ index }) => index === worst.row);
     const elsewhere = isInLegend(store.get(), row?.measure ?? null) ? 'in-legend' : 'in-rows';
     const message = this.messages.say({
       words,
+      isProblem: true,
       numbers: { words: verdict.numbers, elsewhere },
       offers: [show],
       waits: 'Looking for suggestions …',
@@ -127,4 +125,4 @@ class Conditions {
 }
 
 /** Whether a hint is shown: a first-time user should read one message at a time. */
-const hasHint = () => document.getElementById('hint-card')?.hidden === false;
+const hasHint = () => document.getElementById('hint-card')?.checkVisibility() ?? false;

@@ -3,7 +3,7 @@
  * was required, and the constraints that cannot be satisfied together.
  */
 
-import { isHard, type Tint } from '../../store/state.ts';
+import { isHard } from '../../store/state.ts';
 import { showElements } from '../../viewport/camera.ts';
 import type { AppContext as App } from '../../app/context.ts';
 import type { ExactReport, ExactWords } from '../../solver/types.ts';
@@ -19,16 +19,12 @@ export class ExactVerdict {
   #app;
   #messages;
   #hasHint;
-  /** The colours of constraints that cannot be met. */
-  #tint: Tint | null = null;
 
   /** @param hasHint whether a hint is shown, so that good news can wait */
   constructor(app: App, messages: RunMessages, hasHint: () => boolean) {
     this.#app = app;
     this.#messages = messages;
     this.#hasHint = hasHint;
-    // Also what was shown on request, after which nothing is said.
-    messages.on('left', () => this.#untint());
   }
 
   async show() {
@@ -89,11 +85,10 @@ export class ExactVerdict {
   /** Reports the cost of exactness. */
   async #showCost(words: ExactWords, tolerance: number) {
     const { store, actions } = this.#app;
-    // The card of the panels already says what is within the tolerance.
-    const within = this.#messages.hasCard() ? '' : words.brief;
-    const after = (next: string) => `${within} ${next}`.trim();
+    const result = words.brief;
     const message = this.#messages.say({
-      words: after('Checking how far an exact shape would move …'),
+      result,
+      words: 'Checking how far an exact shape would move …',
     });
     const isWanted = () => this.#messages.isShown(message);
     const found = await actions.trials.exactOffer(isWanted).catch(() => null);
@@ -101,11 +96,11 @@ export class ExactVerdict {
     const { offer: cost } = found;
     if (cost.met && cost.moved.max <= tolerance && cost.folded === 0) {
       if (!(await actions.exact.accept(found, true))) return this.#messages.withdraw(message);
-      this.#messages.say({ words: after(cost.words.taken), offers: [this.#improves()] });
+      this.#messages.say({ result, words: cost.words.taken, offers: [this.#improves()] });
       return;
     }
     if (cost.tooLarge || !cost.met) {
-      this.#messages.say({ words: after(cost.words.offered) });
+      this.#messages.say({ result, words: cost.words.offered });
       return;
     }
     const take = async () => {
@@ -117,7 +112,8 @@ export class ExactVerdict {
       if (exactly && store.get().document === taken) this.#showMet(exactly);
     };
     this.#messages.say({
-      words: after(cost.words.offered),
+      result,
+      words: cost.words.offered,
       numbers: { words: cost.words.away, elsewhere: 'where-room' },
       offers: [
         {
@@ -138,8 +134,7 @@ export class ExactVerdict {
     );
     const show = () => {
       showElements(this.#app, elements);
-      this.#tint = { ...elements, colour: UNMET };
-      actions.look({ tint: this.#tint });
+      actions.tint('unmet', { ...elements, colour: UNMET });
     };
     const suggestions = words.suggestions.map(({ label, index, within }) => ({
       label,
@@ -147,18 +142,12 @@ export class ExactVerdict {
     }));
     this.#messages.say({
       words: words.brief,
+      isProblem: true,
       numbers: { words: words.numbers, elsewhere: 'in-rows' },
       // Their colours end with the message, and so would what helps.
       offers: [{ label: 'Show them', stays: true, act: show }, ...suggestions],
     });
     show();
-  }
-
-  /** Removes the colours, unless others have taken their place. */
-  #untint() {
-    const { store, actions } = this.#app;
-    if (this.#tint && store.get().tint === this.#tint) actions.look({ tint: null });
-    this.#tint = null;
   }
 }
 

@@ -18,7 +18,7 @@ const ALL_FREE = { operation: 'free', mode: 'vertices' as const, from: {}, param
 /** Marks vertices that no constraint acts on, and offers to let them follow or to fix them. */
 export function FreeVertices() {
   const { store, actions } = useApp();
-  const { document, model, tint } = store.state;
+  const { document, model } = store.state;
   const acts = document?.constraints.some(({ enabled }) => enabled);
   const free = document && acts ? document.free : 0;
   const newest = useMemo(() => newestOnly(() => store.get().model), [store]);
@@ -42,16 +42,7 @@ export function FreeVertices() {
       );
     });
   }, [document]);
-  // What cannot be met or built is marked instead, as long as it is.
-  useEffect(() => {
-    if (marks && !tint) actions.look({ tint: marks });
-  }, [marks, tint]);
-  useEffect(
-    () => () => {
-      if (store.get().tint === marks) actions.look({ tint: null });
-    },
-    [marks],
-  );
+  useEffect(() => actions.tint('free', marks), [marks]);
   if (!marks) return null;
 
   const vertices = [...marks.vertices];

@@ -9,22 +9,20 @@ import { conditions } from './conditions.ts';
 import type { Message } from './run-messages.ts';
 import { Sentence } from '../../ui/components/sentence.tsx';
 
-/** Among the messages. */
-export function RunMessage() {
-  const message = conditions(useApp()).messages.now.value;
-  return message && !message.isOnCard ? <Notice message={message} /> : null;
-}
-
-/** On the card of the panels. */
-export function RunMessageOnCard() {
+/** @param isOnCard whether this is its place on the card of the panels, which it has where that is shown */
+export function RunMessage({ isOnCard = false }) {
   const app = useApp();
   const message = conditions(app).messages.now.value;
-  if (!message?.isOnCard || panelsCard(app.store.state) !== 'verdict') return null;
-  return (
+  const hasCard = panelsCard(app.store.state) === 'verdict';
+  if (!message || isOnCard !== hasCard) return null;
+  const { words, isProblem, wasOnCard } = message;
+  // Good news that has been read leaves the smaller view beside a docked panel to the model.
+  if (!isOnCard) return wasOnCard && !isProblem ? null : <Notice message={message} />;
+  return words ? (
     <div class="suggestions" role="group" aria-label="Verdict">
-      <Content message={message} />
+      <Content message={{ ...message, result: '' }} />
     </div>
-  );
+  ) : null;
 }
 
 function Notice({ message }: { message: Message }) {
@@ -43,12 +41,16 @@ function Notice({ message }: { message: Message }) {
   );
 }
 
-function Content({ message: { words, numbers, offers = [], waits } }: { message: Message }) {
+function Content({
+  message: { result = '', words, numbers, offers = [], waits },
+}: {
+  message: Message;
+}) {
   const { messages } = conditions(useApp());
   return (
     <>
       <p>
-        <Sentence words={words} />
+        <Sentence words={`${result} ${words}`.trim()} />
         {numbers && (
           <span class={numbers.elsewhere}>
             {' '}

@@ -1,9 +1,8 @@
 /** The message on the last run: one at a time, which another one replaces. */
 
 import { signal } from '@preact/signals';
-import { Emitter } from '../../solver/emitter.ts';
 import { panelsCard } from '../../store/panels-card.ts';
-import type { Store } from '../../store/state.ts';
+import type { AppContext } from '../../app/context.ts';
 
 /** A button of a message; pressing it withdraws the message first, unless that `stays`. */
 export interface Offer {
@@ -13,56 +12,52 @@ export interface Offer {
   act: () => unknown;
 }
 
-export interface Said {
+export interface Message {
+  /** the result of the run, which the card of the panels says itself */
+  result?: string;
   words: string;
+  /** whether something is to be done about it */
+  isProblem?: boolean;
   /** the numbers, and where they are shown else, or that they are shown only where there is room */
   numbers?: { words: string; elsewhere: 'in-legend' | 'in-rows' | 'where-room' };
   offers?: Offer[];
   /** what is still looked for */
   waits?: string;
+  /** whether it could be read on the card when it was said */
+  wasOnCard?: boolean;
 }
 
-export interface Message extends Said {
-  /** whether it is on the card of the panels, which has the verdict on them */
-  isOnCard: boolean;
-}
-
-/** Emits `left` when what was said last is said no longer, or its cause is gone. */
-export class RunMessages extends Emitter<{ left: void }> {
+export class RunMessages {
   readonly now = signal<Message | null>(null);
-  #store;
+  #app;
 
-  constructor(store: Store) {
-    super();
-    this.#store = store;
-  }
-
-  /** Whether the card already shows the verdict on the panels. */
-  hasCard() {
-    return panelsCard(this.#store.get()) === 'verdict';
+  constructor(app: Pick<AppContext, 'store' | 'actions'>) {
+    this.#app = app;
   }
 
   /** Shows a message in place of the current one. */
-  say(said: Said): Message {
+  say(said: Message): Message {
     this.withdraw();
-    const message = { ...said, isOnCard: this.hasCard() };
-    this.now.value = message;
-    return message;
+    const wasOnCard = panelsCard(this.#app.store.get()) === 'verdict';
+    return (this.now.value = { ...said, wasOnCard });
   }
 
   isShown(message: Message) {
-    return this.now.value === message && (!message.isOnCard || this.hasCard());
+    return this.now.value === message;
   }
 
   /** Changes a message, if it is still shown. */
-  turn(message: Message, change: Partial<Said>) {
+  turn(message: Message, change: Partial<Message>) {
     if (this.isShown(message)) this.now.value = { ...message, ...change };
   }
 
-  /** @param message if it is still shown; any, without it */
+  /**
+   * Withdraws what was said, and its marks, also those that were shown again after it.
+   * @param message if it is still shown; any, without it
+   */
   withdraw(message?: Message) {
-    if (message && this.now.value !== message) return;
+    if (message && !this.isShown(message)) return;
     this.now.value = null;
-    this.emit('left', undefined);
+    this.#app.actions.tint('unmet', null);
   }
 }

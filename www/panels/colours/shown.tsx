@@ -6,7 +6,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { number } from '../../ui/words.ts';
-import type { State } from '../../store/state.ts';
+import { showsFitted, type State } from '../../store/state.ts';
 
 /** Labels of the switches, in the order of display. */
 const SWITCHES = {
@@ -24,7 +24,7 @@ const SWITCHES = {
 
 export function Shown() {
   const { store, actions } = useApp();
-  const { display } = store.state;
+  const display = { ...store.state.display, shapes: showsFitted(store.state) };
   return (
     <>
       <Range />

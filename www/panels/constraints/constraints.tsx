@@ -47,7 +47,7 @@ function Row({ row }: { row: ConstraintRow }) {
   const set = (change: { weight?: number; enabled?: boolean }) =>
     actions.edit({ setConstraint: { index: row.index, ...change } });
 
-  const untint = () => actions.look({ pointed: null });
+  const untint = () => actions.tint('pointed', null);
   useEffect(() => untint, []);
   /** Tints the members in the view. */
   async function tint() {
@@ -55,7 +55,7 @@ function Row({ row }: { row: ConstraintRow }) {
     if (!members || !place.current?.matches(':is(:hover, :focus-within)')) return;
     // Dots on the corners of tinted faces would be redundant.
     const vertices = members.faces.length > 0 ? NONE : members.vertices;
-    actions.look({ pointed: { faces: members.faces, vertices, colour: row.colour } });
+    actions.tint('pointed', { faces: members.faces, vertices, colour: row.colour });
   }
 
   async function select() {

@@ -3,8 +3,8 @@
 import './handles.css';
 import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
+import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
-import { keyInTitle } from '../../ui/keys.ts';
 import { count } from '../../ui/words.ts';
 import { SelectedHandles } from './selected.tsx';
 import type { SceneDocument } from '../../solver/types.ts';
@@ -51,13 +51,9 @@ function Verbs() {
   const hasHandle = document?.handles.some(({ vertex }) => vertices.has(vertex));
   return (
     <div class="handles-row">
-      <button
-        type="button"
-        title={`Turn the selected vertices into handles${keyInTitle('H')}`}
-        onClick={() => actions.holdSelected(false)}
-      >
+      <CommandButton of="add-handles" class="">
         Make handle
-      </button>
+      </CommandButton>
       <button
         type="button"
         title="Fix the selected vertices where they are"
@@ -65,14 +61,9 @@ function Verbs() {
       >
         Fix
       </button>
-      <button
-        type="button"
-        title={`Remove the selected handles${keyInTitle('Shift+H', 'Delete')}`}
-        disabled={!hasHandle}
-        onClick={() => actions.releaseSelected()}
-      >
+      <CommandButton of="remove-handles" class="" disabled={!hasHandle}>
         Remove
-      </button>
+      </CommandButton>
     </div>
   );
 }

@@ -61,14 +61,13 @@ interface Of {
   spread: Spread;
 }
 
-/** The number of faces within the tolerance. */
+/** The number of faces within the tolerance, unless the card of the panels has it. */
 function Within({ about, spread }: Of) {
   const { state } = useApp().store;
-  if (toleranceOf(state, about) === null) return null;
+  if (toleranceOf(state, about) === null || isCounted(state, about)) return null;
   const [met, all] = [spread.within, spread.faces].map(groupDigits);
-  const classes = ['within', met === all ? 'met' : '', isCounted(state, about) ? 'in-card' : ''];
   return (
-    <span class={classes.join(' ').trim()} title="Panels within the tolerance">
+    <span class={met === all ? 'within met' : 'within'} title="Panels within the tolerance">
       {`${met} of ${all} within`}
     </span>
   );

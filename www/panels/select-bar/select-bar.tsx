@@ -5,29 +5,20 @@
 
 import './select-bar.css';
 import { createRef } from 'preact';
+import { CommandButton } from '../../store/command-button.tsx';
 import { describe } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton, Icon } from '../../ui/components/buttons.tsx';
-import { keyInTitle, singleKeys } from '../../ui/keys.ts';
-import type { State } from '../../store/state.ts';
+import { singleKeys } from '../../ui/keys.ts';
 
-const SHAPES: { id: State['shape']; label: string; key: string; title: string }[] = [
-  {
-    id: 'box',
-    label: 'Box',
-    key: 'B',
-    title: 'Drag right to select what is inside, left to select also what it touches',
-  },
-  { id: 'lasso', label: 'Lasso', key: 'L', title: 'Draw around what to select' },
-  { id: 'paint', label: 'Paint', key: 'P', title: 'Brush over what to select' },
-];
+const SHAPES = { box: 'Box', lasso: 'Lasso', paint: 'Paint' };
 
 /** The button that opens the menu, which opens at it. */
 export const opener = createRef<HTMLButtonElement>();
 
 export function SelectBar() {
   const { store, actions } = useApp();
-  const { tool, shape, through, touching, adds, brush, selection, model } = store.state;
+  const { tool, shape, touching, adds, brush, selection, model } = store.state;
   const selects = tool === 'select';
   const words = describe(selection);
   return (
@@ -39,30 +30,17 @@ export function SelectBar() {
       hidden={!model || (!selects && !words)}
     >
       <div class="segmented" role="group" aria-label="Shape of the selection">
-        {SHAPES.map(({ id, label, key, title }) => (
-          <button
-            key={id}
-            type="button"
-            title={title + keyInTitle(key)}
-            aria-pressed={selects && id === shape}
-            onClick={() => actions.look({ tool: 'select', shape: id })}
-          >
+        {Object.entries(SHAPES).map(([id, label]) => (
+          <CommandButton key={id} of={`shape-${id}`} class="">
             <Icon name={id} />
             <span>{label}</span>
-          </button>
+          </CommandButton>
         ))}
       </div>
-      <button
-        type="button"
-        class="toggle through"
-        title={`Also select what the surface hides${keyInTitle('T')}`}
-        aria-pressed={through}
-        hidden={!selects}
-        onClick={() => actions.look({ through: !through })}
-      >
+      <CommandButton of="through" class="toggle through" hidden={!selects}>
         <Icon name="through" />
         <span>Select through</span>
-      </button>
+      </CommandButton>
       <button
         type="button"
         class="toggle touching"

@@ -3,7 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { useSignal } from '@preact/signals';
 import { frameOf } from '../../store/frame.ts';
-import { toleranceOf } from '../../store/colours/measures.ts';
+import { shownUnit, toleranceOf } from '../../store/colours/measures.ts';
 import { verticesOf, type Combine } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -44,9 +44,12 @@ export function OperationForm(props: { operation: Operation; close: () => void }
   const params = operation.params.map((param) =>
     typeof param.default === 'number' ? { ...param, default: tolerance ?? param.default } : param,
   );
+  const limit = Number(params.find((param) => typeof param.default === 'number')?.default);
   const { units } = frameOf(state);
-  // As the legend has it.
-  const written = measure && writtenUnit(measure.unit, units, tolerance ?? 1);
+  const isColouring = measure !== undefined && measure.id === state.measure;
+  const written = isColouring
+    ? shownUnit(state)
+    : measure && writtenUnit(measure.unit, units, tolerance ?? limit);
   const isLength = measure?.unit === 'length';
   const unit = written && { symbol: written.symbol, factor: written.factor, isLength };
 

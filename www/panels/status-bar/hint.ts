@@ -2,7 +2,7 @@
 
 import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { nextStep } from '../../store/next-step.ts';
-import { shownVerdict } from '../../store/panels-card.ts';
+import { panelsCard } from '../../store/panels-card.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import { CTRL, workingKey } from '../../ui/keys.ts';
 import type { State } from '../../store/state.ts';
@@ -33,7 +33,7 @@ export function hintOf(state: Readonly<State>) {
     const back = key && ` · ${key} goes back to Drag`;
     return `${SHAPES[shape]} over ${mode} · Shift adds, ${CTRL} removes${back}`;
   }
-  if (next === 'choose' && shownVerdict(state))
+  if (next === 'choose' && state.verdict && panelsCard(state) === 'verdict')
     return 'Next: see the verdict in the view · drag elsewhere to orbit';
   const { running, converged } = state;
   const one = draggableInWords(document);

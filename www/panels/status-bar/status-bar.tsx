@@ -9,6 +9,7 @@ import { duration, energyOrZero, groupDigits, measured, number } from '../../ui/
 import { drawsInSoftware } from '../../viewport/graphics-card.ts';
 import { hintOf } from './hint.ts';
 import type { ComponentChildren } from 'preact';
+import type { State } from '../../store/state.ts';
 
 const RENDERERS = { webgpu: 'WebGPU', webgl2: 'WebGL2', none: 'no 3D', starting: '' };
 /** What there is room for in a wide window only. */
@@ -30,16 +31,21 @@ export function StatusNumbers() {
     <>
       {display.timings && (
         <>
-          <Iteration />
-          <TotalEnergy />
+          <Live name="iteration" look="narrow-hidden" read={iteration} />
+          <Live name="energy" look={WIDE} read={energy} />
         </>
       )}
       <WorstPanel />
-      <Moved />
+      <Live name="moved" look="narrow-hidden in-legend" read={movedInWords} />
       {display.timings && (
         <>
-          <StepTime />
-          <DragTime />
+          <Live look="narrow-hidden" read={stepTime} />
+          <Live
+            name="drag"
+            look="narrow-hidden"
+            title="Time from a pointer movement to new positions"
+            read={dragTime}
+          />
         </>
       )}
       {document && model && (
@@ -66,25 +72,26 @@ function Cell(props: { name?: string; title?: string; look: string; children: Co
   );
 }
 
-function Iteration() {
+/** A cell that follows what changes with each frame. */
+function Live({
+  read,
+  ...cell
+}: {
+  read: (state: Readonly<State>) => string | false | null;
+  name?: string;
+  title?: string;
+  look: string;
+}) {
   const { state } = useApp().store;
-  const iteration = useThrottled(() => state.numbers?.iteration);
-  return (
-    <Cell name="iteration" look="narrow-hidden">
-      {iteration !== undefined && groupDigits(iteration)}
-    </Cell>
-  );
+  return <Cell {...cell}>{useThrottled(() => read(state))}</Cell>;
 }
 
-function TotalEnergy() {
-  const { state } = useApp().store;
-  const total = useThrottled(() => state.numbers?.energy.total);
-  return (
-    <Cell name="energy" look={WIDE}>
-      {total !== undefined && number(energyOrZero(total, state.model?.size ?? 0))}
-    </Cell>
-  );
-}
+const iteration = ({ numbers }: Readonly<State>) => numbers && groupDigits(numbers.iteration);
+const energy = ({ numbers, model }: Readonly<State>) =>
+  numbers && number(energyOrZero(numbers.energy.total, model?.size ?? 0));
+const stepTime = ({ numbers }: Readonly<State>) =>
+  numbers && numbers.stepMs > 0 && `${duration(numbers.stepMs)} per iteration`;
+const dragTime = ({ dragMs }: Readonly<State>) => dragMs > 0 && duration(dragMs);
 
 /** The greatest value of the measure that colours the faces, or would by default. */
 function WorstPanel() {
@@ -107,31 +114,6 @@ function WorstPanel() {
       look="in-legend"
     >
       {words}
-    </Cell>
-  );
-}
-
-function Moved() {
-  const { state } = useApp().store;
-  return (
-    <Cell name="moved" look="narrow-hidden in-legend">
-      {useThrottled(() => movedInWords(state))}
-    </Cell>
-  );
-}
-
-function StepTime() {
-  const { state } = useApp().store;
-  const time = useThrottled(() => state.numbers?.stepMs ?? 0);
-  return <Cell look="narrow-hidden">{time > 0 && `${duration(time)} per iteration`}</Cell>;
-}
-
-function DragTime() {
-  const { state } = useApp().store;
-  const time = useThrottled(() => state.dragMs);
-  return (
-    <Cell name="drag" look="narrow-hidden" title="Time from a pointer movement to new positions">
-      {time > 0 && duration(time)}
     </Cell>
   );
 }

@@ -9,7 +9,7 @@ import type { Measure } from '../../solver/types.ts';
 import { newestOnly } from '../latest-only.ts';
 import { declared } from './measures.ts';
 import { spreadOf } from './spread.ts';
-import { AUTOMATIC, type State, type Store } from '../state.ts';
+import { AUTOMATIC, showsFitted, type State, type Store } from '../state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { View } from '../../pkg/view-webgl2/shape_up.js';
 
@@ -35,13 +35,13 @@ export function colourFaces(store: Store, solver: SolverClient, view: () => View
   const updateSoon = throttled(RENEW_MS, update);
   // The first values of a measure get their range at once.
   solver.on('frame', () => (store.get().spread ? updateSoon() : update()));
-  store.subscribe(['measure', 'measures', 'display', 'halfway'], (state) => {
+  store.subscribe(['measure', 'measures', 'display', 'halfway', 'fitted', 'model'], (state) => {
     const { display, halfway } = state;
     // Addresses, scenes and scripts may name a measure that does not exist.
     const measure = declared(state, state.measure)?.id ?? null;
     const projections = display.outlines || display.arrows || halfway;
-    const { shapes, bands } = display;
-    solver.tell.show({ measure, shapes, projections, corners: bands });
+    const shapes = showsFitted(state);
+    solver.tell.show({ measure, shapes, projections, corners: display.bands });
   });
   store.subscribe(['measure'], () => store.set(NONE));
   store.subscribe(['document', 'tolerances', 'ownRange', 'display', 'renderer'], update);

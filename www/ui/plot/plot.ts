@@ -3,21 +3,12 @@
 import uPlot from 'uplot';
 import { colourOf, element, setText } from '../dom.ts';
 import { groupDigits, number, powerOfTen } from '../words.ts';
+import { DECADES, SERIES } from './energies.ts';
 import { tickExponents } from './ticks.ts';
 
-/** In the order of the columns. */
-const SERIES = [
-  { id: 'shape', label: 'Shape', width: 1.25 },
-  { id: 'close', label: 'Close', width: 1.25 },
-  { id: 'smooth', label: 'Smooth', width: 1.25 },
-  { id: 'handles', label: 'Handles', width: 1.25 },
-  { id: 'total', label: 'Total', width: 2 },
-];
 const HEIGHT = 180;
 /** Tick increments for counts. */
 const COUNTS = [1, 10, 100, 1000, 1e4, 1e5].flatMap((power) => [power, 2 * power, 5 * power]);
-/** Decades below the greatest energy; smaller energies are drawn at the lower end. */
-const DECADES = 12;
 
 export class EnergyPlot {
   #place;
