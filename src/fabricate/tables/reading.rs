@@ -5,7 +5,7 @@ use crate::scene::Product::{self, Fins, Panels, Paper};
 const ALL: &[Product] = &Product::ALL;
 
 /// What is explained, for which products, and in which words.
-const READING: [(&[Product], &str, &str); 15] = [
+const READING: [(&[Product], &str, &str); 16] = [
     (ALL, "edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     (ALL, "edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -19,6 +19,11 @@ const READING: [(&[Product], &str, &str); 15] = [
         "counterclockwise seen from outside, from the edge at the arrow",
     ),
     (&[Panels], "panels.csv turn_deg", "direction of the edge at the arrow, on the sheet"),
+    (
+        &[Panels],
+        "splices.csv pieces",
+        "joined by the plate behind their seam, where both have a frame; a piece is in the plane of its panel",
+    ),
     (&[Fins], "fins.csv turn_deg", "direction from node_a to node_b, on the sheet"),
     (&[Fins], "names of fins", "from their first node to their second, tops of letters outwards"),
     (

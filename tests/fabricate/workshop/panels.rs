@@ -4,6 +4,7 @@
 use super::files::{Files, Part};
 use super::letters::Text;
 use super::shape::{Flat, Found, assembled, matching, sides_of_panels};
+use super::splices::joined;
 use shape_up::math::plane::{Point2, cross, distance, dot, minus};
 use std::collections::BTreeMap;
 
@@ -12,14 +13,16 @@ pub(super) fn assemble(files: &Files) -> Found {
     let scale = files.number("Scale 1 : (scale)");
     let by = 0.5 * (files.number("joint on the sheet") - files.number("Kerf (kerf)"));
     let sides = sides_of_panels(files);
-    let (parts, _) = files.parts();
+    let parts = joined(files.parts().0, files.number("Kerf (kerf)"));
     // The direction of the arrow's side in radians, and the node where it begins.
     let arrows: BTreeMap<String, (f64, String)> = files
         .table("panels.csv")
         .rows()
         .map(|row| {
             let first = row.text("nodes").split(' ').next().unwrap().to_owned();
-            (row.text("name").to_owned(), (row.number("turn_deg").to_radians(), first))
+            // Pieces lie as the first one.
+            let name = row.text("name").trim_end_matches(".1").to_owned();
+            (name, (row.number("turn_deg").to_radians(), first))
         })
         .collect();
     let flat = |part: &Part| {
