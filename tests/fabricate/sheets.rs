@@ -246,6 +246,7 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
     let own = BuildSettings {
         scale: 10.0,
         sheet: [200.0, 120.0],
+        thickness: 1.5,
         hole: 4.0,
         kerf: 0.3,
         ..BuildSettings::default()

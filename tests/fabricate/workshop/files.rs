@@ -62,7 +62,7 @@ impl Drawn {
     }
 
     fn layer(&self, id: &str) -> &[(String, Vec<Vec<Point2>>)] {
-        self.layers.get(id).map_or(&[], |own| own)
+        self.layers.get(id).map_or(&[][..], |own| &own[..])
     }
 
     /// All lines of a layer.

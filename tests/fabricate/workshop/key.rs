@@ -3,7 +3,7 @@
 
 use super::files::{Drawn, Files};
 use super::letters::{Text, read_within};
-use super::panels::to_segment;
+use super::outline::to_segment;
 use super::shape::{Found, Point, sides_of_panels};
 use shape_up::math::Vec3;
 use shape_up::math::plane::{Point2, bounds, cross, distance, is_inside, minus};
@@ -12,6 +12,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// How exactly lines and names are where they should be, in mm of the drawing: coordinates are rounded to
 /// hundredths, and parts are put together within a millimetre of the building.
 const EXACT: f64 = 0.1;
+/// How exactly the points of letters are where they should be, in mm: the smallest ones are 1 mm high, on a
+/// grid of six.
+const OF_LETTERS: f64 = 0.06;
 /// Below it are only titles, in mm.
 const MARGIN: f64 = 11.9;
 
@@ -35,7 +38,7 @@ fn sight(title: &str) -> [Point; 3] {
         "ABOVE" => [x, y, -z],
         "BELOW" => [x, -y, z],
         _ => {
-            let sign = |axis| if from.contains(&format!("+{axis}")) { 1.0 } else { -1.0 };
+            let sign = |axis: char| if from.contains(&format!("+{axis}")) { 1.0 } else { -1.0 };
             assert!(from.ends_with(", ABOVE"), "{from}");
             let away = -(x * sign('X') + y * sign('Y') + z) * (1.0 / 3.0_f64.sqrt());
             let right = away.cross(z) * (1.0 / away.cross(z).length());
@@ -61,7 +64,7 @@ impl<'a> Seen<'a> {
             [0, 1].map(|k| left[k] + scales[k] * (at[k] - low[k]))
         };
         Seen {
-            texts: read_within(&drawn.lines("ENGRAVE"), EXACT),
+            texts: read_within(&drawn.lines("ENGRAVE"), OF_LETTERS),
             lines,
             nodes: nodes.iter().map(|(name, at)| (&**name, put(at))).collect(),
             depths: nodes.iter().map(|(name, at)| (&**name, at.dot(away))).collect(),

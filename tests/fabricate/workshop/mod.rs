@@ -6,6 +6,7 @@ mod files;
 mod fins;
 mod key;
 mod letters;
+mod outline;
 mod panels;
 mod paper;
 mod shape;
@@ -75,7 +76,7 @@ fn panels_with_a_joint_and_a_kerf_make_the_dome_again() {
 
 #[test]
 fn panels_larger_than_the_sheet_make_the_dome_again_from_pieces_joined_by_plates() {
-    for (names, scale, hole) in [(Names::Index, 1.5, 0.0), (Names::Assembly, 2.0, 5.0)] {
+    for (names, scale, hole) in [(Names::Index, 0.5, 0.0), (Names::Assembly, 0.8, 5.0)] {
         let own = BuildSettings {
             splice: 24.0,
             joint: 0.01,
@@ -87,8 +88,9 @@ fn panels_larger_than_the_sheet_make_the_dome_again_from_pieces_joined_by_plates
         };
         let made = build(&dome(), &own);
         assert!(!build(&dome(), &BuildSettings { splice: 0.0, ..own }).layout.too_large.is_empty());
+        // Some of them in columns and rows.
         let most = made.cut.iter().flatten().map(|cut| cut.pieces).max();
-        assert!(!made.splices.is_empty() && made.dropped_names == 0, "{most:?}");
+        assert!(most >= Some(4), "{most:?}");
         let files = files(&made);
         let found = panels::assemble(&files);
         key::assert_shows(&files, &found);

@@ -3,7 +3,7 @@
 
 use super::files::{Files, Part};
 use super::letters::Text;
-use super::panels::{lengths, written};
+use super::outline::{lengths, written};
 use super::shape::{Flat, Found, assembled, matching, sides_of_panels};
 use shape_up::math::plane::{Point2, area, cross, distance, dot, is_inside, minus};
 use std::collections::{BTreeMap, BTreeSet};

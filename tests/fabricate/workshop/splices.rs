@@ -2,7 +2,7 @@
 
 use super::files::Part;
 use super::letters::Text;
-use super::panels::{widened, written};
+use super::outline::{widened, written};
 use shape_up::math::plane::{Point2, area, cross, distance, dot, minus, rotated};
 use std::collections::{BTreeMap, BTreeSet};
 
