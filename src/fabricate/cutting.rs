@@ -255,7 +255,8 @@ impl Build {
                         Some(disc) => self.label_disc(disc, part, turn),
                         None => {
                             // Names are not written across the frame of a plate.
-                            let frames = part.engraved.iter().cloned().map(Hole::slot);
+                            let frames = part.engraved.iter().flat_map(|frame| frame.windows(2));
+                            let frames = frames.map(|ends| Hole::slot(ends.to_vec()));
                             let holes: Vec<Hole> =
                                 part.holes.iter().cloned().chain(frames).collect();
                             label(Inscription {
