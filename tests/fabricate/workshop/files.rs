@@ -38,10 +38,13 @@ pub(super) struct Part {
     pub(super) valleys: Vec<[Point2; 2]>,
 }
 
-/// A drawing: the lines of each layer, by the names of the parts.
+/// Lines, and the name of their part.
+type Named = (String, Vec<Vec<Point2>>);
+
+/// A drawing: the lines of each layer.
 pub(super) struct Drawn {
     pub(super) title: String,
-    layers: BTreeMap<String, Vec<(String, Vec<Vec<Point2>>)>>,
+    layers: BTreeMap<String, Vec<Named>>,
 }
 
 impl Drawn {
@@ -61,7 +64,7 @@ impl Drawn {
         Drawn { title: title.text().unwrap().to_owned(), layers: groups.map(layer).collect() }
     }
 
-    fn layer(&self, id: &str) -> &[(String, Vec<Vec<Point2>>)] {
+    fn layer(&self, id: &str) -> &[Named] {
         self.layers.get(id).map_or(&[][..], |own| &own[..])
     }
 
