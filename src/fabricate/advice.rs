@@ -4,7 +4,7 @@ use super::beam::Frame;
 use super::build::Build;
 use super::panel::smallest_box_within;
 use super::report::BuildReport;
-use crate::scene::Product;
+use crate::scene::{BuildSettings, Product};
 use crate::words;
 use serde::Serialize;
 
@@ -15,6 +15,10 @@ const SCALES: [f64; 13] =
 const SMALL: f64 = 10.0;
 /// The mean edge in mm on the sheet that is proposed instead, at least.
 const HANDY: f64 = 25.0;
+/// Width of splice plates in thicknesses, as of the butt blocks of boats: ten on either side of the seam.
+/// And the least one in mm, for hands and letters.
+const OF_THICKNESS: f64 = 20.0;
+const NARROWEST: f64 = 10.0;
 /// Smaller differences of joints, in mm, are less than the accuracy of cutting.
 const STEP: f64 = 0.1;
 
@@ -50,7 +54,31 @@ impl AdvisedValue {
 impl Build {
     /// The advice for this build.
     pub(super) fn advice(&self, report: &BuildReport) -> Vec<Advice> {
-        self.advice_on_scale(report).into_iter().chain(self.advice_on_joint(report)).collect()
+        let all = [
+            self.advice_on_scale(report),
+            self.advice_on_pieces(report),
+            self.advice_on_joint(report),
+        ];
+        all.into_iter().flatten().collect()
+    }
+
+    /// The width of plates with which every panel that is too large can be cut into pieces that fit.
+    fn advice_on_pieces(&self, report: &BuildReport) -> Option<Advice> {
+        let BuildSettings { product, splice, thickness, .. } = self.settings;
+        if product != Product::Panels || splice > 0.0 || report.too_large.is_empty() {
+            return None;
+        }
+        let width = (OF_THICKNESS * thickness).max(NARROWEST);
+        let mut large = self.layout.too_large.iter().map(|&part| &self.parts[part].outline);
+        large.all(|outline| self.spliced(outline, width).is_some()).then(|| Advice {
+            words: "Panels that are larger than the sheet can be cut into pieces with plates behind their seams."
+                .to_owned(),
+            choices: vec![AdvisedValue {
+                label: format!("Splice plates {}", words::millimetres_limit(width)),
+                setting: "splice",
+                value: width,
+            }],
+        })
     }
 
     /// The joints that keep panels of this thickness apart outside and inside the surface, if each of
@@ -128,8 +156,7 @@ impl Build {
             Product::Paper => 0.0,
             Product::Panels | Product::Fins => self.settings.kerf,
         };
-        let room = self.settings.sheet.map(|side| side - 2.0 * self.settings.margin);
-        let most = [room[0].max(room[1]), room[0].min(room[1])];
+        let most = self.room();
         let parts = self.parts.iter().enumerate().filter(|(k, _)| self.disc_of(*k).is_none());
         let beyond = parts.map(|(_, part)| {
             let (_, size) = smallest_box_within(&part.outline, most);
@@ -144,7 +171,6 @@ mod tests {
     use super::*;
     use crate::fabricate::LengthInMetres;
     use crate::mesh::Mesh;
-    use crate::scene::BuildSettings;
 
     /// A ridge of two panels with sides of this length, 90 degrees from each other.
     fn ridge(side: f64) -> Mesh {

@@ -13,6 +13,7 @@ use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
 use crate::scene::{BuildSettings, Fold, OffsetKind, Page, Product, Tiling};
+use std::ops::Range;
 
 /// Numbers below this, in mm of the building or degrees, are rounding errors.
 const ROUNDING: f64 = 1e-6;
@@ -39,8 +40,34 @@ pub struct CutPanel {
     pub turn: Point2,
     /// The size of its smallest box, with the joint subtracted.
     pub size: [f64; 2],
-    /// Its index in [`Build::parts`].
+    /// Its index in [`Build::parts`], or that of its first piece.
     pub part: usize,
+    /// The number of its pieces, which are parts one after another; 1 if it is whole.
+    pub pieces: usize,
+}
+
+impl CutPanel {
+    /// The indices of its pieces in [`Build::parts`].
+    pub fn parts(&self) -> Range<usize> {
+        self.part..self.part + self.pieces
+    }
+}
+
+/// A plate behind a seam between two pieces of a panel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Splice {
+    /// The panel.
+    pub panel: u32,
+    /// The index of the plate in [`Build::parts`].
+    pub part: usize,
+    /// The indices of the pieces.
+    pub pieces: [usize; 2],
+    /// The axis of the panel across the seam: 0 for x, 1 for y.
+    pub axis: usize,
+    /// The lower left and the upper right corner of the plate, as the panel is cut, in mm.
+    pub corners: [Point2; 2],
+    /// The ends of the seam there.
+    pub seam: [Point2; 2],
 }
 
 /// A disc on the sheets.
@@ -80,6 +107,8 @@ pub struct Build {
     pub flat: Vec<Option<FlatPanel>>,
     /// Each panel as it is cut; none if it is not cut.
     pub cut: Vec<Option<CutPanel>>,
+    /// The plates that join the pieces of panels.
+    pub splices: Vec<Splice>,
     /// The parts that are not cut.
     pub not_cut: Vec<NotCut>,
     /// The parts to cut.
@@ -166,6 +195,7 @@ impl Build {
             order,
             flat,
             cut: Vec::new(),
+            splices: Vec::new(),
             not_cut: Vec::new(),
             parts: Vec::new(),
             dropped_names: 0,
@@ -353,7 +383,9 @@ impl Build {
         };
         let discs = "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT";
         let discs = if self.discs.is_empty() { "" } else { discs };
-        let words = [side, arrow, discs].into_iter().filter(|words| !words.is_empty());
+        let splices = "FRAME AT A SEAM: PLATE BEHIND IT";
+        let splices = if self.splices.is_empty() { "" } else { splices };
+        let words = [side, arrow, discs, splices].into_iter().filter(|words| !words.is_empty());
         words.collect::<Vec<_>>().join(", ")
     }
 

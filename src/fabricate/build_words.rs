@@ -173,6 +173,9 @@ impl BuildReport {
         ];
         if self.product == Product::Panels {
             line.push(types(self.types, " of panels"));
+            if self.spliced > 0 {
+                line.push(words::count(self.spliced, "panel in pieces", "panels in pieces"));
+            }
         }
         line.extend(self.frame.as_ref().map(|frame| {
             let within = words::brief(frame.alike_deg);
@@ -191,6 +194,7 @@ impl BuildReport {
             false => (self.parts, discs[0]),
         };
         match discs {
+            0 if self.spliced > 0 => count(all, "part"),
             0 => parts(all, self.product),
             _ => format!("{} and {}", parts(all - discs, self.product), count(discs, "node disc")),
         }
@@ -203,7 +207,8 @@ impl BuildReport {
         let some = |names: &[String]| words::and_more(names, NAMED);
         let named = |names: &[String], sentence: String| (!names.is_empty()).then_some(sentence);
         let counted = |number: usize, sentence: String| (number > 0).then_some(sentence);
-        let unnamed = match self.frame.as_ref().is_some_and(|frame| frame.discs > 0) {
+        let has_discs = self.frame.as_ref().is_some_and(|frame| frame.discs > 0);
+        let unnamed = match has_discs || self.spliced > 0 {
             true => count(self.unnamed.len(), "part"),
             false => parts(self.unnamed.len(), self.product),
         };

@@ -2,12 +2,15 @@
 //! sheet.
 
 use super::beam::{Frame, FrameSize};
-use super::build::{Build, CutPanel, NotCut, beam_name, node_name};
+use super::build::{Build, CutPanel, NotCut, Splice, beam_name, node_name};
 use super::fault::Fault;
-use super::panel::{check_size, inset, is_simple, smallest_box};
+use super::panel::{
+    PieceSide, Plate, Spliced, check_size, corners, inset, is_simple, smallest_box,
+    smallest_box_within, spliced,
+};
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
 use super::sheet::{
-    CutPart, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
+    CutPart, Hole, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
 use crate::math::plane::{Point2, rotated};
 use crate::scene::{BuildSettings, Product};
@@ -80,17 +83,90 @@ impl Build {
             .filter(|&k| outline[k] != outline[(k + 1) % n])
             .map(|k| (outline[k], across(self.surface.sides.row(f)[k])))
             .unzip();
-        let cut = CutPanel { whole, turn, size, part: self.parts.len() };
         let (name, panels) = (self.names[f].clone(), vec![f as u32]);
-        self.parts.push(CutPart {
-            name,
-            panels,
-            outline,
-            neighbours,
-            has_first_side,
-            ..CutPart::default()
-        });
-        Ok(cut)
+        let part =
+            CutPart { name, panels, outline, neighbours, has_first_side, ..CutPart::default() };
+        let first = self.parts.len();
+        let spliced = self.spliced(&part.outline, self.settings.splice);
+        let pieces = spliced.as_ref().map_or(1, |spliced| spliced.pieces.len());
+        match spliced {
+            Some(spliced) => self.add_pieces(&part, spliced),
+            None => self.parts.push(part),
+        }
+        Ok(CutPanel { whole, turn, size, part: first, pieces })
+    }
+
+    /// The longer and the shorter side of the room for parts on a sheet.
+    pub(super) fn room(&self) -> [f64; 2] {
+        let room = self.settings.sheet.map(|side| side - 2.0 * self.settings.margin);
+        [room[0].max(room[1]), room[0].min(room[1])]
+    }
+
+    /// The outline of a panel in pieces that are joined by plates of this width; none if it fits on a
+    /// sheet, or no pieces do.
+    pub(super) fn spliced(&self, outline: &[Point2], width: f64) -> Option<Spliced> {
+        if width <= 0.0 {
+            return None;
+        }
+        // As the layout allows for rounding.
+        let most = self.room().map(|side| side * (1.0 + 1e-9));
+        let fits = |outline: &[Point2]| {
+            let (_, size) = smallest_box_within(outline, most);
+            size[0] <= most[0] && size[1] <= most[1]
+        };
+        if fits(outline) {
+            return None;
+        }
+        spliced(outline, width, self.settings.kerf, fits)
+    }
+
+    /// Adds the pieces of a panel to the parts, `P12.1` and `P12.2`, and the plates behind their seams,
+    /// `P12.1-2`: no other name has a dot. On both pieces, a frame is where their plate lies.
+    fn add_pieces(&mut self, panel: &CutPart, Spliced { pieces, plates }: Spliced) {
+        let first = self.parts.len();
+        let name = |k: usize| format!("{}.{}", panel.name, k + 1);
+        for (k, mut piece) in pieces.into_iter().enumerate() {
+            // Its outline begins with the first side of the panel, if it has it.
+            let start = piece.iter().position(|(_, side)| *side == PieceSide::Panel(0));
+            piece.rotate_left(start.unwrap_or(0));
+            let beyond = |(_, side): &(Point2, PieceSide)| match side {
+                PieceSide::Panel(k) => panel.neighbours[*k].clone(),
+                PieceSide::Piece(other) => Some(name(*other)),
+            };
+            self.parts.push(CutPart {
+                name: name(k),
+                panels: panel.panels.clone(),
+                outline: corners(&piece),
+                neighbours: piece.iter().map(beyond).collect(),
+                has_first_side: panel.has_first_side && start.is_some(),
+                ..CutPart::default()
+            });
+        }
+        let half = 0.5 * self.settings.kerf;
+        for Plate { pieces, axis, corners: [low, high], seam } in plates {
+            let [one, other] = pieces.map(|k| k + 1);
+            let part = self.parts.len();
+            let [from, to] = [low.map(|x| x - half), high.map(|x| x + half)];
+            self.parts.push(CutPart {
+                name: format!("{}.{one}-{other}", panel.name),
+                panels: panel.panels.clone(),
+                outline: vec![from, [to[0], from[1]], to, [from[0], to[1]]],
+                neighbours: vec![None; 4],
+                ..CutPart::default()
+            });
+            let across = 0.5 * (low[axis] + high[axis]);
+            for (piece, end) in pieces.into_iter().zip([low[axis], high[axis]]) {
+                let frame = [(across, low), (end, low), (end, high), (across, high)];
+                let frame = frame.map(|(at, mut corner): (f64, Point2)| {
+                    corner[axis] = at;
+                    corner
+                });
+                self.parts[first + piece].engraved.push(frame.to_vec());
+            }
+            let pieces = pieces.map(|k| first + k);
+            let panel = panel.panels[0];
+            self.splices.push(Splice { panel, part, pieces, axis, corners: [low, high], seam });
+        }
     }
 
     /// The beams of a model at this scale; none without an offset, and for other products.
@@ -185,18 +261,25 @@ impl Build {
                 None => {
                     let labels = match self.disc_of(k) {
                         Some(disc) => self.label_disc(disc, part, turn),
-                        None => label(Inscription {
-                            outline: &part.outline,
-                            name: &part.name,
-                            neighbours: &part.neighbours,
-                            is_oriented: part.is_oriented,
-                            with_arrow: part.has_first_side,
-                            turn,
-                            holes: &part.holes,
-                        }),
+                        None => {
+                            // Names are not written across the frame of a plate.
+                            let frames = part.engraved.iter().flat_map(|frame| frame.windows(2));
+                            let frames = frames.map(|ends| Hole::slot(ends.to_vec()));
+                            let holes: Vec<Hole> =
+                                part.holes.iter().cloned().chain(frames).collect();
+                            label(Inscription {
+                                outline: &part.outline,
+                                name: &part.name,
+                                neighbours: &part.neighbours,
+                                is_oriented: part.is_oriented,
+                                with_arrow: part.has_first_side,
+                                turn,
+                                holes: &holes,
+                            })
+                        }
                     };
                     let Labels { lines, texts, dropped, small } = labels;
-                    part.engraved = lines;
+                    part.engraved.extend(lines);
                     // Without room there is no small name either.
                     let small = usize::from(small && !texts.is_empty());
                     // Its own name says which neighbour is where.

@@ -1,10 +1,10 @@
 //! Holes for dowels, bolts or ties: two on each side of every edge between panels, opposite each
-//! other, or one at each end of a fin. An edge without length, where panels only touch, has none.
+//! other, or one at each end of a fin; and four through each splice plate. An edge without length, where panels only touch, has none.
 
-use super::build::Build;
+use super::build::{Build, Splice};
 use super::panel::{direction_of, distance_to_outline};
 use super::sheet::{CutPart, Hole};
-use crate::math::plane::{Point2, distance, is_inside};
+use crate::math::plane::{Point2, bounds, distance, is_inside};
 use crate::scene::Product;
 
 /// Distance of the centre of a hole from its edge, in diameters.
@@ -25,7 +25,10 @@ impl Build {
         // What is cut out is narrower than the hole by the kerf.
         let radius = 0.5 * (diameter - self.settings.kerf);
         match self.settings.product {
-            Product::Panels => self.drill_panels(diameter, radius),
+            Product::Panels => {
+                self.drill_panels(diameter, radius);
+                self.drill_plates(diameter, radius);
+            }
             Product::Fins => self.drill_fins(diameter, radius),
             Product::Paper => {}
         }
@@ -56,18 +59,53 @@ impl Build {
                     let sides = self.surface.sides.row(f as usize);
                     let k = sides.iter().position(|&side| side == e)?;
                     let (p, q) = (cut.whole[k], cut.whole[(k + 1) % cut.whole.len()]);
-                    Some((cut.part, beside([p, q], share, joint + FROM_EDGE * diameter)))
+                    let centre = beside([p, q], share, joint + FROM_EDGE * diameter);
+                    let is_on = |part: &usize| is_inside(&self.parts[*part].outline, centre);
+                    Some((cut.parts().find(is_on).unwrap_or(cut.part), centre))
                 };
                 let both = at(one, share).zip(at(other, 1.0 - share));
                 let Some(both) = both.map(|(a, b)| [a, b]) else { continue };
                 let outside = 0.5 * self.settings.kerf;
-                let has_room =
-                    |&(part, centre): &_| has_room(&self.parts[part], centre, (diameter, outside));
+                let has_room = |&(part, centre): &(usize, Point2)| {
+                    let part = &self.parts[part];
+                    let is_apart = |frame: &Vec<Point2>| {
+                        let [low, high] = bounds(frame.iter().copied());
+                        (0..2).any(|x| {
+                            centre[x] < low[x] - diameter || centre[x] > high[x] + diameter
+                        })
+                    };
+                    // Nor behind it, where a plate is.
+                    has_room(part, centre, (diameter, outside))
+                        && part.engraved.iter().all(is_apart)
+                };
                 match radius > 0.0 && both.iter().all(has_room) {
                     true => both.iter().for_each(|&(part, centre)| {
                         self.parts[part].holes.push(Hole::round(centre, radius));
                     }),
                     false => self.dropped_holes += 2,
+                }
+            }
+        }
+    }
+
+    /// Drills splice plates and the pieces that they join: two holes on each side of the seam.
+    fn drill_plates(&mut self, diameter: f64, radius: f64) {
+        let outside = 0.5 * self.settings.kerf;
+        for Splice { part, pieces, axis, corners: [low, high], .. } in &self.splices {
+            let from_edge = 0.25 * (high[*axis] - low[*axis]);
+            for (piece, across) in
+                pieces.iter().zip([low[*axis] + from_edge, high[*axis] - from_edge])
+            {
+                for along in [low[1 - axis] + from_edge, high[1 - axis] - from_edge] {
+                    let centre = if *axis == 0 { [across, along] } else { [along, across] };
+                    let fits =
+                        |part: &&usize| has_room(&self.parts[**part], centre, (diameter, outside));
+                    match radius > 0.0 && [part, piece].iter().all(fits) {
+                        true => [part, piece].into_iter().for_each(|part| {
+                            self.parts[*part].holes.push(Hole::round(centre, radius));
+                        }),
+                        false => self.dropped_holes += 2,
+                    }
                 }
             }
         }

@@ -51,8 +51,11 @@ impl Build {
             for place in &sheet.places {
                 let Some(&panel) = self.parts[place.part].panels.first() else { continue };
                 let f = panel as usize;
-                // Empty for other products than panels.
+                // Empty for other products than panels. A piece has not all sides of its panel.
                 let Some(Some(cut)) = self.cut.get(f) else { continue };
+                if cut.pieces > 1 {
+                    continue;
+                }
                 let corner = |k: usize| place.to_sheet(cut.whole[k % cut.whole.len()]);
                 let sides = self.surface.sides.row(f).iter().enumerate();
                 let failed = sides.filter(|(_, e)| edges[**e as usize]);

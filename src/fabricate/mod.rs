@@ -19,7 +19,7 @@
 //! | `facing` | panels that face inwards or are folded over |
 //! | `alike` | sorting of items into types |
 //! | `boxes` | which boxes in the plane meet another one |
-//! | `panel` | panels laid flat, the joint, names, types, the order of assembly |
+//! | `panel` | panels laid flat, the joint, names, types, pieces of large ones, the order of assembly |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
 //! | `beam` | beams along the edges: nodes, fins, node discs, prisms |
 //! | `paper` | paper models: nets and strips with folds and tabs, or of card with a thickness |
@@ -28,7 +28,7 @@
 //! | `build` | everything for one shape |
 //! | `cutting` | cuts, lays out and names the parts |
 //! | `discs` | node discs as parts |
-//! | `holes` | holes along edges and at the ends of fins |
+//! | `holes` | holes along edges, at the ends of fins, and through splice plates |
 //! | `relief` | reliefs in inner corners, for milling tools |
 //! | `check_card` | the build check: five numbers with limits, and the elements that exceed them |
 //! | `build_words` | the report in words |
@@ -41,7 +41,7 @@
 //! | `report_page` | the report as an HTML document of one page |
 //! | `sight` | directions of view, and where vertices are seen |
 //! | `key` | drawings that say where each part goes |
-//! | `tables` | lists of panels, beams, pieces, edges, nodes and types |
+//! | `tables` | lists of panels, splice plates, beams, pieces, edges, nodes and types |
 //! | `space` | the shape with its offset and beams in space |
 //! | `plates` | fins and node discs as plates in space |
 //! | `output` | all files of a build |
@@ -82,7 +82,7 @@ mod unit;
 
 pub use advice::{Advice, AdvisedValue};
 pub use alike::Types;
-pub use build::{Build, CutDisc, CutPanel, NotCut};
+pub use build::{Build, CutDisc, CutPanel, NotCut, Splice};
 pub use build_words::{BuildWords, CardWords, CheckWords};
 pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};

@@ -43,7 +43,7 @@ impl Build {
     /// the key, the tables, the beams, and with node discs all plates as they are assembled.
     /// `z_up` is whether z is up in the mesh; else y is.
     pub fn files(&self, z_up: bool) -> Vec<BuildFile> {
-        let drawings = self.drawings();
+        let drawings: Vec<Drawing> = self.drawings().into_iter().map(Drawing::cut_once).collect();
         let mut files = Vec::new();
         let mut add = |name: String, text: String| files.push(BuildFile { name, text });
         let single = self.drawings_of_parts();
@@ -81,7 +81,8 @@ impl Build {
         let places = self.layout.places(self.parts.len());
         let drawn = |(part, place): (&CutPart, &Option<(usize, Place)>)| {
             let turn = place.map_or([1.0, 0.0], |(_, place)| place.turn);
-            Drawing::of_part(format!("{PARTS}/{}", part.name), part, turn, outlines_only)
+            let name = format!("{PARTS}/{}", part.name);
+            Drawing::of_part(name, part, turn, outlines_only).cut_once()
         };
         self.parts.iter().zip(&places).map(drawn).collect()
     }

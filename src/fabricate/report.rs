@@ -5,10 +5,11 @@ use super::beam::{edge_types, node_types};
 use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
+use super::file::shared_length;
 use super::offset::{Choice, OffsetCheck};
 use super::panel::{panel_types, perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
-use super::sheet::{CutPart, Hole, NamePlace};
+use super::sheet::{CutPart, Hole, NamePlace, Place, Sheet};
 use super::surface::distinct;
 use super::tighten::Tighten;
 use crate::scene::{OffsetKind, Product};
@@ -68,8 +69,8 @@ pub struct PaperReport {
 pub struct BuildReport {
     /// The product.
     pub product: Product,
-    /// Parts to be cut: panels, fins and node discs, or pieces of paper. The panels of which no piece is
-    /// made, those without area, and beams without length are in `not_cut` only.
+    /// Parts to be cut: panels, or their pieces and plates; fins and node discs; or pieces of paper. The
+    /// panels of which no piece is made, those without area, and beams without length are in `not_cut` only.
     pub parts: usize,
     /// Panels.
     pub panels: usize,
@@ -101,6 +102,10 @@ pub struct BuildReport {
     pub larger_sheet_mm: Option<[f64; 2]>,
     /// Parts that cannot be cut, each with the reason.
     pub not_cut: Vec<String>,
+    /// Panels that are cut into pieces.
+    pub spliced: usize,
+    /// The plates that join their pieces.
+    pub plates: usize,
     /// Area of all parts on sheets, without their holes.
     pub cut_area_mm2: f64,
     /// Length of their outlines and holes.
@@ -228,8 +233,10 @@ impl Build {
                 .collect(),
             larger_sheet_mm: self.larger_sheet(),
             not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
+            spliced: self.cut.iter().flatten().filter(|cut| cut.pieces > 1).count(),
+            plates: self.splices.len(),
             cut_area_mm2,
-            cut_length_mm: sum(|part| perimeter(&part.outline)) + around_holes,
+            cut_length_mm: sum(|part| perimeter(&part.outline)) - self.shared() + around_holes,
             joint_mm: self.settings.joint * self.mm_of_sheet(),
             least_joint_mm: least.map(|least| least.ok().flatten()),
             no_least_joint: least[0].and(least[1]).err().unwrap_or(""),
@@ -259,6 +266,16 @@ impl Build {
             offset,
             problems,
         }
+    }
+
+    /// The length of what outlines share with others or themselves, which is cut once.
+    fn shared(&self) -> f64 {
+        let outline = |place: &Place| {
+            self.parts[place.part].outline.iter().map(|&point| place.to_sheet(point)).collect()
+        };
+        let of_sheet =
+            |sheet: &Sheet| shared_length(&sheet.places.iter().map(outline).collect::<Vec<_>>());
+        self.layout.sheets.iter().map(of_sheet).fold(0.0, |a, b| a + b)
     }
 
     /// Width and height, in whole mm, of a sheet for the parts that are too large; none if all fit.

@@ -1,10 +1,11 @@
-//! Parts on sheets: which of them fit, and the holes cut out of them.
+//! Parts on sheets: which of them fit or are cut into pieces, the holes cut out of them, and lines that
+//! they share.
 
 use super::files::settings;
 use super::{build, dxf};
 use crate::support::grid::grid;
-use shape_up::fabricate::BuildFile;
-use shape_up::math::plane::area;
+use shape_up::fabricate::{Build, BuildFile, Splice};
+use shape_up::math::plane::{area, distance};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::scene::{BuildSettings, Names, Order, Product};
 
@@ -167,4 +168,124 @@ fn each_part_is_a_drawing_of_its_own_too_if_asked_and_nothing_else_changes() {
             assert!(text("svg").contains(&format!("<path id=\"{}\"", part.name)));
         }
     }
+}
+
+/// The lengths of all lines of the sheets as DXF, SVG and PDF, in mm.
+fn lengths_of_cuts(made: &Build) -> [f64; 3] {
+    let length = |points: &[[f64; 2]], is_closed: bool| {
+        let more = if is_closed { points.first() } else { None };
+        let all: Vec<_> = points.iter().chain(more).collect();
+        all.windows(2).map(|ends| distance(*ends[0], *ends[1])).sum::<f64>()
+    };
+    let mut found = [0.0; 3];
+    for BuildFile { name, text } in made.files(true) {
+        if name.ends_with(".dxf") {
+            let lines = dxf::polylines(&text);
+            found[0] += lines.iter().map(|line| length(&line.points, line.is_closed)).sum::<f64>();
+        } else if name.starts_with("sheet-") {
+            let paths = text.split(" d=\"").skip(1).map(|rest| rest.split('"').next().unwrap());
+            for line in paths.flat_map(|path| path.split('M').skip(1)) {
+                let point = |pair: &str| {
+                    let (x, y) = pair.split_once(',').unwrap();
+                    [x, y].map(|x| x.parse::<f64>().unwrap())
+                };
+                let points: Vec<_> = line.trim_end_matches('Z').split('L').map(point).collect();
+                found[1] += length(&points, line.ends_with('Z'));
+            }
+        } else if name == "sheets.pdf" {
+            let document = lopdf::Document::load_mem(text.as_bytes()).expect("it is PDF");
+            let mut points: Vec<[f64; 2]> = Vec::new();
+            for page in document.get_pages().values() {
+                let content = document.get_and_decode_page_content(*page).unwrap();
+                for operation in &content.operations {
+                    let at = |k: usize| f64::from(operation.operands[k].as_float().unwrap());
+                    match &*operation.operator {
+                        "m" => points = vec![[at(0), at(1)]],
+                        "l" => points.push([at(0), at(1)]),
+                        end @ ("s" | "S") => found[2] += length(&points, end == "s"),
+                        _ => {}
+                    }
+                }
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn parts_without_a_gap_are_cut_once_along_the_lines_that_they_share() {
+    // Two columns and three rows of squares fill the sheet.
+    let mesh = grid(2, 3, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    for (kerf, gap, lines) in [(0.0, 0.0, 17.0), (0.2, 0.0, 17.0), (0.0, 1.0, 24.0)] {
+        let made = build(
+            &mesh,
+            &BuildSettings {
+                scale: 25.0,
+                sheet: [92.0, 133.0],
+                joint: 0.0,
+                outlines_only: true,
+                kerf,
+                gap,
+                ..BuildSettings::default()
+            },
+        );
+        let expected = lines * (40.0 + kerf);
+        for found in lengths_of_cuts(&made) {
+            assert!((found - expected).abs() < 0.1, "{kerf} {gap}: {found} {expected}");
+        }
+        let report = made.report();
+        assert_eq!(report.sheets, 1);
+        assert!((report.cut_length_mm - expected).abs() < 0.1, "{}", report.cut_length_mm);
+    }
+}
+
+#[test]
+fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
+    let mesh =
+        grid(2, 1, |i, j| [f64::from(i) * if i == 2 { 3.0 } else { 1.0 }, f64::from(j), 0.0]);
+    let own = BuildSettings {
+        scale: 10.0,
+        sheet: [200.0, 120.0],
+        thickness: 1.5,
+        hole: 4.0,
+        kerf: 0.3,
+        ..BuildSettings::default()
+    };
+    let whole = build(&mesh, &own);
+    let advice = whole.words(&whole.report()).advice;
+    let advised =
+        advice.iter().flat_map(|advice| &advice.choices).find(|own| own.setting == "splice");
+    let splice = advised.expect("it helps").value;
+    let made = build(&mesh, &BuildSettings { splice, ..own });
+    let report = made.report();
+    assert_eq!((report.too_large.len(), report.spliced, report.plates), (0, 1, 2));
+    assert_eq!((report.parts, report.placed, report.dropped_holes), (6, 6, 0));
+    let words = made.words(&report);
+    assert!(words.sheets.starts_with("6 parts on ") && words.sheets.ends_with("1 panel in pieces"));
+    assert_eq!(words.advice, []);
+    let names: Vec<&str> = made.parts.iter().map(|part| &*part.name).collect();
+    assert_eq!(names, ["P0", "P1.1", "P1.2", "P1.3", "P1.1-2", "P1.2-3"]);
+    for Splice { part, pieces, .. } in &made.splices {
+        let plate = &made.parts[*part];
+        assert_eq!(plate.holes.len(), 4);
+        let on = |piece: &usize| {
+            plate.holes.iter().filter(|hole| made.parts[*piece].holes.contains(hole)).count()
+        };
+        assert_eq!(pieces.each_ref().map(on), [2, 2]);
+    }
+    // The areas in the tables add up.
+    let files = made.files(true);
+    let text =
+        |name: &str| &*files.iter().find(|file| file.name == name).expect("it is there").text;
+    let areas = |name: &str| {
+        let mut lines = text(name).lines();
+        let at = lines.next().unwrap().split(',').position(|name| name == "area_sheet_mm2");
+        let area = |line: &str| line.split(',').nth(at.unwrap()).unwrap().parse::<f64>().unwrap();
+        lines.map(area).collect::<Vec<f64>>()
+    };
+    let (panels, plates) = (areas("panels.csv"), areas("splices.csv"));
+    assert_eq!((panels.len(), plates.len()), (4, 2));
+    let sum: f64 = panels.iter().chain(&plates).sum();
+    assert!((sum - report.cut_area_mm2).abs() < 1e-3, "{sum}");
+    assert!(text("summary.csv").contains("splice plates,2,"));
 }

@@ -66,7 +66,8 @@ build lays panels, fins along the edges, or a paper model of strips or nets flat
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 of where each part goes (key-*.svg, key.pdf), tables (CSV), a presentation ({}) and, with fins,
 the beams as solids (beams.obj).
---disc makes a plate for each node that the fins there are pushed into, on tenons; plates.obj has all as
+--splice cuts panels that are larger than the sheet into pieces, with plates of that width behind their
+seams. --disc makes a plate for each node that the fins there are pushed into, on tenons; plates.obj has all as
 assembled. --one-file-each draws each part by itself too, in the folder {}/.
 Settings that are not given are those of `build` in the scene. Lengths are in MM on the sheet or, where
 it says so, at full size; a LENGTH is in the unit of the mesh (--units; else that of the file, or

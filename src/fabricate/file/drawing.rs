@@ -13,8 +13,8 @@ pub struct DrawnLine {
     pub role: Role,
     /// Its points in mm from the lower left corner of the sheet.
     pub points: Vec<Point2>,
-    /// Whether the last point is joined to the first, which is not repeated: true for outlines and
-    /// holes only.
+    /// Whether the last point is joined to the first, which is not repeated: true for holes, and for
+    /// outlines of which no line is cut with another one.
     pub closed: bool,
     /// The name of its part; empty for the sheet's own lines.
     pub part: String,
@@ -96,7 +96,7 @@ impl Drawing {
         let mut drawing =
             Drawing { name, title, size, pen: PEN, lines: Vec::new(), free: Vec::new() };
         let sheet = Sheet { places: vec![place] };
-        let is_on_it = |line: &&Vec<Point2>| line.iter().all(|&at| is_inside(&part.outline, at));
+        let is_on_it = |line: &&Vec<Point2>| line.iter().any(|&at| is_inside(&part.outline, at));
         let engraved = part.engraved.iter().filter(is_on_it).cloned().collect();
         let part = CutPart { engraved, ..part.clone() };
         drawing.add_parts(&sheet, std::slice::from_ref(&part), outlines_only);

@@ -2,6 +2,7 @@
 //! Numbers have a decimal point and no exponent.
 
 mod csv;
+mod cut_once;
 mod drawing;
 mod dxf;
 mod glb;
@@ -11,6 +12,7 @@ mod picture;
 mod svg;
 
 pub use csv::{Cell, Table, not_a_formula, text_field};
+pub(super) use cut_once::shared_length;
 pub use drawing::{Drawing, DrawnLine, FreeBand};
 pub use dxf::dxf;
 pub use glb::{GlbLayer, GlbPart, glb};

@@ -25,8 +25,8 @@ pub fn svg(drawing: &Drawing) -> String {
             "<g id=\"{layer}\" inkscape:groupmode=\"layer\" inkscape:label=\"{layer}\" fill=\"none\" stroke=\"#{r:02X}{g:02X}{b:02X}\" stroke-width=\"{pen}\">\n"
         );
         let lines: Vec<_> = lines.collect();
-        // The names on a part are one path, which makes the document smaller.
-        for own in lines.chunk_by(|a, b| role != Role::Cut && a.part == b.part) {
+        // The names on a part are one path, which makes the document smaller, and so is its outline.
+        for own in lines.chunk_by(|a, b| a.part == b.part) {
             let path = |line: &&DrawnLine| {
                 path(&line.points, drawing.size[1]) + if line.closed { "Z" } else { "" }
             };

@@ -10,9 +10,12 @@
 mod page;
 mod view;
 
-use super::build::{Build, beam_name, node_name};
+use super::build::{Build, CutPanel, beam_name, node_name};
 use super::file::Drawing;
+use super::sheet::CutPart;
 use super::sight::{Sight, compass, from_above, from_camera};
+use crate::math::Vec3;
+use crate::math::plane::{Point2, rotated};
 use crate::scene::Product;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use view::{Element, Mark, View};
@@ -33,6 +36,9 @@ impl Build {
     /// Draws the key. `z_up` is whether z is up in the mesh; else y is.
     pub fn key(&self, z_up: bool) -> Key {
         let marks = self.marks();
+        let seams: Vec<(u32, Vec<Vec3<f64>>)> = (self.splices.iter())
+            .map(|own| (own.panel, self.in_space(own.panel, &own.seam)))
+            .collect();
         let mut missing: Vec<usize> = (0..marks.len()).collect();
         let view_of = |sight| View::new(&self.surface, sight);
         let mut others: Vec<View<'_>> = around(z_up).into_iter().map(view_of).collect();
@@ -62,7 +68,7 @@ impl Build {
         let drawings = chosen.iter().zip(1..).map(|((view, spots, page), number)| {
             let seen = seen_from(view.sight, z_up);
             let title = format!("KEY {number}/{count}, NOT TO BE CUT, SEEN FROM {seen}{hidden}");
-            page.drawing(format!("key-{number}"), title, view, spots, &marks)
+            page.drawing(format!("key-{number}"), title, view, (spots, &marks), &seams)
         });
         Key {
             drawings: drawings.collect(),
@@ -82,12 +88,38 @@ impl Build {
             let beams = beams.map(|(name, element)| Mark { name, element });
             return beams.chain(nodes).collect();
         }
+        if self.settings.product == Product::Panels {
+            let parts = self.cut.iter().flatten().flat_map(CutPanel::parts);
+            let mark = |part: &CutPart| {
+                let f = part.panels[0];
+                let element = match self.names[f as usize] == part.name {
+                    true => Element::Panel(f),
+                    false => Element::Piece(f, self.in_space(f, &part.outline)),
+                };
+                Mark { name: part.name.clone(), element }
+            };
+            return parts.map(|part| mark(&self.parts[part])).collect();
+        }
         let mut names = vec![Vec::new(); self.names.len()];
         for part in &self.parts {
             part.panels.iter().for_each(|&f| names[f as usize].push(&*part.name));
         }
         let made = names.into_iter().zip(0..).filter(|(names, _)| !names.is_empty());
         made.map(|(names, f)| Mark { name: names.join("/"), element: Element::Panel(f) }).collect()
+    }
+}
+
+impl Build {
+    /// Points of a panel as it is cut, in space.
+    fn in_space(&self, panel: u32, points: &[Point2]) -> Vec<Vec3<f64>> {
+        let f = panel as usize;
+        let (Some(flat), Some(cut)) = (&self.flat[f], &self.cut[f]) else { return Vec::new() };
+        let back = [cut.turn[0], -cut.turn[1]];
+        let put = |&point: &Point2| {
+            let [x, y] = rotated(point, back).map(|x| x / self.mm_of_sheet());
+            flat.origin + flat.axes[0] * x + flat.axes[1] * y
+        };
+        points.iter().map(put).collect()
     }
 }
 

@@ -3,6 +3,7 @@
 use super::view::{Mark, Spot, View};
 use crate::fabricate::file::{Drawing, DrawnLine};
 use crate::fabricate::sheet::{Role, height_within, strokes, text_width};
+use crate::math::Vec3;
 use crate::math::plane::Point2;
 
 /// A4 to A0: shorter and longer side, in mm.
@@ -59,14 +60,14 @@ impl Page {
         spots[mark].is_some_and(|spot| self.height(&spot) >= LEAST)
     }
 
-    /// Draws the edges that are seen, and the names.
+    /// Draws the edges and the seams of panels that are seen, and the names.
     pub(super) fn drawing(
         &self,
         name: String,
         title: String,
         view: &View<'_>,
-        spots: &[Option<Spot>],
-        marks: &[Mark],
+        (spots, marks): (&[Option<Spot>], &[Mark]),
+        seams: &[(u32, Vec<Vec3<f64>>)],
     ) -> Drawing {
         let put = |point: Point2| -> Point2 {
             std::array::from_fn(|k| {
@@ -75,8 +76,9 @@ impl Page {
             })
         };
         let edges = (0..view.surface.edges.len() as u32).filter_map(|edge| view.edge(edge));
+        let seams = seams.iter().filter_map(|(panel, ends)| view.seam(*panel, ends));
         let mut lines: Vec<DrawnLine> =
-            edges.map(|ends| DrawnLine::of_sheet(ends.map(put).to_vec())).collect();
+            edges.chain(seams).map(|ends| DrawnLine::of_sheet(ends.map(put).to_vec())).collect();
         let tall = (OF_PAGE * self.size[0].max(self.size[1])).clamp(TITLE[0], TITLE[1]);
         let tall = height_within(&title, tall, self.size[0] - 2.0 * MARGIN);
         let left = [MARGIN + 0.5 * text_width(&title, tall), 0.5 * MARGIN];

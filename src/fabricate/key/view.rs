@@ -6,12 +6,15 @@ use crate::fabricate::panel::{direction_of, roomiest_point};
 use crate::fabricate::sheet::{text_width, upright};
 use crate::fabricate::sight::{Seen, Sight};
 use crate::fabricate::surface::{Edge, PanelSurface};
+use crate::math::Vec3;
 use crate::math::plane::{Point2, bounds, distance, is_inside};
 
 /// Something that has a name.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Element {
     Panel(u32),
+    /// A piece of a panel, with its outline about the centre of the surface.
+    Piece(u32, Vec<Vec3<f64>>),
     Edge(u32),
     Vertex(u32),
 }
@@ -94,6 +97,19 @@ impl View<'_> {
         (!self.is_hidden(middle, depth, own)).then_some([a, b])
     }
 
+    fn projected(&self, points: &[Vec3<f64>]) -> Vec<Point2> {
+        let [right, up, _] = self.sight;
+        points.iter().map(|point| [point.dot(right), point.dot(up)]).collect()
+    }
+
+    /// The ends of a seam of a panel, if its middle is seen.
+    pub(super) fn seam(&self, panel: u32, ends: &[Vec3<f64>]) -> Option<[Point2; 2]> {
+        let [a, b] = self.projected(ends)[..] else { return None };
+        let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+        let depth = self.depth(panel, middle)?;
+        (!self.is_hidden(middle, depth, &[panel])).then_some([a, b])
+    }
+
     /// Where the names of some marks are written; none if what they name is not seen.
     pub(super) fn spots(
         &self,
@@ -108,10 +124,14 @@ impl View<'_> {
         for k in which {
             // The width of the name where it is one high.
             let wide = text_width(&marks[k].name, 1.0);
-            spots[k] = match marks[k].element {
-                Element::Panel(face) => self.on_panel(face, wide),
-                Element::Edge(edge) => self.on_edge(edge, wide),
+            spots[k] = match &marks[k].element {
+                Element::Panel(face) => self.on_panel(*face, &self.corners(*face), wide),
+                Element::Piece(face, outline) => {
+                    self.on_panel(*face, &self.projected(outline), wide)
+                }
+                Element::Edge(edge) => self.on_edge(*edge, wide),
                 Element::Vertex(v) => {
+                    let v = *v;
                     let (at, depth) = (self.seen.points[v as usize], self.seen.depths[v as usize]);
                     let height = OF_NODE * shortest[v as usize];
                     let is_seen = height > 0.0 && !self.is_hidden(at, depth, &around[v as usize]);
@@ -122,8 +142,9 @@ impl View<'_> {
         spots
     }
 
-    fn on_panel(&self, face: u32, wide: f64) -> Option<Spot> {
-        let (at, radius) = roomiest_point(&self.corners(face));
+    /// The name of a panel, or of a piece of it with these corners in the picture.
+    fn on_panel(&self, face: u32, corners: &[Point2], wide: f64) -> Option<Spot> {
+        let (at, radius) = roomiest_point(corners);
         let depth = self.depth(face, at).filter(|_| radius > 0.0)?;
         let height = radius / (0.25 * (wide * wide + 1.0)).sqrt();
         let spot = Spot { at, along: [1.0, 0.0], height };

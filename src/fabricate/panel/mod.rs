@@ -1,11 +1,12 @@
 //! Single panels: laid flat in their least-squares plane, counterclockwise seen from outside; with
-//! the joint subtracted, named, sorted into types, and the order in which they are assembled.
+//! the joint subtracted, named, sorted into types, cut into pieces, and the order in which they are assembled.
 
 mod alike;
 mod assembly;
 mod inset;
 mod name;
 mod polygon;
+mod splice;
 
 pub(super) use crate::math::{ears as triangles, triangles_in_space, turn};
 pub use alike::panel_types;
@@ -16,6 +17,7 @@ pub(super) use polygon::{
     check_size, direction_of, distance_to_outline, sides, smallest_box_within,
 };
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};
+pub(super) use splice::{PieceSide, Plate, Spliced, corners, spliced};
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::{Point2, distance};

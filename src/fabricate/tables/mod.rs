@@ -7,6 +7,7 @@ mod panels;
 mod paper;
 mod reading;
 mod shape;
+mod splices;
 
 use super::build::Build;
 use super::file::{Cell, Table};
@@ -14,9 +15,10 @@ use crate::scene::{BUILD_SETTINGS, BuildForm, BuildSetting, BuildSettings, Build
 use serde_json::Value;
 
 /// The names of the files of all tables of all products.
-pub(super) const NAMES: [&str; 12] = [
+pub(super) const NAMES: [&str; 13] = [
     "panels.csv",
     "types.csv",
+    "splices.csv",
     "fins.csv",
     "beams.csv",
     "node-beams.csv",
@@ -33,7 +35,12 @@ pub(super) const NAMES: [&str; 12] = [
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
     let mut tables = match (build.settings.product, &build.frame) {
         (Product::Panels, _) => {
-            vec![("panels.csv", panels::panels(build)), ("types.csv", panels::types(build))]
+            let mut tables =
+                vec![("panels.csv", panels::panels(build)), ("types.csv", panels::types(build))];
+            if !build.splices.is_empty() {
+                tables.push(("splices.csv", splices::splices(build)));
+            }
+            tables
         }
         (Product::Fins, Some(frame)) => beams::all(build, frame),
         (Product::Paper, _) => paper::all(build),
@@ -60,6 +67,10 @@ fn summary(build: &Build) -> String {
     row("parts on sheets", Cell::from(report.placed), "");
     if let Some(frame) = report.frame.as_ref().filter(|_| !build.discs.is_empty()) {
         row("node discs", Cell::from(frame.placed_discs), "");
+    }
+    if report.spliced > 0 {
+        row("panels in pieces", Cell::from(report.spliced), "");
+        row("splice plates", Cell::from(report.plates), "");
     }
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");
@@ -96,7 +107,11 @@ fn summary(build: &Build) -> String {
         };
         row(&format!("{} ({})", setting.label, setting.id), cell, unit);
     }
-    let is_there = |what: &str| !what.starts_with("discs.csv") || !build.discs.is_empty();
+    let is_there = |what: &str| match what.split_once(' ') {
+        Some(("discs.csv", _)) => !build.discs.is_empty(),
+        Some(("splices.csv", _)) => !build.splices.is_empty(),
+        _ => true,
+    };
     for (what, words) in reading::reading(report.product).filter(|(what, _)| is_there(what)) {
         row(&format!("how to read {what}"), Cell::from(words), "");
     }

@@ -2,7 +2,7 @@
 
 use crate::fabricate::build::{Build, node_name};
 use crate::fabricate::file::{Cell, Table};
-use crate::fabricate::panel::perimeter;
+use crate::fabricate::panel::{perimeter, smallest_box};
 use crate::fabricate::sheet::CutPart;
 use crate::math::plane::rotated;
 
@@ -11,6 +11,7 @@ fn type_name(number: u32) -> String {
     format!("T{}", number + 1)
 }
 
+/// The panels as cut; of one in pieces, each piece.
 pub(super) fn panels(build: &Build) -> String {
     let mut table = Table::new(&[
         "name",
@@ -38,31 +39,38 @@ pub(super) fn panels(build: &Build) -> String {
         let nodes: Vec<String> = corners.iter().map(|&v| node_name(v)).collect();
         let flat = build.flat[f].as_ref();
         let cut = build.cut[f].as_ref();
-        let part = cut.map(|cut| &build.parts[cut.part]);
-        let place = cut.and_then(|cut| places[cut.part].map(|place| (cut, place)));
-        // The rotation from the plane of the panel, whose x axis is its first edge.
-        let turn = place.map(|(cut, (_, place))| {
-            let [c, s] = rotated(cut.turn, place.turn);
-            libm::atan2(s, c).to_degrees()
-        });
-        table.row([
-            Cell::from(&**name),
-            Cell::from(&*kind),
-            Cell::from(corners.len()),
-            Cell::from(part.map(CutPart::area)),
-            Cell::from(part.map(|part| perimeter(&part.outline))),
-            Cell::from(cut.map(|cut| cut.size[0])),
-            Cell::from(cut.map(|cut| cut.size[1])),
-            Cell::from(flat.map(|flat| flat.flatness * building)),
-            Cell::from(flat.map(|flat| flat.flattening_error * building)),
-            place.map_or(Cell::None, |(_, (sheet, _))| Cell::from(sheet)),
-            Cell::from(place.map(|(_, (_, place))| place.offset[0])),
-            Cell::from(place.map(|(_, (_, place))| place.offset[1])),
-            Cell::from(turn),
-            Cell::from(part.map_or("", |part| part.named.words())),
-            Cell::from(build.order[f] as usize),
-            Cell::from(&*nodes.join(" ")),
-        ]);
+        let pieces = cut.map_or(vec![None], |cut| cut.parts().map(Some).collect());
+        for number in pieces {
+            let part = number.map(|number| &build.parts[number]);
+            let place = cut.zip(number.and_then(|number| places[number]));
+            // The rotation from the plane of the panel, whose x axis is its first edge.
+            let turn = place.map(|(cut, (_, place))| {
+                let [c, s] = rotated(cut.turn, place.turn);
+                libm::atan2(s, c).to_degrees()
+            });
+            let size = cut.zip(part).map(|(cut, part)| match cut.pieces {
+                1 => cut.size,
+                _ => smallest_box(&part.outline).1,
+            });
+            table.row([
+                Cell::from(part.map_or(&**name, |part| &*part.name)),
+                Cell::from(&*kind),
+                Cell::from(corners.len()),
+                Cell::from(part.map(CutPart::area)),
+                Cell::from(part.map(|part| perimeter(&part.outline))),
+                Cell::from(size.map(|size| size[0])),
+                Cell::from(size.map(|size| size[1])),
+                Cell::from(flat.map(|flat| flat.flatness * building)),
+                Cell::from(flat.map(|flat| flat.flattening_error * building)),
+                place.map_or(Cell::None, |(_, (sheet, _))| Cell::from(sheet)),
+                Cell::from(place.map(|(_, (_, place))| place.offset[0])),
+                Cell::from(place.map(|(_, (_, place))| place.offset[1])),
+                Cell::from(turn),
+                Cell::from(part.map_or("", |part| part.named.words())),
+                Cell::from(build.order[f] as usize),
+                Cell::from(&*nodes.join(" ")),
+            ]);
+        }
     }
     table.into_text()
 }

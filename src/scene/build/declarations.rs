@@ -169,6 +169,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     .of(FLAT),
     setting(
         Parts,
+        "splice",
+        "Splice plates",
+        number(Mm, ON_SHEET, |own| Some(own.splice)),
+        "Panels larger than the sheet: width of the plates that join their pieces; 0 for no pieces.",
+    )
+    .of(&[Panels]),
+    setting(
+        Parts,
         "disc",
         "Node discs",
         number(Mm, ON_SHEET, |own| own.disc),

@@ -44,6 +44,8 @@ pub struct BuildSettings {
     pub tool: f64,
     /// Diameter of holes along the edges between panels, and at the ends of fins; 0 for none.
     pub hole: f64,
+    /// Width of the plates that join the pieces of panels larger than the sheet; 0 for no pieces.
+    pub splice: f64,
     /// Diameter of the node discs that fins are joined by; 0 for none, null for the smallest that has
     /// room at each node.
     pub disc: Option<f64>,
@@ -127,6 +129,7 @@ impl Default for BuildSettings {
             kerf: 0.0,
             tool: 0.0,
             hole: 0.0,
+            splice: 0.0,
             disc: Some(0.0),
             clearance: 0.1,
             order: Order::Size,

@@ -38,6 +38,42 @@ pub(super) struct Part {
     pub(super) valleys: Vec<[Point2; 2]>,
 }
 
+/// Lines, and the name of their part.
+type Named = (String, Vec<Vec<Point2>>);
+
+/// A drawing: the lines of each layer.
+pub(super) struct Drawn {
+    pub(super) title: String,
+    layers: BTreeMap<String, Vec<Named>>,
+}
+
+impl Drawn {
+    fn read(text: &str) -> Drawn {
+        let document = roxmltree::Document::parse(text).expect("it is XML");
+        let root = document.root_element();
+        let view = root.attribute("viewBox").unwrap();
+        let height: f64 = view.rsplit(' ').next().unwrap().parse().unwrap();
+        let name = |path: &roxmltree::Node<'_, '_>| path.attribute("id").unwrap_or("").to_owned();
+        let layer = |group: roxmltree::Node<'_, '_>| {
+            let paths = group.children().filter(|node| node.has_tag_name("path"));
+            let read = |path| (name(&path), lines(path.attribute("d").unwrap(), height));
+            (name(&group), paths.map(read).collect())
+        };
+        let groups = root.children().filter(|node| node.has_tag_name("g"));
+        let title = root.children().find(|node| node.has_tag_name("title")).unwrap();
+        Drawn { title: title.text().unwrap().to_owned(), layers: groups.map(layer).collect() }
+    }
+
+    fn layer(&self, id: &str) -> &[Named] {
+        self.layers.get(id).map_or(&[][..], |own| &own[..])
+    }
+
+    /// All lines of a layer.
+    pub(super) fn lines(&self, id: &str) -> Vec<Vec<Point2>> {
+        self.layer(id).iter().flat_map(|(_, own)| own.clone()).collect()
+    }
+}
+
 /// What is left of a build: its tables and its sheets.
 pub(super) struct Files {
     texts: BTreeMap<String, String>,
@@ -59,44 +95,32 @@ impl Files {
 
     /// A number of the summary.
     pub(super) fn number(&self, what: &str) -> f64 {
-        let table = self.table("summary.csv");
-        let row = table.rows().find(|row| row.text("what") == what);
-        row.unwrap_or_else(|| panic!("no {what}")).number("value")
+        self.text(what).parse().unwrap_or_else(|_| panic!("{what} is no number"))
     }
 
-    /// Whether a row of the summary has this value.
-    pub(super) fn says(&self, what: &str, value: &str) -> bool {
+    /// A word of the summary.
+    pub(super) fn text(&self, what: &str) -> String {
         let table = self.table("summary.csv");
-        table.rows().any(|row| row.text("what") == what && row.text("value") == value)
+        let row = table.rows().find(|row| row.text("what") == what);
+        row.unwrap_or_else(|| panic!("no {what}")).text("value").to_owned()
+    }
+
+    /// The drawings whose names begin like this.
+    pub(super) fn drawn(&self, name: &str) -> Vec<Drawn> {
+        let own = self.texts.iter().filter(|(own, _)| own.starts_with(name));
+        own.filter(|(own, _)| own.ends_with(".svg")).map(|(_, text)| Drawn::read(text)).collect()
     }
 
     /// All parts, and what is written beside parts or in the margins.
     pub(super) fn parts(&self) -> (Vec<Part>, Vec<Text>) {
         let (mut parts, mut beside) = (Vec::new(), Vec::new());
-        for (_, text) in self.texts.iter().filter(|(name, _)| name.starts_with("sheet-")) {
-            let document = roxmltree::Document::parse(text).expect("it is XML");
-            let root = document.root_element();
-            let view = root.attribute("viewBox").unwrap();
-            let height: f64 = view.rsplit(' ').next().unwrap().parse().unwrap();
-            let layer = |id: &str| -> Vec<(String, Vec<Vec<Point2>>)> {
-                let group = root.children().find(|node| node.attribute("id") == Some(id));
-                let paths = group.into_iter().flat_map(|group| group.children());
-                let paths = paths.filter(|node| node.has_tag_name("path"));
-                let name = |path: &roxmltree::Node<'_, '_>| path.attribute("id").map(str::to_owned);
-                let read = |path: roxmltree::Node<'_, '_>| {
-                    (name(&path).unwrap_or_default(), lines(path.attribute("d").unwrap(), height))
-                };
-                paths.map(read).collect()
-            };
-            let all = |id: &str| layer(id).into_iter().flat_map(|(_, own)| own);
-            let texts: Vec<Text> = read(&all("ENGRAVE").collect::<Vec<_>>());
-            let [folds, valleys] =
-                [all("FOLD").collect(), undashed(all("VALLEY"))].map(|own: Vec<Vec<Point2>>| {
-                    own.into_iter().map(|line| [line[0], line[1]]).collect()
-                });
+        for sheet in self.drawn("sheet-") {
+            let texts: Vec<Text> = read(&sheet.lines("ENGRAVE"));
+            let [folds, valleys] = [sheet.lines("FOLD"), undashed(sheet.lines("VALLEY"))]
+                .map(|own| own.into_iter().map(|line| [line[0], line[1]]).collect());
             let (folds, valleys): (Vec<[Point2; 2]>, Vec<[Point2; 2]>) = (folds, valleys);
             let mut is_on_part = vec![false; texts.len()];
-            for (name, outlines) in layer("CUT") {
+            for (name, outlines) in sheet.layer("CUT") {
                 let [outline] = &outlines[..] else { panic!("{name} is one outline") };
                 let middle = |line: &[Point2; 2]| [0, 1].map(|k| 0.5 * (line[0][k] + line[1][k]));
                 let inside = |lines: &[[Point2; 2]]| {
@@ -110,12 +134,12 @@ impl Files {
                     folds: inside(&folds),
                     valleys: inside(&valleys),
                     outline: outline.clone(),
-                    name,
+                    name: name.clone(),
                 });
             }
             let others = texts.into_iter().zip(is_on_part).filter(|(_, is_on_part)| !is_on_part);
             beside.extend(others.map(|(text, _)| text));
-            beside.extend(read(&all("SHEET").collect::<Vec<_>>()));
+            beside.extend(read(&sheet.lines("SHEET")));
         }
         (parts, beside)
     }
@@ -145,7 +169,7 @@ fn lines(path: &str, height: f64) -> Vec<Vec<Point2>> {
 }
 
 /// The lines that dashes make: the gap after a dash is six tenths of it.
-fn undashed(dashes: impl Iterator<Item = Vec<Point2>>) -> Vec<Vec<Point2>> {
+fn undashed(dashes: Vec<Vec<Point2>>) -> Vec<Vec<Point2>> {
     let mut found: Vec<Vec<Point2>> = Vec::new();
     let mut next = [f64::NAN; 2];
     for dash in dashes {

@@ -3,7 +3,7 @@
 
 use super::files::{Files, Part};
 use super::letters::Text;
-use super::panels::widened;
+use super::outline::widened;
 use super::shape::{Found, Point};
 use shape_up::math::Vec3;
 use shape_up::math::plane::{Point2, cross, distance, dot, minus};

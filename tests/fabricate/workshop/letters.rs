@@ -49,7 +49,7 @@ fn glyph(letter: char) -> Vec<Vec<Point2>> {
 }
 
 /// The frame in which the first of these lines are the strokes of a letter.
-fn frame_of(letter: &[Vec<Point2>], lines: &[Vec<Point2>]) -> Option<Frame> {
+fn frame_of(letter: &[Vec<Point2>], lines: &[Vec<Point2>], exact: f64) -> Option<Frame> {
     let drawn: Vec<Point2> = lines.iter().take(letter.len()).flatten().copied().collect();
     let points: Vec<Point2> = letter.iter().flatten().copied().collect();
     let far = points.iter().position(|&p| distance(p, points[0]) > 3.0)?;
@@ -57,26 +57,32 @@ fn frame_of(letter: &[Vec<Point2>], lines: &[Vec<Point2>]) -> Option<Frame> {
     let unit = [dot(a, b), cross(a, b)].map(|x| x / dot(a, a));
     let start = Frame { origin: [0.0; 2], unit }.at(points[0]);
     let frame = Frame { origin: minus(drawn[0], start), unit };
-    is_drawn(letter, frame, lines).then_some(frame)
+    is_drawn(letter, frame, lines, exact).then_some(frame)
 }
 
 /// Whether the first of these lines are the strokes of a letter in its frame.
-fn is_drawn(letter: &[Vec<Point2>], frame: Frame, lines: &[Vec<Point2>]) -> bool {
+fn is_drawn(letter: &[Vec<Point2>], frame: Frame, lines: &[Vec<Point2>], exact: f64) -> bool {
     lines.len() >= letter.len()
         && letter.iter().zip(lines).all(|(stroke, line)| {
             stroke.len() == line.len()
-                && stroke.iter().zip(line).all(|(&p, &q)| distance(frame.at(p), q) < EXACT)
+                && stroke.iter().zip(line).all(|(&p, &q)| distance(frame.at(p), q) < exact)
         })
 }
 
 /// Reads all texts among some lines, which begin with a letter from A to Z. Arrows are skipped.
 pub(super) fn read(lines: &[Vec<Point2>]) -> Vec<Text> {
+    read_within(lines, EXACT)
+}
+
+/// Reads all texts whose points may be so far from their places, in mm.
+pub(super) fn read_within(lines: &[Vec<Point2>], exact: f64) -> Vec<Text> {
     let known: Vec<(char, Vec<Vec<Point2>>)> = LETTERS.chars().map(|c| (c, glyph(c))).collect();
     let size = |letter: &[Vec<Point2>]| letter.iter().map(Vec::len).sum::<usize>();
     let (mut found, mut at): (Vec<Text>, usize) = (Vec::new(), 0);
     while at < lines.len() {
         let capitals = known.iter().filter(|(c, _)| c.is_ascii_uppercase());
-        let first = capitals.filter_map(|(c, own)| Some((*c, own, frame_of(own, &lines[at..])?)));
+        let first =
+            capitals.filter_map(|(c, own)| Some((*c, own, frame_of(own, &lines[at..], exact)?)));
         let Some((c, own, start)) = first.max_by_key(|(_, own, _)| size(own)) else {
             if let Some(text) = found.iter_mut().find(|text| underlines(&lines[at], text)) {
                 text.is_underlined = true;
@@ -90,8 +96,11 @@ pub(super) fn read(lines: &[Vec<Point2>]) -> Vec<Text> {
             // After a space, if the next cell is empty.
             let next = [(1.0, ""), (2.0, " ")].into_iter().find_map(|(step, space)| {
                 let there = frame.after(step);
-                let fits = known.iter().filter(|(_, own)| is_drawn(own, there, &lines[at..]));
+                let fits =
+                    known.iter().filter(|(_, own)| is_drawn(own, there, &lines[at..], exact));
                 let (c, own) = fits.max_by_key(|(_, own)| size(own))?;
+                // Where it is drawn, or errors would add up.
+                let there = frame_of(own, &lines[at..], exact).unwrap_or(there);
                 Some((format!("{space}{c}"), own.len(), there))
             });
             let Some((letters, count, there)) = next else { break };

@@ -1,12 +1,16 @@
 //! A workshop that has nothing but the files: it reads the letters on the sheets and the tables, cuts,
-//! folds and joins, and must find the surface again within a millimetre at full size.
+//! folds and joins, must find the surface again within a millimetre at full size, and each part where the
+//! key drawings show it.
 
 mod files;
 mod fins;
+mod key;
 mod letters;
+mod outline;
 mod panels;
 mod paper;
 mod shape;
+mod splices;
 
 use super::build;
 use super::identities::inverted;
@@ -63,7 +67,34 @@ fn files(made: &Build) -> Files {
 fn panels_with_a_joint_and_a_kerf_make_the_dome_again() {
     for (names, scale) in [(Names::Index, 10.0), (Names::Assembly, 25.0), (Names::Index, 100.0)] {
         let own = BuildSettings { joint: 0.01, kerf: 0.2, names, scale, ..of(Product::Panels) };
-        panels::assemble(&files(&build(&dome(), &own))).assert_is(&dome());
+        let files = files(&build(&dome(), &own));
+        let found = panels::assemble(&files);
+        key::assert_shows(&files, &found);
+        found.assert_is(&dome());
+    }
+}
+
+#[test]
+fn panels_larger_than_the_sheet_make_the_dome_again_from_pieces_joined_by_plates() {
+    for (names, scale, hole) in [(Names::Index, 0.5, 0.0), (Names::Assembly, 0.8, 5.0)] {
+        let own = BuildSettings {
+            splice: 24.0,
+            joint: 0.01,
+            kerf: 0.2,
+            names,
+            scale,
+            hole,
+            ..of(Product::Panels)
+        };
+        let made = build(&dome(), &own);
+        assert!(!build(&dome(), &BuildSettings { splice: 0.0, ..own }).layout.too_large.is_empty());
+        // Some of them in columns and rows.
+        let most = made.cut.iter().flatten().map(|cut| cut.pieces).max();
+        assert!(most >= Some(4), "{most:?}");
+        let files = files(&made);
+        let found = panels::assemble(&files);
+        key::assert_shows(&files, &found);
+        found.assert_is(&dome());
     }
 }
 
@@ -73,7 +104,10 @@ fn pieces_of_paper_make_the_dome_again() {
         for print_inside in [false, true] {
             let (scale, sheet) = (5.0, [1000.0, 700.0]);
             let own = BuildSettings { pieces, print_inside, scale, sheet, ..of(Product::Paper) };
-            paper::assemble(&files(&build(&dome(), &own))).assert_is(&dome());
+            let files = files(&build(&dome(), &own));
+            let found = paper::assemble(&files);
+            key::assert_shows(&files, &found);
+            found.assert_is(&dome());
         }
     }
 }
@@ -101,6 +135,9 @@ fn fins_make_the_tube_again_outwards_and_inwards_with_and_without_room_for_more_
             scale,
             ..of(Product::Fins)
         };
-        fins::assemble(&files(&build(&tube(), &own))).assert_is(&tube());
+        let files = files(&build(&tube(), &own));
+        let found = fins::assemble(&files);
+        key::assert_shows(&files, &found);
+        found.assert_is(&tube());
     }
 }

@@ -3,7 +3,7 @@
 
 use super::files::{Files, Part};
 use super::letters::Text;
-use super::panels::{lengths, widened, written};
+use super::outline::{lengths, widened, written};
 use super::shape::{Flat, Found, Side, assembled, matching, sides_of_panels};
 use shape_up::math::plane::{Point2, area, cross, distance, dot, is_inside, minus};
 use std::collections::{BTreeMap, BTreeSet};
@@ -73,12 +73,12 @@ pub(super) fn assemble(files: &Files) -> Found {
     let scale = files.number("Scale 1 : (scale)");
     let sides = sides_of_panels(files);
     let (mut parts, _) = files.parts();
-    if files.says("Print on the inside (print_inside)", "on") {
+    if files.text("Print on the inside (print_inside)") == "on" {
         parts.iter_mut().for_each(turn_over);
     }
-    let has_tabs = files.says("Folds (fold)", "crease");
+    let has_tabs = files.text("Folds (fold)") == "crease";
     let exact = EXACT[usize::from(!has_tabs)];
-    let is_shorter = ["score", "separate"].iter().any(|word| files.says("Folds (fold)", word));
+    let is_shorter = ["score", "separate"].iter().any(|word| files.text("Folds (fold)") == word);
     // How far before each edge panels end, in mm of the sheet.
     let backs: BTreeMap<String, f64> = files
         .table("joins.csv")
