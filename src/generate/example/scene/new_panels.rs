@@ -26,7 +26,7 @@ pub(super) const STATION: Example = Example {
     id: "station-roof",
     title: "Station roof with two bulges",
     summary: "A free-form glass roof that came as triangles. The new panels follow its lines of curvature: a grid in the middle, which at each end turns around two points where only three lines meet. Press Run, and every pane becomes exactly flat.",
-    statement: "The 576 panes, up to 33 mm from flat, become exactly flat; their corners stay within 19 cm of the triangles.",
+    statement: "The 576 panes, up to 33 mm from flat, become exactly flat; their corners stay within 18 cm of the triangles.",
     ending: "obj",
     make: |scene| {
         static PANELS: OnceLock<Mesh> = OnceLock::new();
@@ -38,7 +38,7 @@ pub(super) const PAVILION: Example = Example {
     id: "ring-pavilion",
     title: "Pavilion around a court",
     summary: "An arch runs around a court, high on one side and low on the other. The new panels follow its lines of curvature and close without an irregular point. Press Run, and every panel becomes exactly circular, so that beams meet in nodes without twist.",
-    statement: "The 567 panels, up to 17 mm from circular, become exactly circular; their corners stay within 24 cm of the triangles.",
+    statement: "The 567 panels, up to 17 mm from circular, become exactly circular; their corners stay within 21 cm of the triangles.",
     ending: "obj",
     make: |scene| {
         static PANELS: OnceLock<Mesh> = OnceLock::new();
