@@ -48,8 +48,8 @@ pub(super) const PAVILION: Example = Example {
 
 pub(super) const CHALICE: Example = Example {
     id: "chalice-roof",
-    title: "Roof that grows from a column",
-    summary: "A column opens like a chalice and becomes a roof with four corners. The new panels follow its lines of curvature: rings around the column, a grid in the roof, and between them four points where five lines meet. Press Run, and every panel becomes exactly circular.",
+    title: "Funnel roof on one column",
+    summary: "A roof with four corners falls to its middle and becomes the column that carries it. The new panels follow its lines of curvature: rings around the column, a grid in the roof, and between them four points where five lines meet. Press Run, and every panel becomes exactly circular.",
     statement: "The 480 panels, up to 33 mm from circular, become exactly circular; their corners stay within 11 cm of the triangles.",
     ending: "obj",
     make: |scene| {
