@@ -146,7 +146,7 @@ const STATEMENTS: &[Statement] = &[
             ("e_c", run.e_c()[1], 0.0..6e-8),
             ("corners before", run.before.circularity.max_distance, 0.038..0.039),
             ("corners", run.after.circularity.max_distance, 0.0..0.007),
-            ("shortest edge before", before, 0.2..0.21),
+            ("shortest edge before", before, 0.23..0.24),
             ("shortest edge", after, 0.0..0.02),
         ]
     }),
