@@ -38,6 +38,7 @@ fn loops(id: &str) -> usize {
     match id {
         "dome" | "fig-01-triangles" | "fig-06-exploration" | "fig-09-polygons" => 2,
         "curves-slabs" | "other-transfer" | "other-spline" | "lesson-curvature-and-panels" => 2,
+        "ring-pavilion" | "chalice-roof" => 2,
         "fig-01-tets" | "fig-07-quality" | "fig-08-protrusions" | "points-pavilion" => 0,
         "fig-10-collapse" | "fig-10-random" => 0,
         id if id.starts_with("fig-08-bar") => 0,

@@ -7,14 +7,15 @@ use shape_up::generate::model::Court;
 use shape_up::math::Vec3;
 use shape_up::mesh::{
     MapErrors, Mesh, Point, QuasiConformal, Ragged, Surface, Topology, UnrolledStrip,
-    angle_histogram, gauss_curvature, strips,
+    angle_histogram, folded_faces, gauss_curvature, strips,
 };
 use shape_up::scene::{Scene, Target};
 use shape_up::session::{Report, Session};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Parametrization};
+use std::ops::Range;
 
 /// Measured values of an example, with the bounds of its statement.
-pub(super) type Measured = Vec<(&'static str, f64, std::ops::Range<f64>)>;
+pub(super) type Measured = Vec<(&'static str, f64, Range<f64>)>;
 
 /// A solved example.
 pub(crate) struct Run {
@@ -139,6 +140,43 @@ impl Run {
             });
             off.fold(0.0, f64::max)
         })
+    }
+
+    /// Panels laid out on another surface: their number, that of their irregular vertices, how far
+    /// they are from their kind before, and how far they leave the surface when they are exact.
+    pub(super) fn new_panels(
+        &self,
+        [count, irregular]: [usize; 2],
+        far: [Range<f64>; 2],
+    ) -> Measured {
+        let is_flat = self.scene.constraints[0].kind.info().id == "plane";
+        let error = |report: &Report| match is_flat {
+            true => report.planarity.max_distance,
+            false => report.circularity.max_distance,
+        };
+        let about = |n: usize| n as f64 - 0.5..n as f64 + 0.5;
+        let [error_before, off] = far;
+        vec![
+            ("panels", self.mesh.faces.len() as f64, about(count)),
+            ("irregular vertices", self.irregular() as f64, about(irregular)),
+            ("panels before", error(&self.before), error_before),
+            ("panels", error(&self.after), 0.0..1e-9),
+            (
+                "folds",
+                folded_faces(&self.mesh, &Topology::new(&self.mesh), &self.positions).len() as f64,
+                about(0),
+            ),
+            ("off the surface before", self.off_the_other_surface()[0], 0.0..1e-9),
+            ("off the surface", self.off_the_other_surface()[1], off),
+        ]
+    }
+
+    /// Number of vertices inside the mesh at which other than four edges meet.
+    fn irregular(&self) -> usize {
+        let topology = Topology::new(&self.mesh);
+        let at_edge = topology.boundary_loops().indices();
+        let rows = (0..).zip(topology.neighbours().iter());
+        rows.filter(|(v, near)| near.len() != 4 && !at_edge.contains(v)).count()
     }
 
     /// Longest edge of the rim of the court divided by the shortest, before and after.

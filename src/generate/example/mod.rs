@@ -1,5 +1,5 @@
-//! The example scenes: first three models to play with, then the figures of the paper, whose
-//! numbers begin their ids, and lessons.
+//! The example scenes: first models to play with, of which four have new panels on free-form
+//! surfaces, then the figures of the paper, whose numbers begin their ids, and lessons.
 //!
 //! | file or folder | holds |
 //! |---|---|

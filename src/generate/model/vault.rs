@@ -44,7 +44,7 @@ impl Vault {
     /// boundary lie on that of the surface.
     pub fn mesh(&self) -> Mesh {
         let [along, across] = self.cells;
-        let mut random = Random { state: 7 };
+        let mut random = Random::default();
         let mut shifted = |k: usize, most: usize| {
             let by = if k == 0 || k == most { 0.0 } else { 2.0 * self.shift * random.next() };
             (k as f64 + by) / most as f64
@@ -85,12 +85,19 @@ impl Vault {
 
 /// Pseudo-random numbers from -1/2 to 1/2, of few digits, so that scripts can make the same ones
 /// (Park and Miller 1988).
-struct Random {
+pub(super) struct Random {
     state: u64,
 }
 
+impl Default for Random {
+    fn default() -> Random {
+        Random { state: 7 }
+    }
+}
+
 impl Random {
-    fn next(&mut self) -> f64 {
+    /// The next number.
+    pub(super) fn next(&mut self) -> f64 {
         const MODULUS: u64 = 2_147_483_647;
         self.state = self.state * 16_807 % MODULUS;
         self.state as f64 / MODULUS as f64 - 0.5

@@ -19,6 +19,10 @@ pub const EXAMPLES: &[Example] = &[
     first::CANOPY,
     first::DOME,
     first::HYPAR,
+    new_panels::VAULT,
+    new_panels::STATION,
+    new_panels::PAVILION,
+    new_panels::CHALICE,
     overview::OVERVIEW,
     overview::TRIANGLES,
     overview::TETRAHEDRA,
@@ -57,5 +61,4 @@ pub const EXAMPLES: &[Example] = &[
     beyond::TRANSFER,
     beyond::SPLINE,
     beyond::STRIPS,
-    new_panels::VAULT,
 ];
