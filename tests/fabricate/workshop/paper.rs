@@ -78,7 +78,7 @@ pub(super) fn assemble(files: &Files) -> Found {
     }
     let has_tabs = files.text("Folds (fold)") == "crease";
     let exact = EXACT[usize::from(!has_tabs)];
-    let is_shorter = ["score", "separate"].iter().any(|word| files.text("Folds (fold)") == word);
+    let is_shorter = ["score", "separate"].iter().any(|word| files.text("Folds (fold)") == *word);
     // How far before each edge panels end, in mm of the sheet.
     let backs: BTreeMap<String, f64> = files
         .table("joins.csv")
