@@ -18,8 +18,7 @@
 //! | `ears` | polygons as triangles |
 //! | `elementary` | angles, sine and cosine, cube root |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
-//! | `indices` | sorting by integer keys, marked elements |
-//! | `ragged` | lists of lists of indices |
+//! | `indices` | sorting by integer keys, marked elements, lists of lists |
 //! | `limited_memory` | the inverse of a Hessian from the last steps of a descent |
 
 mod alignment;
@@ -39,7 +38,6 @@ pub mod plane;
 mod polygon;
 mod principal;
 mod product;
-mod ragged;
 mod register;
 mod round;
 mod round_within;
@@ -55,7 +53,7 @@ pub use dense::{orthonormalise, symmetric_eigen};
 pub use ears::{ears, ears_in_space, triangles_in_space, turn};
 pub use eigenvector::Eigenvector;
 pub use elementary::{angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, sine};
-pub use indices::{argsort, key_of_number, key_of_pair, marked, sort_by_number};
+pub use indices::{Ragged, argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use limited_memory::{LimitedMemory, inner_product};
 pub use nearest_points::NearestPoints;
@@ -65,7 +63,6 @@ pub use principal::PrincipalAxes;
 pub use product::{
     pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,
 };
-pub use ragged::Ragged;
 pub use round::Round;
 pub use round_within::{PrincipalRound, RoundWithin};
 pub use singular::SingularValues;

@@ -99,13 +99,13 @@ function written(...moments) {
   }
 }
 
-test('the tables of the browser are written between the marks', () => {
+test('the tables are written between the marks', () => {
   const text = written(quiet, quiet);
   assert.match(
     text,
     /^# Title\n<!-- speed.*Here\..*\| A \| 2,500 \| 1\.25 \|.*end of.*The end\.\n$/s,
   );
-  assert.doesNotMatch(text, /77/);
+  assert.match(text, /\| A \| 2,500 \| 77 \|/);
 });
 
 test('nothing is written if the machine was not quiet, before or after', () => {
@@ -123,6 +123,6 @@ test('the documentation has the tables that the benchmark writes', () => {
   const text = readFileSync(at(page), 'utf8');
   for (const mark of marks) assert.equal(text.split(mark).length, 2, mark);
   const section = text.split(marks[0])[1].split(marks[1])[0];
-  for (const [title] of Object.keys(parts).flatMap((name) => tablesOf(name, true)))
+  for (const [title] of Object.keys(parts).flatMap((name) => tablesOf(name)))
     assert.ok(section.includes(`\n${title}\n`), title);
 });

@@ -67,8 +67,8 @@ whether offsets and beams can be built; --out is the folder for drawings of the 
 of where each part goes (key-*.svg, key.pdf), tables (CSV), a presentation ({}) and, with fins,
 the beams as solids (beams.obj).
 --splice cuts panels that are larger than the sheet into pieces, with plates of that width behind their
-seams. --disc makes a plate for each node that the fins there are pushed into, on tenons; plates.obj has all as
-assembled. --one-file-each draws each part by itself too, in the folder {}/.
+seams. --disc makes a plate for each node that the fins there are pushed into, on tenons; plates.obj has
+all as assembled. --one-file-each draws each part by itself too, in the folder {}/.
 Settings that are not given are those of `build` in the scene. Lengths are in MM on the sheet or, where
 it says so, at full size; a LENGTH is in the unit of the mesh (--units; else that of the file, or
 guessed from its size). Settings of build:

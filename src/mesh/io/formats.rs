@@ -115,7 +115,7 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "Medit",
         reads: "vertices, triangles, quads, tetrahedra, edges",
         writes: "vertices, triangles, quads, tetrahedra, edges of curves (command line)",
-        leaves_out: "binary files; faces of more than four corners, faces with holes, groups and polylines in one piece when written",
+        leaves_out: "binary files; faces of more than four corners, holes, groups and whole polylines when written",
         lacks: &[
             MeshPart::LargeFaces,
             MeshPart::Polylines,
@@ -129,7 +129,7 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "PLY",
         reads: "vertices, polygons, edges; text and binary",
         writes: "vertices, polygons, edges of curves; binary, in double precision",
-        leaves_out: "colours, normals, triangle strips; groups, tetrahedra and polylines in one piece when written",
+        leaves_out: "colours, normals, triangle strips; groups, tetrahedra and whole polylines when written",
         lacks: &[MeshPart::Groups, MeshPart::Tetrahedra, MeshPart::Polylines],
         states_frame: true,
         ..NONE

@@ -104,7 +104,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "fold",
         "Folds",
         FOLDS,
-        "How folds are made: but for creases true to the thickness, without tabs.",
+        "How folds are made; all but creases allow for the thickness, no tabs.",
     )
     .of(&[Paper]),
     setting(
@@ -172,7 +172,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "splice",
         "Splice plates",
         number(Mm, ON_SHEET, |own| Some(own.splice)),
-        "Panels larger than the sheet: width of the plates that join their pieces; 0 for no pieces.",
+        "Width of the plates that join the pieces of panels too large; 0: none.",
     )
     .of(&[Panels]),
     setting(
