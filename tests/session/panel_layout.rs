@@ -142,7 +142,7 @@ fn circular_panels_after_them_stay_near_the_surface_before_them() {
     assert_eq!((verdict.within, verdict.level), (verdict.of, Level::Fair));
     assert!(verdict.flaws.contains(&Flaw::Away), "{verdict:?}");
     let words = away.verdict_words(&verdict).full();
-    assert!(words.contains("off the surface that they were laid out on"), "{words}");
+    assert!(words.contains("of the surface that they were laid out on"), "{words}");
 }
 
 #[test]

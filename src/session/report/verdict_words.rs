@@ -50,14 +50,16 @@ impl Verdict {
         let worst = MeasureUnit::Length.or_zero(self.worst, size);
         let worst = length_like(worst, units, self.tolerance);
         let is_told = self.within == self.of && self.worst > SAYS_NO_MORE * self.tolerance;
-        let why = self.flaws.iter().map(|&flaw| self.why(flaw, &scale)).find(|it| !it.is_empty());
+        let mut reasons = self.flaws.iter().map(|&flaw| (flaw, self.why(flaw, &scale)));
+        let (flaw, why) = reasons
+            .find(|(_, why)| !why.is_empty())
+            .map_or_else(Default::default, |(flaw, why)| (Some(flaw), why));
         let folds = self.folds();
         let [before, after] = match self.within == self.of {
             true => [folds, String::new()],
             false if folds.is_empty() => [String::new(), folds],
             false => [String::new(), format!("But {folds}")],
         };
-        let why = why.unwrap_or_default();
         // That panels have a larger tolerance is the graver reason, and is said with their number.
         let [first, second] = match self.eased {
             None => [why, String::new()],
@@ -69,7 +71,7 @@ impl Verdict {
             self.reached(units),
             second,
             after,
-            match self.is_on_other && !self.flaws.contains(&Flaw::Away) {
+            match self.is_on_other && flaw != Some(Flaw::Away) {
                 true => {
                     let far = length(self.surface.max, units);
                     format!("They stay within {far} of the surface that they were laid out on.")
