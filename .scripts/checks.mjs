@@ -33,6 +33,8 @@ const nodeTests = ['scripts', 'page'].flatMap((folder) =>
     .filter((path) => /\.test\.(mjs|ts)$/.test(path))
     .map((path) => relative(root, path)),
 );
+/** Those that ask the engine, and come after it is built. */
+const asksEngine = (path) => path.startsWith('tests/page/engine/');
 
 /** The operators: a macro declares their modules, so cargo fmt does not find their files. */
 const operators = readdirSync(at('src', 'constraint', 'kinds'))
@@ -109,7 +111,7 @@ const texts = [
   module(words),
   {
     title: 'tests of the scripts, and of the page without a browser',
-    run: node(...nodeTests),
+    run: node(...nodeTests.filter((path) => !asksEngine(path))),
     count: 'node',
   },
 ];
@@ -183,6 +185,11 @@ const programBuilt = {
 };
 
 const bench = [
+  {
+    title: 'tests of the page with the engine, without a browser',
+    run: node(...nodeTests.filter(asksEngine)),
+    count: 'node',
+  },
   {
     title: 'the package, installed in an empty folder',
     run: node('tests/package/package.test.mjs'),

@@ -85,8 +85,7 @@ fn tetrahedra_come_out_in_the_format_that_has_them() {
     assert!(out.contains("note: out.obj is OBJ, which cannot store 2 tetrahedra\n"), "{out}");
     folder.write("roof.obj", format!("{ROOF}f 1 2 3 6 5\n"));
     let out = folder.run(&["solve", "roof.obj", "--panels", "plane", "--out", "out.mesh"]).done();
-    let lost =
-        "which cannot store 1 face of more than four corners, 1 polyline in one piece, 5 groups\n";
+    let lost = "which cannot store 1 face of more than four corners, 1 whole polyline, 5 groups\n";
     assert!(out.contains(lost), "{out}");
 }
 

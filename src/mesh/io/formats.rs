@@ -32,7 +32,7 @@ impl MeshPart {
                 ["face of more than four corners", "faces of more than four corners"]
             }
             MeshPart::Curves => ["curve", "curves"],
-            MeshPart::Polylines => ["polyline in one piece", "polylines in one piece"],
+            MeshPart::Polylines => ["whole polyline", "whole polylines"],
             MeshPart::Groups => ["group", "groups"],
             MeshPart::Tetrahedra => ["tetrahedron", "tetrahedra"],
             MeshPart::FacesWithHoles => ["face with a hole", "faces with holes"],
@@ -115,7 +115,7 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "Medit",
         reads: "vertices, triangles, quads, tetrahedra, edges",
         writes: "vertices, triangles, quads, tetrahedra, edges of curves (command line)",
-        leaves_out: "binary files; faces of more than four corners, holes, groups and whole polylines when written",
+        leaves_out: "binary files; faces of more than four corners, faces with holes, groups, whole polylines when written",
         lacks: &[
             MeshPart::LargeFaces,
             MeshPart::Polylines,
@@ -244,9 +244,9 @@ mod tests {
         };
         assert_eq!(
             said("a.mesh"),
-            "1 face of more than four corners, 1 polyline in one piece, 2 faces with holes"
+            "1 face of more than four corners, 1 whole polyline, 2 faces with holes"
         );
-        assert_eq!(said("a.ply"), "1 polyline in one piece");
+        assert_eq!(said("a.ply"), "1 whole polyline");
         // Points of curves are lost with these.
         assert_eq!(said("a.stl"), "2 curves");
     }
