@@ -115,7 +115,7 @@ pub const FILE_FORMATS: &[FileFormat] = &[
         name: "Medit",
         reads: "vertices, triangles, quads, tetrahedra, edges",
         writes: "vertices, triangles, quads, tetrahedra, edges of curves (command line)",
-        leaves_out: "binary files; faces of more than four corners, faces with holes, groups, whole polylines when written",
+        leaves_out: "binary; faces of more than four corners, faces with holes, groups, whole polylines when written",
         lacks: &[
             MeshPart::LargeFaces,
             MeshPart::Polylines,
