@@ -115,10 +115,12 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         }
     }
 
-    // Of several rows of one name, all count.
+    // Of several rows of one name, all that are enabled count, or all if none is.
     let is_measured = |goal: &Goal| match &goal.of {
         GoalOf::Constraint(name) => {
-            scene.constraints.iter().filter(|row| row.label() == name).all(is_left)
+            let rows = || scene.constraints.iter().filter(|row| row.label() == name);
+            let is_enabled = rows().any(|row| row.enabled);
+            rows().filter(|row| row.enabled == is_enabled).all(is_left)
         }
         GoalOf::Measure(_) | GoalOf::Beyond { .. } | GoalOf::Build(_) => true,
     };

@@ -135,6 +135,8 @@ impl Session {
             self.progress.record_all(self.scene.solver().energy());
         }
         if !self.is_running() {
+            // A drag under way would keep the run from beginning.
+            self.end_transaction();
             self.begin_run();
         }
         let (first, most) = (self.iteration(), self.document().solver.iterations);
@@ -142,9 +144,12 @@ impl Session {
         let is_long = |session: &Session| {
             !session.has_hard_rows() && session.iteration().saturating_sub(first) >= most
         };
-        while !is_long(self) && !self.iterate(true, improves)?.ended {}
+        let mut found = Ok(false);
+        while matches!(found, Ok(false)) && !is_long(self) {
+            found = self.iterate(true, improves).map(|step| step.ended);
+        }
         self.end_run();
-        Ok(())
+        found.map(|_| ())
     }
 
     /// Records the energies of this and all later iterations: up to some thousands all of them,

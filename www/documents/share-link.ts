@@ -49,13 +49,12 @@ export async function linkTo({
   files,
 }: Pick<AppContext, 'store' | 'actions' | 'files'>) {
   const text = await actions.ask.scene();
-  const { numbers, document: scene } = store.get();
-  const { mesh, variants, current } = sceneOf(text);
+  const { document: scene } = store.get();
+  const { mesh, current } = sceneOf(text);
   const { origin } = files;
   const example = (await isUnchanged(mesh, files)) ? origin.example : undefined;
-  // A kept design needs no run: it is already solved.
-  const isKept = variants?.design !== undefined && !current;
-  const run = (numbers?.iteration ?? 0) > 0 && !isKept;
+  // The link has no positions: a shape that is not that of the original, nor a kept one, is run again.
+  const run = current !== undefined;
   const original = origin.edited ? null : files.original;
   const about = { example, original, run, name: files.name };
   const { fragment, rounded } = await writeLink(text, {

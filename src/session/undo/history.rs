@@ -3,7 +3,7 @@
 use crate::mesh::Point;
 use crate::scene::Scene;
 use crate::session::run::Start;
-use crate::session::state::{RestMesh, SceneChange, Settings};
+use crate::session::state::{RestMesh, SceneChange};
 use std::mem::size_of_val;
 use std::rc::Rc;
 
@@ -28,11 +28,12 @@ impl Change {
         let start =
             self.start.as_ref().filter(|start| !known.is_some_and(|s| Rc::ptr_eq(s, start)));
         let scene = self.scene.bytes_beside(other.map(|other| &other.scene));
-        // Its shapes are not those of the document: each was carried over to the mesh.
+        // Its shapes are not those of the document: each was carried over to the mesh. The target of the
+        // closeness is shared by all steps.
         let other = self.other.as_ref().map_or(0, |other| {
             let (rest, document) = &**other;
             let kept = document.variants.kept.iter().map(|it| size_of_val(&*it.positions));
-            rest.bytes() + kept.sum::<usize>() + Settings::of(document).bytes_beside(None)
+            rest.bytes() + kept.sum::<usize>() + document.pose_positions().map_or(0, size_of_val)
         });
         scene + other + start.map_or(0, |start| start.bytes())
     }
