@@ -70,14 +70,12 @@ export async function limits({ nonzeros }) {
   return { moved, computed: operations / perMs, perSecond: perMs / 1e6 };
 }
 
-/** Measures a problem: the limits beside the global step of a plain and of an accelerated iteration. */
+/** Measures a problem: the limits beside the global step of the default, whose factor is of such numbers. */
 export async function measureLimits(problem, on) {
   const nonzeros = await on('native', 'nonzeros', problem);
   const { moved, computed, perSecond } = await on('browser', 'limits', { ...problem, nonzeros });
-  const { none, 'quasi-newton': quick } = await on('browser', 'iterations', problem);
+  const { global } = (await on('browser', 'iterations', problem))['quasi-newton'];
   const MB = (8 * nonzeros) / 1e6;
-  const [plain, accelerated] = [none.global, quick.global];
-  const times = plain / Math.max(moved, computed);
-  const limit = { MB, moved, computed, perSecond, plain, times, accelerated };
-  return { vertices: problem.vertices, limit };
+  const times = global / Math.max(moved, computed);
+  return { vertices: problem.vertices, limit: { MB, moved, computed, perSecond, global, times } };
 }

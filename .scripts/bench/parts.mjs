@@ -44,11 +44,10 @@ export const parts = {
     measure: ({ problem, size }, on, where) =>
       where.length === 2 ? measureLimits(problemOf(problem, size), on) : [],
     tables: {
-      'The global step in the browser beside what this machine can do at best. A solve reads the factor twice, which moves as many bytes as a copy of it; and it multiplies and adds each of its numbers twice for three coordinates, four at a time in registers. Milliseconds:': `
+      'The global step in the browser beside what this machine can do at best. A solve reads the factor twice, which moves as many bytes as a copy of it; and it multiplies and adds each of its numbers twice for three coordinates, four at a time in registers. The step also has the gradient and what the accelerator combines. Milliseconds:': `
         problem | vertices | MB to move = limit.MB | to move them = limit.moved |
         to compute = limit.computed | at 1e9 operations a second = limit.perSecond |
-        plain global step = limit.plain | times the larger = limit.times |
-        accelerated = limit.accelerated`,
+        global step = limit.global | times the larger = limit.times`,
     },
   },
 

@@ -17,7 +17,7 @@ pub use boundary_curves::{BoundaryCurve, BoundaryCurves, BoundaryPiece};
 pub use polyline::Polyline;
 pub use safe_region::ClosestPointCache;
 
-use crate::math::{Pair, Vec3, triangles_in_space};
+use crate::math::{Pair, Vec3, ears_in_space};
 use crate::mesh::{Mesh, Point};
 use bvh::{Box3, Bvh};
 use neighbourhoods::TriangleNeighbourhoods;
@@ -48,10 +48,10 @@ impl Surface {
         Surface::cut(positions, mesh, |corners| (2..corners.len()).map(|k| [0, k - 1, k]))
     }
 
-    /// Returns the surface of which no face covers ground outside itself, as the fan of a concave one
-    /// does: to ask what lies on which face.
+    /// Returns the surface of the triangles on which panels are laid out: to ask what lies on it, and on
+    /// which face. No face covers ground outside itself, as the fan of a concave one does.
     pub fn of_ground(positions: &[Point], mesh: &Mesh) -> Surface {
-        Surface::cut(positions, mesh, triangles_in_space)
+        Surface::cut(positions, mesh, ears_in_space)
     }
 
     fn cut<I: IntoIterator<Item = [usize; 3]>>(

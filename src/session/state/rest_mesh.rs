@@ -12,10 +12,8 @@ use std::rc::Rc;
 /// Below every cosine: no vertex of a boundary is a corner.
 const NO_CORNERS: f64 = -2.0;
 
-/// A mesh whose vertices are nearer to a surface than this fraction of its mean edge lies on it. Panels
-/// are laid out on triangles that fit bent faces best, and measured on fans: on the quads of a bent roof
-/// the two are 0.054 of an edge apart.
-const ON_SURFACE: f64 = 0.1;
+/// A mesh whose vertices are nearer to a surface than this fraction of its mean edge lies on it.
+const ON_SURFACE: f64 = 0.02;
 
 /// A rest mesh with its topology.
 pub(crate) struct RestMesh {
@@ -139,7 +137,7 @@ impl RestMesh {
         let target = target?;
         let mut known = self.original.borrow_mut();
         if known.as_ref().is_none_or(|(mesh, _)| !Rc::ptr_eq(mesh, target)) {
-            let surface = Surface::new(&target.positions, target);
+            let surface = Surface::of_ground(&target.positions, target);
             let limit = ON_SURFACE * self.mean_edge();
             let mut hint = Surface::NO_HINT;
             let mut is_on = |v: u32| {
