@@ -202,6 +202,9 @@ impl BuildReport {
 
     fn warnings(&self, settings: &BuildSettings) -> Vec<String> {
         let bare = self.paper.as_ref().map_or(&[][..], |paper| &paper.without_tab);
+        // With tabs, they are among those without one.
+        let unpaired = self.paper.as_ref().filter(|_| bare.is_empty());
+        let unpaired = unpaired.map_or(&[][..], |paper| &paper.unpaired);
         let too_thick = self.paper.as_ref().map_or(&[][..], |paper| &paper.too_thick);
         let creased = self.paper.as_ref().map_or(0, |paper| paper.creased);
         let some = |names: &[String]| words::and_more(names, NAMED);
@@ -260,6 +263,7 @@ impl BuildReport {
                     + " no solid: the cuts at its ends leave nothing of it.",
             ),
             named(bare, format!("No tab between {}.", some(bare))),
+            named(unpaired, format!("Not joined along their edges: {}.", some(unpaired))),
             named(
                 too_thick,
                 format!(

@@ -57,6 +57,9 @@ pub struct PaperReport {
     /// Edges that are cut and have no tab, by the names of their panels: without room, or without
     /// one panel on either side.
     pub without_tab: Vec<String>,
+    /// Edges that have no tab or fold since there is not one panel on either side, by the names of
+    /// their panels.
+    pub unpaired: Vec<String>,
     /// Panels that are not flat, and creased along their diagonals.
     pub creased: usize,
     /// The names of panels of which the folds leave no inner face: the card is too thick.
@@ -363,16 +366,19 @@ impl Build {
         };
         // Around a panel without area several edges are between the same two.
         let mut known = BTreeSet::new();
-        let unpaired = self.surface.unpaired().filter(|_| self.tab() > 0.0);
-        let unpaired = unpaired.filter(|(_, panels)| known.insert(panels.clone()));
-        let beside = unpaired.map(|(_, panels)| {
-            panels.iter().map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join("/")
-        });
+        let unpaired = self.surface.unpaired().filter(|(_, panels)| known.insert(panels.clone()));
+        let unpaired: Vec<String> = unpaired
+            .map(|(_, panels)| {
+                panels.iter().map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join("/")
+            })
+            .collect();
+        let beside = unpaired.iter().filter(|_| self.tab() > 0.0).cloned();
         Some(PaperReport {
             ridges: folds(FoldKind::Ridge),
             valleys: folds(FoldKind::Valley),
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
+            unpaired,
             creased: creased.len(),
             too_thick: distinct(too_thick.iter().map(|&f| net.facets[f as usize].panel))
                 .into_iter()

@@ -63,6 +63,19 @@ pub enum FoldKind {
 }
 
 impl FoldKind {
+    /// What a fold angle in radians becomes.
+    pub(super) fn of(fold: f64) -> FoldKind {
+        /// Largest angle, in radians, of panels that count as coplanar.
+        const FLAT: f64 = 1e-3;
+        if fold.abs() <= FLAT {
+            FoldKind::Flat
+        } else if fold > 0.0 {
+            FoldKind::Ridge
+        } else {
+            FoldKind::Valley
+        }
+    }
+
     /// Its word in tables.
     pub fn word(self) -> &'static str {
         match self {
@@ -76,15 +89,7 @@ impl FoldKind {
 impl Joint {
     /// What its fold becomes.
     pub fn kind(&self) -> FoldKind {
-        /// Largest angle, in radians, of panels that count as coplanar.
-        const FLAT: f64 = 1e-3;
-        if self.fold.abs() <= FLAT {
-            FoldKind::Flat
-        } else if self.fold > 0.0 {
-            FoldKind::Ridge
-        } else {
-            FoldKind::Valley
-        }
+        FoldKind::of(self.fold)
     }
 }
 

@@ -92,7 +92,7 @@ impl PaperModel {
         size: PaperSize,
     ) -> PaperModel {
         let (mut facets, mut joints, without) = facets(surface, flat, size.model);
-        let too_thick = size.card.cut_back(&mut facets, &mut joints);
+        let too_thick = size.card.cut_back(surface, &mut facets, &mut joints);
         let order = foldable(surface, &joints, pieces);
         let is_without_quads = order.is_none();
         let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets));

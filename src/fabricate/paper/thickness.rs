@@ -17,6 +17,7 @@
 
 use super::facet::{Facet, FoldKind, Joint};
 use crate::fabricate::panel::{direction_of, inset_sides};
+use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::{Point2, cross, dot, rotated};
 use crate::math::{cosine, sine};
 use crate::scene::Fold;
@@ -37,18 +38,26 @@ pub struct Card {
 impl Card {
     /// Cuts facets back where they end before their edge, and determines the hinges of joints. Returns the
     /// facets that have no inner face left, which stay as they are.
-    pub(super) fn cut_back(self, facets: &mut [Facet], joints: &mut [Joint]) -> Vec<u32> {
+    pub(super) fn cut_back(
+        self,
+        surface: &PanelSurface,
+        facets: &mut [Facet],
+        joints: &mut [Joint],
+    ) -> Vec<u32> {
         if self.fold == Fold::Crease {
             return Vec::new();
         }
         for joint in joints.iter_mut() {
-            joint.back = self.back(joint);
+            joint.back = self.back(joint.fold);
             joint.is_hinge = self.fold != Fold::Separate || joint.kind() == FoldKind::Flat;
         }
         let mut too_thick = Vec::new();
         for (facet, f) in facets.iter_mut().zip(0..) {
-            let back = |joint: &Option<u32>| joint.map_or(0.0, |joint| joints[joint as usize].back);
-            let asked: Vec<f64> = facet.joints.iter().map(back).collect();
+            let back = |(joint, side): (&Option<u32>, &Option<u32>)| match joint {
+                Some(joint) => joints[*joint as usize].back,
+                None => side.map_or(0.0, |side| self.back_unpaired(surface, facet.panel, side)),
+            };
+            let asked: Vec<f64> = facet.joints.iter().zip(&facet.panel_sides).map(back).collect();
             if asked.iter().all(|by| *by == 0.0) {
                 continue;
             }
@@ -75,14 +84,23 @@ impl Card {
         too_thick
     }
 
-    /// How far before the edge of a joint the inner faces of its facets end, in mm.
-    fn back(self, joint: &Joint) -> f64 {
+    /// How far before a side of a panel without a joint its inner face ends, in mm: it also meets those
+    /// beyond a panel without area.
+    fn back_unpaired(self, surface: &PanelSurface, panel: u32, side: u32) -> f64 {
+        let edge = surface.sides.row(panel as usize)[side as usize];
+        let edge = &surface.edges[edge as usize];
+        let fold = if surface.is_joined(edge) { None } else { surface.fold(edge) };
+        fold.map_or(0.0, |fold| self.back(fold))
+    }
+
+    /// How far before an edge with a fold in radians the inner faces of its facets end, in mm.
+    fn back(self, fold: f64) -> f64 {
         /// The least cosine of half a fold.
         const CLOSED: f64 = 1e-6;
-        if joint.kind() != FoldKind::Ridge {
+        if FoldKind::of(fold) != FoldKind::Ridge {
             return 0.0;
         }
-        let half_turns = 0.5 * joint.fold / std::f64::consts::TAU;
+        let half_turns = 0.5 * fold / std::f64::consts::TAU;
         self.thickness * sine(half_turns) / cosine(half_turns).max(CLOSED)
     }
 }
