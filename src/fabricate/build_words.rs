@@ -206,6 +206,7 @@ impl BuildReport {
         let unpaired = self.paper.as_ref().filter(|_| bare.is_empty());
         let unpaired = unpaired.map_or(&[][..], |paper| &paper.unpaired);
         let too_thick = self.paper.as_ref().map_or(&[][..], |paper| &paper.too_thick);
+        let gaps = self.paper.as_ref().map_or(&[][..], |paper| &paper.gaps);
         let creased = self.paper.as_ref().map_or(0, |paper| paper.creased);
         let some = |names: &[String]| words::and_more(names, NAMED);
         let named = |names: &[String], sentence: String| (!names.is_empty()).then_some(sentence);
@@ -270,6 +271,13 @@ impl BuildReport {
                     "Card of {} is too thick: its folds leave nothing of the inside of {}.",
                     words::millimetres_limit(settings.thickness),
                     some(too_thick)
+                ),
+            ),
+            named(
+                gaps,
+                format!(
+                    "Cut back further than the fold asks, in line with a steeper one: {}.",
+                    some(gaps)
                 ),
             ),
             counted(

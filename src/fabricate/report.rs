@@ -64,6 +64,9 @@ pub struct PaperReport {
     pub creased: usize,
     /// The names of panels of which the folds leave no inner face: the card is too thick.
     pub too_thick: Vec<String>,
+    /// Where panels are cut back further than their fold asks: in line with a side whose fold asks for
+    /// more. Each by its name and what it meets.
+    pub gaps: Vec<String>,
 }
 
 /// The report of a build.
@@ -352,7 +355,7 @@ impl Build {
     }
 
     fn paper_report(&self) -> Option<PaperReport> {
-        let PaperModel { net, joint_kinds, too_thick, .. } = self.paper.as_ref()?;
+        let PaperModel { net, joint_kinds, uneven, .. } = self.paper.as_ref()?;
         let folds = |kind: FoldKind| {
             let joints = net.joints.iter().zip(&net.folded);
             joints.filter(|(joint, folded)| **folded && joint.kind() == kind).count()
@@ -361,9 +364,14 @@ impl Build {
         let creased = distinct(creases.map(|joint| net.facets[joint.sides[0].0 as usize].panel));
         let lacks_tab = |kind: &JointKind| self.tab() > 0.0 && matches!(kind, JointKind::Bare);
         let without_tab = net.joints.iter().zip(joint_kinds).filter(|(_, kind)| lacks_tab(kind));
-        let panels = |joint: &Joint| {
-            joint.sides.map(|(f, _)| &*self.names[net.facets[f as usize].panel as usize]).join("/")
+        let name = |f: u32| &*self.names[net.facets[f as usize].panel as usize];
+        let panels = |joint: &Joint| joint.sides.map(|(f, _)| name(f)).join("/");
+        let gap = |&side: &(u32, u32)| {
+            let met = net.across(side).map_or("an edge without a joint", |(_, (f, _))| name(f));
+            format!("{} at {met}", name(side.0))
         };
+        let mut gaps: Vec<String> = uneven.gaps.iter().map(gap).collect();
+        gaps.dedup();
         // Around a panel without area several edges are between the same two.
         let mut known = BTreeSet::new();
         let unpaired = self.surface.unpaired().filter(|(_, panels)| known.insert(panels.clone()));
@@ -380,10 +388,11 @@ impl Build {
             without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
             unpaired,
             creased: creased.len(),
-            too_thick: distinct(too_thick.iter().map(|&f| net.facets[f as usize].panel))
+            too_thick: distinct(uneven.too_thick.iter().map(|&f| net.facets[f as usize].panel))
                 .into_iter()
                 .map(|panel| self.names[panel as usize].clone())
                 .collect(),
+            gaps,
         })
     }
 }

@@ -26,6 +26,19 @@ use crate::scene::Fold;
 /// their edges.
 const IN_LINE: f64 = 0.1;
 
+/// Distances in mm that differ by less are equal.
+const ROUNDING: f64 = 1e-6;
+
+/// Where facets cannot end as their folds ask.
+#[derive(Clone, Debug, Default)]
+pub struct Uneven {
+    /// Facets of which the folds leave no inner face, since the card is too thick: they are not cut back.
+    pub too_thick: Vec<u32>,
+    /// Sides that end farther from their edge than their fold asks, in line with one that asks for more:
+    /// there is a gap.
+    pub gaps: Vec<(u32, u32)>,
+}
+
 /// The material of a paper model, and how it is folded.
 #[derive(Clone, Copy, Debug)]
 pub struct Card {
@@ -36,22 +49,22 @@ pub struct Card {
 }
 
 impl Card {
-    /// Cuts facets back where they end before their edge, and determines the hinges of joints. Returns the
-    /// facets that have no inner face left, which stay as they are.
+    /// Cuts facets back where they end before their edge, and determines the hinges of joints. Returns where
+    /// facets end otherwise than their folds ask.
     pub(super) fn cut_back(
         self,
         surface: &PanelSurface,
         facets: &mut [Facet],
         joints: &mut [Joint],
-    ) -> Vec<u32> {
+    ) -> Uneven {
         if self.fold == Fold::Crease {
-            return Vec::new();
+            return Uneven::default();
         }
         for joint in joints.iter_mut() {
             joint.back = self.back(joint.fold);
             joint.is_hinge = self.fold != Fold::Separate || joint.kind() == FoldKind::Flat;
         }
-        let mut too_thick = Vec::new();
+        let mut uneven = Uneven::default();
         for (facet, f) in facets.iter_mut().zip(0..) {
             let back = |(joint, side): (&Option<u32>, &Option<u32>)| match joint {
                 Some(joint) => joints[*joint as usize].back,
@@ -64,24 +77,34 @@ impl Card {
             let mut by = alike_in_line(&facet.corners, &asked);
             let inner = inset_sides(&facet.corners, &by);
             if inner.is_none() {
-                too_thick.push(f);
+                uneven.too_thick.push(f);
                 by.fill(0.0);
             }
             if self.fold == Fold::VCut {
+                // Each groove and mitre is as wide as its own fold asks.
+                facet.backs = asked;
                 continue;
             }
-            for (joint, (by, asked)) in facet.joints.iter().zip(by.iter().zip(&asked)) {
+            for ((joint, k), (by, asked)) in facet.joints.iter().zip(0..).zip(by.iter().zip(&asked))
+            {
+                if (by - asked).abs() <= ROUNDING {
+                    continue;
+                }
                 // What ends elsewhere than its neighbour has no hinge in common with it.
-                if let Some(joint) = joint.filter(|_| by != asked) {
-                    joints[joint as usize].is_hinge = false;
+                if let Some(joint) = joint {
+                    joints[*joint as usize].is_hinge = false;
+                }
+                if by > asked {
+                    uneven.gaps.push((f, k));
                 }
             }
             if let Some(corners) = inner {
                 facet.hinges = moved(&facet.hinges, &by);
                 facet.set_corners(corners);
             }
+            facet.backs = by;
         }
-        too_thick
+        uneven
     }
 
     /// How far before a side of a panel without a joint its inner face ends, in mm: it also meets those

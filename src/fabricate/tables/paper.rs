@@ -65,6 +65,8 @@ fn joins(build: &Build, model: &PaperModel) -> String {
         "length_a_sheet_mm",
         "length_b_sheet_mm",
         "cut_back_sheet_mm",
+        "cut_back_a_sheet_mm",
+        "cut_back_b_sheet_mm",
     ];
     let mut table = Table::new(&columns);
     let net = &model.net;
@@ -89,6 +91,10 @@ fn joins(build: &Build, model: &PaperModel) -> String {
             let [p, q] = net.ends(joint.sides[k]);
             distance(p, q)
         };
+        let back = |k: usize| {
+            let (f, side) = joint.sides[k];
+            net.facets[f as usize].backs[side as usize]
+        };
         table.row([
             Cell::from(&*name),
             Cell::from(panels[0]),
@@ -103,6 +109,8 @@ fn joins(build: &Build, model: &PaperModel) -> String {
             Cell::from(length(0)),
             Cell::from(length(1)),
             Cell::from(joint.back),
+            Cell::from(back(0)),
+            Cell::from(back(1)),
         ]);
     }
     table.into_text()

@@ -5,7 +5,7 @@ use crate::scene::Product::{self, Fins, Panels, Paper};
 const ALL: &[Product] = &Product::ALL;
 
 /// What is explained, for which products, and in which words.
-const READING: [(&[Product], &str, &str); 21] = [
+const READING: [(&[Product], &str, &str); 22] = [
     (ALL, "edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     (ALL, "edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -52,7 +52,12 @@ const READING: [(&[Product], &str, &str); 21] = [
     (
         &[Paper],
         "joins.csv cut_back_sheet_mm",
-        "from the edge to the inner faces of both panels: half of the groove or the mitre of a V-cut; scored or separate panels end there",
+        "from the edge to the inner faces of both panels, as their fold asks: half of the groove or the mitre of a V-cut",
+    ),
+    (
+        &[Paper],
+        "joins.csv cut_back_a_sheet_mm",
+        "from the edge to the inner face of panel_a as made; scored or separate, it ends there: farther than asked in line with a steeper fold; of panel_b: cut_back_b_sheet_mm",
     ),
     (&[Paper], "tabs", "glued to the inside of the panel that is named on them"),
 ];
