@@ -108,6 +108,17 @@ fn panels_beside_one_without_area_meet_each_other_in_folds_joints_holes_paper_an
 }
 
 #[test]
+fn panels_behind_one_without_area_at_the_rim_do_not_meet_along_it() {
+    // The rim from the first to the third vertex is divided by the second.
+    let positions = [[0.0; 3], [2.0, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 2.0, 0.0]];
+    let mesh = faces(&[&[0, 1, 3], &[1, 2, 3], &[0, 2, 1]], &positions);
+    let made = build(&mesh, &BuildSettings { product: Product::Paper, ..Default::default() });
+    assert_eq!(made.surface.unpaired().collect::<Vec<_>>(), []);
+    let paper = made.report().paper.unwrap();
+    assert_eq!((paper.without_tab, paper.unpaired), (Vec::new(), Vec::new()));
+}
+
+#[test]
 fn two_beams_in_one_direction_are_no_fins_of_any_thickness() {
     let own = BuildSettings {
         product: Product::Fins,
