@@ -3,7 +3,7 @@
 use crate::fabricate::build::{Build, beam_name};
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::paper::{JointKind, PaperModel};
-use crate::math::plane::{bounds, distance};
+use crate::math::plane::distance;
 
 /// Both tables, with the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
@@ -28,8 +28,7 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
     let places = build.layout.places(build.parts.len());
     for (k, part) in build.parts.iter().enumerate() {
         let place = places[k];
-        let corner = place
-            .map(|(_, place)| bounds(part.outline.iter().map(|&point| place.to_sheet(point)))[0]);
+        let corner = place.map(|(_, place)| place.corner(&part.outline));
         let first = part.panels.iter().map(|&panel| build.order[panel as usize]).min();
         let names: Vec<&str> =
             part.panels.iter().map(|&panel| &*build.names[panel as usize]).collect();
