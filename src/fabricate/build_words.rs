@@ -8,7 +8,7 @@ use super::check_card::CheckRow;
 use super::offset::Choice;
 use super::report::{BuildReport, FrameReport};
 use super::tighten::PanelSuggestion;
-use crate::scene::{BuildSettings, OffsetKind, Product, panel_adjective};
+use crate::scene::{BuildSettings, Fold, OffsetKind, Product, panel_adjective};
 use crate::words;
 use serde::Serialize;
 
@@ -282,8 +282,11 @@ impl BuildReport {
             ),
             counted(
                 creased,
-                words::count(creased, "panel is", "panels are")
-                    + " not flat and creased along a diagonal.",
+                format!(
+                    "{} not flat and {} along a diagonal.",
+                    words::count(creased, "panel is", "panels are"),
+                    if settings.fold == Fold::Separate { "cut apart" } else { "creased" }
+                ),
             ),
         ]
         .into_iter()

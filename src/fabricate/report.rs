@@ -60,7 +60,7 @@ pub struct PaperReport {
     /// Edges that have no tab or fold since there is not one panel on either side, by the names of
     /// their panels.
     pub unpaired: Vec<String>,
-    /// Panels that are not flat, and creased along their diagonals.
+    /// Panels that are not flat, and creased, or cut apart, along their diagonals.
     pub creased: usize,
     /// The names of panels of which the folds leave no inner face: the card is too thick.
     pub too_thick: Vec<String>,

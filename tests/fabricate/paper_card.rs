@@ -261,6 +261,16 @@ fn card_that_ends_farther_than_its_fold_asks_is_written_and_told() {
 }
 
 #[test]
+fn panels_that_are_not_flat_are_said_to_be_creased_or_cut_apart_as_they_are() {
+    for (fold, word) in [(Fold::Score, "creased"), (Fold::Separate, "cut apart")] {
+        let made = made(&waves(), fold, THICKNESS);
+        let warnings = made.words(&made.report()).warnings;
+        let expected = format!("30 panels are not flat and {word} along a diagonal.");
+        assert!(warnings.contains(&expected), "{warnings:?}");
+    }
+}
+
+#[test]
 fn card_that_is_too_thick_for_its_folds_is_told() {
     for fold in [Fold::Crease, Fold::Score, Fold::VCut, Fold::Separate] {
         for (thickness, is_too_thick) in [(THICKNESS, false), (40.0, fold != Fold::Crease)] {
