@@ -7,6 +7,7 @@ use super::report::BuildReport;
 use crate::scene::{BuildSettings, Product};
 use crate::words;
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// Usual scales of models, by their denominators.
 const SCALES: [f64; 13] =
@@ -69,8 +70,14 @@ impl Build {
             return None;
         }
         let width = (OF_THICKNESS * thickness).max(NARROWEST);
-        let mut large = self.layout.too_large.iter().map(|&part| &self.parts[part].outline);
-        large.all(|outline| self.spliced(outline, width).is_some()).then(|| Advice {
+        // Those of a type are cut alike.
+        let mut tried = BTreeSet::new();
+        let mut large =
+            self.layout.too_large.iter().map(|&part| &self.parts[part]).filter(|part| {
+                let kind = part.panels.first().and_then(|&panel| self.types.of[panel as usize]);
+                kind.is_none_or(|kind| tried.insert(kind))
+            });
+        large.all(|part| self.spliced(&part.outline, width).is_some()).then(|| Advice {
             words: "Panels that are larger than the sheet can be cut into pieces with plates behind their seams."
                 .to_owned(),
             choices: vec![AdvisedValue {

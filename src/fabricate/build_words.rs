@@ -8,7 +8,7 @@ use super::check_card::CheckRow;
 use super::offset::Choice;
 use super::report::{BuildReport, FrameReport};
 use super::tighten::PanelSuggestion;
-use crate::scene::{BuildSettings, OffsetKind, Product, panel_adjective};
+use crate::scene::{BuildSettings, Fold, OffsetKind, Product, panel_adjective};
 use crate::words;
 use serde::Serialize;
 
@@ -202,7 +202,11 @@ impl BuildReport {
 
     fn warnings(&self, settings: &BuildSettings) -> Vec<String> {
         let bare = self.paper.as_ref().map_or(&[][..], |paper| &paper.without_tab);
+        // With tabs, they are among those without one.
+        let unpaired = self.paper.as_ref().filter(|_| bare.is_empty());
+        let unpaired = unpaired.map_or(&[][..], |paper| &paper.unpaired);
         let too_thick = self.paper.as_ref().map_or(&[][..], |paper| &paper.too_thick);
+        let gaps = self.paper.as_ref().map_or(&[][..], |paper| &paper.gaps);
         let creased = self.paper.as_ref().map_or(0, |paper| paper.creased);
         let some = |names: &[String]| words::and_more(names, NAMED);
         let named = |names: &[String], sentence: String| (!names.is_empty()).then_some(sentence);
@@ -260,6 +264,7 @@ impl BuildReport {
                     + " no solid: the cuts at its ends leave nothing of it.",
             ),
             named(bare, format!("No tab between {}.", some(bare))),
+            named(unpaired, format!("Not joined along their edges: {}.", some(unpaired))),
             named(
                 too_thick,
                 format!(
@@ -268,10 +273,20 @@ impl BuildReport {
                     some(too_thick)
                 ),
             ),
+            named(
+                gaps,
+                format!(
+                    "Cut back further than the fold asks, in line with a steeper one: {}.",
+                    some(gaps)
+                ),
+            ),
             counted(
                 creased,
-                words::count(creased, "panel is", "panels are")
-                    + " not flat and creased along a diagonal.",
+                format!(
+                    "{} not flat and {} along a diagonal.",
+                    words::count(creased, "panel is", "panels are"),
+                    if settings.fold == Fold::Separate { "cut apart" } else { "creased" }
+                ),
             ),
         ]
         .into_iter()

@@ -12,7 +12,7 @@ use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names
 use super::sheet::{
     CutPart, Hole, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
-use crate::math::plane::{Point2, rotated};
+use crate::math::plane::{Point2, area, bounds, length, minus, rotated};
 use crate::scene::{BuildSettings, Product};
 
 /// Why a panel has no outline whose sides are moved inwards by `by`.
@@ -111,6 +111,12 @@ impl Build {
         // As the layout allows for rounding.
         let most = self.room().map(|side| side * (1.0 + 1e-9));
         let fits = |outline: &[Point2]| {
+            // Most that do not fit are too large at every angle, of which hundreds would be tried.
+            let [low, high] = bounds(outline.iter().copied());
+            let [width, height] = minus(high, low);
+            if area(outline) > most[0] * most[1] || width.max(height) > length(most) {
+                return false;
+            }
             let (_, size) = smallest_box_within(outline, most);
             size[0] <= most[0] && size[1] <= most[1]
         };

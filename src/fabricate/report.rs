@@ -57,10 +57,16 @@ pub struct PaperReport {
     /// Edges that are cut and have no tab, by the names of their panels: without room, or without
     /// one panel on either side.
     pub without_tab: Vec<String>,
-    /// Panels that are not flat, and creased along their diagonals.
+    /// Edges that have no tab or fold since there is not one panel on either side, by the names of
+    /// their panels.
+    pub unpaired: Vec<String>,
+    /// Panels that are not flat, and creased, or cut apart, along their diagonals.
     pub creased: usize,
     /// The names of panels of which the folds leave no inner face: the card is too thick.
     pub too_thick: Vec<String>,
+    /// Where panels are cut back further than their fold asks: in line with a side whose fold asks for
+    /// more. Each by its name and what it meets.
+    pub gaps: Vec<String>,
 }
 
 /// The report of a build.
@@ -349,7 +355,7 @@ impl Build {
     }
 
     fn paper_report(&self) -> Option<PaperReport> {
-        let PaperModel { net, joint_kinds, too_thick, .. } = self.paper.as_ref()?;
+        let PaperModel { net, joint_kinds, uneven, .. } = self.paper.as_ref()?;
         let folds = |kind: FoldKind| {
             let joints = net.joints.iter().zip(&net.folded);
             joints.filter(|(joint, folded)| **folded && joint.kind() == kind).count()
@@ -358,26 +364,35 @@ impl Build {
         let creased = distinct(creases.map(|joint| net.facets[joint.sides[0].0 as usize].panel));
         let lacks_tab = |kind: &JointKind| self.tab() > 0.0 && matches!(kind, JointKind::Bare);
         let without_tab = net.joints.iter().zip(joint_kinds).filter(|(_, kind)| lacks_tab(kind));
-        let panels = |joint: &Joint| {
-            joint.sides.map(|(f, _)| &*self.names[net.facets[f as usize].panel as usize]).join("/")
+        let name = |f: u32| &*self.names[net.facets[f as usize].panel as usize];
+        let panels = |joint: &Joint| joint.sides.map(|(f, _)| name(f)).join("/");
+        let gap = |&side: &(u32, u32)| {
+            let met = net.across(side).map_or("an edge without a joint", |(_, (f, _))| name(f));
+            format!("{} at {met}", name(side.0))
         };
+        let mut gaps: Vec<String> = uneven.gaps.iter().map(gap).collect();
+        gaps.dedup();
         // Around a panel without area several edges are between the same two.
         let mut known = BTreeSet::new();
-        let unpaired = self.surface.unpaired().filter(|_| self.tab() > 0.0);
-        let unpaired = unpaired.filter(|(_, panels)| known.insert(panels.clone()));
-        let beside = unpaired.map(|(_, panels)| {
-            panels.iter().map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join("/")
-        });
+        let unpaired = self.surface.unpaired().filter(|(_, panels)| known.insert(panels.clone()));
+        let unpaired: Vec<String> = unpaired
+            .map(|(_, panels)| {
+                panels.iter().map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join("/")
+            })
+            .collect();
+        let beside = unpaired.iter().filter(|_| self.tab() > 0.0).cloned();
         Some(PaperReport {
             ridges: folds(FoldKind::Ridge),
             valleys: folds(FoldKind::Valley),
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
+            unpaired,
             creased: creased.len(),
-            too_thick: distinct(too_thick.iter().map(|&f| net.facets[f as usize].panel))
+            too_thick: distinct(uneven.too_thick.iter().map(|&f| net.facets[f as usize].panel))
                 .into_iter()
                 .map(|panel| self.names[panel as usize].clone())
                 .collect(),
+            gaps,
         })
     }
 }

@@ -211,11 +211,13 @@ impl PanelSurface {
     pub fn unpaired(&self) -> impl Iterator<Item = (u32, Vec<u32>)> {
         let apart = (0..).zip(&self.edges).filter(|(_, edge)| !self.is_joined(edge));
         apart.filter_map(|(e, _)| {
-            let own = self.panels.row(e as usize).iter();
-            let mut panels: Vec<u32> = own.flat_map(|&f| self.made(e, f)).collect();
+            // What lies along a panel without area is on one side of it: at the rim it meets nothing.
+            let own = self.panels.row(e as usize).iter().map(|&f| self.made(e, f));
+            let sides: Vec<Vec<u32>> = own.filter(|made| !made.is_empty()).collect();
+            let mut panels = sides.concat();
             panels.sort_unstable();
             panels.dedup();
-            (panels.len() > 1).then_some((e, panels))
+            (sides.len() > 1 && panels.len() > 1).then_some((e, panels))
         })
     }
 

@@ -5,8 +5,9 @@ use super::build;
 use super::identities::revolution;
 use crate::support::grid::grid;
 use shape_up::fabricate::Build;
+use shape_up::math::plane::area;
 use shape_up::mesh::{Mesh, Ragged};
-use shape_up::scene::{BuildSettings, OffsetKind, Product};
+use shape_up::scene::{BuildSettings, Fold, OffsetKind, Product};
 
 /// The mesh with a panel without area: a triangle along an edge, whose third corner divides the
 /// edge.
@@ -85,14 +86,36 @@ fn panels_beside_one_without_area_meet_each_other_in_folds_joints_holes_paper_an
     for line in of_ridge.map(|name| edges.lines().find(|line| line.starts_with(name)).unwrap()) {
         assert!(line.contains("P0") && line.contains("P1") && line.contains(",90,"), "{line}");
     }
-    let paper = build(&mesh, &BuildSettings { product: Product::Paper, ..own });
+    let paper = build(&mesh, &BuildSettings { product: Product::Paper, ..own.clone() });
     assert_eq!(paper.report().paper.unwrap().without_tab, ["P0/P1"]);
     assert_eq!(paper.paper.unwrap().unpaired.len(), 4);
+    // Card ends before the ridge, T tan 45 degrees, and is not joined there.
+    let card = BuildSettings { product: Product::Paper, fold: Fold::Score, ..own };
+    let card = build(&mesh, &card);
+    let [long, high] = [8.0, 32.0_f64.sqrt()].map(|x| x * card.mm_of_sheet());
+    for part in &card.parts {
+        assert!((area(&part.outline) - long * (high - 3.0)).abs() < 1e-6, "{:?}", part.outline);
+    }
+    let report = card.report();
+    let warnings = card.words(&report).warnings;
+    let told = "Not joined along their edges: P0/P1.".to_owned();
+    assert!(warnings.contains(&told), "{warnings:?}");
     // A panel that is twisted has no area either, and no others lie along its edges.
     let ring = [[3.0, 0.0, 0.0], [-1.5, 2.6, 0.0], [-1.5, -2.6, 0.0]];
     let twisted = [ring, ring.map(|[x, y, _]| [x, y, 3.0])].concat();
     let mesh = faces(&[&[0, 1, 4, 3], &[1, 2, 5, 4], &[2, 3, 0, 5]], &twisted);
     assert_eq!(build(&mesh, &BuildSettings::default()).surface.unpaired().count(), 0);
+}
+
+#[test]
+fn panels_behind_one_without_area_at_the_rim_do_not_meet_along_it() {
+    // The rim from the first to the third vertex is divided by the second.
+    let positions = [[0.0; 3], [2.0, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 2.0, 0.0]];
+    let mesh = faces(&[&[0, 1, 3], &[1, 2, 3], &[0, 2, 1]], &positions);
+    let made = build(&mesh, &BuildSettings { product: Product::Paper, ..Default::default() });
+    assert_eq!(made.surface.unpaired().collect::<Vec<_>>(), []);
+    let paper = made.report().paper.unwrap();
+    assert_eq!((paper.without_tab, paper.unpaired), (Vec::new(), Vec::new()));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use shape_up::fabricate::Build;
 use shape_up::fabricate::panel::inset_sides;
 use shape_up::fabricate::paper::PaperNet;
 use shape_up::math::Vec3;
-use shape_up::math::plane::Point2;
+use shape_up::math::plane::{Point2, area};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, Fold, Pieces};
 
@@ -209,8 +209,13 @@ fn plates_that_are_folded_at_their_hinges_have_their_outer_faces_on_the_mesh_and
 fn card_hangs_together_where_it_hinges() {
     let pieces = |fold| made(&frustum(), fold, THICKNESS).parts.len();
     assert_eq!([Fold::Crease, Fold::Score, Fold::VCut, Fold::Separate].map(pieces), [1, 1, 1, 6]);
-    // A panel with two neighbours in line, of which one is steeper: it ends before both alike, and
-    // the other one has no hinge.
+    let pieces = |fold| made(&in_line(), fold, THICKNESS).parts.len();
+    assert_eq!([Fold::Crease, Fold::Score, Fold::VCut, Fold::Separate].map(pieces), [1, 2, 1, 3]);
+}
+
+/// A panel with two neighbours in line, of which one is steeper: it ends before both alike, and the other
+/// one has no hinge.
+fn in_line() -> Mesh {
     let positions = vec![
         [0.0, 0.0, 0.0],
         [2.0, 0.0, 0.0],
@@ -226,8 +231,43 @@ fn card_hangs_together_where_it_hinges() {
     [&[0, 1, 2, 3, 4][..], &[1, 5, 6, 2], &[2, 7, 8, 3]]
         .iter()
         .for_each(|face| mesh.faces.push(face));
-    let pieces = |fold| made(&mesh, fold, THICKNESS).parts.len();
-    assert_eq!([Fold::Crease, Fold::Score, Fold::VCut, Fold::Separate].map(pieces), [1, 2, 1, 3]);
+    mesh
+}
+
+#[test]
+fn card_that_ends_farther_than_its_fold_asks_is_written_and_told() {
+    for fold in CARD {
+        let made = made(&in_line(), fold, THICKNESS);
+        let report = made.report();
+        let warnings = made.words(&report).warnings;
+        let told =
+            warnings.iter().any(|words| words.ends_with("in line with a steeper one: P0 at P1."));
+        assert_eq!(told, fold != Fold::VCut, "{fold:?}: {warnings:?}");
+        let text = made.files(true).into_iter().find(|file| file.name == "joins.csv").unwrap().text;
+        let net = &model(&made).net;
+        for (joint, row) in net.joints.iter().zip(text.lines().skip(1)) {
+            let cells: Vec<f64> =
+                row.rsplitn(4, ',').take(3).map(|cell| cell.parse().unwrap()).collect();
+            let [b, a, asked] = cells[..] else { panic!("{row}") };
+            assert!((asked - expected_back(net, joint.sides[0])).abs() < 1e-3, "{fold:?}: {row}");
+            let is_further = fold != Fold::VCut && joint.sides[1].0 == 1;
+            assert_eq!([a > asked + 0.1, b > asked + 0.1], [is_further, false], "{fold:?}: {row}");
+            // The first panel is a square, of which one side is cut back.
+            let side = 2.0 * made.mm_of_sheet();
+            let cut = if fold == Fold::VCut { 0.0 } else { a };
+            assert!((area(&net.corners(0)) - side * (side - cut)).abs() < 1e-3 * side, "{row}");
+        }
+    }
+}
+
+#[test]
+fn panels_that_are_not_flat_are_said_to_be_creased_or_cut_apart_as_they_are() {
+    for (fold, word) in [(Fold::Score, "creased"), (Fold::Separate, "cut apart")] {
+        let made = made(&waves(), fold, THICKNESS);
+        let warnings = made.words(&made.report()).warnings;
+        let expected = format!("30 panels are not flat and {word} along a diagonal.");
+        assert!(warnings.contains(&expected), "{warnings:?}");
+    }
 }
 
 #[test]

@@ -5,7 +5,8 @@ use super::files::settings;
 use super::{build, dxf};
 use crate::support::grid::grid;
 use shape_up::fabricate::{Build, BuildFile, Splice};
-use shape_up::math::plane::{area, distance};
+use shape_up::math::cosine_and_sine_of_degrees;
+use shape_up::math::plane::{Point2, area, bounds, distance, minus};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::scene::{BuildSettings, Names, Order, Product};
 
@@ -277,15 +278,35 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
     let files = made.files(true);
     let text =
         |name: &str| &*files.iter().find(|file| file.name == name).expect("it is there").text;
-    let areas = |name: &str| {
+    let column = |name: &str, column: &str| {
         let mut lines = text(name).lines();
-        let at = lines.next().unwrap().split(',').position(|name| name == "area_sheet_mm2");
-        let area = |line: &str| line.split(',').nth(at.unwrap()).unwrap().parse::<f64>().unwrap();
-        lines.map(area).collect::<Vec<f64>>()
+        let at = lines.next().unwrap().split(',').position(|name| name == column);
+        let cell = |line: &str| line.split(',').nth(at.unwrap()).unwrap().parse::<f64>().unwrap();
+        lines.map(cell).collect::<Vec<f64>>()
     };
-    let (panels, plates) = (areas("panels.csv"), areas("splices.csv"));
+    let [panels, plates] = ["panels.csv", "splices.csv"].map(|name| column(name, "area_sheet_mm2"));
     assert_eq!((panels.len(), plates.len()), (4, 2));
     let sum: f64 = panels.iter().chain(&plates).sum();
     assert!((sum - report.cut_area_mm2).abs() < 1e-3, "{sum}");
     assert!(text("summary.csv").contains("splice plates,2,"));
+    // And plates are where the table says.
+    let place = |part: usize| {
+        let mut places = made.layout.sheets.iter().flat_map(|sheet| &sheet.places);
+        places.find(|place| place.part == part).expect("it is on a sheet")
+    };
+    let [x, y, turn] =
+        ["x_sheet_mm", "y_sheet_mm", "turn_deg"].map(|name| column("splices.csv", name));
+    for (k, Splice { part, pieces, seam, .. }) in made.splices.iter().enumerate() {
+        let put = |point: Point2| place(*part).to_sheet(point);
+        let [low, _] = bounds(made.parts[*part].outline.iter().map(|&point| put(point)));
+        assert!((low[0] - x[k]).abs() < 1e-3 && (low[1] - y[k]).abs() < 1e-3, "{low:?}");
+        let [c, s] = cosine_and_sine_of_degrees(turn[k]);
+        let aside = |point: Point2| {
+            let step = minus(put(point), put(seam[0]));
+            c * step[1] - s * step[0]
+        };
+        assert!(aside(seam[1]).abs() < 1e-3);
+        let [one, other] = pieces.map(|piece| made.parts[piece].outline.iter().map(|&p| aside(p)));
+        assert!(one.fold(0.0, f64::max) > 1.0 && other.fold(0.0, f64::min) < -1.0);
+    }
 }

@@ -30,6 +30,8 @@ pub struct Facet {
     pub panel_sides: Vec<Option<u32>>,
     /// The joint of each side; none at the rim.
     pub joints: Vec<Option<u32>>,
+    /// How far before the edge of each side its inner face ends, in mm.
+    pub backs: Vec<f64>,
     /// The same area as convex polygons.
     pub convex: Vec<Vec<Point2>>,
     /// Its normal, outwards.
@@ -45,7 +47,8 @@ pub struct Joint {
     pub fold: f64,
     /// The edge of the surface; none for a crease.
     pub edge: Option<u32>,
-    /// How far before the edge the inner faces of both facets end, in mm; 0 on creased paper.
+    /// How far before the edge the inner faces of both facets end as the fold asks, in mm; 0 on creased
+    /// paper.
     pub back: f64,
     /// Whether its facets can hang together there.
     pub is_hinge: bool,
@@ -63,6 +66,19 @@ pub enum FoldKind {
 }
 
 impl FoldKind {
+    /// What a fold angle in radians becomes.
+    pub(super) fn of(fold: f64) -> FoldKind {
+        /// Largest angle, in radians, of panels that count as coplanar.
+        const FLAT: f64 = 1e-3;
+        if fold.abs() <= FLAT {
+            FoldKind::Flat
+        } else if fold > 0.0 {
+            FoldKind::Ridge
+        } else {
+            FoldKind::Valley
+        }
+    }
+
     /// Its word in tables.
     pub fn word(self) -> &'static str {
         match self {
@@ -76,15 +92,7 @@ impl FoldKind {
 impl Joint {
     /// What its fold becomes.
     pub fn kind(&self) -> FoldKind {
-        /// Largest angle, in radians, of panels that count as coplanar.
-        const FLAT: f64 = 1e-3;
-        if self.fold.abs() <= FLAT {
-            FoldKind::Flat
-        } else if self.fold > 0.0 {
-            FoldKind::Ridge
-        } else {
-            FoldKind::Valley
-        }
+        FoldKind::of(self.fold)
     }
 }
 
@@ -167,9 +175,19 @@ impl Facet {
         normal: Vec3<f64>,
     ) -> Facet {
         let (hinges, joints) = (polygon_sides(&corners).collect(), vec![None; corners.len()]);
+        let backs = vec![0.0; corners.len()];
         let (convex, none) = (Vec::new(), Vec::new());
-        let mut facet =
-            Facet { panel, corners: none, hinges, vertices, panel_sides, joints, convex, normal };
+        let mut facet = Facet {
+            panel,
+            corners: none,
+            hinges,
+            vertices,
+            panel_sides,
+            joints,
+            backs,
+            convex,
+            normal,
+        };
         facet.set_corners(corners);
         facet
     }

@@ -16,7 +16,7 @@ pub use facet::{Facet, FoldKind, Joint};
 pub use net::{OutlineSide, PaperNet};
 pub use plane::Motion;
 pub use tab::Tab;
-pub use thickness::Card;
+pub use thickness::{Card, Uneven};
 
 use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{FlatPanel, smallest_box_within};
@@ -75,8 +75,8 @@ pub struct PaperModel {
     /// The panels beyond each side of a facet that has no joint because there are several of them, one
     /// that traverses the side in the same direction, or one without area before them.
     pub unpaired: BTreeMap<(u32, u32), Vec<u32>>,
-    /// Facets of which the folds leave no inner face, since the card is too thick.
-    pub too_thick: Vec<u32>,
+    /// Where card cannot be cut back as its folds ask.
+    pub uneven: Uneven,
     /// Panels without facets, and the reasons.
     pub without: Vec<(u32, &'static str)>,
     /// Whether nets are made because strips were requested and there are no quads.
@@ -92,7 +92,7 @@ impl PaperModel {
         size: PaperSize,
     ) -> PaperModel {
         let (mut facets, mut joints, without) = facets(surface, flat, size.model);
-        let too_thick = size.card.cut_back(&mut facets, &mut joints);
+        let uneven = size.card.cut_back(surface, &mut facets, &mut joints);
         let order = foldable(surface, &joints, pieces);
         let is_without_quads = order.is_none();
         let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets));
@@ -117,7 +117,7 @@ impl PaperModel {
             tab_joints,
             pieces,
             unpaired,
-            too_thick,
+            uneven,
             without,
             is_without_quads,
         }

@@ -17,6 +17,7 @@
 
 use super::facet::{Facet, FoldKind, Joint};
 use crate::fabricate::panel::{direction_of, inset_sides};
+use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::{Point2, cross, dot, rotated};
 use crate::math::{cosine, sine};
 use crate::scene::Fold;
@@ -24,6 +25,19 @@ use crate::scene::Fold;
 /// Sides of a facet are in line below this sine of the angle between them: they end equally far from
 /// their edges.
 const IN_LINE: f64 = 0.1;
+
+/// Distances in mm that differ by less are equal.
+const ROUNDING: f64 = 1e-6;
+
+/// Where facets cannot end as their folds ask.
+#[derive(Clone, Debug, Default)]
+pub struct Uneven {
+    /// Facets of which the folds leave no inner face, since the card is too thick: they are not cut back.
+    pub too_thick: Vec<u32>,
+    /// Sides that end farther from their edge than their fold asks, in line with one that asks for more:
+    /// there is a gap.
+    pub gaps: Vec<(u32, u32)>,
+}
 
 /// The material of a paper model, and how it is folded.
 #[derive(Clone, Copy, Debug)]
@@ -35,54 +49,81 @@ pub struct Card {
 }
 
 impl Card {
-    /// Cuts facets back where they end before their edge, and determines the hinges of joints. Returns the
-    /// facets that have no inner face left, which stay as they are.
-    pub(super) fn cut_back(self, facets: &mut [Facet], joints: &mut [Joint]) -> Vec<u32> {
+    /// Cuts facets back where they end before their edge, and determines the hinges of joints. Returns where
+    /// facets end otherwise than their folds ask.
+    pub(super) fn cut_back(
+        self,
+        surface: &PanelSurface,
+        facets: &mut [Facet],
+        joints: &mut [Joint],
+    ) -> Uneven {
         if self.fold == Fold::Crease {
-            return Vec::new();
+            return Uneven::default();
         }
         for joint in joints.iter_mut() {
-            joint.back = self.back(joint);
+            joint.back = self.back(joint.fold);
             joint.is_hinge = self.fold != Fold::Separate || joint.kind() == FoldKind::Flat;
         }
-        let mut too_thick = Vec::new();
+        let mut uneven = Uneven::default();
         for (facet, f) in facets.iter_mut().zip(0..) {
-            let back = |joint: &Option<u32>| joint.map_or(0.0, |joint| joints[joint as usize].back);
-            let asked: Vec<f64> = facet.joints.iter().map(back).collect();
+            let back = |(joint, side): (&Option<u32>, &Option<u32>)| match joint {
+                Some(joint) => joints[*joint as usize].back,
+                None => side.map_or(0.0, |side| self.back_unpaired(surface, facet.panel, side)),
+            };
+            let asked: Vec<f64> = facet.joints.iter().zip(&facet.panel_sides).map(back).collect();
             if asked.iter().all(|by| *by == 0.0) {
                 continue;
             }
             let mut by = alike_in_line(&facet.corners, &asked);
             let inner = inset_sides(&facet.corners, &by);
             if inner.is_none() {
-                too_thick.push(f);
+                uneven.too_thick.push(f);
                 by.fill(0.0);
             }
             if self.fold == Fold::VCut {
+                // Each groove and mitre is as wide as its own fold asks.
+                facet.backs = asked;
                 continue;
             }
-            for (joint, (by, asked)) in facet.joints.iter().zip(by.iter().zip(&asked)) {
+            for ((joint, k), (by, asked)) in facet.joints.iter().zip(0..).zip(by.iter().zip(&asked))
+            {
+                if (by - asked).abs() <= ROUNDING {
+                    continue;
+                }
                 // What ends elsewhere than its neighbour has no hinge in common with it.
-                if let Some(joint) = joint.filter(|_| by != asked) {
-                    joints[joint as usize].is_hinge = false;
+                if let Some(joint) = joint {
+                    joints[*joint as usize].is_hinge = false;
+                }
+                if by > asked {
+                    uneven.gaps.push((f, k));
                 }
             }
             if let Some(corners) = inner {
                 facet.hinges = moved(&facet.hinges, &by);
                 facet.set_corners(corners);
             }
+            facet.backs = by;
         }
-        too_thick
+        uneven
     }
 
-    /// How far before the edge of a joint the inner faces of its facets end, in mm.
-    fn back(self, joint: &Joint) -> f64 {
+    /// How far before a side of a panel without a joint its inner face ends, in mm: it also meets those
+    /// beyond a panel without area.
+    fn back_unpaired(self, surface: &PanelSurface, panel: u32, side: u32) -> f64 {
+        let edge = surface.sides.row(panel as usize)[side as usize];
+        let edge = &surface.edges[edge as usize];
+        let fold = if surface.is_joined(edge) { None } else { surface.fold(edge) };
+        fold.map_or(0.0, |fold| self.back(fold))
+    }
+
+    /// How far before an edge with a fold in radians the inner faces of its facets end, in mm.
+    fn back(self, fold: f64) -> f64 {
         /// The least cosine of half a fold.
         const CLOSED: f64 = 1e-6;
-        if joint.kind() != FoldKind::Ridge {
+        if FoldKind::of(fold) != FoldKind::Ridge {
             return 0.0;
         }
-        let half_turns = 0.5 * joint.fold / std::f64::consts::TAU;
+        let half_turns = 0.5 * fold / std::f64::consts::TAU;
         self.thickness * sine(half_turns) / cosine(half_turns).max(CLOSED)
     }
 }

@@ -209,6 +209,11 @@ impl Place {
         [x + self.offset[0], y + self.offset[1]]
     }
 
+    /// The lower left corner of the box of its outline on the sheet.
+    pub fn corner(&self, outline: &[Point2]) -> Point2 {
+        bounds(outline.iter().map(|&point| self.to_sheet(point)))[0]
+    }
+
     /// The inverse of [`Place::to_sheet`].
     pub fn to_part(&self, [x, y]: Point2) -> Point2 {
         let [c, s] = self.turn;

@@ -3,7 +3,7 @@
 use crate::fabricate::build::{Build, beam_name};
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::paper::{JointKind, PaperModel};
-use crate::math::plane::{bounds, distance};
+use crate::math::plane::distance;
 
 /// Both tables, with the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
@@ -28,8 +28,7 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
     let places = build.layout.places(build.parts.len());
     for (k, part) in build.parts.iter().enumerate() {
         let place = places[k];
-        let corner = place
-            .map(|(_, place)| bounds(part.outline.iter().map(|&point| place.to_sheet(point)))[0]);
+        let corner = place.map(|(_, place)| place.corner(&part.outline));
         let first = part.panels.iter().map(|&panel| build.order[panel as usize]).min();
         let names: Vec<&str> =
             part.panels.iter().map(|&panel| &*build.names[panel as usize]).collect();
@@ -65,6 +64,8 @@ fn joins(build: &Build, model: &PaperModel) -> String {
         "length_a_sheet_mm",
         "length_b_sheet_mm",
         "cut_back_sheet_mm",
+        "cut_back_a_sheet_mm",
+        "cut_back_b_sheet_mm",
     ];
     let mut table = Table::new(&columns);
     let net = &model.net;
@@ -89,6 +90,10 @@ fn joins(build: &Build, model: &PaperModel) -> String {
             let [p, q] = net.ends(joint.sides[k]);
             distance(p, q)
         };
+        let back = |k: usize| {
+            let (f, side) = joint.sides[k];
+            net.facets[f as usize].backs[side as usize]
+        };
         table.row([
             Cell::from(&*name),
             Cell::from(panels[0]),
@@ -103,6 +108,8 @@ fn joins(build: &Build, model: &PaperModel) -> String {
             Cell::from(length(0)),
             Cell::from(length(1)),
             Cell::from(joint.back),
+            Cell::from(back(0)),
+            Cell::from(back(1)),
         ]);
     }
     table.into_text()

@@ -5,7 +5,7 @@ use crate::scene::Product::{self, Fins, Panels, Paper};
 const ALL: &[Product] = &Product::ALL;
 
 /// What is explained, for which products, and in which words.
-const READING: [(&[Product], &str, &str); 21] = [
+const READING: [(&[Product], &str, &str); 25] = [
     (ALL, "edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     (ALL, "edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -18,13 +18,24 @@ const READING: [(&[Product], &str, &str); 21] = [
         "panels.csv nodes",
         "counterclockwise seen from outside, from the edge at the arrow",
     ),
-    (&[Panels], "panels.csv x_sheet_mm", "of the mean of its corners; with y_sheet_mm"),
+    (&[Panels], "panels.csv corners", "of the whole panel, also for a piece; nodes too"),
+    (
+        &[Panels],
+        "panels.csv x_sheet_mm",
+        "of the mean of the corners of the whole panel, also for a piece; with y_sheet_mm",
+    ),
     (&[Panels], "panels.csv turn_deg", "direction of the edge at the arrow, on the sheet"),
     (&[Fins], "fins.csv x_sheet_mm", "of node_a; with y_sheet_mm"),
     (
         &[Panels],
         "splices.csv pieces",
         "joined by the plate behind their seam, where both have a frame; a piece is in the plane of its panel",
+    ),
+    (&[Panels], "splices.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
+    (
+        &[Panels],
+        "splices.csv turn_deg",
+        "direction of the seam, on the sheet, with piece_a on its left",
     ),
     (&[Fins], "fins.csv turn_deg", "direction from node_a to node_b, on the sheet"),
     (&[Fins], "names of fins", "from their first node to their second, tops of letters outwards"),
@@ -52,7 +63,12 @@ const READING: [(&[Product], &str, &str); 21] = [
     (
         &[Paper],
         "joins.csv cut_back_sheet_mm",
-        "from the edge to the inner faces of both panels: half of the groove or the mitre of a V-cut; scored or separate panels end there",
+        "from the edge to the inner faces of both panels, as their fold asks: half of the groove or the mitre of a V-cut",
+    ),
+    (
+        &[Paper],
+        "joins.csv cut_back_a_sheet_mm",
+        "from the edge to the inner face of panel_a as made; scored or separate, it ends there: farther than asked in line with a steeper fold; of panel_b: cut_back_b_sheet_mm",
     ),
     (&[Paper], "tabs", "glued to the inside of the panel that is named on them"),
 ];

@@ -2,7 +2,7 @@
 
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
-use crate::math::plane::distance;
+use crate::math::plane::{distance, minus};
 
 /// The plates as cut; their pieces are in `panels.csv`.
 pub(super) fn splices(build: &Build) -> String {
@@ -27,6 +27,11 @@ pub(super) fn splices(build: &Build) -> String {
         let [one, other] = own.pieces.map(|piece| &*build.parts[piece].name);
         let [low, high] = own.corners;
         let size = [own.axis, 1 - own.axis].map(|axis| high[axis] - low[axis]);
+        let corner = place.map(|(_, place)| place.corner(&part.outline));
+        let turn = place.map(|(_, place)| {
+            let [from, to] = own.seam.map(|end| place.to_sheet(end));
+            minus(to, from)
+        });
         table.row([
             Cell::from(&*part.name),
             Cell::from(&*build.names[own.panel as usize]),
@@ -37,9 +42,9 @@ pub(super) fn splices(build: &Build) -> String {
             Cell::from(size[1]),
             Cell::from(part.area()),
             place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
-            Cell::from(place.map(|(_, place)| place.offset[0])),
-            Cell::from(place.map(|(_, place)| place.offset[1])),
-            Cell::from(place.map(|(_, place)| place.turn_deg())),
+            Cell::from(corner.map(|corner| corner[0])),
+            Cell::from(corner.map(|corner| corner[1])),
+            Cell::from(turn.map(|[c, s]| libm::atan2(s, c).to_degrees())),
             Cell::from(part.named.words()),
         ]);
     }
