@@ -60,7 +60,7 @@ export function createViewActions(store: Store) {
     },
 
     /** Sets the last press that made all panels one shape; its card is shown. */
-    pressed: (press: PanelPress) => store.set({ press, closedCard: null }),
+    pressed: (press: PanelPress) => store.set({ press, closedCard: false }),
     /** Changes what is known of a press, while it is the last one. */
     pressTurns(press: PanelPress, change: Partial<PanelPress>): PanelPress {
       const changed = { ...press, ...change };
@@ -73,8 +73,8 @@ export function createViewActions(store: Store) {
       // An earlier one may have been refused meanwhile.
       store.set({ press: last && { ...last, isUnderWay: false }, closedCard, fitted });
     },
-    /** Closes the card of the panels, for this model. */
-    closePanelsCard: () => store.set({ closedCard: store.get().model }),
+    /** Closes the card of the panels, for this mesh. */
+    closePanelsCard: () => store.set({ closedCard: true }),
 
     /** Sets the tolerance of another measure, in its unit. */
     setToleranceOf: (id: string, value: number | null) =>

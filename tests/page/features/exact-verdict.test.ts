@@ -43,7 +43,7 @@ test('what is found for a message is said also after the card that it was on has
   const { store, messages } = await shown();
   const model = { faces: 4, panels: [{}] };
   const judged = {
-    ...{ model, press: { model }, kinds: [{ id: 'circle', panels: 'circular' }] },
+    ...{ model, press: {}, kinds: [{ id: 'circle', panels: 'circular' }] },
     document: { constraints: [{ kind: 'circle', enabled: true }] },
   };
   store.set(judged as unknown as State);
