@@ -327,6 +327,10 @@ export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
 /** Whether a constraint must be met, exactly or within a distance. */
 export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
 
+/** Whether the shape is no longer the original; meeting constraints moves it before any iteration. */
+export const hasMoved = (numbers: Numbers | null) =>
+  numbers !== null && (numbers.iteration > 0 || numbers.moved.max > 0);
+
 /** Whether the fitted shapes are shown: as the last press has it, else as the user does. */
 export const showsFitted = ({ fitted, display }: Pick<State, 'fitted' | 'display'>) =>
   fitted ?? display.shapes;
