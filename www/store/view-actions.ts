@@ -18,6 +18,21 @@ import {
 /** Storage key of the mouse. */
 const MOUSE = 'shape-up.mouse';
 
+/** What the solver says, and what has an action that does more than set it. */
+type Owned =
+  | (
+      | 'kinds'
+      | 'measures'
+      | 'operations'
+      | 'settings'
+      | 'model'
+      | 'document'
+      | 'numbers'
+      | 'halfway'
+    )
+  | ('running' | 'converged' | 'greatest' | 'display' | 'ownRange' | 'tolerances')
+  | ('mouse' | 'press' | 'closedCard' | 'tints');
+
 export function createViewActions(store: Store) {
   const mouse = MICE.find((one) => one === getItem(MOUSE));
   if (mouse) store.set({ mouse });
@@ -92,7 +107,7 @@ export function createViewActions(store: Store) {
     },
 
     /** Sets parts of the state that nothing else has to follow. */
-    look: (change: Partial<State>) => store.set(change),
+    look: (change: Partial<Omit<State, Owned>>) => store.set(change),
 
     /** Chooses what the mouse buttons do, now and at later visits. */
     useMouse(mouse: State['mouse']) {
