@@ -22,8 +22,8 @@ import { bindHalfStepSwitch } from '../store/half-step.ts';
 import { meshActions } from '../store/mesh-actions.ts';
 import { Selecting } from '../store/mesh-queries.ts';
 import { runEarlyPresses } from '../store/press.ts';
-import { NOTHING } from '../store/selection.ts';
 import { createStore } from '../store/state.ts';
+import { withModel } from '../store/with-model.ts';
 import { Alerts } from '../ui/controls/alerts.ts';
 import { closeAboutModel } from '../ui/controls/dialog.ts';
 import { tooltips } from '../ui/controls/tooltips.ts';
@@ -135,27 +135,7 @@ function bindSolver(client: SolverClient) {
   client.on('ready', ({ kinds, measures, operations, settings }) =>
     store.set({ kinds, measures, operations, settings }),
   );
-  client.on('model', ({ loaded }) =>
-    store.set({
-      // A restarted worker keeps the view settings.
-      ...(!client.restoring && {
-        ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
-        ...{ frameChosen: null, section: null },
-      }),
-      model: loaded,
-      document: null,
-      numbers: null,
-      greatest: null,
-      halfway: false,
-      flatMap: null,
-      heldOriginal: null,
-      selection: NOTHING,
-      dragged: [],
-      dragMs: 0,
-      tints: {},
-      tape: null,
-    }),
-  );
+  client.on('model', ({ loaded }) => store.set(withModel(loaded, client)));
   client.on('loading', ({ bytes, all }) => showLoading(store, bytes, all));
   client.on('document', ({ document }) => store.set({ document }));
   client.on('frame', ({ numbers, measure, greatest, answers }) =>

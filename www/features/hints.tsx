@@ -12,7 +12,7 @@ import { CloseButton } from '../ui/components/buttons.tsx';
 import { useThrottled } from '../ui/components/use-throttled.ts';
 import { byId } from '../ui/dom.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
-import type { State } from '../store/state.ts';
+import { hasMoved, type State } from '../store/state.ts';
 
 const KEY = 'shape-up.hints';
 const START = 'This is the original. Press Run.';
@@ -59,7 +59,7 @@ function hintOf(state: Readonly<State>, at: number) {
     worstOf(state, about.id) === 0
       ? `${about.met[0].toUpperCase()}${about.met.slice(1)}, exactly.`
       : `Wanted: ${about.met}.${isInLegend(state, about.id) ? ' The legend shows how far off the panels are.' : ''}`;
-  return numbers.iteration === 0 && at < 2 ? START : hints(met)[at];
+  return !hasMoved(numbers) && at < 2 ? START : hints(met)[at];
 }
 
 /** The number of hints that were followed, and whether they are done with. */
@@ -88,7 +88,7 @@ function useProgress() {
     now.drags = dragged.length > 0;
     // A run from the unsolved start; its first iterations may be seen together with it.
     now.runs = running && (now.runs || now.isStart);
-    now.isStart = numbers.iteration === 0;
+    now.isStart = !hasMoved(numbers);
     if (now.at === 1 && now.hasRun) now.at = 2;
     // The hints are done once the last one is shown.
     if (now.at === 2) setItem(KEY, 'done');

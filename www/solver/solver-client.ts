@@ -140,6 +140,11 @@ export class SolverClient extends Emitter<SolverEvents> {
     return this.#isSameModel;
   }
 
+  /** Whether its very mesh is, in a new worker. */
+  get isMeshBack() {
+    return this.#restoring;
+  }
+
   /**
    * Registers something begun by the user that later presses build on: every change is, and so is a
    * selection that the solver finds.

@@ -22,9 +22,9 @@ type Known = Pick<State, (typeof TOPIC_KEYS)[number]>;
  * opened, or how far they came; null if nothing is, or the user has closed it.
  */
 export function panelsTopic(state: Known): 'offer' | 'verdict' | null {
-  const { model, document, example, press, closedCard } = state;
-  if (!offersPanels(state) || !document || closedCard === model) return null;
-  if (press?.model === model && asksPanels(state)) return 'verdict';
+  const { document, example, press, closedCard } = state;
+  if (!offersPanels(state) || !document || closedCard) return null;
+  if (press && asksPanels(state)) return 'verdict';
   const isOffered = document.constraints.length === 0 && !example;
   return isOffered && !isLocked(state, 'constraints') ? 'offer' : null;
 }

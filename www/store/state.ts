@@ -142,12 +142,12 @@ export interface State {
   flatMap: FlatMap | null;
   /** on the panels, and the generation of the shape that it is on */
   verdict: { shape: number | undefined; report: PanelVerdict } | null;
-  /** the last press that made all panels one shape */
+  /** the last press that made all panels of this mesh one shape */
   press: PanelPress | null;
-  /** the model of which a press shows the fitted shapes, or hides them, whatever `display` says */
-  fitted: { model: Loaded; shown: boolean } | null;
-  /** the model whose card of panels the user closed */
-  closedCard: Loaded | null;
+  /** whether a press shows the fitted shapes or hides them; null if that is as `display` says */
+  fitted: boolean | null;
+  /** whether the user has closed the card of the panels of this mesh */
+  closedCard: boolean;
   /** null without fabrication panel */
   build: BuildReport | null;
   /** shown instead of the current shape, on request */
@@ -190,8 +190,6 @@ export interface FlatMap {
 }
 
 export interface PanelPress {
-  /** on which it acts */
-  model: Loaded;
   /** whether the shape still changes */
   isUnderWay: boolean;
   /** of the better choice that was pressed; empty if none was */
@@ -309,7 +307,7 @@ const INITIAL: State = {
   verdict: null,
   press: null,
   fitted: null,
-  closedCard: null,
+  closedCard: false,
   heldOriginal: null,
   build: null,
   presenting: null,
@@ -329,13 +327,13 @@ export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
 /** Whether a constraint must be met, exactly or within a distance. */
 export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
 
+/** Whether the shape is no longer the original; meeting constraints moves it before any iteration. */
+export const hasMoved = (numbers: Numbers | null) =>
+  numbers !== null && (numbers.iteration > 0 || numbers.moved.max > 0);
+
 /** Whether the fitted shapes are shown: as the last press has it, else as the user does. */
-export const showsFitted = ({
-  model,
-  fitted,
-  display,
-}: Pick<State, 'model' | 'fitted' | 'display'>) =>
-  fitted && fitted.model === model ? fitted.shown : display.shapes;
+export const showsFitted = ({ fitted, display }: Pick<State, 'fitted' | 'display'>) =>
+  fitted ?? display.shapes;
 
 export function createStore(): Store {
   const all = signal(INITIAL);

@@ -28,6 +28,8 @@ export function createTrials(solver: SolverClient, jobs: JobsClient) {
   const { ask, copy } = jobs.of('trials');
   /** Number of the current trial, and of changes that end every trial. */
   let [turn, changes] = [0, 0];
+  /** Number of trials that have begun. */
+  let begun = 0;
   /** Settled when the last trial has ended. */
   let last: Promise<unknown> = Promise.resolve();
   /** Generation of problem and shape as last known. */
@@ -63,7 +65,8 @@ export function createTrials(solver: SolverClient, jobs: JobsClient) {
     const model = solver.copy();
     if (!model) return null;
     turn += 1;
-    const mine = turn;
+    begun += 1;
+    const [mine, own] = [turn, begun];
     const trial = again(async () => {
       await begin(copy(model));
       let more = true;
@@ -72,7 +75,8 @@ export function createTrials(solver: SolverClient, jobs: JobsClient) {
         if (mine === turn) await after();
       }
       const found = await read(mine === turn);
-      if (mine === turn) await ask.free();
+      // Also after a change has ended it. Another trial has the copy in its turn.
+      if (own === begun) void ask.free().catch(() => {});
       return found;
     });
     last = trial.catch(() => null);

@@ -18,6 +18,21 @@ import {
 /** Storage key of the mouse. */
 const MOUSE = 'shape-up.mouse';
 
+/** What the solver says, and what has an action that does more than set it. */
+type Owned =
+  | (
+      | 'kinds'
+      | 'measures'
+      | 'operations'
+      | 'settings'
+      | 'model'
+      | 'document'
+      | 'numbers'
+      | 'halfway'
+    )
+  | ('running' | 'converged' | 'greatest' | 'display' | 'ownRange' | 'tolerances')
+  | ('mouse' | 'press' | 'closedCard' | 'tints');
+
 export function createViewActions(store: Store) {
   const mouse = MICE.find((one) => one === getItem(MOUSE));
   if (mouse) store.set({ mouse });
@@ -60,7 +75,7 @@ export function createViewActions(store: Store) {
     },
 
     /** Sets the last press that made all panels one shape; its card is shown. */
-    pressed: (press: PanelPress) => store.set({ press, closedCard: null }),
+    pressed: (press: PanelPress) => store.set({ press, closedCard: false }),
     /** Changes what is known of a press, while it is the last one. */
     pressTurns(press: PanelPress, change: Partial<PanelPress>): PanelPress {
       const changed = { ...press, ...change };
@@ -73,8 +88,8 @@ export function createViewActions(store: Store) {
       // An earlier one may have been refused meanwhile.
       store.set({ press: last && { ...last, isUnderWay: false }, closedCard, fitted });
     },
-    /** Closes the card of the panels, for this model. */
-    closePanelsCard: () => store.set({ closedCard: store.get().model }),
+    /** Closes the card of the panels, for this mesh. */
+    closePanelsCard: () => store.set({ closedCard: true }),
 
     /** Sets the tolerance of another measure, in its unit. */
     setToleranceOf: (id: string, value: number | null) =>
@@ -92,7 +107,7 @@ export function createViewActions(store: Store) {
     },
 
     /** Sets parts of the state that nothing else has to follow. */
-    look: (change: Partial<State>) => store.set(change),
+    look: (change: Partial<Omit<State, Owned>>) => store.set(change),
 
     /** Chooses what the mouse buttons do, now and at later visits. */
     useMouse(mouse: State['mouse']) {

@@ -11,18 +11,18 @@ import type { SceneDocument } from '../../../www/solver/types.ts';
 globalThis.matchMedia = () => ({ matches: true }) as MediaQueryList;
 const { ExactVerdict } = await import('../../../www/features/warnings/exact-verdict.ts');
 
-/** The verdict on one constraint that cannot be met. */
-async function shown() {
+/** The verdict on one constraint, which cannot be met unless another report is given. */
+async function shown(report: object = { met: false, worst: [{ vertices: [2, 3] }] }) {
   const store = createStore();
   store.set({
     document: { constraints: [] } as unknown as SceneDocument,
-    numbers: {
-      exact: { met: false, worst: [{ vertices: [2, 3] }] },
-    } as unknown as State['numbers'],
+    numbers: { exact: report } as unknown as State['numbers'],
   });
   const actions = {
     ask: { exactWords: async () => ({ brief: 'not possible', numbers: '', suggestions: [] }) },
     tint: createViewActions(store).tint,
+    reportErrors: (begun: Promise<unknown>) => begun,
+    trials: { improvement: () => new Promise(() => {}) },
   };
   const messages = new RunMessages({ store, actions } as unknown as AppContext);
   const app = { store, actions, solver: { geometry: null } } as unknown as AppContext;
@@ -43,7 +43,7 @@ test('what is found for a message is said also after the card that it was on has
   const { store, messages } = await shown();
   const model = { faces: 4, panels: [{}] };
   const judged = {
-    ...{ model, press: { model }, kinds: [{ id: 'circle', panels: 'circular' }] },
+    ...{ model, press: {}, kinds: [{ id: 'circle', panels: 'circular' }] },
     document: { constraints: [{ kind: 'circle', enabled: true }] },
   };
   store.set(judged as unknown as State);
@@ -52,6 +52,15 @@ test('what is found for a message is said also after the card that it was on has
   store.set({ flatMap: {} as State['flatMap'] });
   messages.turn(message, { waits: '' });
   assert.equal(messages.now.value?.waits, '');
+});
+
+test('what goes on can be stopped also where the card that it was on has no room', async () => {
+  // It searched on under a docked panel or a flat map, without Stop.
+  const { messages } = await shown({ met: true });
+  assert.equal(messages.now.value?.isOpen, undefined);
+  messages.now.value?.offers?.[0].act();
+  const { isOpen, offers } = messages.now.value ?? {};
+  assert.deepEqual([isOpen, offers?.[0].label], [true, 'Stop']);
 });
 
 test('colours that are shown again after the message go with the next change', async () => {

@@ -76,6 +76,10 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
   await showStep(page, 'Shape');
   await expect(goals(page).first()).toContainText('✓');
   await expect(lesson(page)).toContainText('Passed: 2 goals satisfied');
+  // Correcting it used to hand out the shape that the teacher had tried it with.
+  await page.getByRole('button', { name: 'Write a lesson' }).click();
+  await expect(dialog.getByRole('checkbox', { name: /^Students start/ })).toBeChecked();
+  await page.keyboard.press('Escape');
 
   const handedIn = async () => {
     await showStep(page, 'Shape');

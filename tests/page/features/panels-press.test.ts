@@ -3,10 +3,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
-import { createStore, showsFitted, type State } from '../../../www/store/state.ts';
+import { createStore, showsFitted } from '../../../www/store/state.ts';
 import { createViewActions } from '../../../www/store/view-actions.ts';
+import { withModel } from '../../../www/store/with-model.ts';
 import type { AppContext } from '../../../www/app/context.ts';
-import type { KindInfo } from '../../../www/solver/types.ts';
+import type { KindInfo, Loaded } from '../../../www/solver/types.ts';
 
 globalThis.matchMedia = () => ({ matches: false }) as MediaQueryList;
 const { makePanels } = await import('../../../www/features/make-panels/press.ts');
@@ -16,7 +17,8 @@ function page(shown: boolean) {
   const store = createStore();
   const view = createViewActions(store);
   const panels = [{ kind: 'circle', reason: null }];
-  const open = () => store.set({ model: { panels } as State['model'] });
+  const open = (restoring = false, isMeshBack = false) =>
+    store.set(withModel({ panels } as unknown as Loaded, { restoring, isMeshBack }));
   open();
   view.display({ shapes: shown });
   const solver = new Emitter<{ activity: { running: boolean; converged: boolean } }>();
@@ -94,6 +96,20 @@ test('a model that is opened during the transition of a second press is shown as
   await early.arrive();
   // And so was what it had hidden.
   assert.equal(early.isShown(), true);
+});
+
+test('a press outlasts a new worker, and the fitted shapes that it shows another mesh', async () => {
+  // Its card and verdict did not come after Cancel of other work, and Refine hid the circles.
+  const { press, arrive, isShown, app, open, store } = page(false);
+  press();
+  open(true, true);
+  await arrive();
+  assert.equal(isShown(), true);
+  for (const running of [true, false]) app.solver.emit('activity', { running, converged: true });
+  await arrive();
+  assert.equal(store.get().press?.isUnderWay, false);
+  open(true);
+  assert.deepEqual([store.get().press, isShown()], [null, true]);
 });
 
 test('a press with a length is about the open model, a plain one about the next', async () => {

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { handlesNow } from '../../../www/store/handles.ts';
-import { createStore, type State } from '../../../www/store/state.ts';
+import { createStore, hasMoved, type State } from '../../../www/store/state.ts';
 
 const reported: string[] = [];
 globalThis.reportError = (error) => reported.push(error.message);
@@ -34,6 +34,16 @@ test('a listener that throws does not affect the others', async () => {
   await Promise.resolve();
   assert.deepEqual(heard, ['', 'broken']);
   assert.deepEqual(reported, ['broken']);
+});
+
+test('a shape that only constraints have moved is no longer the original', () => {
+  // A run that begins by meeting them stays at iteration 0: it was taken for the unsolved start.
+  const moved = (iteration: number, max: number) =>
+    hasMoved({ iteration, moved: { max } } as State['numbers']);
+  assert.deepEqual(
+    [hasMoved(null), moved(0, 0), moved(0, 1), moved(1, 0)],
+    [false, false, true, true],
+  );
 });
 
 test('dragged handles have the targets of the drag', () => {

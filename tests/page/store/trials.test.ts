@@ -23,6 +23,7 @@ function trials(during: (solver: Fake) => void, scene = 5) {
     copy: () => ({ text: 'the scene', generation: 5 }),
   });
   let steps = 0;
+  const freed: string[] = [];
   const begun: unknown[] = [];
   /** What the worker has been asked to try last. */
   let last = '';
@@ -48,7 +49,7 @@ function trials(during: (solver: Fake) => void, scene = 5) {
     positions: async () => FOUND.positions,
     suggestions: async () => ['smooth less'],
     betterPresses: async () => (steps > 3 ? ['within 50 mm'] : []),
-    free: async () => {},
+    free: async () => void freed.push(last),
   };
   const made = createTrials(
     solver as unknown as SolverClient,
@@ -56,7 +57,7 @@ function trials(during: (solver: Fake) => void, scene = 5) {
   );
   solver.emit('frame', { generation: 5 });
   solver.emit('scene', { generation: scene });
-  return { made, begun, steps: () => steps };
+  return { made, begun, freed, steps: () => steps };
 }
 
 test('a trial runs to its end on a copy of the model', async () => {
@@ -87,9 +88,11 @@ for (const [what, during] of [
   ['an edit', (solver: Fake) => solver.emit('scene', { generation: 6 })],
 ] as const)
   test(`${what} ends a trial, and what was found is dropped`, async () => {
-    const { made, steps } = trials(during);
+    const { made, steps, freed } = trials(during);
     assert.equal(await made.exactOffer(() => true), null);
     assert.equal(steps(), 1);
+    // A session with its factors stayed until there was another trial.
+    assert.deepEqual(freed, ['exact']);
     const improving = trials(during);
     assert.equal(await improving.made.improvement(() => true), null);
     const helping = trials(during);
@@ -114,10 +117,11 @@ test('a trial that ends with the worker of another job begins again, and one tha
 });
 
 test('another trial ends the one before', async () => {
-  const { made } = trials(() => {});
+  const { made, freed } = trials(() => {});
   const first = made.exactOffer(() => true);
   const second = made.improvement(() => true);
   assert.deepEqual([await first, await second], [null, FOUND]);
+  assert.deepEqual(freed, ['improvement'], 'the copy is that of the second');
 });
 
 test('an improvement that is stopped keeps what it has', async () => {

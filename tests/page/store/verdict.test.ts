@@ -30,7 +30,7 @@ test('the card has a verdict only while a constraint asks the panels for a shape
     { id: 'edge', panels: null },
   ];
   const shown = (...constraints: object[]) =>
-    panelsCard({ model, kinds, press: { model }, document: { constraints } } as unknown as State);
+    panelsCard({ model, kinds, press: {}, document: { constraints } } as unknown as State);
   const circle = { kind: 'circle', enabled: true };
   const edge = { kind: 'edge', enabled: true };
   assert.equal(shown(edge, circle), 'verdict');
@@ -45,7 +45,7 @@ test('the card is where there is room for it, and what there is to say does not 
   const kinds = [{ id: 'circle', panels: 'circular' }];
   const offered = { model, kinds, document: { constraints: [] } };
   const circle = { kind: 'circle', enabled: true };
-  const judged = { ...offered, press: { model }, document: { constraints: [circle] } };
+  const judged = { ...offered, press: {}, document: { constraints: [circle] } };
   const where = (room: object) =>
     [offered, judged].map((known) => {
       const state = { ...known, room: 'wide', ...room } as unknown as State;
@@ -81,7 +81,7 @@ test('a verdict is asked for also where no card shows it', async () => {
   const store = createStore();
   const model = { faces: 4, panels: [{}] };
   const asked = {
-    ...{ model, press: { model, label: '' }, flatMap: {} },
+    ...{ model, press: { label: '' }, flatMap: {} },
     kinds: [{ id: 'circle', panels: 'circular' }],
     document: { constraints: [{ kind: 'circle', enabled: true }] },
   };

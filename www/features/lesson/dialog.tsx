@@ -7,6 +7,7 @@ import { declared, toleranceOf } from '../../store/colours/measures.ts';
 import { pressNamed } from '../../store/press.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
+import { sceneOf } from '../../solver/scene-text.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
 import { NumberInput, numberIn } from '../../ui/components/number-input.tsx';
@@ -145,7 +146,9 @@ function LessonDialog({
   const { store, files, actions } = app;
   const [goals, setGoals] = useState(() => firstGoals(store.get(), scene, subjects));
   const [refusal, setRefusal] = useState('');
+  // Kept shapes, and the start of a lesson that came with one, are not to be lost unasked.
   const kept = scene.variants.length;
+  const startsMoved = scene.lesson && files.original && sceneOf(files.original).current;
   const form = useRef<HTMLFormElement>(null);
   const text = useRef<HTMLTextAreaElement>(null);
   const add = useRef<HTMLButtonElement>(null);
@@ -262,8 +265,7 @@ function LessonDialog({
         ))}
       </fieldset>
       <label>
-        {/* Who corrects a lesson, or has kept shapes, is not to lose them unasked. */}
-        <input type="checkbox" name="unsolved" defaultChecked={!scene.lesson && kept === 0} />
+        <input type="checkbox" name="unsolved" defaultChecked={kept === 0 && !startsMoved} />
         Students start from the original, unsolved
         {kept > 0 && `; ${count(kept, 'kept shape is', 'kept shapes are')} removed`}
       </label>

@@ -28,13 +28,12 @@ export async function makePanels(app: AppContext, kind: KindInfo, how?: How) {
   const { store, solver, viewport, actions, files } = app;
   if (files.openings.coming && !(await isMeantAfter(app, kind.id, !how))) return;
   const before = store.get();
-  const { model } = before;
-  if (!model) return;
-  const press = { model, isUnderWay: true, label };
+  if (!before.model) return;
+  const press = { isUnderWay: true, label };
   actions.pressed(press);
   const settle = () => actions.pressTurns(press, { isUnderWay: false });
   const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
-  const show = (shown: boolean) => actions.look({ fitted: { model, shown } });
+  const show = (shown: boolean) => actions.look({ fitted: shown });
   // The fitted shapes are those of the final shape.
   if (arrived) show(false);
   const { ended, stop } = endOfRun(solver);
@@ -44,8 +43,8 @@ export async function makePanels(app: AppContext, kind: KindInfo, how?: How) {
     return actions.pressRefused(press, before);
   }
   await arrived;
-  if (store.get().model !== model) return;
-  show(true);
+  // Another file, and who has chosen meanwhile, have them as they are.
+  if (!arrived || store.get().fitted !== null) show(true);
   await ended;
   settle();
 }

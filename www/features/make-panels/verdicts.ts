@@ -56,8 +56,8 @@ class Verdicts {
   }
 
   #goesOn() {
-    const { running, press, model } = this.#app.store.get();
-    return running || (press?.model === model && press?.isUnderWay === true);
+    const { running, press } = this.#app.store.get();
+    return running || press?.isUnderWay === true;
   }
 
   async #renew() {

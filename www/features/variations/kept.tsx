@@ -140,8 +140,8 @@ function useKept() {
   useEffect(() => {
     const ask = async (): Promise<KeptShapes | null> => {
       const { connectivity } = solver.geometry ?? {};
-      if (!scene || !connectivity || scene.variants.length === 0) return null;
-      const rows = await actions.ask.variantTable();
+      if (!scene || !connectivity) return null;
+      const rows = scene.variants.length > 0 ? await actions.ask.variantTable() : [];
       return { scene, connectivity, rows, shapes: await shapesOf(rows) };
     };
     void actions.reportErrors(newest(ask())).then((found) => {

@@ -57,7 +57,7 @@ export class Variations {
    * @param end is called when there is nothing to vary
    */
   begin(end: () => void) {
-    const { store } = this.#app;
+    const { store, jobs } = this.#app;
     let isOn = true;
     const stop = store.subscribe(['document', 'running', 'model'], (state) => {
       const { document: scene, running, model } = state;
@@ -70,7 +70,14 @@ export class Variations {
       isOn = false;
       stop();
       this.#search++;
+      // An update that waits would ask the copy.
+      this.#wanted = 'none';
       if (this.isMoved()) this.leave();
+      if (this.#searched && this.#varied.worker === jobs.generation)
+        void jobs
+          .of('variations')
+          .ask.free()
+          .catch(() => {});
     };
   }
 
@@ -167,7 +174,7 @@ export class Variations {
     await actions.variations.leave();
     const model = await actions.atRest();
     // A run has begun meanwhile: its end begins another search.
-    if (!model) return;
+    if (!model || !isCurrent()) return;
     if (!connectivity || !(await copy(model).findVariations())) {
       const isRequired = store.get().document?.constraints.some(isHard);
       if (isCurrent()) this.words.value = isRequired ? NONE : NOTHING;

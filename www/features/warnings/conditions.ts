@@ -100,7 +100,7 @@ class Conditions {
     const elsewhere = isInLegend(store.get(), row?.measure ?? null) ? 'in-legend' : 'in-rows';
     const message = this.messages.say({
       words,
-      isProblem: true,
+      isOpen: true,
       numbers: { words: verdict.numbers, elsewhere },
       offers: [show],
       waits: 'Looking for suggestions …',

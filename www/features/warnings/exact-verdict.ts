@@ -65,6 +65,7 @@ export class ExactVerdict {
     };
     const message = this.#messages.say({
       words: 'Improving: looking for an equally exact shape that is better in all else …',
+      isOpen: true,
       offers: [stop],
     });
     const isWanted = () => this.#messages.isShown(message);
@@ -89,6 +90,7 @@ export class ExactVerdict {
     const message = this.#messages.say({
       result,
       words: 'Checking how far an exact shape would move …',
+      isOpen: true,
     });
     const isWanted = () => this.#messages.isShown(message);
     const found = await actions.trials.exactOffer(isWanted).catch(() => null);
@@ -114,6 +116,7 @@ export class ExactVerdict {
     this.#messages.say({
       result,
       words: cost.words.offered,
+      isOpen: true,
       numbers: { words: cost.words.away, elsewhere: 'where-room' },
       offers: [
         {
@@ -142,7 +145,7 @@ export class ExactVerdict {
     }));
     this.#messages.say({
       words: words.brief,
-      isProblem: true,
+      isOpen: true,
       numbers: { words: words.numbers, elsewhere: 'in-rows' },
       // Their colours end with the message, and so would what helps.
       offers: [{ label: 'Show them', stays: true, act: show }, ...suggestions],

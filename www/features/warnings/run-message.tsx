@@ -15,9 +15,9 @@ export function RunMessage({ isOnCard = false }) {
   const message = conditions(app).messages.now.value;
   const hasCard = panelsCard(app.store.state) === 'verdict';
   if (!message || isOnCard !== hasCard) return null;
-  const { words, isProblem, wasOnCard } = message;
+  const { words, isOpen, wasOnCard } = message;
   // Good news that has been read leaves the smaller view beside a docked panel to the model.
-  if (!isOnCard) return wasOnCard && !isProblem ? null : <Notice message={message} />;
+  if (!isOnCard) return wasOnCard && !isOpen ? null : <Notice message={message} />;
   return words ? (
     <div class="suggestions" role="group" aria-label="Verdict">
       <Content message={{ ...message, result: '' }} />

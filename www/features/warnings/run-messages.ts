@@ -16,8 +16,8 @@ export interface Message {
   /** the result of the run, which the card of the panels says itself */
   result?: string;
   words: string;
-  /** whether something is to be done about it */
-  isProblem?: boolean;
+  /** whether it is a problem, a question, or about work that goes on: not yet done with */
+  isOpen?: boolean;
   /** the numbers, and where they are shown else, or that they are shown only where there is room */
   numbers?: { words: string; elsewhere: 'in-legend' | 'in-rows' | 'where-room' };
   offers?: Offer[];

@@ -9,7 +9,7 @@ import type { Measure } from '../../solver/types.ts';
 import { newestOnly } from '../latest-only.ts';
 import { declared } from './measures.ts';
 import { spreadOf } from './spread.ts';
-import { AUTOMATIC, showsFitted, type State, type Store } from '../state.ts';
+import { AUTOMATIC, hasMoved, showsFitted, type State, type Store } from '../state.ts';
 import type { SolverClient } from '../../solver/solver-client.ts';
 import type { View } from '../../pkg/view-webgl2/shape_up.js';
 
@@ -88,8 +88,9 @@ export function colourFaces(store: Store, solver: SolverClient, view: () => View
     const drawing = view();
     if (!about || !drawing || !geometry?.values || geometry.measure !== measure) return;
     const { values } = geometry;
-    if (numbers?.iteration) void askForOriginal();
-    if (numbers?.iteration && !original && !hasFailed) return;
+    const moved = hasMoved(numbers);
+    if (moved) void askForOriginal();
+    if (moved && !original && !hasFailed) return;
     const before = original?.length === values.length ? original : null;
     const { range, spread } = spreadOf(drawing, state, about, values, before);
     if (range.some((end, i) => end !== state.range[i])) store.set({ range });
