@@ -4,6 +4,8 @@
  */
 
 import { computed, signal, type ReadonlySignal } from '@preact/signals';
+import { NOTHING } from './selection.ts';
+import type { SolverClient } from '../solver/solver-client.ts';
 import type {
   BuildReport,
   ConstraintRow,
@@ -389,4 +391,33 @@ function followed(all: ReadonlySignal<State>, keys: (keyof State)[]) {
     return [key, { enumerable: true, get: () => part.value }] as const;
   });
   return Object.defineProperties({}, Object.fromEntries(parts)) as Readonly<State>;
+}
+
+/**
+ * Returns what changes when the solver has another model: the view outlasts another mesh, and a press
+ * another worker.
+ */
+export function withModel(
+  loaded: Loaded,
+  { restoring, isMeshBack }: Pick<SolverClient, 'restoring' | 'isMeshBack'>,
+): Partial<State> {
+  return {
+    ...(!restoring && {
+      ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
+      ...{ frameChosen: null, section: null, fitted: null },
+    }),
+    ...(!isMeshBack && { press: null, closedCard: false }),
+    model: loaded,
+    document: null,
+    numbers: null,
+    greatest: null,
+    halfway: false,
+    flatMap: null,
+    heldOriginal: null,
+    selection: NOTHING,
+    dragged: [],
+    dragMs: 0,
+    tints: {},
+    tape: null,
+  };
 }

@@ -3,9 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
-import { createStore, showsFitted } from '../../../www/store/state.ts';
+import { createStore, showsFitted, withModel } from '../../../www/store/state.ts';
 import { createViewActions } from '../../../www/store/view-actions.ts';
-import { withModel } from '../../../www/store/with-model.ts';
 import type { AppContext } from '../../../www/app/context.ts';
 import type { KindInfo, Loaded } from '../../../www/solver/types.ts';
 
