@@ -3,7 +3,7 @@
 import type { Page } from '@playwright/test';
 import { openText } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { expect, openPage, test } from '../support.ts';
+import { expect, openPage, test, waitForState } from '../support.ts';
 
 /** Names of the buttons that are cut off by the window, and cannot be scrolled to. */
 const cutOff = (page: Page) =>
@@ -34,5 +34,8 @@ for (const [width, height] of [
     await page.evaluate(() => document.getElementById('build-button')?.click());
     await expect(page.getByRole('region', { name: 'Build: parts and sheets' })).toBeVisible();
     await expect(page.getByRole('button', { name: 'Close build: parts and sheets' })).toBeVisible();
+    // The buttons of its advice come with the parts.
+    await waitForState(page, (now) => now.build !== null);
+    await expect(page.getByRole('button', { name: /^Joint .* on the sheet / })).toBeVisible();
     expect(await cutOff(page)).toEqual([]);
   });
