@@ -66,7 +66,7 @@ const pointer = new PointerInput(store, solver, viewport, region, actions, {
   showMenu: (at) => showContextMenu(at, app),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
-bindHandleKeys(viewport, store, solver, actions);
+bindHandleKeys(viewport, store, actions);
 bindViewKeys(viewport);
 keepFocus(viewport.element);
 colourFaces(store, solver, () => viewport.view);

@@ -54,6 +54,7 @@ import type {
  * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged; sent
  *   after its `activity`.
  * - `trouble`: an iteration failed; the last good state stays.
+ * - `dragEnded`: the drag with this number is over, or was refused; the document follows.
  * - `died`: the state is unusable, the worker must be replaced.
  * - `working`: work begins that may take long, with no message until then: for the call with this `id`, or
  *   for none, as a run. `pong`: sign of life.
@@ -96,6 +97,7 @@ export type FromWorker =
   | { type: 'activity'; running: boolean; converged: boolean }
   | { type: 'collapsed'; collapse: string }
   | { type: 'trouble'; message: string }
+  | { type: 'dragEnded'; id: number }
   | { type: 'died'; message: string }
   | { type: 'working'; id?: number }
   | { type: 'pong' }

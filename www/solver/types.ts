@@ -108,11 +108,12 @@ export interface Saved {
 }
 
 /**
- * Targets (`#vertices by 3`) of dragged handles. The first phase is `start`, or `make`, which makes
- * the vertices handles first. Of several `move`s only the last one counts; `time` is that of its
- * event. During a drag the solver iterates even when paused.
+ * Targets (`#vertices by 3`) of dragged handles, of the drag with the number `id`. The first phase is
+ * `start`, or `make`, which makes the vertices handles first. Of several `move`s only the last one
+ * counts; `time` is that of its event. During a drag the solver iterates even when paused.
  */
 export type Drag = {
+  id: number;
   vertices: Uint32Array;
   targets: Float64Array;
   time?: number;

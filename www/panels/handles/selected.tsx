@@ -2,7 +2,7 @@
 
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { messageOf } from '../../solver/errors.ts';
-import { handlesNow } from '../../store/handles.ts';
+import { handlesNow, type HandleDrag } from '../../store/handles.ts';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
@@ -60,10 +60,9 @@ function useTypedTargets() {
   const { document, refused } = store.state;
   /** Targets not yet in the document, by vertex. */
   const [ahead, setAhead] = useState<ReadonlyMap<number, Handle['target']>>(new Map());
-  /** Ends the current simulated drag. */
-  const pending = useRef<(() => void) | null>(null);
+  const drag = useRef<HandleDrag>(null);
   useLayoutEffect(() => {
-    if (!pending.current) setAhead(new Map());
+    if (drag.current?.isOver !== false) setAhead(new Map());
   }, [document, refused]);
 
   /**
@@ -72,27 +71,18 @@ function useTypedTargets() {
    */
   function move(before: Handle[], axis: number, text: string) {
     const entry = readLength(text, store.get().document?.units ?? '');
-    pending.current?.();
     const after = before.map((handle) => {
       const target = [...handle.target] as Handle['target'];
       target[axis] = entry.by ? target[axis] + entry.length : entry.length;
       return { ...handle, target };
     });
     setAhead(new Map(after.map(({ vertex, target }) => [vertex, target])));
-    actions.moveHandles(before, 'start');
-    actions.moveHandles(after, 'move');
-    const followed = new Promise<void>((done) => {
-      const end = () => {
-        clearTimeout(timer);
-        pending.current = null;
-        actions.moveHandles(after, 'end');
-        done();
-      };
-      const timer = setTimeout(end, FOLLOW_MS);
-      pending.current = end;
-    });
+    const moving = actions.drags.begin(before);
+    drag.current = moving;
+    moving.moveTo(Float64Array.from(after.flatMap(({ target }) => target)));
+    setTimeout(() => moving.end(), FOLLOW_MS);
     // What is saved waits for it: meanwhile the mesh is half way.
-    void actions.begin(followed);
+    void actions.begin(moving.over);
     actions.setStatus(
       after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`,
     );
