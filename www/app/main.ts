@@ -27,6 +27,7 @@ import { Alerts } from '../ui/controls/alerts.ts';
 import { closeAboutModel } from '../ui/controls/dialog.ts';
 import { tooltips } from '../ui/controls/tooltips.ts';
 import { byId } from '../ui/dom.ts';
+import { keyInTitle } from '../ui/keys.ts';
 import { once } from '../ui/once.ts';
 import { showMoved } from '../viewport/input/drag-label.ts';
 import { bindViewKeys } from '../viewport/input/gestures.ts';
@@ -91,6 +92,7 @@ showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));
 
 const fileInput: HTMLInputElement = byId('file');
+for (const label of fileInput.labels ?? []) label.title += keyInTitle('Ctrl+O');
 fileInput.addEventListener('change', async () => {
   const chosen = [...(fileInput.files ?? [])];
   // Allows the same file to be opened again after it changed on disk.

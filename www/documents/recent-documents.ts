@@ -22,7 +22,7 @@ export interface Work {
   example: string | null;
   /** fragment of the address at which it was opened */
   hash: string;
-  /** camera and display */
+  /** camera, measure and open tab */
   view: SavedView | null;
   /** opening it failed */
   unreadable?: boolean;

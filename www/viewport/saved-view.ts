@@ -1,4 +1,4 @@
-/** Camera and display settings that are saved with a model. */
+/** Camera, measure and open tab, which are saved with a model. */
 
 import type { State, Store } from '../store/state.ts';
 import type { Actions } from '../store/actions.ts';
