@@ -80,8 +80,8 @@ const speed = {
   name: 'speed',
   transformIndexHtml: (html, { path }) => (path === '/speed.html' ? speedTexts(html) : html),
 };
-const told = () => ({
-  name: 'told',
+const onlyLicensed = () => ({
+  name: 'only-licensed',
   moduleParsed: ({ id }) => assertLicensed(id),
 });
 
@@ -162,7 +162,7 @@ export default {
   define: { 'import.meta.env.ENGINE_BYTES': String(engineBytes) },
   publicDir: false,
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
-  plugins: [layers, examples, readingPages, licences, speed, smallPages, told()],
+  plugins: [layers, examples, readingPages, licences, speed, smallPages, onlyLicensed()],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,
@@ -178,6 +178,6 @@ export default {
     },
   },
   // The same names, so that a file loaded by both page and worker exists once.
-  worker: { format: 'es', plugins: () => [told()], rolldownOptions: { output } },
+  worker: { format: 'es', plugins: () => [onlyLicensed()], rolldownOptions: { output } },
   server: { host: '127.0.0.1' },
 };

@@ -15,8 +15,8 @@ let shown: { text: HTMLElement; bar: HTMLProgressElement; card: HTMLElement } | 
  */
 export function showLoading(store: Store, bytes: number, all: number) {
   shown ??= show(store);
-  const [here, whole] = [bytes, all].map(megabytes);
-  shown.text.textContent = `Loading the solver · ${here} of ${whole} MB`;
+  const [loaded, total] = [bytes, all].map(megabytes);
+  shown.text.textContent = `Loading the solver · ${loaded} of ${total} MB`;
   shown.bar.value = bytes / all;
 }
 

@@ -399,14 +399,14 @@ function followed(all: ReadonlySignal<State>, keys: (keyof State)[]) {
  */
 export function withModel(
   loaded: Loaded,
-  { restoring, isMeshBack }: Pick<SolverClient, 'restoring' | 'isMeshBack'>,
+  { restoring, reopensSameMesh }: Pick<SolverClient, 'restoring' | 'reopensSameMesh'>,
 ): Partial<State> {
   return {
     ...(!restoring && {
       ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
       ...{ frameChosen: null, section: null, fitted: null },
     }),
-    ...(!isMeshBack && { press: null, closedCard: false }),
+    ...(!reopensSameMesh && { press: null, closedCard: false }),
     model: loaded,
     document: null,
     numbers: null,

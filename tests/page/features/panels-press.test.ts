@@ -16,8 +16,8 @@ function page(shown: boolean) {
   const store = createStore();
   const view = createViewActions(store);
   const panels = [{ kind: 'circle', reason: null }];
-  const open = (restoring = false, isMeshBack = false) =>
-    store.set(withModel({ panels } as unknown as Loaded, { restoring, isMeshBack }));
+  const open = (restoring = false, reopensSameMesh = false) =>
+    store.set(withModel({ panels } as unknown as Loaded, { restoring, reopensSameMesh }));
   open();
   view.display({ shapes: shown });
   const solver = new Emitter<{ activity: { running: boolean; converged: boolean } }>();
