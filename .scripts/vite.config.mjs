@@ -113,7 +113,7 @@ const layers = {
 };
 
 /** The pages of the site. */
-const pages = ['index', 'gallery', 'projections', 'licences', 'checked', 'speed', 'rhino', 'embed'];
+const pages = ['index', 'gallery', 'licences', 'checked', 'speed', 'rhino', 'embed'];
 
 const documents = pages.map((page) => at('www', `${page}.html`));
 /**
