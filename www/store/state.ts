@@ -3,7 +3,7 @@
  * it (it would be copied and compared needlessly); see `solver-client.ts`.
  */
 
-import { computed, signal, type ReadonlySignal } from '@preact/signals';
+import { computed, effect, signal, type ReadonlySignal } from '@preact/signals';
 import { NOTHING } from './selection.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type {
@@ -340,45 +340,41 @@ export const showsFitted = ({ fitted, display }: Pick<State, 'fitted' | 'display
 export function createStore(): Store {
   const all = signal(INITIAL);
   const keys = Object.keys(INITIAL) as (keyof State)[];
-  let subscriptions: { keys: (keyof State)[]; listener: (state: Readonly<State>) => void }[] = [];
-  let changed: Set<keyof State> = new Set();
+  const state = followed(all, keys);
+  /** The listeners in their order, each with whether one of its keys has changed in this task. */
+  const listeners = new Map<() => void, boolean>();
+  let isQueued = false;
 
   function notify() {
-    const keys = changed;
-    changed = new Set();
-    for (const { keys: wanted, listener } of subscriptions) {
-      if (wanted.some((key) => keys.has(key))) notifyListener(listener);
-    }
-  }
-
-  /** Calls a listener and reports its error. */
-  function notifyListener(listener: (state: Readonly<State>) => void) {
-    try {
-      listener(all.peek());
-    } catch (error) {
-      reportError(error);
-    }
+    isQueued = false;
+    for (const [call, isDue] of listeners) if (isDue) call();
   }
 
   return {
     get: () => all.peek(),
-    state: followed(all, keys),
+    state,
     set(patch) {
-      const before = all.peek();
-      const others = (Object.keys(patch) as (keyof State)[]).filter(
-        (key) => patch[key] !== before[key],
-      );
-      if (others.length === 0) return;
-      if (changed.size === 0) queueMicrotask(notify);
-      others.forEach((key) => changed.add(key));
-      all.value = { ...before, ...patch };
+      all.value = { ...all.peek(), ...patch };
     },
     subscribe(keys, listener) {
-      const own = { keys, listener };
-      subscriptions.push(own);
-      notifyListener(listener);
+      const call = () => {
+        listeners.set(call, false);
+        try {
+          listener(all.peek());
+        } catch (error) {
+          reportError(error);
+        }
+      };
+      const end = effect(() => {
+        keys.forEach((key) => state[key]);
+        listeners.set(call, true);
+        if (!isQueued) queueMicrotask(notify);
+        isQueued = true;
+      });
+      call();
       return () => {
-        subscriptions = subscriptions.filter((one) => one !== own);
+        end();
+        listeners.delete(call);
       };
     },
   };
