@@ -3,7 +3,7 @@
 
 import { cpSync, readFileSync, statSync } from 'node:fs';
 import { minify } from 'vite';
-import { licenceTexts } from './licences-page.mjs';
+import { escaped, licenceTexts } from './licences-page.mjs';
 import { assertLicensed } from './licences.mjs';
 import { writeOfflineParts } from './offline.mjs';
 import { lockPages } from './policy.mjs';
@@ -46,9 +46,6 @@ const smallPages = {
     },
   },
 };
-
-const escaped = (text) =>
-  text.replace(/[&<>]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[sign]);
 
 /** Inserts the common head of the reading pages, their links with the current page marked, and the script. */
 const readingPages = {
