@@ -75,21 +75,13 @@ export class Drags {
    * @param vertex the handle under the pointer, or one of those at the gizmo
    * @param part of the gizmo
    */
-  hold(constrain: MoveConstraint, vertex: number, part?: string): PointerDrag {
-    return this.#begin((of) => {
-      const { document, selection } = this.#store.get();
-      const together = (document?.handles ?? []).filter((handle) =>
-        selection.vertices.has(vertex)
-          ? selection.vertices.has(handle.vertex)
-          : handle.vertex === vertex,
-      );
-      return new PointerDrag(of, together, constrain, part);
-    });
+  hold(constrain: MoveConstraint, vertex: number, part?: string): ViewDrag {
+    return this.#begin((of) => new ViewDrag(of, movedWith(of.store, vertex), constrain, part));
   }
 
   /** Makes a vertex a handle and drags it from then on, as one step of undo. */
-  make(constrain: MoveConstraint, vertex: number): PointerDrag {
-    return this.#begin((of) => new PointerDrag(of, vertex, constrain));
+  make(constrain: MoveConstraint, vertex: number): ViewDrag {
+    return this.#begin((of) => new ViewDrag(of, vertex, constrain));
   }
 
   #begin<T extends HandleDrag>(begin: (of: Owner) => T): T {
@@ -99,6 +91,15 @@ export class Drags {
     this.#current = drag;
     return drag;
   }
+}
+
+/** The handles that move with one: the selected ones, if it is selected. */
+function movedWith(store: Store, vertex: number) {
+  const { document, selection } = store.get();
+  const isSelected = selection.vertices.has(vertex);
+  return (document?.handles ?? []).filter((handle) =>
+    isSelected ? selection.vertices.has(handle.vertex) : handle.vertex === vertex,
+  );
 }
 
 /** What a drag is begun with; `id` tells it from the others. */
@@ -111,15 +112,15 @@ type Owner = { store: Store; solver: SolverClient; id: number };
 export class HandleDrag {
   readonly id;
   /** Resolves when it is over. */
-  readonly over: Promise<void>;
+  readonly ended: Promise<void>;
   isOver = false;
   protected store;
   protected solver;
+  #vertices = new Uint32Array(0);
   /** Targets at the start, `#vertices by 3`; none of a vertex that is no handle yet. */
-  protected from: Float64Array = new Float64Array(0);
-  #vertices;
+  #from: Float64Array = new Float64Array(0);
   /** Current targets. */
-  #targets;
+  #targets = this.#from;
   #resolve = () => {};
 
   /** @param what the handles, or a vertex to make a handle */
@@ -127,12 +128,21 @@ export class HandleDrag {
     this.id = id;
     this.store = store;
     this.solver = solver;
-    this.over = new Promise<void>((resolve) => (this.#resolve = resolve));
-    const isNew = typeof what === 'number';
-    this.#vertices = isNew ? Uint32Array.of(what) : Uint32Array.from(what, ({ vertex }) => vertex);
-    if (!isNew) this.from = Float64Array.from(what.flatMap(({ target }) => target));
-    this.#targets = this.from;
-    this.#send(isNew ? 'make' : 'start');
+    this.ended = new Promise<void>((resolve) => (this.#resolve = resolve));
+    if (typeof what === 'number') this.#vertices = Uint32Array.of(what);
+    else this.take(what);
+    this.#send(typeof what === 'number' ? 'make' : 'start');
+  }
+
+  protected get from() {
+    return this.#from;
+  }
+
+  /** Sets the handles that are dragged, which are at their targets. */
+  protected take(handles: Handle[]) {
+    this.#vertices = Uint32Array.from(handles, ({ vertex }) => vertex);
+    this.#from = Float64Array.from(handles.flatMap(({ target }) => target));
+    this.#targets = this.#from;
   }
 
   /**
@@ -154,7 +164,7 @@ export class HandleDrag {
     const handles = withTargets(document?.handles ?? [], this.#vertices, this.#targets);
     if (document) this.store.set({ document: { ...document, handles } });
     this.leave();
-    return this.#targets.some((value, i) => value !== this.from[i]);
+    return this.#targets.some((value, i) => value !== this.#from[i]);
   }
 
   /** Cancels the drag and restores the targets. */
@@ -178,7 +188,7 @@ export class HandleDrag {
 }
 
 /** A drag in the view, which shows it before the solver answers. */
-export class PointerDrag extends HandleDrag {
+export class ViewDrag extends HandleDrag {
   #constrain;
   /** Displacement of the pointer since the start. */
   #by: [number, number] = [0, 0];
@@ -194,17 +204,15 @@ export class PointerDrag extends HandleDrag {
     super(owner, what);
     this.#constrain = constrain;
     this.#part = part;
-    const isNew = typeof what === 'number';
-    const dragged = isNew ? [what] : what.map(({ vertex }) => vertex);
     // A message about a finished run is outdated.
-    owner.store.set({ dragged, gizmoPart: part, status: '' });
-    if (!isNew) return;
+    owner.store.set({ gizmoPart: part, status: '' });
+    if (typeof what !== 'number') return;
+    owner.store.set({ dragged: [what] });
     this.#stopWaiting = owner.solver.on('document', ({ document }) => {
       // The document of an earlier edit does not have it yet.
-      const made = document.handles.find(({ vertex }) => vertex === what);
-      if (!made) return;
+      if (!document.handles.some(({ vertex }) => vertex === what)) return;
       this.#stopWaiting();
-      this.from = Float64Array.from(made.target);
+      this.take(movedWith(owner.store, what));
       this.move(...this.#by);
     });
   }
@@ -240,6 +248,11 @@ export class PointerDrag extends HandleDrag {
   toggleAxis(axis: number) {
     this.#axis = this.#axis === axis ? null : axis;
     this.move(...this.#by);
+  }
+
+  protected override take(handles: Handle[]) {
+    super.take(handles);
+    this.store.set({ dragged: handles.map(({ vertex }) => vertex) });
   }
 
   override leave() {

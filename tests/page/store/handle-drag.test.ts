@@ -52,7 +52,7 @@ test('a drag ends a typed move that is under way, and begins at its target', asy
   const typed = drags.begin([{ ...HANDLE, target: [1, 2, 3] }]);
   typed.moveTo(Float64Array.of(1, 2, 7));
   const drag = drags.hold(constrain, 3);
-  await typed.over;
+  await typed.ended;
   typed.end();
   drag.move(1, 0);
   assert.equal(drag.end(), true);

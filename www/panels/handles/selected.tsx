@@ -82,7 +82,7 @@ function useTypedTargets() {
     moving.moveTo(Float64Array.from(after.flatMap(({ target }) => target)));
     setTimeout(() => moving.end(), FOLLOW_MS);
     // What is saved waits for it: meanwhile the mesh is half way.
-    void actions.begin(moving.over);
+    void actions.begin(moving.ended);
     actions.setStatus(
       after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`,
     );

@@ -4,7 +4,7 @@
  * Enter drops them, Escape puts them back.
  */
 
-import { HANDLES_LOCKED, areHandlesLocked, type PointerDrag } from '../../store/handles.ts';
+import { HANDLES_LOCKED, areHandlesLocked, type ViewDrag } from '../../store/handles.ts';
 import { ARROWS } from '../../ui/keys.ts';
 import type { Viewport } from '../viewport.ts';
 import type { Store } from '../../store/state.ts';
@@ -17,7 +17,7 @@ const AXES = ['x', 'y', 'z'];
 /** Must be bound before the view's keys, which use the arrows otherwise. */
 export function bindHandleKeys(viewport: Viewport, store: Store, actions: Actions) {
   const { element } = viewport;
-  let drag: PointerDrag | null = null;
+  let drag: ViewDrag | null = null;
   let at = [0, 0];
 
   function grab() {

@@ -16,7 +16,7 @@
  * | touch | one finger as left, the button that adds as Shift; two pan and zoom | same |
  */
 
-import { HANDLES_LOCKED, areHandlesLocked, type PointerDrag } from '../../store/handles.ts';
+import { HANDLES_LOCKED, areHandlesLocked, type ViewDrag } from '../../store/handles.ts';
 import { near, clickTolerance, pair, wheelFactor } from './gestures.ts';
 import { combineOf, select } from '../../store/selection.ts';
 import { IS_MAC } from '../../ui/keys.ts';
@@ -40,7 +40,7 @@ const LONG_PRESS_MS = 500;
 /** State of a press until it is released. */
 type Gesture =
   | { kind: 'press' | CameraDrag | 'region' | 'pinch' | 'spent' }
-  | { kind: 'handle'; drag: PointerDrag };
+  | { kind: 'handle'; drag: ViewDrag };
 
 export class PointerInput {
   #store;
