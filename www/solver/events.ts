@@ -21,17 +21,15 @@
  */
 
 import type {
-  Connectivity,
   FaceMeasure,
-  KindInfo,
-  Loaded,
-  Measure,
-  Numbers,
+  KindWords,
+  FrameNumbers,
   Operation,
-  Projections,
-  SceneDocument,
-  SettingInfo,
-} from './types.ts';
+  DrawnProjections,
+  Document as SceneDocument,
+  Setting,
+} from '../pkg/engine/shape_up.js';
+import type { Connectivity, Loaded, Measure } from './types.ts';
 
 /**
  * - `ready`: the solver accepts messages. Sent first, once; `module` is the engine, compiled.
@@ -64,10 +62,10 @@ import type {
 export type FromWorker =
   | {
       type: 'ready';
-      kinds: KindInfo[];
+      kinds: KindWords[];
       measures: FaceMeasure[];
       operations: Operation[];
-      settings: SettingInfo[];
+      settings: Setting[];
       module: WebAssembly.Module;
     }
   | { type: 'loading'; bytes: number; all: number }
@@ -84,14 +82,14 @@ export type FromWorker =
   | {
       type: 'frame';
       generation: number;
-      numbers: Numbers;
+      numbers: FrameNumbers;
       positions: Float64Array;
       measure: Measure | null;
       greatest: number;
       values: Float32Array | null;
       corners: Float32Array | null;
       shapes: Float64Array | null;
-      projections: Projections | null;
+      projections: DrawnProjections | null;
       answers: [number, number] | null;
     }
   | { type: 'activity'; running: boolean; converged: boolean }

@@ -9,7 +9,8 @@ import { Emitter } from './emitter.ts';
 import { again, Cancelled, messageOf } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
-import type { Connectivity, Loaded, Measure, Snapshot, Projections, Saved } from './types.ts';
+import type { DrawnProjections } from '../pkg/engine/shape_up.js';
+import type { Connectivity, Loaded, Measure, Snapshot, Saved } from './types.ts';
 import type { Changes, Commands, Questions } from '../worker/interface.ts';
 
 /** The current mesh. */
@@ -31,7 +32,7 @@ export interface Geometry {
   measure: Measure | null;
   /** fitted shapes, eight numbers each */
   shapes: Float64Array | null;
-  projections: Projections | null;
+  projections: DrawnProjections | null;
 }
 
 /** What the model keeps from its file when its mesh is changed or restored. */

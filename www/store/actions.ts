@@ -8,7 +8,7 @@ import { count } from '../ui/words.ts';
 import { again, Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
-import type { Edit, PanelStart, Require } from '../solver/types.ts';
+import type { Edit, PanelStart, Require } from '../pkg/engine/shape_up.js';
 import { Drags, HANDLES_LOCKED, areHandlesLocked } from './handles.ts';
 import { asksPanels } from './panels-card.ts';
 import { existing, verticesOf } from './selection.ts';

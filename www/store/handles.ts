@@ -1,6 +1,7 @@
 /** The handles as the page shows them, whether they can be dragged, and drags of them. */
 
-import type { Drag, Handle, SceneDocument } from '../solver/types.ts';
+import type { HandleRow, Document as SceneDocument } from '../pkg/engine/shape_up.js';
+import type { Drag } from '../solver/types.ts';
 import type { State, Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 
@@ -12,15 +13,15 @@ export function handlesNow({
   document,
   dragged,
   moved,
-}: Pick<State, 'document' | 'dragged' | 'moved'>): Handle[] {
+}: Pick<State, 'document' | 'dragged' | 'moved'>): HandleRow[] {
   const handles = document?.handles ?? [];
   return moved ? withTargets(handles, dragged, moved.targets) : handles;
 }
 
 /** @param targets of the vertices, `#vertices by 3` */
-function withTargets(handles: Handle[], vertices: ArrayLike<number>, targets: Float64Array) {
+function withTargets(handles: HandleRow[], vertices: ArrayLike<number>, targets: Float64Array) {
   const offsets = new Map(Array.from(vertices, (vertex, i) => [vertex, 3 * i]));
-  return handles.map((handle): Handle => {
+  return handles.map((handle): HandleRow => {
     const [x, y, z] = targets.subarray(offsets.get(handle.vertex) ?? targets.length);
     return z === undefined ? handle : { ...handle, target: [x, y, z] };
   });
@@ -66,7 +67,7 @@ export class Drags {
   }
 
   /** Begins a drag of handles whose targets are known. */
-  begin(handles: Handle[]): HandleDrag {
+  begin(handles: HandleRow[]): HandleDrag {
     return this.#begin((of) => new HandleDrag(of, handles));
   }
 
@@ -124,7 +125,7 @@ export class HandleDrag {
   #resolve = () => {};
 
   /** @param what the handles, or a vertex to make a handle */
-  constructor({ store, solver, id }: Owner, what: Handle[] | number) {
+  constructor({ store, solver, id }: Owner, what: HandleRow[] | number) {
     this.id = id;
     this.store = store;
     this.solver = solver;
@@ -139,7 +140,7 @@ export class HandleDrag {
   }
 
   /** Sets the handles that are dragged, which are at their targets. */
-  protected take(handles: Handle[]) {
+  protected take(handles: HandleRow[]) {
     this.#vertices = Uint32Array.from(handles, ({ vertex }) => vertex);
     this.#from = Float64Array.from(handles.flatMap(({ target }) => target));
     this.#targets = this.#from;
@@ -200,7 +201,7 @@ export class ViewDrag extends HandleDrag {
   /** Ends the wait for the new handle. */
   #stopWaiting = () => {};
 
-  constructor(owner: Owner, what: Handle[] | number, constrain: MoveConstraint, part?: string) {
+  constructor(owner: Owner, what: HandleRow[] | number, constrain: MoveConstraint, part?: string) {
     super(owner, what);
     this.#constrain = constrain;
     this.#part = part;
@@ -250,7 +251,7 @@ export class ViewDrag extends HandleDrag {
     this.move(...this.#by);
   }
 
-  protected override take(handles: Handle[]) {
+  protected override take(handles: HandleRow[]) {
     super.take(handles);
     this.store.set({ dragged: handles.map(({ vertex }) => vertex) });
   }

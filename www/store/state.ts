@@ -11,29 +11,28 @@ import type {
   ConstraintRow,
   FaceMeasure,
   FewerFlips,
-  KindInfo,
-  Loaded,
-  MapNorm,
-  MapWeights,
-  Measure,
-  Numbers,
+  KindWords,
+  ConformalNorm,
+  ConformalWeights,
+  FrameNumbers,
   Operation,
-  Parametrization,
-  RowColours,
-  SceneDocument,
-  SettingInfo,
+  FlatMap as Parametrization,
+  DrawnRowColours,
+  Document as SceneDocument,
+  Setting,
   PanelVerdict,
-} from '../solver/types.ts';
+} from '../pkg/engine/shape_up.js';
+import type { Loaded, Measure } from '../solver/types.ts';
 import type { Example } from '../solver/examples.ts';
 import type { Spread } from './colours/spread.ts';
 
 export interface State {
-  kinds: KindInfo[];
+  kinds: KindWords[];
   measures: FaceMeasure[];
   /** selection operations */
   operations: Operation[];
   /** settings of a scene */
-  settings: SettingInfo[];
+  settings: Setting[];
   model: Loaded | null;
   /** name of the file, also of resumed work */
   fileName: string;
@@ -51,7 +50,7 @@ export interface State {
   frameChosen: { digest: string | null; units: boolean; up: boolean } | null;
   /** number of refused edits, after which the controls show the document again */
   refused: number;
-  numbers: Numbers | null;
+  numbers: FrameNumbers | null;
   /** Run was pressed and the iteration has not converged */
   running: boolean;
   /** "Refine and solve" is running, level by level */
@@ -86,7 +85,7 @@ export interface State {
   /** elements that are marked, each by its cause as long as that lasts */
   tints: Partial<Record<Marking, Tint | null>>;
   /** colours of constraint rows */
-  rowColours: RowColours | null;
+  rowColours: DrawnRowColours | null;
   /** the visible step if there is room for only one */
   step: Step;
   /** of the window: wide, small (narrow or low), or narrow with a step open over a part of the view */
@@ -178,9 +177,9 @@ type Look = 'checks' | 'errors';
 export interface FlatMap {
   found: Parametrization;
   /** of the computation */
-  weights: MapWeights;
+  weights: ConformalWeights;
   /** of the computation */
-  norm: MapNorm;
+  norm: ConformalNorm;
   /** the shape that was flattened, `#V by 3` */
   shape: Float64Array;
   /** settings with fewer flipped triangles; null if not searched */
@@ -330,7 +329,7 @@ export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
 export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
 
 /** Whether the shape is no longer the original; meeting constraints moves it before any iteration. */
-export const hasMoved = (numbers: Numbers | null) =>
+export const hasMoved = (numbers: FrameNumbers | null) =>
   numbers !== null && (numbers.iteration > 0 || numbers.moved.max > 0);
 
 /** Whether the fitted shapes are shown: as the last press has it, else as the user does. */

@@ -5,9 +5,9 @@
 
 import { isTrap, messageOf } from '../solver/errors.ts';
 import type { FromWorker } from '../solver/events.ts';
-import type { Drag, Half, Loaded, Numbers } from '../solver/types.ts';
+import type { Drag, Loaded } from '../solver/types.ts';
 import { Frames } from './frames.ts';
-import type { Solver } from '../pkg/engine/shape_up.js';
+import type { Solver, HalfStep, FrameNumbers } from '../pkg/engine/shape_up.js';
 
 /** Duration of a slice of iterations between messages, in milliseconds. */
 export const SLICE_MS = 8;
@@ -141,14 +141,14 @@ export class Scheduler {
    * Iterates once.
    * @returns the new numbers: their frame waits for a free buffer
    */
-  step(): Numbers {
+  step(): FrameNumbers {
     this.#isSettled = this.#solver.singleStep();
     this.#activityDue = true;
     this.changed();
     return this.#solver.frame(this.isIterating);
   }
 
-  halfStep(): Half {
+  halfStep(): HalfStep {
     const wasDragging = this.#drag !== null;
     const done = this.#afterDrag(() => this.#solver.halfStep());
     if (done.half === 'global') {

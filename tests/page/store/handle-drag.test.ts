@@ -7,7 +7,8 @@ import { Drags, handlesNow } from '../../../www/store/handles.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { WorkerEvents } from '../../../www/solver/events.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
-import type { Drag, SceneDocument } from '../../../www/solver/types.ts';
+import type { Document as SceneDocument } from '../../../www/pkg/engine/shape_up.js';
+import type { Drag } from '../../../www/solver/types.ts';
 
 const HANDLE = { vertex: 3, target: [1, 2, 3], weight: 1, fixed: false } as const;
 const constrain = (_: string, dx: number, dy: number) => Float64Array.of(dx, dy, 0);

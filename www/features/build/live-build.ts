@@ -1,7 +1,8 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
 import { again, isCollateral, messageOf } from '../../solver/errors.ts';
-import type { Asker, BuildSettings, Built, Reshaped, SceneDocument } from '../../solver/types.ts';
+import type { Document as SceneDocument } from '../../pkg/engine/shape_up.js';
+import type { Asker, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { metresOf } from '../../ui/words.ts';
 import type { AppContext } from '../../app/context.ts';

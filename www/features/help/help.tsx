@@ -13,7 +13,7 @@ import { INTERFACES } from '../../viewport/graphics-card.ts';
 import { MOUSE_WORDS } from '../../viewport/input/mouse.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
-import type { FileFormat } from '../../solver/types.ts';
+import type { FileFormat } from '../../pkg/engine/shape_up.js';
 
 /** Actions of the pointer; see `pointer.ts`. */
 const pointer = (mouse: State['mouse']): [string, string][] => [

@@ -7,7 +7,7 @@ import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { count, coordinate, decimalsFor, readLength } from '../../ui/words.ts';
-import type { Handle } from '../../solver/types.ts';
+import type { HandleRow } from '../../pkg/engine/shape_up.js';
 
 /** The length of the simulated drag by which the mesh follows a typed target, in milliseconds. */
 const FOLLOW_MS = 300;
@@ -59,7 +59,7 @@ function useTypedTargets() {
   const { store, actions } = useApp();
   const { document, refused } = store.state;
   /** Targets not yet in the document, by vertex. */
-  const [ahead, setAhead] = useState<ReadonlyMap<number, Handle['target']>>(new Map());
+  const [ahead, setAhead] = useState<ReadonlyMap<number, HandleRow['target']>>(new Map());
   const drag = useRef<HandleDrag>(null);
   useLayoutEffect(() => {
     if (drag.current?.isOver !== false) setAhead(new Map());
@@ -69,10 +69,10 @@ function useTypedTargets() {
    * Moves handles along one axis, as one step of undo.
    * @throws if the text is no length
    */
-  function move(before: Handle[], axis: number, text: string) {
+  function move(before: HandleRow[], axis: number, text: string) {
     const entry = readLength(text, store.get().document?.units ?? '');
     const after = before.map((handle) => {
-      const target = [...handle.target] as Handle['target'];
+      const target = [...handle.target] as HandleRow['target'];
       target[axis] = entry.by ? target[axis] + entry.length : entry.length;
       return { ...handle, target };
     });
@@ -163,7 +163,7 @@ function Targets(props: {
 }
 
 /** Whether the handles are fixed, and the weight of those that are not. */
-function Hold({ chosen }: { chosen: Handle[] }) {
+function Hold({ chosen }: { chosen: HandleRow[] }) {
   const { actions } = useApp();
   const soft = chosen.filter((handle) => !handle.fixed);
   const weight = common(soft.map((handle) => handle.weight));
