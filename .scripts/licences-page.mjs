@@ -5,7 +5,8 @@ import { at } from './project.mjs';
 import { licencesOf, shipped, textsOf } from './licences.mjs';
 import { sourceOf } from './sources.mjs';
 
-const escaped = (text) =>
+/** A text within HTML. */
+export const escaped = (text) =>
   text.replace(/[&<>]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[sign]);
 
 /** Groups components with the same licence text. */

@@ -1,6 +1,5 @@
-// Paths of the project, and versions in its lock file.
+// Paths of the project.
 
-import { readFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -18,11 +17,3 @@ export const program = join(targetFolder, 'debug', 'shape-up');
 
 /** The compile target of the page's modules. */
 export const wasmTarget = 'wasm32-unknown-unknown';
-
-/** Returns the version of `crate` in Cargo.lock. */
-export function lockedVersion(crate) {
-  const lock = readFileSync(at('Cargo.lock'), 'utf8');
-  const entry = lock.match(new RegExp(`name = "${crate}"\\nversion = "([^"]+)"`));
-  if (!entry) throw new Error(`Cargo.lock: no package "${crate}"`);
-  return entry[1];
-}

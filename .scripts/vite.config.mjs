@@ -3,7 +3,7 @@
 
 import { cpSync, readFileSync, statSync } from 'node:fs';
 import { minify } from 'vite';
-import { licenceTexts } from './licences-page.mjs';
+import { escaped, licenceTexts } from './licences-page.mjs';
 import { assertLicensed } from './licences.mjs';
 import { writeOfflineParts } from './offline.mjs';
 import { lockPages } from './policy.mjs';
@@ -47,9 +47,6 @@ const smallPages = {
   },
 };
 
-const escaped = (text) =>
-  text.replace(/[&<>]/g, (sign) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[sign]);
-
 /** Inserts the common head of the reading pages, their links with the current page marked, and the script. */
 const readingPages = {
   name: 'reading-pages',
@@ -80,8 +77,8 @@ const speed = {
   name: 'speed',
   transformIndexHtml: (html, { path }) => (path === '/speed.html' ? speedTexts(html) : html),
 };
-const told = () => ({
-  name: 'told',
+const onlyLicensed = () => ({
+  name: 'only-licensed',
   moduleParsed: ({ id }) => assertLicensed(id),
 });
 
@@ -113,7 +110,7 @@ const layers = {
 };
 
 /** The pages of the site. */
-const pages = ['index', 'gallery', 'projections', 'licences', 'checked', 'speed', 'rhino', 'embed'];
+const pages = ['index', 'gallery', 'licences', 'checked', 'speed', 'rhino', 'embed'];
 
 const documents = pages.map((page) => at('www', `${page}.html`));
 /**
@@ -162,7 +159,7 @@ export default {
   define: { 'import.meta.env.ENGINE_BYTES': String(engineBytes) },
   publicDir: false,
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
-  plugins: [layers, examples, readingPages, licences, speed, smallPages, told()],
+  plugins: [layers, examples, readingPages, licences, speed, smallPages, onlyLicensed()],
   build: {
     outDir: at('dist'),
     emptyOutDir: true,
@@ -178,6 +175,6 @@ export default {
     },
   },
   // The same names, so that a file loaded by both page and worker exists once.
-  worker: { format: 'es', plugins: () => [told()], rolldownOptions: { output } },
+  worker: { format: 'es', plugins: () => [onlyLicensed()], rolldownOptions: { output } },
   server: { host: '127.0.0.1' },
 };

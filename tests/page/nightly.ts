@@ -26,7 +26,6 @@ export const NIGHTLY: Group[] = [
     project: 'phone',
     titles: [
       'the gallery',
-      'the page about projections',
       'the page “What is checked”',
       'the page “From Rhino and Grasshopper”',
       'an embedded view',

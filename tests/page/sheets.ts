@@ -2,7 +2,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { unzipSync } from 'fflate';
-import type { BuildReport } from '../../www/solver/types.ts';
+import type { BuildReport } from '../../www/pkg/engine/shape_up.js';
 import { showStep } from './actions.ts';
 import { expect, waitForState, type PageState } from './support.ts';
 

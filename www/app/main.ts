@@ -27,6 +27,7 @@ import { Alerts } from '../ui/controls/alerts.ts';
 import { closeAboutModel } from '../ui/controls/dialog.ts';
 import { tooltips } from '../ui/controls/tooltips.ts';
 import { byId } from '../ui/dom.ts';
+import { keyInTitle } from '../ui/keys.ts';
 import { once } from '../ui/once.ts';
 import { showMoved } from '../viewport/input/drag-label.ts';
 import { bindViewKeys } from '../viewport/input/gestures.ts';
@@ -66,7 +67,7 @@ const pointer = new PointerInput(store, solver, viewport, region, actions, {
   showMenu: (at) => showContextMenu(at, app),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
-bindHandleKeys(viewport, store, solver, actions);
+bindHandleKeys(viewport, store, actions);
 bindViewKeys(viewport);
 keepFocus(viewport.element);
 colourFaces(store, solver, () => viewport.view);
@@ -91,6 +92,7 @@ showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));
 
 const fileInput: HTMLInputElement = byId('file');
+for (const label of fileInput.labels ?? []) label.title += keyInTitle('Ctrl+O');
 fileInput.addEventListener('change', async () => {
   const chosen = [...(fileInput.files ?? [])];
   // Allows the same file to be opened again after it changed on disk.

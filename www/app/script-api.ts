@@ -100,7 +100,7 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
       return solver.sceneText === null ? null : JSON.parse(solver.sceneText);
     },
 
-    /** A copy of the declarations of the kinds of constraint: see `KindInfo` in `solver/types.ts`. */
+    /** A copy of the declarations of the kinds of constraint: see `KindWords` of Rust. */
     kinds() {
       return structuredClone(store.get().kinds);
     },

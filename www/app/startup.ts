@@ -20,7 +20,6 @@ import { exampleOf } from '../solver/examples.ts';
 import { byId, element } from '../ui/dom.ts';
 import { isEmbedded } from '../ui/embedded.ts';
 import { saveFile } from '../ui/output.ts';
-import { getItem } from '../ui/safe-storage.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
 import type { Files } from '../documents/files.ts';
 import type { AppContext } from './context.ts';
@@ -172,7 +171,6 @@ export class Startup {
    * @returns whether there is one
    */
   async #restored(opening: Opening): Promise<boolean> {
-    if (!hasStoredWork()) return false;
     const last = await lastWork();
     if (!last) return false;
     // Autosave must be running before the user can edit the work and close the page.
@@ -262,9 +260,6 @@ export class Startup {
 function sceneFile(name: string, text: string) {
   return { name: `${name}.shapeup.json`, bytes: new TextEncoder().encode(text) };
 }
-
-/** Whether any work was ever stored in this browser. */
-const hasStoredWork = () => getItem('shape-up.works') !== null;
 
 const FILES = 'a mesh (.obj, .off, .mesh, .ply, .stl, .3dm) or a scene (.json)';
 

@@ -1,6 +1,6 @@
 /**
  * Saves the user's work in this browser, one work per model opened in a tab: immediately after
- * every edit, about once a second during a run or a drag, and the camera and display settings when
+ * every edit, about once a second during a run or a drag, and the camera, measure and open tab when
  * the page is left. An unchanged example is not saved, since it can be opened again.
  *
  * A tab holds a lock on its work while it lives, so that no other tab opens it.

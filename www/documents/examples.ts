@@ -46,6 +46,15 @@ function otherItems(menu: HTMLElement, { commands }: AppContext) {
 }
 
 function itemOf(example: Example, menu: HTMLElement, { files, actions }: AppContext) {
+  const picture = element('img', {
+    src: new URL(`pictures/${example.id}-end.webp`, document.baseURI).href,
+    alt: '',
+    width: 72,
+    height: 52,
+    // It is loaded when the menu opens; without a network, only if the gallery has shown it.
+    loading: 'lazy',
+    onerror: () => (picture.hidden = true),
+  });
   return element(
     'button',
     {
@@ -55,16 +64,7 @@ function itemOf(example: Example, menu: HTMLElement, { files, actions }: AppCont
         void actions.reportErrors(files.openExample(example));
       },
     },
-    // Loaded lazily when the menu opens; not available offline.
-    element('img', {
-      ...(navigator.onLine && {
-        src: new URL(`pictures/${example.id}-end.webp`, document.baseURI).href,
-      }),
-      alt: '',
-      width: 72,
-      height: 52,
-      loading: 'lazy',
-    }),
+    picture,
     entry(example.title, example.summary),
   );
 }

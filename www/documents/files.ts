@@ -7,6 +7,7 @@ import { isReadable, mainOf } from '../solver/opened-files.ts';
 import { count, groupDigits, length } from '../ui/words.ts';
 import { saveFile } from '../ui/output.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
+import { linkToExample } from './examples.ts';
 import { offersToChoose } from './missing-files.ts';
 import { Openings, type Opening } from './openings.ts';
 import { askRhino } from './rhino/rhino-client.ts';
@@ -14,7 +15,8 @@ import type { FromRhino } from './rhino/rhino-in.ts';
 import { digestOf, rememberedFrame } from './known-frames.ts';
 import { restoreView, viewOf, type SavedView } from '../viewport/saved-view.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { NamedBytes, Saved, SceneDocument, Opened } from '../solver/types.ts';
+import type { Document as SceneDocument } from '../pkg/engine/shape_up.js';
+import type { NamedBytes, Saved, Opened } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
 import { STARTS_LATER } from '../store/press.ts';
 import { untilChanged } from '../store/until-changed.ts';
@@ -50,19 +52,19 @@ export interface Origin {
   unwelded?: boolean;
   /** fragment of the address at which it was opened, with its # */
   link?: string;
-  /** camera and display at which it was left */
+  /** camera, measure and open tab at which it was left */
   view?: SavedView | null;
   /** it is only tried: the work before stays that of the tab, also after a reload */
   trial?: boolean;
   /** the model that this one has replaced, as a new mesh does, which Undo opens again */
-  before?: Left | null;
+  before?: Reopenable | null;
   /** the model that Undo has replaced, which Redo opens again */
-  after?: Left | null;
+  after?: Reopenable | null;
   /** the replacing, as a step of Undo in words */
   step?: string;
 }
 /** An open model, to be opened again as it was left. */
-type Left = { given: NamedBytes[]; origin: Origin };
+type Reopenable = { given: NamedBytes[]; origin: Origin };
 
 const IS_RHINO = /\.3dm$/i;
 
@@ -219,13 +221,17 @@ export class Files extends Emitter<{ opened: void }> {
   /**
    * Opens an example.
    * @param how.first it is the page's first model, already solved
-   * @param how.link fragment of the address that names it
+   * @param how.link fragment of the address that names it; the first model is that of none
    * @param how.opening that it is part of, if it is not one of its own
    * @returns null if a later opening has taken its place
    */
   async openExample(
     example: Example,
-    { first = false, link, opening }: { first?: boolean; link?: string; opening?: Opening } = {},
+    {
+      first = false,
+      link = first ? undefined : linkToExample(example.id),
+      opening,
+    }: { first?: boolean; link?: string; opening?: Opening } = {},
   ): Promise<Opened | null> {
     if (!opening)
       return this.openings.begin((own) => this.openExample(example, { first, link, opening: own }));
@@ -250,7 +256,7 @@ export class Files extends Emitter<{ opened: void }> {
    * Returns the open model with the edits that were begun before, and with its undo history, which
    * belongs to the solver's last scene text; null without one. A run ends.
    */
-  async asItIs(): Promise<Left | null> {
+  async asItIs(): Promise<Reopenable | null> {
     if (!this.#store.get().document) return null;
     await this.#actions.settled();
     const { text } = await this.#actions.rest();
@@ -270,7 +276,7 @@ export class Files extends Emitter<{ opened: void }> {
    * @param next may ask for the open one as it is: what is opened meanwhile was begun later, and wins
    * @returns null if it is not open; an alert gives the reason
    */
-  #openInstead(next: () => Promise<Left> | Left): Promise<Opened | null> {
+  #openInstead(next: () => Promise<Reopenable> | Reopenable): Promise<Opened | null> {
     return this.openings.begin(async (opening) => {
       const left = await this.#actions.reportErrors(next());
       // Of a refusal the reason is told where it opens.

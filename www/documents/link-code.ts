@@ -8,7 +8,6 @@
 
 import { crc32, MOST_BYTES, deflate, inflate } from './packing.ts';
 
-/** Codes of earlier versions began with a smaller number. */
 const VERSION = 8;
 const SUM_BYTES = 4;
 /** Number of characters that passes everywhere. */
@@ -59,12 +58,6 @@ const damaged = () =>
     'The link is incomplete or damaged: it was probably truncated. Ask the sender for the link again, or for the scene file.',
   );
 
-/** Returns the error for a link of an earlier version. */
-export const outdated = () =>
-  new Error(
-    'This link was made by an earlier version of this page and can no longer be opened. Ask the sender for a new link, or for the scene file.',
-  );
-
 /**
  * @param given.example id of the example whose mesh the scene has
  * @param given.run whether to iterate after opening
@@ -109,9 +102,10 @@ export async function unpackScene(
 ): Promise<{ text: string; example: string | null; run: boolean; name: string | null }> {
   const bytes = readCode(code);
   if (!bytes?.length) throw damaged();
-  if (bytes[0] < VERSION) throw outdated();
-  if (bytes[0] > VERSION)
-    throw new Error('The link was made by a newer version of this page. Reload the page.');
+  if (bytes[0] !== VERSION)
+    throw new Error(
+      'The link was made by another version of this page. Reload the page, or ask the sender for the scene file.',
+    );
   const content = await inflate(bytes.subarray(1)).catch(() => {
     throw damaged();
   });

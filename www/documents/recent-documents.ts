@@ -22,7 +22,7 @@ export interface Work {
   example: string | null;
   /** fragment of the address at which it was opened */
   hash: string;
-  /** camera and display */
+  /** camera, measure and open tab */
   view: SavedView | null;
   /** opening it failed */
   unreadable?: boolean;
@@ -44,8 +44,6 @@ export interface Contents {
 const ABOUT = 'work ';
 const TEXT = 'text ';
 const PARTS = [ABOUT, TEXT, 'history ', 'progress '];
-/** Earlier versions stored a list instead. */
-const OLD_LIST = 'list';
 /** Number of works kept, beside older ones that are open. */
 export const MOST = 8;
 /** A tab holds a lock with this prefix and the id of its work. */
@@ -65,15 +63,13 @@ export const newId = () => `${Date.now().toString(36)}-${Math.random().toString(
 
 /** Returns all works, newest first. */
 export async function recentDocuments(): Promise<Work[]> {
-  const [keys, about, old] = await database('readonly', (store) =>
+  const [keys, about] = await database('readonly', (store) =>
     Promise.all([
       promisifyRequest(store.getAllKeys()),
       promisifyRequest(store.getAll(IDBKeyRange.bound(ABOUT, `${ABOUT}\uffff`))),
-      promisifyRequest(store.get(OLD_LIST)),
     ]),
   );
-  const known = [...(Array.isArray(old) ? old : []), ...about].filter(isWork);
-  const byId = new Map(known.map((work) => [work.id, work]));
+  const byId = new Map(about.filter(isWork).map((work) => [work.id, work]));
   return keys
     .map(String)
     .filter((key) => key.startsWith(TEXT))

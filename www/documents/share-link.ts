@@ -10,7 +10,7 @@
  * not those of rounded positions. A kept design is part of the scene, as its start positions.
  */
 
-import { outdated, packScene, unpackScene } from './link-code.ts';
+import { packScene, unpackScene } from './link-code.ts';
 import { sceneOf, type SceneText } from '../solver/scene-text.ts';
 import type { Example, Files } from './files.ts';
 import type { AppContext } from '../app/context.ts';
@@ -36,8 +36,6 @@ export async function readLink(hash: string): Promise<Linked | null> {
   const parts = new URLSearchParams(hash.slice(1));
   const code = parts.get('link');
   if (code !== null) return unpackScene(code);
-  // The scene, or the edits of an example, in the first links.
-  if (parts.has('scene') || parts.has('edits')) throw outdated();
   const example = parts.get('example');
   return example ? { example, text: null, run: parts.has('run'), name: null } : null;
 }

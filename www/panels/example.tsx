@@ -64,7 +64,7 @@ function Neighbour({ words, to }: { words: string; to: Example }) {
         // A link to the current address would do nothing.
         if (location.hash !== link) return;
         event.preventDefault();
-        void actions.reportErrors(files.openExample(to, { link }));
+        void actions.reportErrors(files.openExample(to));
       }}
     >
       {words}

@@ -15,7 +15,7 @@ import { itemByKey } from '../ui/controls/navigation.ts';
 import { showElements } from '../viewport/camera.ts';
 import type { State } from '../store/state.ts';
 import type { RefObject } from 'preact';
-import type { WorstRow } from '../solver/types.ts';
+import type { WorstRow } from '../pkg/engine/shape_up.js';
 
 const ROWS = 20;
 const ASK_EVERY_MS = 300;

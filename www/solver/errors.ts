@@ -19,20 +19,20 @@ const isNotFetched = (thrown: unknown, message: string) =>
 
 /** Error of what the user has cancelled, or given up by opening another model: nothing to report. */
 export class Cancelled extends Error {
-  isMeant;
+  isDirect;
 
-  /** @param isMeant false for what ended only because its worker had to end for something else */
-  constructor(isMeant: boolean = true) {
+  /** @param isDirect false for what ended only because its worker had to end for something else */
+  constructor(isDirect: boolean = true) {
     super('Cancelled.');
-    this.isMeant = isMeant;
+    this.isDirect = isDirect;
   }
 }
 
-/** Whether something was cancelled that nobody meant: it can be asked for again. */
-export const isUnmeant = (thrown: unknown) => thrown instanceof Cancelled && !thrown.isMeant;
+/** Whether something ended only with what was cancelled: it can be asked for again. */
+export const isCollateral = (thrown: unknown) => thrown instanceof Cancelled && !thrown.isDirect;
 
 /**
- * Asks once more if the first answer was cancelled and nobody meant it.
+ * Asks once more if the first answer was cancelled with something else.
  * @param renew first makes again what the worker had
  */
 export const again = <Answer>(
@@ -40,7 +40,7 @@ export const again = <Answer>(
   renew: () => unknown = () => {},
 ): Promise<Answer> =>
   ask().catch(async (thrown: unknown) => {
-    if (!isUnmeant(thrown)) throw thrown;
+    if (!isCollateral(thrown)) throw thrown;
     await renew();
     return ask();
   });

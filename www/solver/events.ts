@@ -21,17 +21,15 @@
  */
 
 import type {
-  Connectivity,
   FaceMeasure,
-  KindInfo,
-  Loaded,
-  Measure,
-  Numbers,
+  KindWords,
+  FrameNumbers,
   Operation,
-  Projections,
-  SceneDocument,
-  SettingInfo,
-} from './types.ts';
+  DrawnProjections,
+  Document as SceneDocument,
+  Setting,
+} from '../pkg/engine/shape_up.js';
+import type { Connectivity, Loaded, Measure } from './types.ts';
 
 /**
  * - `ready`: the solver accepts messages. Sent first, once; `module` is the engine, compiled.
@@ -54,6 +52,7 @@ import type {
  * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged; sent
  *   after its `activity`.
  * - `trouble`: an iteration failed; the last good state stays.
+ * - `dragEnded`: the drag with this number is over, or was refused; the document follows.
  * - `died`: the state is unusable, the worker must be replaced.
  * - `working`: work begins that may take long, with no message until then: for the call with this `id`, or
  *   for none, as a run. `pong`: sign of life.
@@ -63,10 +62,10 @@ import type {
 export type FromWorker =
   | {
       type: 'ready';
-      kinds: KindInfo[];
+      kinds: KindWords[];
       measures: FaceMeasure[];
       operations: Operation[];
-      settings: SettingInfo[];
+      settings: Setting[];
       module: WebAssembly.Module;
     }
   | { type: 'loading'; bytes: number; all: number }
@@ -83,19 +82,20 @@ export type FromWorker =
   | {
       type: 'frame';
       generation: number;
-      numbers: Numbers;
+      numbers: FrameNumbers;
       positions: Float64Array;
       measure: Measure | null;
       greatest: number;
       values: Float32Array | null;
       corners: Float32Array | null;
       shapes: Float64Array | null;
-      projections: Projections | null;
+      projections: DrawnProjections | null;
       answers: [number, number] | null;
     }
   | { type: 'activity'; running: boolean; converged: boolean }
   | { type: 'collapsed'; collapse: string }
   | { type: 'trouble'; message: string }
+  | { type: 'dragEnded'; id: number }
   | { type: 'died'; message: string }
   | { type: 'working'; id?: number }
   | { type: 'pong' }

@@ -1,6 +1,6 @@
 /** List of the examples. */
 
-import type { LessonWords } from './types.ts';
+import type { LessonWords } from '../pkg/engine/shape_up.js';
 
 /** An entry of `examples/index.json`, as the command line writes it. */
 export interface Example {

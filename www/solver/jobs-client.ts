@@ -57,13 +57,13 @@ export class JobsClient extends Emitter<{
   }
 
   /**
-   * Cancels the current job, or those with these names. What waits for the worker ends with it, but is
-   * told that it was not meant.
+   * Cancels the current job, or those with these names. What waits for the worker ends with it, as
+   * collateral that can be asked for again.
    */
   cancel(...names: (keyof Remote<Jobs & ModelCopy>)[]) {
-    const meant: string[] = names;
+    const direct: string[] = names;
     this.#end(
-      (name, place) => new Cancelled(names.length > 0 ? meant.includes(name) : place === 0),
+      (name, place) => new Cancelled(names.length > 0 ? direct.includes(name) : place === 0),
     );
   }
 

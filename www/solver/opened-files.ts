@@ -36,7 +36,7 @@ export function filesNamed(files: NamedBytes[], namesOf: (scene: Uint8Array) => 
   return paths.map((path) => {
     const file = others.find(({ name }) => name === nameOf(path));
     const before = file && takenBy.get(file);
-    if (before && here(before) !== here(path))
+    if (before && withoutDots(before) !== withoutDots(path))
       throw new Error(
         `${before} and ${path} have the same name here, without their folders: rename one of them, also in the scene.`,
       );
@@ -48,4 +48,4 @@ export function filesNamed(files: NamedBytes[], namesOf: (scene: Uint8Array) => 
 const nameOf = (path: string) => path.split('/').pop();
 
 /** A path in its shortest form. */
-const here = (path: string) => path.replace(/(^|\/)(\.\/)+/g, '$1');
+const withoutDots = (path: string) => path.replace(/(^|\/)(\.\/)+/g, '$1');

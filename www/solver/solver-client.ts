@@ -9,7 +9,8 @@ import { Emitter } from './emitter.ts';
 import { again, Cancelled, messageOf } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
-import type { Connectivity, Loaded, Measure, Snapshot, Projections, Saved } from './types.ts';
+import type { DrawnProjections } from '../pkg/engine/shape_up.js';
+import type { Connectivity, Loaded, Measure, Snapshot, Saved } from './types.ts';
 import type { Changes, Commands, Questions } from '../worker/interface.ts';
 
 /** The current mesh. */
@@ -31,7 +32,7 @@ export interface Geometry {
   measure: Measure | null;
   /** fitted shapes, eight numbers each */
   shapes: Float64Array | null;
-  projections: Projections | null;
+  projections: DrawnProjections | null;
 }
 
 /** What the model keeps from its file when its mesh is changed or restored. */
@@ -48,8 +49,8 @@ const STEPS_MISSED = 10;
 const LONG_WORK = 3;
 
 /**
- * Changes that end with the work that they wait for: they would have taken it back, or who asks for
- * them has a say in it.
+ * Not repeated after cancelled work: undo and redo would take back something else, `open` is repeated
+ * by its caller.
  */
 const ONCE: ReadonlySet<string> = new Set<keyof Changes>(['undo', 'redo', 'open']);
 
@@ -140,8 +141,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     return this.#isSameModel;
   }
 
-  /** Whether its very mesh is, in a new worker. */
-  get isMeshBack() {
+  /** Whether a new worker reopens the mesh that is shown. */
+  get reopensSameMesh() {
     return this.#restoring;
   }
 
@@ -360,8 +361,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     this.#previous = this.#replaced = null;
     this.#waiting.fail((_, place, id) => {
       // What waited behind the work that the user has cancelled can be asked for again.
-      const isMeant = working ? id === workingFor : place === 0;
-      return wanted ? new Cancelled(isMeant) : new Error(`the solver stopped (${reason})`);
+      const isDirect = working ? id === workingFor : place === 0;
+      return wanted ? new Cancelled(isDirect) : new Error(`the solver stopped (${reason})`);
     });
     this.emit('activity', { type: 'activity', running: false, converged: false });
 

@@ -1,63 +1,4 @@
-/** Types of what crosses between the page and the engine: those of Rust under the page's names, and more. */
-
-// Declared by Rust: a changed field becomes a type error here.
-export type {
-  BuildCard,
-  BuildWords,
-  CardWords,
-  BuildNumber,
-  BuildPreset,
-  BuildReport,
-  BuildSetting,
-  CheckRow,
-  CheckWords,
-  ConformalNorm as MapNorm,
-  ConformalWeights as MapWeights,
-  ConstraintRow,
-  ConstraintOffers,
-  Document as SceneDocument,
-  DrawnProjections as Projections,
-  DrawnRowColours as RowColours,
-  Edit,
-  Elements,
-  Energy,
-  ExactReport,
-  ExactShape,
-  ExactWords,
-  FaceMeasure,
-  FewerFlips,
-  FileFormat,
-  FlatMap as Parametrization,
-  Form,
-  FrameNumbers as Numbers,
-  HalfStep as Half,
-  HandleRow as Handle,
-  KindWords as KindInfo,
-  LessonWords,
-  Members,
-  OffsetLayer,
-  Operation,
-  PanelStart,
-  PanelVerdict,
-  Param as ParamInfo,
-  ParamValue,
-  PresetOffer as Preset,
-  BetterPress,
-  ExactOffer,
-  MeshSuggestion,
-  Suggestion,
-  Require,
-  SelectRequest,
-  Setting as SettingInfo,
-  SheetPicture,
-  Sketch,
-  Slide,
-  SpatialPart,
-  TrialWords,
-  VariantRow,
-  WordedChoice as BuildChoice,
-  WorstRow,
-} from '../pkg/engine/shape_up.js';
+/** Types of what crosses between the page and the engine, beside those of Rust. */
 
 export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
 export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
@@ -73,7 +14,7 @@ export type Loaded = Omit<import('../pkg/engine/shape_up.js').Loaded, 'guessed'>
  */
 export type Opened = Loaded & { files: string[]; undoLost: string };
 
-/** The id of a {@link FaceMeasure}. */
+/** The id of a `FaceMeasure` of Rust. */
 export type Measure = string;
 
 /** The connectivity of the mesh, sent once. */
@@ -108,11 +49,12 @@ export interface Saved {
 }
 
 /**
- * Targets (`#vertices by 3`) of dragged handles. The first phase is `start`, or `make`, which makes
- * the vertices handles first. Of several `move`s only the last one counts; `time` is that of its
- * event. During a drag the solver iterates even when paused.
+ * Targets (`#vertices by 3`) of dragged handles, of the drag with the number `id`. The first phase is
+ * `start`, or `make`, which makes the vertices handles first. Of several `move`s only the last one
+ * counts; `time` is that of its event. During a drag the solver iterates even when paused.
  */
 export type Drag = {
+  id: number;
   vertices: Uint32Array;
   targets: Float64Array;
   time?: number;

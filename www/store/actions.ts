@@ -8,8 +8,8 @@ import { count } from '../ui/words.ts';
 import { again, Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
-import type { Edit, Handle, PanelStart, Require } from '../solver/types.ts';
-import { HANDLES_LOCKED, areHandlesLocked } from './handles.ts';
+import type { Edit, PanelStart, Require } from '../pkg/engine/shape_up.js';
+import { Drags, HANDLES_LOCKED, areHandlesLocked } from './handles.ts';
 import { asksPanels } from './panels-card.ts';
 import { existing, verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
@@ -177,6 +177,7 @@ export function createActions(
       })),
 
     trials: createTrials(solver, jobs),
+    drags: new Drags(store, solver),
 
     /** Ends a run; returns what is shown, for the second worker. */
     rest: solver.change.rest,
@@ -301,13 +302,6 @@ export function createActions(
 
     /** @param ignoreCollapse continue although the mesh has collapsed */
     run: (ignoreCollapse?: boolean) => solver.tell.run(ignoreCollapse),
-
-    /** Sends the new targets of handles. */
-    moveHandles(handles: Pick<Handle, 'vertex' | 'target'>[], phase: 'start' | 'move' | 'end') {
-      const vertices = Uint32Array.from(handles, ({ vertex }) => vertex);
-      const targets = Float64Array.from(handles.flatMap(({ target }) => target));
-      solver.tell.drag({ vertices, targets, phase });
-    },
   };
 }
 

@@ -1,7 +1,7 @@
 /** The two halves of an iteration (Fig. 4 of the paper): the toggle between them, and their words. */
 
 import { groupDigits } from '../ui/words.ts';
-import type { Half } from '../solver/types.ts';
+import type { HalfStep } from '../pkg/engine/shape_up.js';
 import type { Store } from './state.ts';
 
 export function halfStepTitle({ halfway }: { halfway: boolean }) {
@@ -20,7 +20,7 @@ export function bindHalfStepSwitch(store: Store) {
 }
 
 /** Describes a half step and the next. */
-export function halfStepWords(done: Half) {
+export function halfStepWords(done: HalfStep) {
   if (done.half === 'local') {
     const all = done.fitted.reduce((sum, { count }) => sum + count, 0);
     const one = done.fitted.length === 1;

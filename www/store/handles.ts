@@ -1,6 +1,7 @@
-/** The handles as the page shows them, whether they can be dragged, and a drag of them. */
+/** The handles as the page shows them, whether they can be dragged, and drags of them. */
 
-import type { Handle, SceneDocument } from '../solver/types.ts';
+import type { HandleRow, Document as SceneDocument } from '../pkg/engine/shape_up.js';
+import type { Drag } from '../solver/types.ts';
 import type { State, Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 
@@ -12,15 +13,17 @@ export function handlesNow({
   document,
   dragged,
   moved,
-}: Pick<State, 'document' | 'dragged' | 'moved'>): Handle[] {
+}: Pick<State, 'document' | 'dragged' | 'moved'>): HandleRow[] {
   const handles = document?.handles ?? [];
-  if (!moved) return handles;
-  const offsets = new Map(dragged.map((vertex, i) => [vertex, 3 * i]));
-  return handles.map((handle) => {
-    const at = offsets.get(handle.vertex);
-    if (at === undefined) return handle;
-    const [x, y, z] = moved.targets.subarray(at, at + 3);
-    return { ...handle, target: [x, y, z] };
+  return moved ? withTargets(handles, dragged, moved.targets) : handles;
+}
+
+/** @param targets of the vertices, `#vertices by 3` */
+function withTargets(handles: HandleRow[], vertices: ArrayLike<number>, targets: Float64Array) {
+  const offsets = new Map(Array.from(vertices, (vertex, i) => [vertex, 3 * i]));
+  return handles.map((handle): HandleRow => {
+    const [x, y, z] = targets.subarray(offsets.get(handle.vertex) ?? targets.length);
+    return z === undefined ? handle : { ...handle, target: [x, y, z] };
   });
 }
 
@@ -46,15 +49,148 @@ export type MoveConstraint = (
   dy: number,
 ) => Float64Array | undefined;
 
-export class HandleDrag {
+/** Begins the drags of handles. There is one at a time: each ends the one before. */
+export class Drags {
   #store;
   #solver;
-  #constrain;
-  #vertices;
-  /** Targets of the handles at the start, `#vertices by 3`. */
-  #from;
+  #begun = 0;
+  #current: HandleDrag | null = null;
+
+  constructor(store: Store, solver: SolverClient) {
+    this.#store = store;
+    this.#solver = solver;
+    solver.on('dragEnded', ({ id }) => {
+      if (this.#current?.id === id) this.#current.leave();
+    });
+    // No drag outlasts its model.
+    solver.on('model', () => this.#current?.leave());
+  }
+
+  /** Begins a drag of handles whose targets are known. */
+  begin(handles: HandleRow[]): HandleDrag {
+    return this.#begin((of) => new HandleDrag(of, handles));
+  }
+
+  /**
+   * Begins a drag in the view.
+   * @param vertex the handle under the pointer, or one of those at the gizmo
+   * @param part of the gizmo
+   */
+  hold(constrain: MoveConstraint, vertex: number, part?: string): ViewDrag {
+    return this.#begin((of) => new ViewDrag(of, movedWith(of.store, vertex), constrain, part));
+  }
+
+  /** Makes a vertex a handle and drags it from then on, as one step of undo. */
+  make(constrain: MoveConstraint, vertex: number): ViewDrag {
+    return this.#begin((of) => new ViewDrag(of, vertex, constrain));
+  }
+
+  #begin<T extends HandleDrag>(begin: (of: Owner) => T): T {
+    // First, since the next one may begin at the targets of this one.
+    this.#current?.end();
+    const drag = begin({ store: this.#store, solver: this.#solver, id: ++this.#begun });
+    this.#current = drag;
+    return drag;
+  }
+}
+
+/** The handles that move with one: the selected ones, if it is selected. */
+function movedWith(store: Store, vertex: number) {
+  const { document, selection } = store.get();
+  const isSelected = selection.vertices.has(vertex);
+  return (document?.handles ?? []).filter((handle) =>
+    isSelected ? selection.vertices.has(handle.vertex) : handle.vertex === vertex,
+  );
+}
+
+/** What a drag is begun with; `id` tells it from the others. */
+type Owner = { store: Store; solver: SolverClient; id: number };
+
+/**
+ * A drag of handles, one step of undo. It is over when it is ended or cancelled, when another one
+ * begins, or when the solver has refused or ended it.
+ */
+export class HandleDrag {
+  readonly id;
+  /** Resolves when it is over. */
+  readonly ended: Promise<void>;
+  isOver = false;
+  protected store;
+  protected solver;
+  #vertices = new Uint32Array(0);
+  /** Targets at the start, `#vertices by 3`; none of a vertex that is no handle yet. */
+  #from: Float64Array = new Float64Array(0);
   /** Current targets. */
-  #targets: Float64Array;
+  #targets = this.#from;
+  #resolve = () => {};
+
+  /** @param what the handles, or a vertex to make a handle */
+  constructor({ store, solver, id }: Owner, what: HandleRow[] | number) {
+    this.id = id;
+    this.store = store;
+    this.solver = solver;
+    this.ended = new Promise<void>((resolve) => (this.#resolve = resolve));
+    if (typeof what === 'number') this.#vertices = Uint32Array.of(what);
+    else this.take(what);
+    this.#send(typeof what === 'number' ? 'make' : 'start');
+  }
+
+  protected get from() {
+    return this.#from;
+  }
+
+  /** Sets the handles that are dragged, which are at their targets. */
+  protected take(handles: HandleRow[]) {
+    this.#vertices = Uint32Array.from(handles, ({ vertex }) => vertex);
+    this.#from = Float64Array.from(handles.flatMap(({ target }) => target));
+    this.#targets = this.#from;
+  }
+
+  /**
+   * @param targets `#vertices by 3`
+   * @param time of the event, on the clock of `performance.now()`
+   */
+  moveTo(targets: Float64Array, time?: number) {
+    if (this.isOver) return;
+    this.#targets = targets;
+    this.#send('move', time);
+  }
+
+  /** @returns whether anything has moved */
+  end(): boolean {
+    if (this.isOver) return false;
+    this.#send('end');
+    const { document } = this.store.get();
+    // Valid until the solver sends the new document.
+    const handles = withTargets(document?.handles ?? [], this.#vertices, this.#targets);
+    if (document) this.store.set({ document: { ...document, handles } });
+    this.leave();
+    return this.#targets.some((value, i) => value !== this.#from[i]);
+  }
+
+  /** Cancels the drag and restores the targets. */
+  cancel() {
+    if (this.isOver) return;
+    this.#send('cancel');
+    this.leave();
+  }
+
+  /** Ends it here: it is over in the solver. */
+  leave() {
+    this.isOver = true;
+    this.#resolve();
+  }
+
+  #send(phase: Drag['phase'], time?: number) {
+    const vertices = this.#vertices.slice();
+    const targets = this.#targets.slice();
+    this.solver.tell.drag({ id: this.id, vertices, targets, phase, time });
+  }
+}
+
+/** A drag in the view, which shows it before the solver answers. */
+export class ViewDrag extends HandleDrag {
+  #constrain;
   /** Displacement of the pointer since the start. */
   #by: [number, number] = [0, 0];
   /** The axis or plane of the gizmo being dragged. */
@@ -62,43 +198,24 @@ export class HandleDrag {
   #plane = 'screen';
   /** The axis to which a key restricts the handle: 0, 1, 2 or none. */
   #axis: number | null = null;
-  #isOver = false;
-  #end;
+  /** Ends the wait for the new handle. */
+  #stopWaiting = () => {};
 
-  /**
-   * @param vertex the handle under the pointer, or one of those at the gizmo
-   * @param part of the gizmo
-   * @param begun whether the solver has already begun a drag
-   */
-  constructor(
-    store: Store,
-    solver: SolverClient,
-    constrain: MoveConstraint,
-    vertex: number,
-    part?: string,
-    begun: boolean = false,
-  ) {
-    this.#store = store;
-    this.#solver = solver;
+  constructor(owner: Owner, what: HandleRow[] | number, constrain: MoveConstraint, part?: string) {
+    super(owner, what);
     this.#constrain = constrain;
     this.#part = part;
-    const { document, selection } = store.get();
-    const together = (document?.handles ?? []).filter((handle) =>
-      selection.vertices.has(vertex)
-        ? selection.vertices.has(handle.vertex)
-        : handle.vertex === vertex,
-    );
-    this.#vertices = Uint32Array.from(together, (handle) => handle.vertex);
-    this.#from = Float64Array.from(together.flatMap((handle) => handle.target));
-    this.#targets = this.#from;
     // A message about a finished run is outdated.
-    store.set({ dragged: [...this.#vertices], gizmoPart: part, status: '' });
-    // Refused, or an iteration of it failed, or another model is open: nothing may look moved.
-    const ends = (['trouble', 'model'] as const).map((type) =>
-      solver.on(type, () => this.cancel()),
-    );
-    this.#end = () => ends.forEach((end) => end());
-    if (!begun) this.#send('start');
+    owner.store.set({ gizmoPart: part, status: '' });
+    if (typeof what !== 'number') return;
+    owner.store.set({ dragged: [what] });
+    this.#stopWaiting = owner.solver.on('document', ({ document }) => {
+      // The document of an earlier edit does not have it yet.
+      if (!document.handles.some(({ vertex }) => vertex === what)) return;
+      this.#stopWaiting();
+      this.take(movedWith(owner.store, what));
+      this.move(...this.#by);
+    });
   }
 
   /**
@@ -107,21 +224,17 @@ export class HandleDrag {
    * @param time of the event, on the clock of `performance.now()`
    */
   move(dx: number, dy: number, time: number = performance.now()) {
-    if (this.#isOver) return;
+    if (this.isOver) return;
     this.#by = [dx, dy];
+    if (this.from.length === 0) return;
     const direction = this.#axis !== null ? AXES[this.#axis] : (this.#part ?? this.#plane);
     const moved = this.#constrain(direction, dx, dy);
     // Near the horizon of the plane a pixel is arbitrarily far: the handle stays.
     if (!moved) return;
-    this.#targets = this.#from.map((value, i) => value + moved[i % 3]);
+    const targets = this.from.map((value, i) => value + moved[i % 3]);
     // The dots follow the pointer at once, the mesh when the solver answers.
-    this.#store.set({ moved: { by: [...moved], targets: this.#targets }, gizmoPart: direction });
-    this.#send('move', time);
-  }
-
-  /** Whether it has ended, by itself if it was refused or another model was opened. */
-  get isOver() {
-    return this.#isOver;
+    this.store.set({ moved: { by: [...moved], targets }, gizmoPart: direction });
+    this.moveTo(targets, time);
   }
 
   /** Sets the plane of the drag. */
@@ -138,52 +251,14 @@ export class HandleDrag {
     this.move(...this.#by);
   }
 
-  /** @returns whether anything has moved */
-  end(): boolean {
-    if (this.#isOver) return false;
-    this.#send('end');
-    const { document } = this.#store.get();
-    // Valid until the solver sends the new document.
-    if (document)
-      this.#store.set({ document: { ...document, handles: handlesNow(this.#store.get()) } });
-    this.#leave();
-    return this.#targets.some((value, i) => value !== this.#from[i]);
+  protected override take(handles: HandleRow[]) {
+    super.take(handles);
+    this.store.set({ dragged: handles.map(({ vertex }) => vertex) });
   }
 
-  /** Cancels the drag and restores the targets. */
-  cancel() {
-    if (this.#isOver) return;
-    this.#targets = this.#from;
-    this.#send('cancel');
-    this.#leave();
+  override leave() {
+    super.leave();
+    this.#stopWaiting();
+    this.store.set({ dragged: [], moved: null, gizmoPart: undefined });
   }
-
-  #leave() {
-    this.#isOver = true;
-    this.#end();
-    this.#store.set({ dragged: [], moved: null, gizmoPart: undefined });
-  }
-
-  #send(phase: 'start' | 'move' | 'end' | 'cancel', time?: number) {
-    const vertices = this.#vertices.slice();
-    const targets = this.#targets.slice();
-    this.#solver.tell.drag({ vertices, targets, phase, time });
-  }
-}
-
-/** Makes a vertex a handle, which may then be dragged, as one step of undo. */
-export function makeHandle(store: Store, solver: SolverClient, vertex: number) {
-  sendOfNew(solver, [vertex], 'make');
-  store.set({ dragged: [vertex] });
-}
-
-/** Ends or cancels a handle that was made but not dragged. */
-export function leaveHandle(store: Store, solver: SolverClient, phase: 'end' | 'cancel') {
-  sendOfNew(solver, [], phase);
-  store.set({ dragged: [] });
-}
-
-function sendOfNew(solver: SolverClient, vertices: number[], phase: 'make' | 'end' | 'cancel') {
-  const targets = new Float64Array(0);
-  solver.tell.drag({ vertices: Uint32Array.from(vertices), targets, phase });
 }

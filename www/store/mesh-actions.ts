@@ -3,8 +3,7 @@
 import { endOfRun } from './end-of-run.ts';
 import { Cancelled } from '../solver/errors.ts';
 import { count } from '../ui/words.ts';
-import type { LaidOut, Remeshing } from '../pkg/engine/shape_up.js';
-import type { Edit } from '../solver/types.ts';
+import type { LaidOut, Remeshing, Edit } from '../pkg/engine/shape_up.js';
 import type { Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';

@@ -4,7 +4,7 @@
  */
 
 import { combineOf, describe, select, sizeOfSelection, type Combine } from './selection.ts';
-import type { Operation, ParamValue } from '../solver/types.ts';
+import type { Operation, ParamValue } from '../pkg/engine/shape_up.js';
 import type { Mode, Selection, Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Actions } from './actions.ts';

@@ -1,6 +1,6 @@
 /** Actions on the steps of a presentation. */
 
-import type { Slide } from '../solver/types.ts';
+import type { Slide } from '../pkg/engine/shape_up.js';
 import { newestOnly } from './latest-only.ts';
 import type { Store } from './state.ts';
 import type { Actions } from './actions.ts';

@@ -1,7 +1,7 @@
 /** Edits that read a second file, chosen or dropped. */
 
 import { unreadable } from '../solver/errors.ts';
-import type { Edit } from '../solver/types.ts';
+import type { Edit } from '../pkg/engine/shape_up.js';
 import type { Actions } from './actions.ts';
 
 interface SecondFile {

@@ -3,7 +3,7 @@
  * it (it would be copied and compared needlessly); see `solver-client.ts`.
  */
 
-import { computed, signal, type ReadonlySignal } from '@preact/signals';
+import { computed, effect, signal, type ReadonlySignal } from '@preact/signals';
 import { NOTHING } from './selection.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type {
@@ -11,29 +11,28 @@ import type {
   ConstraintRow,
   FaceMeasure,
   FewerFlips,
-  KindInfo,
-  Loaded,
-  MapNorm,
-  MapWeights,
-  Measure,
-  Numbers,
+  KindWords,
+  ConformalNorm,
+  ConformalWeights,
+  FrameNumbers,
   Operation,
-  Parametrization,
-  RowColours,
-  SceneDocument,
-  SettingInfo,
+  FlatMap as Parametrization,
+  DrawnRowColours,
+  Document as SceneDocument,
+  Setting,
   PanelVerdict,
-} from '../solver/types.ts';
+} from '../pkg/engine/shape_up.js';
+import type { Loaded, Measure } from '../solver/types.ts';
 import type { Example } from '../solver/examples.ts';
 import type { Spread } from './colours/spread.ts';
 
 export interface State {
-  kinds: KindInfo[];
+  kinds: KindWords[];
   measures: FaceMeasure[];
   /** selection operations */
   operations: Operation[];
   /** settings of a scene */
-  settings: SettingInfo[];
+  settings: Setting[];
   model: Loaded | null;
   /** name of the file, also of resumed work */
   fileName: string;
@@ -51,7 +50,7 @@ export interface State {
   frameChosen: { digest: string | null; units: boolean; up: boolean } | null;
   /** number of refused edits, after which the controls show the document again */
   refused: number;
-  numbers: Numbers | null;
+  numbers: FrameNumbers | null;
   /** Run was pressed and the iteration has not converged */
   running: boolean;
   /** "Refine and solve" is running, level by level */
@@ -86,7 +85,7 @@ export interface State {
   /** elements that are marked, each by its cause as long as that lasts */
   tints: Partial<Record<Marking, Tint | null>>;
   /** colours of constraint rows */
-  rowColours: RowColours | null;
+  rowColours: DrawnRowColours | null;
   /** the visible step if there is room for only one */
   step: Step;
   /** of the window: wide, small (narrow or low), or narrow with a step open over a part of the view */
@@ -178,9 +177,9 @@ type Look = 'checks' | 'errors';
 export interface FlatMap {
   found: Parametrization;
   /** of the computation */
-  weights: MapWeights;
+  weights: ConformalWeights;
   /** of the computation */
-  norm: MapNorm;
+  norm: ConformalNorm;
   /** the shape that was flattened, `#V by 3` */
   shape: Float64Array;
   /** settings with fewer flipped triangles; null if not searched */
@@ -330,7 +329,7 @@ export const isDrawn = ({ renderer }: Pick<State, 'renderer'>) =>
 export const isHard = ({ enabled, require }: ConstraintRow) => enabled && require !== 'soft';
 
 /** Whether the shape is no longer the original; meeting constraints moves it before any iteration. */
-export const hasMoved = (numbers: Numbers | null) =>
+export const hasMoved = (numbers: FrameNumbers | null) =>
   numbers !== null && (numbers.iteration > 0 || numbers.moved.max > 0);
 
 /** Whether the fitted shapes are shown: as the last press has it, else as the user does. */
@@ -340,45 +339,41 @@ export const showsFitted = ({ fitted, display }: Pick<State, 'fitted' | 'display
 export function createStore(): Store {
   const all = signal(INITIAL);
   const keys = Object.keys(INITIAL) as (keyof State)[];
-  let subscriptions: { keys: (keyof State)[]; listener: (state: Readonly<State>) => void }[] = [];
-  let changed: Set<keyof State> = new Set();
+  const state = followed(all, keys);
+  /** The listeners in their order, each with whether one of its keys has changed in this task. */
+  const listeners = new Map<() => void, boolean>();
+  let isQueued = false;
 
   function notify() {
-    const keys = changed;
-    changed = new Set();
-    for (const { keys: wanted, listener } of subscriptions) {
-      if (wanted.some((key) => keys.has(key))) notifyListener(listener);
-    }
-  }
-
-  /** Calls a listener and reports its error. */
-  function notifyListener(listener: (state: Readonly<State>) => void) {
-    try {
-      listener(all.peek());
-    } catch (error) {
-      reportError(error);
-    }
+    isQueued = false;
+    for (const [call, isDue] of listeners) if (isDue) call();
   }
 
   return {
     get: () => all.peek(),
-    state: followed(all, keys),
+    state,
     set(patch) {
-      const before = all.peek();
-      const others = (Object.keys(patch) as (keyof State)[]).filter(
-        (key) => patch[key] !== before[key],
-      );
-      if (others.length === 0) return;
-      if (changed.size === 0) queueMicrotask(notify);
-      others.forEach((key) => changed.add(key));
-      all.value = { ...before, ...patch };
+      all.value = { ...all.peek(), ...patch };
     },
     subscribe(keys, listener) {
-      const own = { keys, listener };
-      subscriptions.push(own);
-      notifyListener(listener);
+      const call = () => {
+        listeners.set(call, false);
+        try {
+          listener(all.peek());
+        } catch (error) {
+          reportError(error);
+        }
+      };
+      const end = effect(() => {
+        keys.forEach((key) => state[key]);
+        listeners.set(call, true);
+        if (!isQueued) queueMicrotask(notify);
+        isQueued = true;
+      });
+      call();
       return () => {
-        subscriptions = subscriptions.filter((one) => one !== own);
+        end();
+        listeners.delete(call);
       };
     },
   };
@@ -399,14 +394,14 @@ function followed(all: ReadonlySignal<State>, keys: (keyof State)[]) {
  */
 export function withModel(
   loaded: Loaded,
-  { restoring, isMeshBack }: Pick<SolverClient, 'restoring' | 'isMeshBack'>,
+  { restoring, reopensSameMesh }: Pick<SolverClient, 'restoring' | 'reopensSameMesh'>,
 ): Partial<State> {
   return {
     ...(!restoring && {
       ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
       ...{ frameChosen: null, section: null, fitted: null },
     }),
-    ...(!isMeshBack && { press: null, closedCard: false }),
+    ...(!reopensSameMesh && { press: null, closedCard: false }),
     model: loaded,
     document: null,
     numbers: null,

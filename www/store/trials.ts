@@ -8,8 +8,13 @@ import { again } from '../solver/errors.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Remote } from '../solver/remote.ts';
-import type { ModelCopy } from '../pkg/engine/shape_up.js';
-import type { BetterPress, ExactOffer, ExactShape, Suggestion } from '../solver/types.ts';
+import type {
+  ModelCopy,
+  BetterPress,
+  ExactOffer,
+  ExactShape,
+  Suggestion,
+} from '../pkg/engine/shape_up.js';
 
 /** Time limit of the search for better presses, in milliseconds. */
 const MOST_PRESSES_MS = 20_000;

@@ -1,7 +1,7 @@
 /** Actions on the display and the selection, which do not concern the solver. */
 
 import { NOTHING } from './selection.ts';
-import type { BetterPress } from '../solver/types.ts';
+import type { BetterPress } from '../pkg/engine/shape_up.js';
 import { byId } from '../ui/dom.ts';
 import { reveal } from '../ui/reveal.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';

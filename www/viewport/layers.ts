@@ -5,7 +5,7 @@ import { declared, toleranceOf } from '../store/colours/measures.ts';
 import { MARKINGS, showsFitted, type State, type FlatMap } from '../store/state.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { Geometry } from '../solver/solver-client.ts';
-import type { Parametrization } from '../solver/types.ts';
+import type { FlatMap as Parametrization } from '../pkg/engine/shape_up.js';
 
 export type { View } from '../pkg/view-webgl2/shape_up.js';
 

@@ -1,4 +1,4 @@
-/** Camera and display settings that are saved with a model. */
+/** Camera, measure and open tab, which are saved with a model. */
 
 import type { State, Store } from '../store/state.ts';
 import type { Actions } from '../store/actions.ts';
@@ -17,12 +17,8 @@ export const viewOf = (state: Readonly<State>) =>
 /** Restores the saved view of a model that was just opened. */
 export function restoreView(view: SavedView, store: Store, actions: Actions) {
   const { measures, measure } = store.get();
-  // Parts that an earlier version of this page had are left out.
-  const known = Object.fromEntries(
-    PARTS.filter((part) => part in view).map((part) => [part, view[part]]),
-  );
   // The user may have chosen none.
   const isNone = view.measure === null && view.measureChosen;
   const hasMeasure = isNone || measures.some(({ id }) => id === view.measure);
-  actions.look(hasMeasure ? known : { ...known, measure });
+  actions.look(hasMeasure ? view : { ...view, measure });
 }

@@ -21,7 +21,7 @@ import type { MoveConstraint } from '../store/handles.ts';
 /** Label over the picture, in CSS pixels, with a bar of length `bar` below it. */
 export type Label = { text: string; x: number; y: number; align: 'center' | 'right'; bar: number };
 
-/** Number of consecutive losses after which the view is given up. */
+/** Number of consecutive losses after which the view is restored; the next one gives it up. */
 const ATTEMPTS = 3;
 /** Side in pixels of the tiles of larger pictures; every graphics card can draw this size. */
 const TILE = 2048;

@@ -4,8 +4,8 @@
  */
 
 import type { FromWorker } from '../solver/events.ts';
-import type { Measure, Projections } from '../solver/types.ts';
-import type { Solver } from '../pkg/engine/shape_up.js';
+import type { Measure } from '../solver/types.ts';
+import type { Solver, DrawnProjections } from '../pkg/engine/shape_up.js';
 
 /** What is sent with each frame besides positions. */
 export interface Shown {
@@ -64,7 +64,7 @@ export class Frames {
       corners: (measure && corners && solver.cornerValues(measure)) || null,
       shapes: shapes ? solver.fitted() : null,
     };
-    const projected: Projections | null = projections ? solver.projections() : null;
+    const projected: DrawnProjections | null = projections ? solver.projections() : null;
     this.#free.pop();
     const arrays = [positions, ...Object.values(parts), ...Object.values(projected ?? {})];
     this.#post(

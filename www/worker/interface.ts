@@ -8,9 +8,10 @@ import { missingFiles, open, type Opening } from './open.ts';
 import type { Scheduler } from './scheduler.ts';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.ts';
 import type { Shown } from './frames.ts';
-import type { Drag, Edit, ExactReport, ExactShape, NamedBytes, Snapshot } from '../solver/types.ts';
+import type { Edit, ExactReport, ExactShape } from '../pkg/engine/shape_up.js';
+import type { Drag, NamedBytes, Snapshot } from '../solver/types.ts';
 
-/** What is about a mesh, by indices in it, values of it or its buffer: it must not be done to another one. */
+/** Calls that refer to one mesh by indices, values or buffer: they must not be done to another one. */
 export const ABOUT_MESH: ReadonlySet<string> = new Set<keyof Commands | keyof Changes>([
   ...['drag', 'edit', 'editAndRun', 'recycle', 'setBuildNumbers'],
 ] as const);

@@ -5,9 +5,9 @@
 
 import { isTrap, messageOf } from '../solver/errors.ts';
 import type { FromWorker } from '../solver/events.ts';
-import type { Drag, Half, Loaded, Numbers } from '../solver/types.ts';
+import type { Drag, Loaded } from '../solver/types.ts';
 import { Frames } from './frames.ts';
-import type { Solver } from '../pkg/engine/shape_up.js';
+import type { Solver, HalfStep, FrameNumbers } from '../pkg/engine/shape_up.js';
 
 /** Duration of a slice of iterations between messages, in milliseconds. */
 export const SLICE_MS = 8;
@@ -19,6 +19,9 @@ const FRAME_SHARE = 0.25;
  */
 const PROGRESS_EVERY_MS = 800;
 const PROGRESS_SHARE = 0.05;
+type Moved = Pick<Drag, 'vertices' | 'targets'>;
+/** Of a drag that ends where it is. */
+const NO_MOVE: Moved = { vertices: new Uint32Array(0), targets: new Float64Array(0) };
 
 /**
  * Performs an action, and recovers from an error; not from a trap, after which the solver refuses every
@@ -43,7 +46,8 @@ export class Scheduler {
   #isLoaded = false;
   /** Run was pressed, and the iteration has not converged since. */
   #isRunning = false;
-  #isDragging = false;
+  /** Number of the drag that is under way. */
+  #drag: number | null = null;
   /** While iterating, no frame is sent before this time. */
   #nextFrame = 0;
   /** Whether the iteration has converged; a moved handle, or an edit of problem or shape, resets it. */
@@ -85,11 +89,11 @@ export class Scheduler {
 
   /** Whether a run or a drag is under way. */
   get isMoving() {
-    return this.#isRunning || this.#isDragging;
+    return this.#isRunning || this.#drag !== null;
   }
 
   get isIterating() {
-    return this.#isLoaded && (this.#isRunning || this.#isDragging) && !this.#isSettled;
+    return this.#isLoaded && this.isMoving && !this.#isSettled;
   }
 
   /** Replaces the model, after the end of its run; if the other one is refused, it stays. */
@@ -106,8 +110,8 @@ export class Scheduler {
    */
   begin(solved: boolean) {
     this.#isLoaded = true;
-    this.#isSettled = this.#isDragging = false;
-    this.#move = this.#answering = null;
+    this.#isSettled = false;
+    this.#drag = this.#move = this.#answering = null;
     if (solved) this.#iterate();
   }
 
@@ -137,16 +141,16 @@ export class Scheduler {
    * Iterates once.
    * @returns the new numbers: their frame waits for a free buffer
    */
-  step(): Numbers {
+  step(): FrameNumbers {
     this.#isSettled = this.#solver.singleStep();
     this.#activityDue = true;
     this.changed();
     return this.#solver.frame(this.isIterating);
   }
 
-  halfStep(): Half {
-    const wasDragging = this.#endDrag();
-    const done = this.#solver.halfStep();
+  halfStep(): HalfStep {
+    const wasDragging = this.#drag !== null;
+    const done = this.#afterDrag(() => this.#solver.halfStep());
     if (done.half === 'global') {
       this.#isSettled = done.converged;
       this.#activityDue = true;
@@ -167,9 +171,8 @@ export class Scheduler {
    *   one that returns true
    */
   betweenRuns<T>(edit: () => T, settles?: boolean): T {
-    this.#endDrag();
     const before = this.#solver.generation();
-    const result = this.#duringRun(edit);
+    const result = this.#afterDrag(() => this.#duringRun(edit));
     this.#goOn();
     // What leaves problem and shape as they were leaves a converged shape converged.
     const isMade = settles === undefined ? this.#solver.generation() !== before : result === true;
@@ -181,10 +184,9 @@ export class Scheduler {
     return result;
   }
 
-  /** Requests something, and runs. What is refused leaves a run as it was. */
+  /** Requests something, and runs. What is refused leaves a run or a drag as it was. */
   runFor(ask: () => void) {
-    this.#endDrag();
-    this.#duringRun(ask);
+    this.#afterDrag(() => this.#duringRun(ask));
     this.#isRunning = true;
     this.#isSettled = false;
     // At once: a short run ends before its first frame, and nobody would know of it.
@@ -194,32 +196,24 @@ export class Scheduler {
     this.#queueSlice();
   }
 
+  /** Performs a phase of a drag; nothing, if that drag was refused or is over. */
   drag(message: Drag) {
-    const { vertices, targets, phase, time } = message;
-    if (phase === 'start' || phase === 'make') {
-      const isNew = phase === 'make';
-      if (isNew) this.#post({ type: 'working' });
+    const { id, phase, time } = message;
+    const begins = phase === 'start' || phase === 'make';
+    if (!begins && id !== this.#drag) return;
+    if (begins) {
+      if (phase === 'make') this.#post({ type: 'working' });
       if (!this.#beginDrag(message)) return;
-      this.#isDragging = true;
+      this.#drag = id;
       this.#activityDue = true;
       // Not the scene: the saved one stays that before the drag until the drag ends.
-      if (isNew) this.#sendDocument();
-    } else if (!this.#isDragging) {
-      // Refused, or ended by an error: what the page shows of it ends with the document as it is.
-      if (phase === 'move') return;
-      this.#solver.drag(vertices, targets, 'cancel');
-      return this.changed();
+      if (phase === 'make') this.#sendDocument();
     } else if (phase === 'move') {
       this.#move = message;
       if (time !== undefined) this.#answering = { time, came: performance.now() };
     } else {
       this.#post({ type: 'working' });
-      this.#move = this.#answering = null;
-      this.#isDragging = false;
-      this.#solver.drag(vertices, targets, phase);
-      if (this.#isRunning) this.#solver.beginRun();
-      // Hard constraints are met again after the drag.
-      this.#isRunning = this.#solver.isRunning();
+      this.#endDrag(phase, message);
       this.#activityDue = true;
       this.changed();
     }
@@ -228,28 +222,45 @@ export class Scheduler {
     this.#queueSlice();
   }
 
-  /**
-   * Prepares for what ends a drag in the solver, as an edit: its latest move is a part of it. The page
-   * may go on with what it takes for a drag, without effect.
-   * @returns whether there was one
-   */
-  #endDrag() {
-    if (!this.#isDragging) return false;
-    const move = this.#move;
-    this.#move = this.#answering = null;
-    this.#isDragging = false;
-    if (move) this.#solver.drag(move.vertices, move.targets, 'move');
-    return true;
+  /** Performs what ends a drag, as an edit, which acts on its latest move; if refused, the drag goes on. */
+  #afterDrag<T>(action: () => T): T {
+    this.#applyMove();
+    const result = action();
+    // An edit without effect has not ended it in the solver.
+    this.#endDrag('end');
+    return result;
+  }
+
+  /** Ends the drag, if one is under way, and tells the page. */
+  #endDrag(phase: 'end' | 'cancel', { vertices, targets }: Moved = NO_MOVE) {
+    const id = this.#drag;
+    if (id === null) return;
+    this.#drag = this.#move = this.#answering = null;
+    this.#solver.drag(vertices, targets, phase);
+    this.#post({ type: 'dragEnded', id });
+    this.#goOn();
+    // Hard constraints are met again after the drag.
+    this.#isRunning = this.#solver.isRunning();
+  }
+
+  /** Applies the latest move. */
+  #applyMove() {
+    if (!this.#move) return;
+    this.#solver.drag(this.#move.vertices, this.#move.targets, 'move');
+    this.#move = null;
+    this.#isSettled = false;
   }
 
   /** Returns whether a drag may begin. A refused one is reported, and leaves a run as it was. */
-  #beginDrag({ vertices, targets, phase }: Drag) {
+  #beginDrag({ id, vertices, targets, phase }: Drag) {
     try {
       this.#duringRun(() => this.#solver.drag(vertices, targets, phase));
       return true;
     } catch (thrown) {
       if (isTrap(thrown)) throw thrown;
       this.#post({ type: 'trouble', message: messageOf(thrown) });
+      this.#post({ type: 'dragEnded', id });
+      this.#sendDocument();
       return false;
     }
   }
@@ -327,15 +338,21 @@ export class Scheduler {
       action();
     } catch (thrown) {
       if (isTrap(thrown)) return this.#died(thrown);
-      this.#isRunning = this.#isDragging = this.#isSettled = false;
+      this.#isRunning = this.#isSettled = false;
       this.#post({ type: 'trouble', message: messageOf(thrown) });
       this.#post({ type: 'activity', running: false, converged: false });
+      if (this.#drag === null) return;
+      this.guard(() => {
+        this.#endDrag('cancel');
+        this.changed();
+      });
     }
   }
 
   /** Stops everything; the solver is unusable. */
   stop() {
-    this.#isRunning = this.#isDragging = this.#isLoaded = false;
+    this.#isRunning = this.#isLoaded = false;
+    this.#drag = null;
   }
 
   /** Iterates until convergence, as a run of its own. */
@@ -383,11 +400,7 @@ export class Scheduler {
   }
 
   #iterateForSlice() {
-    if (this.#move) {
-      this.#solver.drag(this.#move.vertices, this.#move.targets, 'move');
-      this.#move = null;
-      this.#isSettled = false;
-    }
+    this.#applyMove();
     // Shorter while the user waits for the answer of a drag.
     const until = performance.now() + (this.#answering ? SLICE_MS / 2 : SLICE_MS);
     while (this.isIterating && performance.now() < until) {
@@ -396,7 +409,7 @@ export class Scheduler {
       this.#isSettled = this.#solver.step();
       this.frames.due = true;
     }
-    if (this.#isSettled && this.#isRunning && !this.#isDragging) {
+    if (this.#isSettled && this.#isRunning && this.#drag === null) {
       this.#collapse = this.#endRun();
       this.changed();
     } else if (this.frames.due) {
@@ -422,7 +435,7 @@ export class Scheduler {
   /** Sends the progress of a run or a drag since the last scene sent. */
   #sendProgress() {
     this.#progressTimer = 0;
-    if (!this.#isLoaded || !(this.#isRunning || this.#isDragging)) return;
+    if (!this.#isLoaded || !this.isMoving) return;
     this.guard(() => {
       const begun = performance.now();
       const bytes = this.#solver.savedProgress();

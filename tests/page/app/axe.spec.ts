@@ -174,13 +174,6 @@ test('axe: the gallery, with and without results', async ({ page }) => {
   await expectNothing(page, 'with nothing found');
 });
 
-test('axe: the page about projections', async ({ page }) => {
-  await page.goto('./projections.html');
-  await page.getByRole('button', { name: 'Step' }).click();
-  await expect(page.getByRole('status')).toContainText('Step I, iteration 1');
-  await expectNothing(page);
-});
-
 for (const [name, heading] of [
   ['checked', 'What is checked'],
   ['speed', 'How fast it is'],

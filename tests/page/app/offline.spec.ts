@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { unzipSync } from 'fflate';
 import { at } from '../../../.scripts/project.mjs';
 import { serve } from '../../../.scripts/serve.mjs';
-import { downloaded, exported, openExample, runToTheEnd, showStep } from '../actions.ts';
+import { downloaded, exported, openExample, runToTheEnd, showStep, tool } from '../actions.ts';
 import { expect, keptOffline, state, test, visit, waitForState } from '../support.ts';
 
 declare global {
@@ -18,7 +18,7 @@ declare global {
 
 test.use({ fresh: true, serviceWorkers: 'allow' });
 
-test('after one visit the page works without a network', async ({ page, context }) => {
+test('after one visit the page works without a network', async ({ page, context, complaints }) => {
   await visit(page);
   await keptOffline(page);
   // Of the pictures of the first screen, that which was shown.
@@ -40,6 +40,9 @@ test('after one visit the page works without a network', async ({ page, context 
   // An address with a parameter is served from the cache too.
   await visit(page, `renderer=${(await state(page)).renderer}`);
   expect((await state(page)).vertices).toBeGreaterThan(0);
+  // Only the gallery has the pictures of the menu kept.
+  expect(complaints.filter((text) => !/pictures\/[\w-]+-end\.webp/.test(text))).toEqual([]);
+  complaints.length = 0;
 });
 
 test('parts are built and saved without a network even if Build was never opened before', async ({
@@ -89,6 +92,14 @@ test('after one visit the gallery has all its pictures without a network', async
   await last.scrollIntoViewIfNeeded();
   await expect
     .poll(() => last.evaluate((image: HTMLImageElement) => image.naturalWidth))
+    .toBeGreaterThan(100);
+  // They are there in the menu of examples, too.
+  await visit(page);
+  await tool(page, 'Examples');
+  const item = page.getByRole('menuitem', { name: 'Hypar' }).locator('img').first();
+  await item.scrollIntoViewIfNeeded();
+  await expect
+    .poll(() => item.evaluate((image: HTMLImageElement) => image.naturalWidth))
     .toBeGreaterThan(100);
 });
 

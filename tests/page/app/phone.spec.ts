@@ -164,19 +164,6 @@ test.describe('behind tabs', () => {
   });
 });
 
-test('the page about projections: the point, its steps and the sums', async ({ page }) => {
-  await page.goto('./projections.html');
-  const point = page.getByRole('button', { name: /^Point at/ });
-  const drawing = page.getByRole('group', { name: 'The point and its constraint sets' });
-  const { x, y, width, height } = await boxOf(drawing);
-  expect(x + width).toBeLessThanOrEqual(windowOf(page).width);
-  await page.mouse.click(x + 0.5 * width, y + 0.5 * height);
-  await expect(point).toHaveAccessibleName(/^Point at (49|50)\.\d, (29|30)\.\d/);
-  for (let half = 0; half < 4; half++) await page.getByRole('button', { name: 'Step' }).click();
-  await expect(page.getByRole('status')).toContainText('Step II, iteration 2');
-  await expect(page.getByRole('img', { name: /^φ falls from/ })).toBeVisible();
-});
-
 test.describe('by touch', () => {
   test.use({ hasTouch: true, isMobile: true });
 

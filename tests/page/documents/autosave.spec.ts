@@ -1,7 +1,7 @@
 // Work is saved in this browser, separately for each tab.
 
 import type { BrowserContext, Page } from '@playwright/test';
-import { addConstraint, downloaded, openText, runToTheEnd, tool } from '../actions.ts';
+import { addConstraint, downloaded, openExample, openText, runToTheEnd, tool } from '../actions.ts';
 import { endlessScene, wavyGrid } from '../meshes.ts';
 import {
   boxOf,
@@ -60,6 +60,19 @@ test('work is restored after the tab was killed', async ({ page, context }) => {
   await tool(again, 'Open recent');
   await again.getByRole('menuitem', { name: 'roof.obj' }).click();
   await waitForState(again, (now) => now.vertices === 25 && now.iteration > 0);
+});
+
+test('an unchanged example that was chosen from the menu is opened again by a reload', async ({
+  page,
+}) => {
+  // The address did not name it, and it is not saved: the first example came instead.
+  await visit(page);
+  await openExample(page, 'Hypar');
+  await expect(page).toHaveURL(/#example=hypar$/);
+  const { vertices } = await state(page);
+  await page.reload();
+  await waitForState(page, (now, count) => now.vertices === count, vertices);
+  await expect(page.getByRole('status')).toHaveText(/Opened the example Hypar/);
 });
 
 test('work stays the last one where the solver could not be fetched', async ({

@@ -6,7 +6,8 @@ import './storage.ts';
 import { rememberFrame, rememberedFrame } from '../../../www/documents/known-frames.ts';
 import { frameOf } from '../../../www/store/frame.ts';
 import { setItem } from '../../../www/ui/safe-storage.ts';
-import type { Loaded, SceneDocument } from '../../../www/solver/types.ts';
+import type { Document as SceneDocument } from '../../../www/pkg/engine/shape_up.js';
+import type { Loaded } from '../../../www/solver/types.ts';
 
 test('what other code has written there keeps no file from being opened', () => {
   for (const text of ['null', '{}', '[1]', '[["x", null]]', 'words']) {

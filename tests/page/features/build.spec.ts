@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import DxfParser, { type IDxf, type IEntity, type ILwpolylineEntity } from 'dxf-parser';
 import { program } from '../../../.scripts/project.mjs';
-import type { BuildReport } from '../../../www/solver/types.ts';
+import type { BuildReport } from '../../../www/pkg/engine/shape_up.js';
 import { downloaded, openText, saved } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
 import { filesOf, openParts, outlinesOf, overPart, partsPanel, reportOf } from '../sheets.ts';

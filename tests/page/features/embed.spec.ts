@@ -51,8 +51,13 @@ test('until it is started a view is a picture, and fetches no module', async ({ 
     if (/\.wasm|words-/.test(request.url())) modules.push(request.url());
   });
   await page.goto('./embed.html#example=hypar');
-  await expect(page.getByRole('img', { name: 'Hypar' })).toBeVisible();
+  const picture = page.getByRole('img', { name: 'Hypar' });
+  await expect(picture).toBeVisible();
   expect(modules).toEqual([]);
+  // As Start opens it: as it was made, or solved.
+  await expect(picture).toHaveAttribute('src', /hypar-start/);
+  await page.goto('./embed.html?solved#example=hypar&run');
+  await expect(picture).toHaveAttribute('src', /hypar-end/);
 });
 
 test('a view in a page of another origin starts with a press, or plays by itself', async ({

@@ -6,7 +6,7 @@ import { RunMessages } from '../../../www/features/warnings/run-messages.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
 import { createViewActions } from '../../../www/store/view-actions.ts';
 import type { AppContext } from '../../../www/app/context.ts';
-import type { SceneDocument } from '../../../www/solver/types.ts';
+import type { Document as SceneDocument } from '../../../www/pkg/engine/shape_up.js';
 
 globalThis.matchMedia = () => ({ matches: true }) as MediaQueryList;
 const { ExactVerdict } = await import('../../../www/features/warnings/exact-verdict.ts');

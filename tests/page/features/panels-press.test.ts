@@ -6,7 +6,8 @@ import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore, showsFitted, withModel } from '../../../www/store/state.ts';
 import { createViewActions } from '../../../www/store/view-actions.ts';
 import type { AppContext } from '../../../www/app/context.ts';
-import type { KindInfo, Loaded } from '../../../www/solver/types.ts';
+import type { KindWords } from '../../../www/pkg/engine/shape_up.js';
+import type { Loaded } from '../../../www/solver/types.ts';
 
 globalThis.matchMedia = () => ({ matches: false }) as MediaQueryList;
 const { makePanels } = await import('../../../www/features/make-panels/press.ts');
@@ -16,8 +17,8 @@ function page(shown: boolean) {
   const store = createStore();
   const view = createViewActions(store);
   const panels = [{ kind: 'circle', reason: null }];
-  const open = (restoring = false, isMeshBack = false) =>
-    store.set(withModel({ panels } as unknown as Loaded, { restoring, isMeshBack }));
+  const open = (restoring = false, reopensSameMesh = false) =>
+    store.set(withModel({ panels } as unknown as Loaded, { restoring, reopensSameMesh }));
   open();
   view.display({ shapes: shown });
   const solver = new Emitter<{ activity: { running: boolean; converged: boolean } }>();
@@ -41,7 +42,7 @@ function page(shown: boolean) {
   };
   const isShown = () => showsFitted(store.get());
   const press = () => {
-    void makePanels(app as unknown as AppContext, { id: 'circle' } as KindInfo);
+    void makePanels(app as unknown as AppContext, { id: 'circle' } as KindWords);
     assert.equal(isShown(), false, 'those of the final shape are not known yet');
   };
   const arrive = async () => {
@@ -51,7 +52,7 @@ function page(shown: boolean) {
   /** Presses while another model is being opened, or one is refused. */
   const pressBefore = async (how: { within: number } | undefined, opens: () => void) => {
     app.files.openings.coming = Promise.resolve().then(opens);
-    void makePanels(app as unknown as AppContext, { id: 'circle' } as KindInfo, how);
+    void makePanels(app as unknown as AppContext, { id: 'circle' } as KindWords, how);
     await new Promise((done) => setTimeout(done));
     return made.splice(0);
   };

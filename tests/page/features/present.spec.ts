@@ -1,7 +1,7 @@
 // Presentations: steps are made from views, saved in the scene, and shown in order.
 
 import type { Page } from '@playwright/test';
-import type { Slide } from '../../../www/solver/types.ts';
+import type { Slide } from '../../../www/pkg/engine/shape_up.js';
 import { openText, tool } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';

@@ -8,7 +8,7 @@ import { Cancelled } from '../../../www/solver/errors.ts';
 import { calling } from '../../../www/solver/remote.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
 import type { AppContext } from '../../../www/app/context.ts';
-import type { VariantRow } from '../../../www/solver/types.ts';
+import type { VariantRow } from '../../../www/pkg/engine/shape_up.js';
 
 test('a panel that is closed while it is being opened leaves no subscription', async () => {
   const store = createStore();

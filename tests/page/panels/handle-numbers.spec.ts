@@ -115,6 +115,26 @@ test('two coordinates entered in quick succession both take effect', async ({ pa
   await expect(undoButton(page)).toHaveAttribute('title', /Move handle/);
 });
 
+test('a drag that begins while a number is typed is a step of its own', async ({ page }) => {
+  // It ended with the move to the number, and the handle jumped there.
+  await open(page);
+  await makeHandles(page, [MIDDLE]);
+  const [[, y, z]] = await targets(page);
+  const [left, top] = await screenOf(page, MIDDLE);
+  await target(page, 'x').fill('0.1');
+  await page.mouse.move(left, top);
+  await page.mouse.down();
+  await page.mouse.move(left + 30, top, { steps: 3 });
+  // Longer than the mesh follows a number.
+  await page.waitForTimeout(600);
+  await page.mouse.move(left + 60, top, { steps: 3 });
+  await page.mouse.up();
+  await expect(undoButton(page)).toHaveAttribute('title', /Move handle/);
+  expect((await targets(page))[0][0]).not.toBeCloseTo(0.1, 6);
+  await undoButton(page).click();
+  await expect.poll(() => targets(page)).toEqual([[0.1, y, z]]);
+});
+
 test('what is saved right after a number has the mesh that has followed it', async ({ page }) => {
   // The messages to the solver, in their order: names, and phases of a drag.
   await page.addInitScript(() => {

@@ -116,8 +116,8 @@ test('what waits while another job is cancelled is told that, and what is of a c
   const [waiting, ofCopy] = [jobs.ask.buildOffers(), jobs.copy(model).tryExact()];
   await tick();
   jobs.cancel();
-  await assert.rejects(current, { isMeant: true });
-  await assert.rejects(waiting, { isMeant: false });
+  await assert.rejects(current, { isDirect: true });
+  await assert.rejects(waiting, { isDirect: false });
   await tick();
   const [, worker] = FakeWorker.all;
   assert.deepEqual(
@@ -134,8 +134,8 @@ test('a job can be cancelled by its name, whichever is the current one', async (
   const named = jobs.of('variations').ask.variation(3);
   await tick();
   jobs.cancel('variation');
-  await assert.rejects(current, { isMeant: false });
-  await assert.rejects(named, { isMeant: true });
+  await assert.rejects(current, { isDirect: false });
+  await assert.rejects(named, { isDirect: true });
 });
 
 test('a call during the start of a worker that is cancelled is cancelled too', async () => {

@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
-import { Cancelled, isUnmeant } from '../../../www/solver/errors.ts';
+import { Cancelled, isCollateral } from '../../../www/solver/errors.ts';
 import { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Call } from '../../../www/solver/remote.ts';
 import type { Opening } from '../../../www/worker/open.ts';
@@ -228,7 +228,7 @@ test('what waits behind cancelled work is done by the next worker, but nothing t
   ];
   /** @param work the place of the call at work; none of a run */
   const after = async (work?: number) => {
-    const ended = waiting().map((each) => each.catch((error: Error) => isUnmeant(error)));
+    const ended = waiting().map((each) => each.catch((error: Error) => isCollateral(error)));
     const worker = FakeWorker.latest;
     const ids = worker.posted.flatMap(({ id }) => id ?? []).slice(-ended.length);
     worker.say({ type: 'working', id: work === undefined ? work : ids[work] });
@@ -253,7 +253,7 @@ test('work that the user cancels is no error', async () => {
   const client = await clientWithRoof();
   const edited = client.change.edit('reset');
   client.abandon();
-  await assert.rejects(edited, (error) => error instanceof Cancelled && !isUnmeant(error));
+  await assert.rejects(edited, (error) => error instanceof Cancelled && !isCollateral(error));
 });
 
 test('an undo history that is lost by cancelling is told', async () => {

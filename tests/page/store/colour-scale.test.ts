@@ -5,7 +5,8 @@ import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { colourFaces } from '../../../www/store/colours/colour-scale.ts';
 import { createStore } from '../../../www/store/state.ts';
-import type { FaceMeasure, Measure, SceneDocument } from '../../../www/solver/types.ts';
+import type { FaceMeasure, Document as SceneDocument } from '../../../www/pkg/engine/shape_up.js';
+import type { Measure } from '../../../www/solver/types.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 
 const aTask = () => new Promise((done) => setTimeout(done));

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { isEnabled, press, runEarlyPresses } from '../../../www/store/press.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { Command } from '../../../www/app/context.ts';
-import type { SceneDocument } from '../../../www/solver/types.ts';
+import type { Document as SceneDocument } from '../../../www/pkg/engine/shape_up.js';
 
 const command = (done: string[], more: Partial<Command> = {}): Command => ({
   id: 'fit',

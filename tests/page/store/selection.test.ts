@@ -12,7 +12,7 @@ import {
 } from '../../../www/store/selection.ts';
 import { Selecting } from '../../../www/store/mesh-queries.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
-import type { Operation } from '../../../www/solver/types.ts';
+import type { Operation } from '../../../www/pkg/engine/shape_up.js';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Actions } from '../../../www/store/actions.ts';
 

@@ -100,7 +100,7 @@ for (const [what, during] of [
   });
 
 test('a trial that ends with the worker of another job begins again, and one that is cancelled does not', async () => {
-  for (const [isMeant, begins] of [
+  for (const [isDirect, begins] of [
     [false, 2],
     [true, 1],
   ] as const) {
@@ -108,10 +108,10 @@ test('a trial that ends with the worker of another job begins again, and one tha
     const { made, begun } = trials(() => {
       if (!isFirst) return;
       isFirst = false;
-      throw new Cancelled(isMeant);
+      throw new Cancelled(isDirect);
     });
     const found = made.exactOffer(() => true);
-    await (isMeant ? assert.rejects(found, Cancelled) : assert.doesNotReject(found));
+    await (isDirect ? assert.rejects(found, Cancelled) : assert.doesNotReject(found));
     assert.equal(begun.length, begins);
   }
 });

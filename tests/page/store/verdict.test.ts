@@ -8,7 +8,7 @@ import { panelsCard, panelsTopic } from '../../../www/store/panels-card.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
 import { createViewActions } from '../../../www/store/view-actions.ts';
 import type { AppContext } from '../../../www/app/context.ts';
-import type { BetterPress } from '../../../www/solver/types.ts';
+import type { BetterPress } from '../../../www/pkg/engine/shape_up.js';
 
 globalThis.window = globalThis as unknown as typeof window;
 

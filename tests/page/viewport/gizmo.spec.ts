@@ -170,6 +170,20 @@ test('keys move a handle at its height or along an axis; numbers and Fixed work 
   await waitForState(page, (now) => now.handles[0].fixed);
 });
 
+test('a handle that is removed while keys move it is not moved any more', async ({ page }) => {
+  // Its label counted on, Undo was disabled, and the status said "Handle moved".
+  await makeHandles(page, [MIDDLE]);
+  await page.getByRole('application', { name: '3D view' }).focus();
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('ArrowRight');
+  await expect(page.locator('#moved')).toBeVisible();
+  await page.keyboard.press('Shift+H');
+  await waitForState(page, (now) => now.handles.length === 0);
+  await expect(page.locator('#moved')).toBeHidden();
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeEnabled();
+  await expect(page.getByRole('status')).toHaveText('1 handle removed');
+});
+
 test('Ctrl moves a dragged handle vertically, Shift horizontally', async ({ page }) => {
   const before = await makeHandles(page, [MIDDLE]);
   const [x, y] = await screenOf(page, MIDDLE);

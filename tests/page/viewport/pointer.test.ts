@@ -3,8 +3,10 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
+import { Drags } from '../../../www/store/handles.ts';
 import { createStore } from '../../../www/store/state.ts';
 import { PointerInput } from '../../../www/viewport/input/pointer.ts';
+import type { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { WorkerEvents } from '../../../www/solver/events.ts';
 import type { Drag } from '../../../www/solver/types.ts';
 
@@ -20,7 +22,7 @@ function inputAtVertex() {
   /** Drags that were sent: phase and vertices. */
   const sent: (string | number)[][] = [];
   const drag = ({ phase, vertices }: Drag) => sent.push([phase, ...vertices]);
-  const solver = Object.assign(new Emitter<Pick<WorkerEvents, 'document'>>(), {
+  const solver = Object.assign(new Emitter<Pick<WorkerEvents, 'document' | 'model'>>(), {
     tell: { drag },
   });
   solver.on('document', ({ document }) => store.set({ document }));
@@ -42,7 +44,8 @@ function inputAtVertex() {
   const within = (action: (shown: typeof view) => unknown) => action(view);
   const viewport = { element, view, with: within, constrainMove };
   const region = { paints: false, hide() {} };
-  const given = [store, solver, viewport, region, {}, {}] as unknown;
+  const drags = new Drags(store, solver as unknown as SolverClient);
+  const given = [store, solver, viewport, region, { drags }, {}] as unknown;
   new PointerInput(...(given as ConstructorParameters<typeof PointerInput>));
   const event = (type: string, clientX: number, more: object = {}) =>
     listeners[type]({ ...ALT, ...{ type, clientX, clientY: 0, timeStamp: 0 }, ...more });
@@ -51,7 +54,8 @@ function inputAtVertex() {
     const handles = vertices.map((vertex) => ({ vertex, target: [0, 0, 0], fixed: false }));
     solver.emit('document', { document: { handles } } as WorkerEvents['document']);
   };
-  return { element, event, say, sent, store };
+  const another = () => solver.emit('model', {} as WorkerEvents['model']);
+  return { another, element, event, say, sent };
 }
 
 test('the document of an earlier edit does not count as that of the new handle', () => {
@@ -59,7 +63,7 @@ test('the document of an earlier edit does not count as that of the new handle',
   event('pointerdown', 10);
   event('pointermove', 14);
   say(1);
-  assert.equal(element.dataset.gesture, 'making');
+  assert.deepEqual(sent, [['make', VERTEX]]);
   say(1, VERTEX);
   assert.equal(element.dataset.gesture, 'handle');
   event('pointermove', 20);
@@ -79,18 +83,20 @@ test('a handle that is made after the release is not dragged', () => {
   event('pointerup', 10);
   say(VERTEX);
   assert.equal(element.dataset.gesture, '');
-  assert.deepEqual(sent, [['make', VERTEX], ['end']]);
+  assert.deepEqual(sent, [
+    ['make', VERTEX],
+    ['end', VERTEX],
+  ]);
 });
 
 test('a handle of another model that was opened meanwhile is not dragged', () => {
-  const { element, event, say, sent, store } = inputAtVertex();
+  const { another, event, say, sent } = inputAtVertex();
   event('pointerdown', 10);
-  // As with every model.
-  store.set({ dragged: [] });
+  another();
   say(VERTEX);
-  assert.equal(element.dataset.gesture, 'making');
-  event('pointerup', 10);
-  assert.deepEqual(sent, [['make', VERTEX], ['end']]);
+  event('pointermove', 20);
+  event('pointerup', 20);
+  assert.deepEqual(sent, [['make', VERTEX]]);
 });
 
 test('a second finger on the view neither moves, ends nor cancels the drag of a handle', () => {

@@ -11,7 +11,7 @@ import { addMesh, addPolyline, attributesOf, layersIn, rhino } from './rhino.ts'
 import { ROLE } from './rhino-objects.ts';
 import { byLayer, curvesLayer, pointsOf } from './scene-lists.ts';
 import { sceneOf, type Point } from '../../solver/scene-text.ts';
-import type { SpatialPart } from '../../solver/types.ts';
+import type { SpatialPart } from '../../pkg/engine/shape_up.js';
 
 const PLANARITY = 'shape-up:planarity';
 

@@ -20,7 +20,8 @@ import { KindChoices } from '../../ui/kinds/kind-choices.tsx';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
 import { useOffers } from './use-offers.ts';
-import type { Loaded, ParamValue } from '../../solver/types.ts';
+import type { ParamValue } from '../../pkg/engine/shape_up.js';
+import type { Loaded } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** What a weight may be. */

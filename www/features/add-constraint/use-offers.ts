@@ -4,7 +4,7 @@ import { useMemo, useRef } from 'preact/hooks';
 import { useSignal, useSignalEffect } from '@preact/signals';
 import { newestOnly } from '../../store/latest-only.ts';
 import { useApp } from '../../store/use-app.ts';
-import type { ConstraintOffers } from '../../solver/types.ts';
+import type { ConstraintOffers } from '../../pkg/engine/shape_up.js';
 
 export function useOffers() {
   const { store, actions } = useApp();

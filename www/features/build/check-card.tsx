@@ -5,13 +5,13 @@ import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { showElements } from '../../viewport/camera.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { CheckRow, CheckWords, KindInfo } from '../../solver/types.ts';
+import type { CheckRow, CheckWords, KindWords } from '../../pkg/engine/shape_up.js';
 import type { Parts } from './parts.ts';
 
 const MARKS = { none: '–', met: '✓', missed: '✗' };
 
 /** The press that makes all panels of this kind, within a tolerance. */
-export type MakePanels = (app: AppContext, kind: KindInfo, how: { within: number }) => unknown;
+export type MakePanels = (app: AppContext, kind: KindWords, how: { within: number }) => unknown;
 
 export function CheckCard({ parts, makePanels }: { parts: Parts; makePanels: MakePanels }) {
   const app = useApp();

@@ -1,7 +1,8 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
-import { again, isUnmeant, messageOf } from '../../solver/errors.ts';
-import type { Asker, BuildSettings, Built, Reshaped, SceneDocument } from '../../solver/types.ts';
+import { again, isCollateral, messageOf } from '../../solver/errors.ts';
+import type { Document as SceneDocument } from '../../pkg/engine/shape_up.js';
+import type { Asker, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { metresOf } from '../../ui/words.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -110,7 +111,7 @@ export class LiveBuild {
     } catch (error) {
       this.#agreed = '';
       // It was in the way of another job, which was cancelled.
-      if (isUnmeant(error)) return await this.#once(isSaved);
+      if (isCollateral(error)) return await this.#once(isSaved);
       // A build that was cancelled, or has ended its worker, is not begun again by itself.
       this.#key = keyNow();
       if (this.#isOf(mesh)) this.#on.refuse(messageOf(error));

@@ -1,6 +1,6 @@
 /** The offset in the view, with failed beams and posts, and failed panels of the model, in red. */
 
-import type { OffsetLayer } from '../../solver/types.ts';
+import type { OffsetLayer } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
 const NONE = new Uint32Array(0);

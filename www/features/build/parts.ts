@@ -5,7 +5,8 @@ import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { once } from '../../ui/once.ts';
 import { LiveBuild } from './live-build.ts';
 import { offsetLayer } from './offset-layer.ts';
-import type { BuildChoice, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
+import type { WordedChoice } from '../../pkg/engine/shape_up.js';
+import type { BuildSettings, Built, Reshaped } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** The parts of the page. */
@@ -19,7 +20,7 @@ export class Parts {
   /** What depends on the offset and follows a drag. */
   readonly card = signal<Reshaped>(null);
   /** Each kind of offset with its error. */
-  readonly choices = signal<BuildChoice[]>([]);
+  readonly choices = signal<WordedChoice[]>([]);
   /** Why there are no parts; empty if there are. */
   readonly refused = signal('');
   #app;

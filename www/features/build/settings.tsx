@@ -3,7 +3,8 @@
 import { useEffect, useRef } from 'preact/hooks';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { TextField } from '../../ui/components/text-field.tsx';
-import type { BuildPreset, BuildSetting, BuildSettings } from '../../solver/types.ts';
+import type { BuildPreset, BuildSetting } from '../../pkg/engine/shape_up.js';
+import type { BuildSettings } from '../../solver/types.ts';
 import type { Parts } from './parts.ts';
 
 /** A value of a setting, as in a scene. */

@@ -7,7 +7,7 @@ import { useMemo } from 'preact/hooks';
 import type { Ref } from 'preact';
 import { useInSight } from '../../ui/components/use-in-sight.ts';
 import { once } from '../../ui/once.ts';
-import type { SheetPicture } from '../../solver/types.ts';
+import type { SheetPicture } from '../../pkg/engine/shape_up.js';
 
 /** A sheet with the panels that exceed their limit. */
 export interface Drawn {

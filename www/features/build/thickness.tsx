@@ -5,7 +5,7 @@
 
 import { HeldSlider } from '../../ui/components/held-slider.tsx';
 import { rounded } from '../../ui/words.ts';
-import type { BuildChoice, BuildSetting } from '../../solver/types.ts';
+import type { WordedChoice, BuildSetting } from '../../pkg/engine/shape_up.js';
 import type { Parts } from './parts.ts';
 
 /** Range of the slider in mean edge lengths, if nothing else limits it. */
@@ -60,7 +60,7 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
                 title={summary}
                 aria-pressed={isChosen}
                 onClick={() =>
-                  parts.change({ kind: isChosen ? null : (word as BuildChoice['kind']) })
+                  parts.change({ kind: isChosen ? null : (word as WordedChoice['kind']) })
                 }
               >
                 <span>{label}</span>

@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { Choice } from '../../ui/components/fields.tsx';
 import { count } from '../../ui/words.ts';
-import type { BuildReport } from '../../solver/types.ts';
+import type { BuildReport } from '../../pkg/engine/shape_up.js';
 import type { Parts } from './parts.ts';
 
 /** Elements that are sorted into types, with the number of types at each tolerance. */

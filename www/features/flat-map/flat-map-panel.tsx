@@ -10,7 +10,7 @@ import { duration, groupDigits, ratio } from '../../ui/words.ts';
 import { reveal } from '../../ui/reveal.ts';
 import { flatMaps } from './flat-maps.ts';
 import type { FlatMap } from '../../store/state.ts';
-import type { Parametrization } from '../../solver/types.ts';
+import type { FlatMap as Parametrization } from '../../pkg/engine/shape_up.js';
 
 /** Label and explanation of each polygon weight. */
 const WEIGHTS = {

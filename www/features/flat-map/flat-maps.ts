@@ -3,7 +3,8 @@
 import { newestOnly } from '../../store/latest-only.ts';
 import { duration } from '../../ui/words.ts';
 import { once } from '../../ui/once.ts';
-import type { MapNorm, MapWeights, Snapshot } from '../../solver/types.ts';
+import type { ConformalNorm, ConformalWeights } from '../../pkg/engine/shape_up.js';
+import type { Snapshot } from '../../solver/types.ts';
 import type { FlatMap } from '../../store/state.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -92,7 +93,7 @@ class FlatMaps {
     if (!flatMap && status === FLATTENING) this.#app.actions.setStatus('');
   }
 
-  async #map(weights: MapWeights, norm: MapNorm) {
+  async #map(weights: ConformalWeights, norm: ConformalNorm) {
     const model = await this.#app.actions.rest();
     const [found, shape] = await Promise.all([
       this.#app.jobs.copy(model).parametrize(weights, norm),

@@ -13,7 +13,7 @@ import { INTERFACES } from '../../viewport/graphics-card.ts';
 import { MOUSE_WORDS } from '../../viewport/input/mouse.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
-import type { FileFormat } from '../../solver/types.ts';
+import type { FileFormat } from '../../pkg/engine/shape_up.js';
 
 /** Actions of the pointer; see `pointer.ts`. */
 const pointer = (mouse: State['mouse']): [string, string][] => [
@@ -46,6 +46,19 @@ const VIEW_KEYS: [string, string][] = [
     `while a handle is dragged: Shift keeps its height, ${CTRL} moves it vertically`,
   ],
   ['Alt + drag', 'on a vertex: make it a handle and move it'],
+];
+
+/** What a constraint can require; see `details.tsx`. */
+const REQUIRED: [string, string][] = [
+  ['Soft', 'pulls, and gives way to whatever pulls the other way'],
+  [
+    'Within',
+    'no vertex is farther from the shape than a length: enough to build, and the mesh usually moves less than for Exact',
+  ],
+  [
+    'Exact',
+    'satisfied exactly, by the mesh that is as close as possible to all that is soft; what cannot be satisfied together is named',
+  ],
 ];
 
 export function showHelp(app: AppContext) {
@@ -82,6 +95,11 @@ function Help({ close }: InDialog) {
       <div class="columns">
         <Keys title="Mouse and touch">
           {pointer(mouse).map(([what, effect]) => (
+            <Row key={what} term={what} effect={effect} />
+          ))}
+        </Keys>
+        <Keys title="What a constraint requires">
+          {REQUIRED.map(([what, effect]) => (
             <Row key={what} term={what} effect={effect} />
           ))}
         </Keys>
@@ -127,7 +145,7 @@ function Help({ close }: InDialog) {
   );
 }
 
-/** A list of keys, or of what the pointer does. */
+/** A list of keys, of what the pointer does, or of words. */
 const Keys = ({ title, children }: { title: string; children: ComponentChildren }) => (
   <section>
     <h3>{title}</h3>

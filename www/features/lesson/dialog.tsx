@@ -14,8 +14,11 @@ import { NumberInput, numberIn } from '../../ui/components/number-input.tsx';
 import { count, measured, rounded, writtenUnit } from '../../ui/words.ts';
 import { LOCKS } from './panel.tsx';
 import type { AppContext } from '../../app/context.ts';
-import type { GoalFile } from '../../pkg/engine/shape_up.js';
-import type { FaceMeasure, SceneDocument } from '../../solver/types.ts';
+import type {
+  GoalFile,
+  FaceMeasure,
+  Document as SceneDocument,
+} from '../../pkg/engine/shape_up.js';
 import type { State } from '../../store/state.ts';
 
 /** What a goal can be about. */

@@ -14,7 +14,7 @@ import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { byId } from '../../ui/dom.ts';
 import { reveal } from '../../ui/reveal.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { LessonWords } from '../../solver/types.ts';
+import type { LessonWords } from '../../pkg/engine/shape_up.js';
 
 const mark = (isMet: boolean) => (isMet ? '✓' : '✗');
 

@@ -12,7 +12,7 @@ import { Button } from '../../ui/components/buttons.tsx';
 import { Drawing } from '../../ui/kinds/drawing.tsx';
 import { openEdit } from './edit-dialog.tsx';
 import { makePanels } from './press.ts';
-import type { KindInfo } from '../../solver/types.ts';
+import type { KindWords } from '../../pkg/engine/shape_up.js';
 
 /** Describes the buttons. */
 const REASON = 'make-panels-reason';
@@ -91,7 +91,7 @@ function KindButton({
   reason,
   isRecommended,
 }: {
-  kind: KindInfo;
+  kind: KindWords;
   /** why it is not possible, if it is not */
   reason: string;
   isRecommended: boolean;

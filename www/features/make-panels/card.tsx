@@ -18,8 +18,12 @@ import { PanelButtons } from './buttons.tsx';
 import { openEdit } from './edit-dialog.tsx';
 import { makePanels } from './press.ts';
 import { verdicts } from './verdicts.ts';
-import type { ForecastWords, MeshSuggestion } from '../../pkg/engine/shape_up.js';
-import type { BetterPress, PanelVerdict } from '../../solver/types.ts';
+import type {
+  ForecastWords,
+  MeshSuggestion,
+  BetterPress,
+  PanelVerdict,
+} from '../../pkg/engine/shape_up.js';
 import { Sentence } from '../../ui/components/sentence.tsx';
 
 /** How far the mesh will move for one shape of all panels, and what would reduce that. */

@@ -2,7 +2,7 @@
 
 import { endOfRun } from '../../store/end-of-run.ts';
 import { isLocked } from '../../store/panels-card.ts';
-import type { KindInfo, PanelStart } from '../../solver/types.ts';
+import type { KindWords, PanelStart } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
 
@@ -23,7 +23,7 @@ interface How {
  * Makes all panels of this kind, with a transition. While a model is being opened, a press without
  * `how` is meant for that one; any other is about the open model.
  */
-export async function makePanels(app: AppContext, kind: KindInfo, how?: How) {
+export async function makePanels(app: AppContext, kind: KindWords, how?: How) {
   const { from = 'now', within, label = '' } = how ?? {};
   const { store, solver, viewport, actions, files } = app;
   if (files.openings.coming && !(await isMeantAfter(app, kind.id, !how))) return;

@@ -8,7 +8,7 @@ import { latestOnly } from '../../store/latest-only.ts';
 import { panelsTopic } from '../../store/panels-card.ts';
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
 import { once } from '../../ui/once.ts';
-import type { BetterPress, PanelVerdict } from '../../solver/types.ts';
+import type { BetterPress, PanelVerdict } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
 interface Said {

@@ -8,7 +8,7 @@ import { presentActions } from '../../store/present-actions.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import type { AppContext } from '../../app/context.ts';
-import type { Slide } from '../../solver/types.ts';
+import type { Slide } from '../../pkg/engine/shape_up.js';
 
 /** Actions of keys, including presenter remotes. */
 const KEYS: Record<string, 'next' | 'previous' | 'first' | 'last' | 'dark' | 'run' | 'end'> = {

@@ -13,7 +13,7 @@ import { Thumbnail } from '../../ui/components/thumbnail.tsx';
 import { sceneOf } from '../../solver/scene-text.ts';
 import { count } from '../../ui/words.ts';
 import { present } from './stage.tsx';
-import type { Slide } from '../../solver/types.ts';
+import type { Slide } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
 export function openSteps(app: AppContext) {

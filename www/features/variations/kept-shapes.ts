@@ -1,7 +1,7 @@
 /** The positions of the kept shapes of a model. */
 
 import type { Actions } from '../../store/actions.ts';
-import type { VariantRow } from '../../solver/types.ts';
+import type { VariantRow } from '../../pkg/engine/shape_up.js';
 
 /**
  * Returns what gives the positions of each, `#V by 3`. Those before the first change of the list are

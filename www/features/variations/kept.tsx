@@ -7,7 +7,8 @@ import { CloseButton } from '../../ui/components/buttons.tsx';
 import { Thumbnail } from '../../ui/components/thumbnail.tsx';
 import { areaOf, groupDigits, length } from '../../ui/words.ts';
 import { keptShapes } from './kept-shapes.ts';
-import type { Connectivity, Edit, SceneDocument, VariantRow } from '../../solver/types.ts';
+import type { Edit, Document as SceneDocument, VariantRow } from '../../pkg/engine/shape_up.js';
+import type { Connectivity } from '../../solver/types.ts';
 
 /** Headings and tooltips of the table. */
 const COLUMNS = [

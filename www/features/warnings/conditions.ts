@@ -12,7 +12,7 @@ import { showElements } from '../../viewport/camera.ts';
 import { ExactVerdict } from './exact-verdict.ts';
 import { RunMessages } from './run-messages.ts';
 import type { AppContext } from '../../app/context.ts';
-import type { Edit } from '../../solver/types.ts';
+import type { Edit } from '../../pkg/engine/shape_up.js';
 
 const ZERO_SIZE = 'zero-size-faces';
 /** Maximum number of suggestions offered. */

@@ -6,7 +6,7 @@
 import { isHard } from '../../store/state.ts';
 import { showElements } from '../../viewport/camera.ts';
 import type { AppContext as App } from '../../app/context.ts';
-import type { ExactReport, ExactWords } from '../../solver/types.ts';
+import type { ExactReport, ExactWords } from '../../pkg/engine/shape_up.js';
 import type { Offer, RunMessages } from './run-messages.ts';
 
 /** Minimum relative decrease of the energy for an improvement to be worth an undo step. */

@@ -16,7 +16,7 @@ if (new URLSearchParams(search).has('autoplay')) start();
 readLink(hash).then(
   (link) =>
     link?.example
-      ? showExample(link.example, link.run || link.text ? 'start' : 'end')
+      ? showExample(link.example, link.run && !link.text ? 'end' : 'start')
       : showScene(link?.text ?? null, link?.name ?? 'A model in Shape-Up'),
   (error) => setText(byId('trouble'), messageOf(error)),
 );
@@ -42,6 +42,7 @@ function showScene(text: string | null, name: string) {
   drawShape(drawing, { faceOffsets, faceIndices }, mesh.positions.flat(), { up });
 }
 
+/** @param pose in which Start opens it */
 async function showExample(id: string, pose: 'start' | 'end') {
   try {
     const example = exampleOf(await listOfExamples(), id);

@@ -10,7 +10,7 @@ import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { count, groupDigits, length, lengthOrZero, limit } from '../../ui/words.ts';
 import { valueInWords } from '../../ui/kinds/parameter-forms.ts';
 import { Details } from './details.tsx';
-import type { ConstraintRow, ParamInfo } from '../../solver/types.ts';
+import type { ConstraintRow, Param } from '../../pkg/engine/shape_up.js';
 
 const NONE = new Uint32Array(0);
 /** What a press opens is brought into sight only when no second one may follow it to the same place. */
@@ -269,7 +269,7 @@ function Worst({ row }: { row: ConstraintRow }) {
 }
 
 /** The requirement, and the parameters that differ from their defaults. */
-function Settings({ row, params }: { row: ConstraintRow; params: ParamInfo[] }) {
+function Settings({ row, params }: { row: ConstraintRow; params: Param[] }) {
   const units = useApp().store.state.document?.units ?? '';
   const changed = params.filter(
     ({ id, default: usual }) => JSON.stringify(row.params[id]) !== JSON.stringify(usual),

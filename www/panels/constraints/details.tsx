@@ -19,7 +19,7 @@ import {
 import { Drawing } from '../../ui/kinds/drawing.tsx';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
-import type { ConstraintRow, KindInfo, Require } from '../../solver/types.ts';
+import type { ConstraintRow, KindWords, Require } from '../../pkg/engine/shape_up.js';
 
 interface Of {
   row: ConstraintRow;
@@ -76,7 +76,7 @@ export function Details({
   );
 }
 
-function ParameterRows({ row, name, kind }: Of & { kind: KindInfo }) {
+function ParameterRows({ row, name, kind }: Of & { kind: KindWords }) {
   const { store, actions } = useApp();
   const { refusal, refuse, forget } = useRefusal(kind.params);
   return (

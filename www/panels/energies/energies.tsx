@@ -8,7 +8,7 @@ import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { energyOrZero, number, rounded } from '../../ui/words.ts';
 import { Settings } from './settings.tsx';
 import { WeightPresets } from './weight-presets.tsx';
-import type { Energy, SceneDocument } from '../../solver/types.ts';
+import type { Energy, Document as SceneDocument } from '../../pkg/engine/shape_up.js';
 
 /** The ends of the slider as powers of ten; position 0 means a weight of 0. */
 const LEAST = -3;

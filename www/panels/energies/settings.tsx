@@ -10,7 +10,7 @@ import { Button } from '../../ui/components/buttons.tsx';
 import { count } from '../../ui/words.ts';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
-import type { SettingInfo } from '../../solver/types.ts';
+import type { Setting } from '../../pkg/engine/shape_up.js';
 
 export function Settings() {
   const { settings } = useApp().store.state;
@@ -42,7 +42,7 @@ export function Settings() {
   );
 }
 
-function Setting({ setting }: { setting: SettingInfo }) {
+function Setting({ setting }: { setting: Setting }) {
   const { store, actions } = useApp();
   const { document } = store.state;
   const params = [setting];

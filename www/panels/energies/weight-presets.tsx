@@ -7,7 +7,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
-import type { Preset } from '../../solver/types.ts';
+import type { PresetOffer } from '../../pkg/engine/shape_up.js';
 
 const CUSTOM = 'custom';
 
@@ -20,7 +20,7 @@ export function WeightPresets() {
   /** It, as long as the mesh does not suit it. */
   const doubtful =
     chosen?.model === model && presets.find(({ id, warning }) => warning && id === chosen?.id);
-  const apply = ({ id }: Preset) => actions.edit({ preset: { id } });
+  const apply = ({ id }: PresetOffer) => actions.edit({ preset: { id } });
 
   function choose(id: string) {
     const preset = presets.find((one) => one.id === id);
@@ -50,7 +50,7 @@ export function WeightPresets() {
   );
 }
 
-function Warning(props: { preset: Preset; apply: () => unknown; close: () => void }) {
+function Warning(props: { preset: PresetOffer; apply: () => unknown; close: () => void }) {
   const { preset, apply, close } = props;
   const first = useRef<HTMLButtonElement>(null);
   useEffect(() => first.current?.focus(), [preset.id]);

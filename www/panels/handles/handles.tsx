@@ -7,7 +7,7 @@ import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { count } from '../../ui/words.ts';
 import { SelectedHandles } from './selected.tsx';
-import type { SceneDocument } from '../../solver/types.ts';
+import type { Document as SceneDocument } from '../../pkg/engine/shape_up.js';
 
 export function Handles() {
   const { document } = useApp().store.state;

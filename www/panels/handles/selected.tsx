@@ -2,12 +2,12 @@
 
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { messageOf } from '../../solver/errors.ts';
-import { handlesNow } from '../../store/handles.ts';
+import { handlesNow, type HandleDrag } from '../../store/handles.ts';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { count, coordinate, decimalsFor, readLength } from '../../ui/words.ts';
-import type { Handle } from '../../solver/types.ts';
+import type { HandleRow } from '../../pkg/engine/shape_up.js';
 
 /** The length of the simulated drag by which the mesh follows a typed target, in milliseconds. */
 const FOLLOW_MS = 300;
@@ -59,40 +59,30 @@ function useTypedTargets() {
   const { store, actions } = useApp();
   const { document, refused } = store.state;
   /** Targets not yet in the document, by vertex. */
-  const [ahead, setAhead] = useState<ReadonlyMap<number, Handle['target']>>(new Map());
-  /** Ends the current simulated drag. */
-  const pending = useRef<(() => void) | null>(null);
+  const [ahead, setAhead] = useState<ReadonlyMap<number, HandleRow['target']>>(new Map());
+  const drag = useRef<HandleDrag>(null);
   useLayoutEffect(() => {
-    if (!pending.current) setAhead(new Map());
+    if (drag.current?.isOver !== false) setAhead(new Map());
   }, [document, refused]);
 
   /**
    * Moves handles along one axis, as one step of undo.
    * @throws if the text is no length
    */
-  function move(before: Handle[], axis: number, text: string) {
+  function move(before: HandleRow[], axis: number, text: string) {
     const entry = readLength(text, store.get().document?.units ?? '');
-    pending.current?.();
     const after = before.map((handle) => {
-      const target = [...handle.target] as Handle['target'];
+      const target = [...handle.target] as HandleRow['target'];
       target[axis] = entry.by ? target[axis] + entry.length : entry.length;
       return { ...handle, target };
     });
     setAhead(new Map(after.map(({ vertex, target }) => [vertex, target])));
-    actions.moveHandles(before, 'start');
-    actions.moveHandles(after, 'move');
-    const followed = new Promise<void>((done) => {
-      const end = () => {
-        clearTimeout(timer);
-        pending.current = null;
-        actions.moveHandles(after, 'end');
-        done();
-      };
-      const timer = setTimeout(end, FOLLOW_MS);
-      pending.current = end;
-    });
+    const moving = actions.drags.begin(before);
+    drag.current = moving;
+    moving.moveTo(Float64Array.from(after.flatMap(({ target }) => target)));
+    setTimeout(() => moving.end(), FOLLOW_MS);
     // What is saved waits for it: meanwhile the mesh is half way.
-    void actions.begin(followed);
+    void actions.begin(moving.ended);
     actions.setStatus(
       after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`,
     );
@@ -173,7 +163,7 @@ function Targets(props: {
 }
 
 /** Whether the handles are fixed, and the weight of those that are not. */
-function Hold({ chosen }: { chosen: Handle[] }) {
+function Hold({ chosen }: { chosen: HandleRow[] }) {
   const { actions } = useApp();
   const soft = chosen.filter((handle) => !handle.fixed);
   const weight = common(soft.map((handle) => handle.weight));

@@ -23,7 +23,8 @@ import { rampOf } from '../../viewport/ramp.ts';
 import { RangeEnd } from './range-end.tsx';
 import { useTold } from './use-told.ts';
 import type { Spread } from '../../store/colours/spread.ts';
-import type { FaceMeasure, Loaded } from '../../solver/types.ts';
+import type { FaceMeasure } from '../../pkg/engine/shape_up.js';
+import type { Loaded } from '../../solver/types.ts';
 
 /** On a phone in landscape orientation the legend is a strip below the model. */
 const strip = matchMedia('(min-width: 700px) and (max-height: 480px)');

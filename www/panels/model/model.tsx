@@ -5,7 +5,8 @@ import { Button } from '../../ui/components/buttons.tsx';
 import { count, groupDigits } from '../../ui/words.ts';
 import { FrameFields } from './frame-fields.tsx';
 import type { ComponentChildren } from 'preact';
-import type { Loaded, MeshSuggestion } from '../../solver/types.ts';
+import type { MeshSuggestion } from '../../pkg/engine/shape_up.js';
+import type { Loaded } from '../../solver/types.ts';
 
 export function Model() {
   const { model, nothingOpen } = useApp().store.state;

@@ -11,7 +11,7 @@ import { writtenUnit } from '../../ui/words.ts';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
 import type { ComponentChildren } from 'preact';
-import type { Operation, ParamInfo, ParamValue } from '../../solver/types.ts';
+import type { Operation, Param, ParamValue } from '../../pkg/engine/shape_up.js';
 
 export const Heading = ({ children }: { children: ComponentChildren }) => (
   <p class="heading quiet">{children}</p>
@@ -33,7 +33,7 @@ export function OperationForm(props: { operation: Operation; close: () => void }
   const form = useFocusedForm();
   const { refusal, refuse, forget } = useRefusal(operation.params);
   const entered = useSignal<Record<string, ParamValue>>({});
-  const valuesOf = (params: ParamInfo[]) => ({
+  const valuesOf = (params: Param[]) => ({
     ...Object.fromEntries(params.map((param) => [param.id, param.default])),
     ...entered.value,
   });

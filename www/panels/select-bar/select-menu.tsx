@@ -12,7 +12,7 @@ import { placeMenu } from '../../ui/controls/navigation.ts';
 import { count } from '../../ui/words.ts';
 import { opener } from './select-bar.tsx';
 import { Heading, OperationForm, SaveForm } from './select-forms.tsx';
-import type { Operation } from '../../solver/types.ts';
+import type { Operation } from '../../pkg/engine/shape_up.js';
 
 export function SelectMenu() {
   const menu = useRef<HTMLDivElement>(null);

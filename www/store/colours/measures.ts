@@ -2,7 +2,8 @@
 
 import { length, lengthOrZero, writtenUnit } from '../../ui/words.ts';
 import { panelsCard } from '../panels-card.ts';
-import type { FaceMeasure, Measure } from '../../solver/types.ts';
+import type { FaceMeasure } from '../../pkg/engine/shape_up.js';
+import type { Measure } from '../../solver/types.ts';
 
 type State = Readonly<import('../state.ts').State>;
 

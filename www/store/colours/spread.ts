@@ -1,7 +1,8 @@
 /** The range of the colours and the distribution of the values, which the view computes. */
 
 import { toleranceOf } from './measures.ts';
-import type { FaceMeasure, Measure } from '../../solver/types.ts';
+import type { FaceMeasure } from '../../pkg/engine/shape_up.js';
+import type { Measure } from '../../solver/types.ts';
 import type { View } from '../../pkg/view-webgl2/shape_up.js';
 
 type State = Readonly<import('../state.ts').State>;

@@ -1,6 +1,6 @@
 /** The small drawing of a kind: the sample points, faint, and their projection. */
 
-import type { Sketch } from '../../solver/types.ts';
+import type { Sketch } from '../../pkg/engine/shape_up.js';
 
 type Point = [number, number];
 

@@ -4,10 +4,10 @@ import { useEffect, useRef } from 'preact/hooks';
 import { useInSight } from '../components/use-in-sight.ts';
 import { Drawing } from './drawing.tsx';
 import type { Ref } from 'preact';
-import type { KindInfo } from '../../solver/types.ts';
+import type { KindWords } from '../../pkg/engine/shape_up.js';
 
 interface Props {
-  kinds: KindInfo[];
+  kinds: KindWords[];
   /** the id of the chosen one, which has the focus at first */
   chosen: string;
   onChoose: (id: string) => unknown;
@@ -63,7 +63,7 @@ function Tile({
   radio,
   choose,
 }: {
-  kind: KindInfo;
+  kind: KindWords;
   isChosen: boolean;
   radio: Radio;
   choose: () => unknown;

@@ -1,7 +1,7 @@
 /** The forms of parameter values: keys, labels, conversion between forms, and values in words. */
 
 import { brief, numberIn, rangeIn, rounded } from '../words.ts';
-import type { Form, ParamInfo, ParamValue } from '../../solver/types.ts';
+import type { Form, Param, ParamValue } from '../../pkg/engine/shape_up.js';
 
 /** What the controls need to know of the coordinates, as they are now. */
 export interface Frame {
@@ -43,15 +43,15 @@ export function keyOfValue(value: ParamValue) {
 }
 
 /** Returns the name of a word of a parameter. */
-const wordLabel = ({ labels = [] }: ParamInfo, word: string) =>
+const wordLabel = ({ labels = [] }: Param, word: string) =>
   labels.find(([one]) => one === word)?.[1] ?? word;
 
 /** Returns the label of a form of a parameter. */
-export function labelOf(param: ParamInfo, form: Form) {
+export function labelOf(param: Param, form: Form) {
   return typeof form === 'string' ? FORM_LABELS[form] : wordLabel(param, form.word);
 }
 
-export function unitOf({ unit }: ParamInfo, units: string) {
+export function unitOf({ unit }: Param, units: string) {
   if (unit === 'degrees') return '°';
   if (!unit || !units) return '';
   return units + { length: '', area: '²', volume: '³' }[unit];
@@ -63,12 +63,12 @@ const DIGITS = 15;
 /** Rounds an initial number to two digits. */
 const roundedUsual = (value: number) => rounded(value, 2);
 
-function inRange({ range: [least, greatest] }: ParamInfo, value: number) {
+function inRange({ range: [least, greatest] }: Param, value: number) {
   return Math.min(Math.max(value, least), greatest ?? Infinity);
 }
 
 /** Returns an initial number for a parameter without a numeric default. */
-function usual(param: ParamInfo, { meanEdge }: Frame) {
+function usual(param: Param, { meanEdge }: Frame) {
   const edge = meanEdge || 1;
   const [least, greatest] = param.range;
   const middle = Number.isFinite(greatest) ? (least + greatest) / 2 : 90;
@@ -86,12 +86,7 @@ function middleOf(low: number, high: number) {
 }
 
 /** Converts a value to another form of the parameter. */
-export function converted(
-  param: ParamInfo,
-  form: Form,
-  before: ParamValue,
-  frame: Frame,
-): ParamValue {
+export function converted(param: Param, form: Form, before: ParamValue, frame: Frame): ParamValue {
   const [low, high] = Array.isArray(before) && before.length === 2 ? before : [null, null];
   switch (form) {
     case 'number':
@@ -120,7 +115,7 @@ export function axis(name: string): [number, number, number] {
 }
 
 /** Formats a value with its unit. */
-export function valueInWords(param: ParamInfo, value: ParamValue, units: string) {
+export function valueInWords(param: Param, value: ParamValue, units: string) {
   const unit = unitOf(param, units);
   if (value === null) return FORM_LABELS.nothing;
   if (typeof value === 'string') return wordLabel(param, value);

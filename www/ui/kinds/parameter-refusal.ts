@@ -1,7 +1,7 @@
 /** An error of the solver at the parameter that it is about. */
 
 import { useState } from 'preact/hooks';
-import type { ParamInfo } from '../../solver/types.ts';
+import type { Param } from '../../pkg/engine/shape_up.js';
 
 export interface Refusal {
   /** the parameter; empty if it is about several */
@@ -12,7 +12,7 @@ export interface Refusal {
 }
 
 /** Reads an error with a `path` in the scene; null if it is about something else. */
-function refusalOf(error: unknown, params: ParamInfo[]): Refusal | null {
+function refusalOf(error: unknown, params: Param[]): Refusal | null {
   if (!(error instanceof Error && 'path' in error)) return null;
   const at = String(error.path);
   const path = at.replace(/^constraints\[\d+\]\.?/, '');
@@ -23,7 +23,7 @@ function refusalOf(error: unknown, params: ParamInfo[]): Refusal | null {
 }
 
 /** The last refusal of a change of these parameters. */
-export function useRefusal(params: ParamInfo[]) {
+export function useRefusal(params: Param[]) {
   const [refusal, setRefusal] = useState<Refusal | null>(null);
   return {
     refusal,

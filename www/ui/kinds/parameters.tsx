@@ -18,7 +18,7 @@ import {
   type Frame,
 } from './parameter-forms.ts';
 import { rounded } from '../words.ts';
-import type { ParamInfo, ParamValue } from '../../solver/types.ts';
+import type { Param, ParamValue } from '../../pkg/engine/shape_up.js';
 import type { Refusal } from './parameter-refusal.ts';
 
 /** A unit of numbers, and what they are multiplied by to be shown in it. */
@@ -37,7 +37,7 @@ export function Parameters({
   refusal = null,
   onValue,
 }: {
-  params: ParamInfo[];
+  params: Param[];
   /** missing ones have their default */
   values: Record<string, ParamValue>;
   /** as it is now */
@@ -81,7 +81,7 @@ function Problem({ id, message }: { id?: string; message: string }) {
 }
 
 interface Of {
-  param: ParamInfo;
+  param: Param;
   /** its accessible name */
   name: string;
   value: ParamValue;

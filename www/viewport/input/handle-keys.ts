@@ -4,11 +4,10 @@
  * Enter drops them, Escape puts them back.
  */
 
-import { HandleDrag, HANDLES_LOCKED, areHandlesLocked } from '../../store/handles.ts';
+import { HANDLES_LOCKED, areHandlesLocked, type ViewDrag } from '../../store/handles.ts';
 import { ARROWS } from '../../ui/keys.ts';
 import type { Viewport } from '../viewport.ts';
 import type { Store } from '../../store/state.ts';
-import type { SolverClient } from '../../solver/solver-client.ts';
 import type { Actions } from '../../store/actions.ts';
 
 /** Step of an arrow key, in CSS pixels. */
@@ -16,14 +15,9 @@ const STEP = 8;
 const AXES = ['x', 'y', 'z'];
 
 /** Must be bound before the view's keys, which use the arrows otherwise. */
-export function bindHandleKeys(
-  viewport: Viewport,
-  store: Store,
-  solver: SolverClient,
-  actions: Actions,
-) {
+export function bindHandleKeys(viewport: Viewport, store: Store, actions: Actions) {
   const { element } = viewport;
-  let drag: HandleDrag | null = null;
+  let drag: ViewDrag | null = null;
   let at = [0, 0];
 
   function grab() {
@@ -34,7 +28,7 @@ export function bindHandleKeys(
       return false;
     }
     viewport.view.holdVertex(vertex);
-    drag = new HandleDrag(store, solver, viewport.constrainMove, vertex);
+    drag = actions.drags.hold(viewport.constrainMove, vertex);
     at = [0, 0];
     actions.setStatus('Moving the handle with the arrow keys: Enter accepts, Esc cancels');
     return true;

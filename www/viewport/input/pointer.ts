@@ -16,13 +16,7 @@
  * | touch | one finger as left, the button that adds as Shift; two pan and zoom | same |
  */
 
-import {
-  HandleDrag,
-  leaveHandle,
-  makeHandle,
-  HANDLES_LOCKED,
-  areHandlesLocked,
-} from '../../store/handles.ts';
+import { HANDLES_LOCKED, areHandlesLocked, type ViewDrag } from '../../store/handles.ts';
 import { near, clickTolerance, pair, wheelFactor } from './gestures.ts';
 import { combineOf, select } from '../../store/selection.ts';
 import { IS_MAC } from '../../ui/keys.ts';
@@ -45,12 +39,11 @@ const LONG_PRESS_MS = 500;
 
 /** State of a press until it is released. */
 type Gesture =
-  | { kind: 'press' | CameraDrag | 'region' | 'pinch' | 'making' | 'spent' }
-  | { kind: 'handle'; drag: HandleDrag };
+  | { kind: 'press' | CameraDrag | 'region' | 'pinch' | 'spent' }
+  | { kind: 'handle'; drag: ViewDrag };
 
 export class PointerInput {
   #store;
-  #solver;
   #viewport;
   #element;
   #region;
@@ -83,7 +76,6 @@ export class PointerInput {
     },
   ) {
     this.#store = store;
-    this.#solver = solver;
     this.#viewport = viewport;
     this.#element = viewport.element;
     this.#region = region;
@@ -121,7 +113,6 @@ export class PointerInput {
     const gesture = this.#gesture;
     if (!gesture) return false;
     if (gesture.kind === 'handle') gesture.drag.cancel();
-    if (gesture.kind === 'making') leaveHandle(this.#store, this.#solver, 'cancel');
     if (gesture.kind === 'region') this.#region.cancel();
     this.#become(this.#down.size > 0 ? { kind: 'spent' } : null);
     return true;
@@ -155,7 +146,7 @@ export class PointerInput {
       this.#become({ kind: 'press' });
     } else if (event.button === 0) {
       this.#aim(event, at);
-      if (event.altKey && this.#handle === undefined) return void this.#makeHandle(event, at);
+      if (event.altKey && this.#handle === undefined) return this.#makeHandle(at);
       const paints = this.#handle === undefined && this.#region.paints;
       this.#become({ kind: paints ? 'region' : 'press' });
       if (paints) this.#region.begin(at, this.#combineOf(event));
@@ -199,26 +190,13 @@ export class PointerInput {
   }
 
   /** Makes the vertex under the pointer a handle and drags it, as one step of undo. */
-  #makeHandle(event: PointerEvent, at: [number, number]) {
+  #makeHandle(at: [number, number]) {
     // As near as for a double-click: on an edge, a click with Alt selects its loop.
     const found = this.#viewport.with((view) => view.pickVertex(...at, ON_VERTEX));
-    const vertex = this.#isLocked(found) ? undefined : found;
-    const making: Gesture = { kind: vertex === undefined ? 'press' : 'making' };
-    this.#become(making);
-    if (vertex === undefined) return;
-    makeHandle(this.#store, this.#solver, vertex);
-    const end = this.#solver.on('document', ({ document }) => {
-      // The gesture was ended or cancelled meanwhile, or another model was opened.
-      const isOver = this.#gesture !== making || !this.#store.get().dragged.includes(vertex);
-      if (isOver) return void end();
-      // That of an earlier edit has no such handle yet.
-      if (!document.handles.some((handle) => handle.vertex === vertex)) return;
-      end();
-      this.#handle = vertex;
-      this.#begin(false, true);
-      const last = this.#down.get(event.pointerId);
-      if (last) this.#drag(event, last);
-    });
+    if (found === undefined || this.#isLocked(found)) return this.#become({ kind: 'press' });
+    this.#viewport.view?.holdVertex(found, ...at);
+    const drag = this.#actions.drags.make(this.#viewport.constrainMove, found);
+    this.#become({ kind: 'handle', drag });
   }
 
   #drag(event: PointerEvent, at: [number, number]) {
@@ -287,16 +265,15 @@ export class PointerInput {
   /**
    * Turns a press into a drag: of a handle, of the camera, or of a region.
    * @param withShift whether Shift is held
-   * @param begun whether the solver has already begun the drag
    */
-  #begin(withShift: boolean, begun: boolean = false) {
+  #begin(withShift: boolean) {
     const { constrainMove, view } = this.#viewport;
     const handle = this.#isLocked(this.#handle) ? undefined : this.#handle;
     const part = this.#gizmoPart;
     if (handle !== undefined && view) {
       if (part) view.holdGizmo(...this.#start);
       else view.holdVertex(handle, ...this.#start);
-      const drag = new HandleDrag(this.#store, this.#solver, constrainMove, handle, part, begun);
+      const drag = this.#actions.drags.hold(constrainMove, handle, part);
       this.#become({ kind: 'handle', drag });
     } else {
       if (this.#store.get().tool !== 'select') {
@@ -329,9 +306,6 @@ export class PointerInput {
       case 'handle':
         this.#drag(event, at);
         gesture.drag.end();
-        break;
-      case 'making':
-        leaveHandle(this.#store, this.#solver, 'end');
         break;
       case 'press':
         if (this.#isRight) this.#openMenu(event, at);

@@ -32,7 +32,7 @@ export function copyOf(holder: Holder, model?: Snapshot): ModelCopy {
   letGo(holder);
   let held = [...copies.values()].find((other) => isOf(other, model));
   if (!held) {
-    // There is room for no more than are needed.
+    // Memory has room for few copies.
     letGo('questions');
     const { text, generation } = model;
     held = {

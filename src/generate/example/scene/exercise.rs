@@ -20,9 +20,11 @@ pub(super) const PROJECTION: Example = Example {
     make: projection,
 };
 
-const PROJECTION_TEXT: &str = "A constraint says what a part shall be: here, each tile a square. Its projection is the nearest part that is so. Tiles share corners, and each asks them to be elsewhere. So there are two steps in turn. The local step finds the nearest square of each tile by itself. The global step puts all corners where they are nearest, on the whole, to the squares that ask for them. Neither can make the sum of the squared distances larger.
+const PROJECTION_TEXT: &str = "A constraint says what a part shall be: here, each tile a square. The projection of a tile is its nearest square: the smallest change after which the constraint holds (Figure 2 of the paper). Tiles share corners, and each asks them to be elsewhere. What is to be made small is a sum of squared distances, each with its weight: from the corners to these squares, and to where they were.
 
-1. Press Step a few times, and see how squares and corners come together.
+Two steps in turn do that (Figure 3). The local step projects each tile by itself. The global step puts all corners where the sum is least as long as no square turns or changes its size. Neither can make the sum larger, though single distances may grow. Where all constraints can hold at once, it can come to zero; where they cannot, the corners end as near to all as possible, in the sense of least squares.
+
+1. Under Shape, in Weights and solver, press Half step a few times. After the local step you see the squares, and nothing has moved; after the global step the corners have.
 2. Press Run. The tiles do not become squares: closeness asks each corner to stay where it was, and weights decide between the two.
 3. Under Shape, in Weights and solver, make the Close weight smaller until all corners are within 10 mm of their squares. With 0 they become squares, but nothing holds the sheet any longer.";
 
