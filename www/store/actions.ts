@@ -6,6 +6,7 @@
 import { workingKey } from '../ui/keys.ts';
 import { count } from '../ui/words.ts';
 import { again, Cancelled, messageOf } from '../solver/errors.ts';
+import { constraintNow, type Lists } from '../solver/rows.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { Edit, Handle, PanelStart, Require } from '../solver/types.ts';
@@ -51,12 +52,28 @@ export function createActions(
     }
   }
 
+  /** The lists that the page shows, of which an edit names a row: the solver may have others by then. */
+  function lists(): Lists | undefined {
+    const { constraints, variants } = store.get().document ?? {};
+    return constraints && variants && { constraints, variants };
+  }
+
+  /** Returns what a shown constraint acts on; undefined if it is gone, or an error is reported. */
+  async function members(index: number) {
+    const { document: shown, model } = store.get();
+    await solver.settled();
+    const { document: now, model: next } = store.get();
+    if (!shown || !now || next !== model) return undefined;
+    const at = constraintNow(index, shown.constraints, now.constraints);
+    return at < 0 ? undefined : reportErrors(solver.ask.members(at));
+  }
+
   /** @param showError shows an error at its field; false if there is none */
   function edit(
     change: Edit,
     showError: (error: unknown) => boolean = () => false,
   ): Promise<null | undefined> {
-    return attempt(solver.change.edit(change), showError);
+    return attempt(solver.change.edit(change, lists()), showError);
   }
 
   /**
@@ -193,7 +210,7 @@ export function createActions(
     exact: {
       /** Sets the hardness of a row and runs, as one step of undo. */
       require: (index: number, require: Require) =>
-        attempt(solver.change.editAndRun({ setConstraint: { index, require } })),
+        attempt(solver.change.editAndRun({ setConstraint: { index, require } }, lists())),
 
       /**
        * Applies a shape that was found, if it belongs to the current one.
@@ -211,6 +228,7 @@ export function createActions(
         Float64Array.from(numbers, ([, value]) => value),
       ),
     edit,
+    members,
     makePanels,
     reportErrors,
     connectivity,

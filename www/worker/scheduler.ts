@@ -5,7 +5,7 @@
 
 import { isTrap, messageOf } from '../solver/errors.ts';
 import type { FromWorker } from '../solver/events.ts';
-import type { Drag, Half, Loaded, Numbers } from '../solver/types.ts';
+import type { Drag, Half, Loaded, Numbers, SceneDocument } from '../solver/types.ts';
 import { Frames } from './frames.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 
@@ -37,6 +37,8 @@ export class Scheduler {
   frames;
   /** Number of meshes that were sent. */
   meshes = 0;
+  /** The document that was sent last. */
+  document: SceneDocument | null = null;
   #solver;
   #post;
   #died;
@@ -406,7 +408,8 @@ export class Scheduler {
   }
 
   #sendDocument() {
-    this.#post({ type: 'document', document: this.#solver.document() });
+    this.document = this.#solver.document();
+    this.#post({ type: 'document', document: this.document });
   }
 
   /** Sends the scene, for autosave and the second worker. */
