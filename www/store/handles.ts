@@ -1,5 +1,6 @@
 /** The handles as the page shows them, whether they can be dragged, and a drag of them. */
 
+import { isLocked } from './panels-card.ts';
 import type { Handle, SceneDocument } from '../solver/types.ts';
 import type { State, Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
@@ -26,7 +27,7 @@ export function handlesNow({
 
 /** Whether a lesson locks the handles. */
 export const areHandlesLocked = (document: SceneDocument | null) =>
-  document?.lesson?.lock.includes('handles') ?? false;
+  isLocked({ document }, 'handles');
 
 /** Names a handle that can be dragged, by its colour in the view; empty if there is none. */
 export function draggableInWords(document: SceneDocument) {

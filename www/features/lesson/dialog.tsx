@@ -283,7 +283,19 @@ function LessonDialog({
         </Button>
         <Button onClick={() => keep(() => files.saveScene())}>Lesson as a scene file</Button>
         <Button onClick={() => keep(() => pressNamed('share', app))}>Lesson as a link</Button>
-        {scene.lesson && <Button onClick={forget}>Remove lesson</Button>}
+        {scene.lesson && (
+          <Button
+            disabled={scene.lesson.lock.length > 0}
+            title={
+              scene.lesson.lock.length > 0
+                ? 'It has locks: only where it was just written, Undo removes it'
+                : undefined
+            }
+            onClick={forget}
+          >
+            Remove lesson
+          </Button>
+        )}
       </div>
     </form>
   );

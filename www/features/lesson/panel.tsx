@@ -7,6 +7,7 @@ import './lesson.css';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { ComponentType } from 'preact';
 import { isInLegend, movedInWords } from '../../store/colours/measures.ts';
+import { type Lock } from '../../store/panels-card.ts';
 import { showDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, Icon } from '../../ui/components/buttons.tsx';
@@ -17,8 +18,6 @@ import type { AppContext } from '../../app/context.ts';
 import type { LessonWords } from '../../solver/types.ts';
 
 const mark = (isMet: boolean) => (isMet ? '✓' : '✗');
-
-type Lock = LessonWords['lock'][number];
 
 /** The locks in display order. */
 export const LOCKS: [Lock, string][] = [

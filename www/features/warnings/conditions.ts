@@ -4,6 +4,7 @@
  */
 
 import { isInLegend } from '../../store/colours/measures.ts';
+import { isLocked } from '../../store/panels-card.ts';
 import { isHard } from '../../store/state.ts';
 import { untilChanged } from '../../store/until-changed.ts';
 import { count, length } from '../../ui/words.ts';
@@ -62,11 +63,12 @@ class Conditions {
     const isListed = document.getElementById('model')?.checkVisibility();
     if (problems.length === 0 || isListed) return void this.#lookForFlatFaces();
     const { message, suggestion } = problems.find((problem) => problem.suggestion) ?? problems[0];
-    const mend = suggestion && {
-      label: suggestion.label,
-      action: () =>
-        actions.reportErrors(mesh.remesh({ operation: suggestion.operation }, suggestion.label)),
-    };
+    const mend = suggestion &&
+      !isLocked(store.get(), 'mesh') && {
+        label: suggestion.label,
+        action: () =>
+          actions.reportErrors(mesh.remesh({ operation: suggestion.operation }, suggestion.label)),
+      };
     const words = `${count(problems.length, 'kind of problem', 'kinds of problem')}, see Open or make: ${message}`;
     untilChanged(store, alerts.notice(words, ...(mend ? [mend] : [])));
   }
