@@ -19,6 +19,8 @@ import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Alerts, Offer } from '../ui/controls/alerts.ts';
 
+type ShowError = (error: unknown) => boolean | string;
+
 export function createActions(
   store: Store,
   solver: SolverClient,
@@ -68,11 +70,8 @@ export function createActions(
     return at < 0 ? undefined : reportErrors(solver.ask.members(at));
   }
 
-  /** @param showError shows an error at its field; false if there is none */
-  function edit(
-    change: Edit,
-    showError: (error: unknown) => boolean = () => false,
-  ): Promise<null | undefined> {
+  /** @param showError shows an error at its field; false if there is none, or the words of the alert */
+  function edit(change: Edit, showError?: ShowError): Promise<null | undefined> {
     return attempt(solver.change.edit(change, lists()), showError);
   }
 
@@ -96,7 +95,7 @@ export function createActions(
   /** @returns undefined if refused */
   async function attempt(
     change: Promise<null>,
-    showError: (error: unknown) => boolean = () => false,
+    showError: ShowError = () => false,
   ): Promise<null | undefined> {
     try {
       const made = await change;
@@ -105,8 +104,9 @@ export function createActions(
       return made;
     } catch (error) {
       if (!(error instanceof Cancelled)) {
-        if (showError(error)) return undefined;
-        withdraw = alerts.error(withoutPath(error));
+        const shown = showError(error);
+        if (shown === true) return undefined;
+        withdraw = alerts.error(shown || withoutPath(error));
       }
       // The controls show what was asked for: all show again what is.
       store.set({ refused: store.get().refused + 1 });
