@@ -189,7 +189,7 @@ function HandIn() {
         />
       </label>
       <p>
-        {`${met} of ${goals.length} goals are satisfied now. The file contains the shape, the goals with their values, each step that you made, and the time.`}
+        {`${met} of ${goals.length} goals are satisfied now. The file contains the shape, the goals with their values, the steps in Undo, and the time.`}
       </p>
       <p class="quiet">
         The file is saved only on this computer: send it in as you send other work. The recipient
