@@ -69,7 +69,7 @@ test('what is found for a message is said also after the card that it was on has
   const message = messages.say({ words: 'too far', waits: 'Looking for suggestions …' });
   assert.equal(message.wasOnCard, true);
   store.set({ flatMap: {} as State['flatMap'] });
-  messages.turn(message, { waits: '' });
+  messages.update(message, { waits: '' });
   assert.equal(messages.now.value?.waits, '');
 });
 

@@ -117,9 +117,9 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
   }, [app]);
   const { words, numbers, verdict } = verdicts(app).said.value;
   const level = verdict?.level ?? '';
-  const isPoor = verdict !== null && level !== 'good';
+  const isNotGood = verdict !== null && level !== 'good';
   return (
-    <Card class={isPoor ? 'card warning' : 'card'} data-shows="verdict" data-level={level}>
+    <Card class={isNotGood ? 'card warning' : 'card'} data-shows="verdict" data-level={level}>
       <p aria-live={verdict ? 'polite' : 'off'}>
         <span>
           <Sentence words={words} />
@@ -144,11 +144,11 @@ function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forec
   const { store, actions } = app;
   const better = verdicts(app).better.value;
   const isFixed = isLocked(store.state, 'constraints');
-  const isPoor = verdict.level !== 'good';
+  const isNotGood = verdict.level !== 'good';
   const again = isFixed ? null : verdict.again;
   const isSearched = !isFixed && (better.isLooking || better.presses.length > 0);
   const helps = forecast.newPanelsHelp || forecast.suggestion !== null;
-  const changesMesh = !isFixed && isPoor && helps;
+  const changesMesh = !isFixed && isNotGood && helps;
   if (!verdict.folded && again === null && !isSearched && !changesMesh) return null;
 
   const kindOf = (id: string) => store.get().kinds.find((kind) => kind.id === id);

@@ -94,7 +94,7 @@ class Verdicts {
     let { press } = store.get();
     if (!press?.label || shape === undefined) return '';
     // The first verdict after the press is on what it led to.
-    if (press.shape === undefined) press = actions.pressTurns(press, { shape });
+    if (press.shape === undefined) press = actions.updatePress(press, { shape });
     return press.shape === shape ? `${press.label}: ` : '';
   }
 

@@ -245,10 +245,10 @@ function Point({
   );
 }
 
-/** Focuses a part of the drawing after it is drawn again, if `drawn` asks for it and it is meant. */
-function useFocus(place: { current: SVGElement | null }, drawn: DrawnPlan, isMeant: boolean) {
+/** Focuses a part of the drawing after a redraw, if `drawn` asks for the focus and it is the target. */
+function useFocus(place: { current: SVGElement | null }, drawn: DrawnPlan, isTarget: boolean) {
   useLayoutEffect(() => {
-    if (!isMeant || !drawn.wantsFocus) return;
+    if (!isTarget || !drawn.wantsFocus) return;
     drawn.wantsFocus = false;
     place.current?.focus({ preventScroll: true });
   });

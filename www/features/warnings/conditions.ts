@@ -108,7 +108,7 @@ class Conditions {
       waits: 'Looking for suggestions …',
     });
     const suggestions = await actions.trials.suggestions().catch(() => null);
-    if (!suggestions) return this.messages.turn(message, { waits: '' });
+    if (!suggestions) return this.messages.update(message, { waits: '' });
     const helping = suggestions.slice(0, MOST_SUGGESTIONS).map(({ label, edit, worst }) => ({
       label: `${label}: worst ${length(worst, scene.units, scene.tolerance)}`,
       title: 'The largest distance after this change',
@@ -116,7 +116,7 @@ class Conditions {
     }));
     const waits =
       helping.length > 0 ? '' : 'No suggestion was found that makes the largest distance smaller.';
-    this.messages.turn(message, { waits, offers: [show, ...helping] });
+    this.messages.update(message, { waits, offers: [show, ...helping] });
   }
 
   /** Applies a suggestion and runs on. */
