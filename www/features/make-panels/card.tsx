@@ -142,11 +142,12 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
 function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forecast }) {
   const app = useApp();
   const { store, actions } = app;
-  const better = verdicts(app).better.value;
+  const isLooking = verdicts(app).isLooking.value;
+  const presses = store.state.verdict?.report.suggestions ?? [];
   const isFixed = isLocked(store.state, 'constraints');
   const isNotGood = verdict.level !== 'good';
   const again = isFixed ? null : verdict.again;
-  const isSearched = !isFixed && (better.isLooking || better.presses.length > 0);
+  const isSearched = !isFixed && (isLooking || presses.length > 0);
   const helps = forecast.newPanelsHelp || forecast.suggestion !== null;
   const changesMesh = !isFixed && isNotGood && helps;
   if (!verdict.folded && again === null && !isSearched && !changesMesh) return null;
@@ -174,7 +175,7 @@ function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forec
       {again !== null && <Button onClick={makeAgain}>{again}</Button>}
       {isSearched && (
         <div class="better" role="group" aria-label="Suggestions">
-          {better.presses.map((press, k) => (
+          {presses.map((press, k) => (
             <Button
               key={press.id}
               class={k === 0 ? 'bordered recommended' : 'bordered'}
@@ -183,7 +184,7 @@ function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forec
               {press.label}: <Sentence words={press.words} />
             </Button>
           ))}
-          {better.isLooking && <p class="quiet">Looking for suggestions …</p>}
+          {isLooking && <p class="quiet">Looking for suggestions …</p>}
         </div>
       )}
       {changesMesh && <NewPanelsButton hidden={!forecast.newPanelsHelp} />}
