@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { PolylineCurve } from 'rhino3dm';
 import { program } from '../../../.scripts/project.mjs';
-import { addConstraint, exported, openText, runToTheEnd, saved, tool } from '../actions.ts';
+import { addConstraint, exported, openText, saved, tool } from '../actions.ts';
 import { file, tetScene, wavyGrid } from '../meshes.ts';
 import { decodePng, differingBytes, distinctColours, type Picture } from '../picture.ts';
 import {
