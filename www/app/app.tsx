@@ -26,7 +26,7 @@ import { Energies } from '../panels/energies/energies.tsx';
 import { Handles } from '../panels/handles/handles.tsx';
 import { ExampleNote } from '../panels/example.tsx';
 import { Legend } from '../panels/legend/legend.tsx';
-import { Model } from '../panels/model/model.tsx';
+import { ImportReport, Model } from '../panels/model/model.tsx';
 import { SelectBar } from '../panels/select-bar/select-bar.tsx';
 import { SelectMenu } from '../panels/select-bar/select-menu.tsx';
 import { Hint, Status, StatusNumbers } from '../panels/status-bar/status-bar.tsx';
@@ -72,6 +72,7 @@ const PLACES: Record<string, ComponentType> = {
   'flat-map-place': FlatMapRegion,
   'view-menu': ViewMenu,
   model: lockable('mesh', Model, 'the mesh stays as it is'),
+  'import-report': ImportReport,
   constraints: lockable('constraints', Constraints, 'the constraints stay as they are'),
   energies: lockable('weights', Energies, 'the weights stay as they are'),
   handles: lockable('handles', Handles, 'the handles stay as they are'),

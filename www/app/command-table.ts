@@ -387,10 +387,12 @@ export function commandTable(
       keys: [],
       needsModel: true,
       enabled: canVary,
-      title: (state) =>
-        canVary(state)
-          ? 'Other shapes that are as exact as this one'
-          : 'Available once all required constraints are satisfied',
+      title: (state) => {
+        if (canVary(state)) return 'Other shapes that are as exact as this one';
+        return state.model?.faces === 0
+          ? 'For models with faces'
+          : 'Available once all required constraints are satisfied';
+      },
       action: docks('variations'),
     },
     {

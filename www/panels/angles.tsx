@@ -7,7 +7,6 @@ import './angles.css';
 import { useRef, useState } from 'preact/hooks';
 import { useAnswer } from '../store/use-answer.ts';
 import { useApp } from '../store/use-app.ts';
-import { Button } from '../ui/components/buttons.tsx';
 import { Outline } from '../ui/components/histogram.tsx';
 import { groupDigits } from '../ui/words.ts';
 
@@ -95,18 +94,7 @@ function Histogram({ original, now }: Counts) {
             ? `The middle half: ${middle}`
             : `${bound(over)}° to ${bound(over + 1)}°: ${groupDigits(original[over])}, now ${groupDigits(now[over])}`)}
       </p>
-      <Save />
     </div>
-  );
-}
-
-function Save() {
-  const { files, actions } = useApp();
-  const save = () => files.save('-angles.csv', 'text/csv', () => actions.ask.table('angles'));
-  return (
-    <Button class="bordered small" onClick={() => actions.reportErrors(save())}>
-      Save angles as CSV
-    </Button>
   );
 }
 

@@ -8,7 +8,7 @@ import { useRef } from 'preact/hooks';
 import { useSignal, type ReadonlySignal } from '@preact/signals';
 import { colouring, toleranceOf } from '../store/colours/measures.ts';
 import { useAnswer } from '../store/use-answer.ts';
-import { keyOf } from '../store/rows.ts';
+import { keyOf } from '../solver/rows.ts';
 import { useApp } from '../store/use-app.ts';
 import { Choice } from '../ui/components/fields.tsx';
 import { itemByKey } from '../ui/controls/navigation.ts';

@@ -6,6 +6,7 @@
 import { workingKey } from '../ui/keys.ts';
 import { count } from '../ui/words.ts';
 import { again, Cancelled, messageOf } from '../solver/errors.ts';
+import { constraintNow, type Lists } from '../solver/rows.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { Edit, PanelStart, Require } from '../pkg/engine/shape_up.js';
@@ -17,6 +18,8 @@ import { createViewActions } from './view-actions.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Alerts, Offer } from '../ui/controls/alerts.ts';
+
+type ShowError = (error: unknown) => boolean | string;
 
 export function createActions(
   store: Store,
@@ -51,12 +54,25 @@ export function createActions(
     }
   }
 
-  /** @param showError shows an error at its field; false if there is none */
-  function edit(
-    change: Edit,
-    showError: (error: unknown) => boolean = () => false,
-  ): Promise<null | undefined> {
-    return attempt(solver.change.edit(change), showError);
+  /** The lists that the page shows, of which an edit names a row: the solver may have others by then. */
+  function lists(): Lists | undefined {
+    const { constraints, variants } = store.get().document ?? {};
+    return constraints && variants && { constraints, variants };
+  }
+
+  /** Returns what a shown constraint acts on; undefined if it is gone, or an error is reported. */
+  async function members(index: number) {
+    const { document: shown, model } = store.get();
+    await solver.settled();
+    const { document: now, model: next } = store.get();
+    if (!shown || !now || next !== model) return undefined;
+    const at = constraintNow(index, shown.constraints, now.constraints);
+    return at < 0 ? undefined : reportErrors(solver.ask.members(at));
+  }
+
+  /** @param showError shows an error at its field; false if there is none, or the words of the alert */
+  function edit(change: Edit, showError?: ShowError): Promise<null | undefined> {
+    return attempt(solver.change.edit(change, lists()), showError);
   }
 
   /**
@@ -79,7 +95,7 @@ export function createActions(
   /** @returns undefined if refused */
   async function attempt(
     change: Promise<null>,
-    showError: (error: unknown) => boolean = () => false,
+    showError: ShowError = () => false,
   ): Promise<null | undefined> {
     try {
       const made = await change;
@@ -88,8 +104,9 @@ export function createActions(
       return made;
     } catch (error) {
       if (!(error instanceof Cancelled)) {
-        if (showError(error)) return undefined;
-        withdraw = alerts.error(withoutPath(error));
+        const shown = showError(error);
+        if (shown === true) return undefined;
+        withdraw = alerts.error(shown || withoutPath(error));
       }
       // The controls show what was asked for: all show again what is.
       store.set({ refused: store.get().refused + 1 });
@@ -194,7 +211,7 @@ export function createActions(
     exact: {
       /** Sets the hardness of a row and runs, as one step of undo. */
       require: (index: number, require: Require) =>
-        attempt(solver.change.editAndRun({ setConstraint: { index, require } })),
+        attempt(solver.change.editAndRun({ setConstraint: { index, require } }, lists())),
 
       /**
        * Applies a shape that was found, if it belongs to the current one.
@@ -212,6 +229,7 @@ export function createActions(
         Float64Array.from(numbers, ([, value]) => value),
       ),
     edit,
+    members,
     makePanels,
     reportErrors,
     connectivity,

@@ -1,5 +1,6 @@
 /** The handles as the page shows them, whether they can be dragged, and drags of them. */
 
+import { isLocked } from './panels-card.ts';
 import type { HandleRow, Document as SceneDocument } from '../pkg/engine/shape_up.js';
 import type { Drag } from '../solver/types.ts';
 import type { State, Store } from './state.ts';
@@ -29,7 +30,7 @@ function withTargets(handles: HandleRow[], vertices: ArrayLike<number>, targets:
 
 /** Whether a lesson locks the handles. */
 export const areHandlesLocked = (document: SceneDocument | null) =>
-  document?.lesson?.lock.includes('handles') ?? false;
+  isLocked({ document }, 'handles');
 
 /** Names a handle that can be dragged, by its colour in the view; empty if there is none. */
 export function draggableInWords(document: SceneDocument) {

@@ -39,6 +39,6 @@ export function nextStep(state: Known): NextStep {
       enabled && require === 'soft' && (numbers?.worst[row] ?? 0) > document.tolerance,
   );
   const verdict = panelsTopic(state) === 'verdict' ? state.verdict : null;
-  const isPoor = verdict && verdict.report.level !== 'good';
-  return isBeyond || isPoor ? 'choose' : 'build';
+  const isNotGood = verdict && verdict.report.level !== 'good';
+  return isBeyond || isNotGood ? 'choose' : 'build';
 }

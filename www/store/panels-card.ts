@@ -1,6 +1,7 @@
 /** What the card of the panels shows, and what may be done to the mesh. */
 
 import { isEmbedded } from '../ui/embedded.ts';
+import type { LessonWords } from '../solver/types.ts';
 import type { State } from './state.ts';
 
 /** Whether all panels can be asked to be one shape. */
@@ -44,6 +45,9 @@ export function panelsCard(
   return topic === 'verdict' && room === 'sheet' ? null : topic;
 }
 
+/** What a lesson may lock. */
+export type Lock = LessonWords['lock'][number];
+
 /** Whether a lesson locks this. */
-export const isLocked = ({ document }: Pick<State, 'document'>, part: 'mesh' | 'constraints') =>
+export const isLocked = ({ document }: Pick<State, 'document'>, part: Lock) =>
   document?.lesson?.lock.includes(part) ?? false;

@@ -153,8 +153,8 @@ export interface State {
   build: BuildReport | null;
   /** shown instead of the current shape, on request */
   heldOriginal: HeldOriginal | null;
-  /** a presentation that covers the page, and the window of its notes, if they are shown */
-  presenting: { notes: Window | null } | null;
+  /** a presentation covers the page */
+  presenting: boolean;
   /** id of the plot or table of the analysis */
   plot: string;
   dark: boolean;
@@ -311,7 +311,7 @@ const INITIAL: State = {
   closedCard: false,
   heldOriginal: null,
   build: null,
-  presenting: null,
+  presenting: false,
   plot: 'convergence',
   dark: false,
   renderer: 'starting',

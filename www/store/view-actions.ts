@@ -77,7 +77,7 @@ export function createViewActions(store: Store) {
     /** Sets the last press that made all panels one shape; its card is shown. */
     pressed: (press: PanelPress) => store.set({ press, closedCard: false }),
     /** Changes what is known of a press, while it is the last one. */
-    pressTurns(press: PanelPress, change: Partial<PanelPress>): PanelPress {
+    updatePress(press: PanelPress, change: Partial<PanelPress>): PanelPress {
       const changed = { ...press, ...change };
       if (store.get().press === press) store.set({ press: changed });
       return changed;

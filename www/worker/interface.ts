@@ -4,6 +4,7 @@
  */
 
 import { exampleFile, type LaidOut, type PanelStart, type Solver } from '../pkg/engine/shape_up.js';
+import { editNow, type Lists } from '../solver/rows.ts';
 import { missingFiles, open, type Opening } from './open.ts';
 import type { Scheduler } from './scheduler.ts';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.ts';
@@ -53,6 +54,9 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     scheduler.sendFrame();
     return result;
   };
+  /** The edit for the lists as they are now; null if there is nothing left to do. */
+  const now = (edit: Edit, shown?: Lists) =>
+    shown && scheduler.document ? editNow(edit, shown, scheduler.document) : edit;
   const shown = (): Snapshot => ({ text: solver.scene(), generation: solver.generation() });
   return {
     /**
@@ -60,8 +64,13 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
      * refused, the current model stays.
      */
     open: (given: Opening) => open(solver, scheduler, given),
-    /** Edits the document, as one step of undo. */
-    edit(edit: Edit) {
+    /**
+     * Edits the document, as one step of undo.
+     * @param shown the lists of which it names a row
+     */
+    edit(asked: Edit, shown?: Lists) {
+      const edit = now(asked, shown);
+      if (edit === null) return null;
       if (edit === 'reset') scheduler.pause();
       // By the tolerance a run is judged, and goes on.
       if (typeof edit === 'object' && 'setTolerance' in edit) {
@@ -75,9 +84,10 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
       scheduler.runFor(() => solver.makePanels(kind, tolerance, from));
       return null;
     },
-    /** Edits and runs, as one step of undo. */
-    editAndRun(edit: Edit) {
-      scheduler.runFor(() => solver.editAndRun(edit));
+    /** Edits and runs, as one step of undo; with the parameters of `edit`. */
+    editAndRun(asked: Edit, shown?: Lists) {
+      const edit = now(asked, shown);
+      if (edit !== null) scheduler.runFor(() => solver.editAndRun(edit));
       return null;
     },
     /**

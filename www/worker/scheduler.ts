@@ -7,7 +7,12 @@ import { isTrap, messageOf } from '../solver/errors.ts';
 import type { FromWorker } from '../solver/events.ts';
 import type { Drag, Loaded } from '../solver/types.ts';
 import { Frames } from './frames.ts';
-import type { Solver, HalfStep, FrameNumbers } from '../pkg/engine/shape_up.js';
+import type {
+  Document as SceneDocument,
+  FrameNumbers,
+  HalfStep,
+  Solver,
+} from '../pkg/engine/shape_up.js';
 
 /** Duration of a slice of iterations between messages, in milliseconds. */
 export const SLICE_MS = 8;
@@ -40,6 +45,8 @@ export class Scheduler {
   frames;
   /** Number of meshes that were sent. */
   meshes = 0;
+  /** The document that was sent last. */
+  document: SceneDocument | null = null;
   #solver;
   #post;
   #died;
@@ -419,7 +426,8 @@ export class Scheduler {
   }
 
   #sendDocument() {
-    this.#post({ type: 'document', document: this.#solver.document() });
+    this.document = this.#solver.document();
+    this.#post({ type: 'document', document: this.document });
   }
 
   /** Sends the scene, for autosave and the second worker. */

@@ -133,7 +133,7 @@ test('the offset of 2500 panels follows the slider and a drag, and the sheets co
       type,
     );
   const before = await otherWork(page);
-  await partsPanel(page).getByLabel('Distance').press('ArrowRight');
+  await partsPanel(page).getByRole('slider', { name: 'Distance' }).press('ArrowRight');
   await expect.poll(async () => (await took('moveLayer')).length).toBeGreaterThan(0);
   const slides = median(await took('moveLayer'));
   await expect.poll(async () => (await took('offsetChoices')).length).toBe(2);

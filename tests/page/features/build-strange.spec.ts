@@ -83,7 +83,7 @@ test('folded panels and a one-sided surface show why there is no offset', async 
   expect(offset).toBe(null);
   expect(problems.join()).toContain('folded over');
   await expect(partsPanel(page)).toContainText('folded over');
-  await expect(partsPanel(page).getByLabel('Distance')).toBeHidden();
+  await expect(partsPanel(page).getByRole('slider', { name: 'Distance' })).toBeHidden();
 
   await openText(page, 'one-sided.obj', moebius(8), 16);
   const other = await waitForState(page, (now) => now.build?.panels === 8);

@@ -124,7 +124,7 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
   expect(colours.filter(isRed)).toEqual([]);
 
   // The slider is limited to safe distances.
-  const slider = partsPanel(page).getByLabel('Distance');
+  const slider = partsPanel(page).getByRole('slider', { name: 'Distance' });
   const safe = before.offset?.safe_distance_mm[1] ?? NaN;
   const most = Number(await slider.getAttribute('max'));
   expect(Math.abs(most) * 1000).toBeLessThan(Math.abs(safe));
@@ -134,11 +134,26 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
   await page.getByRole('button', { name: 'Undo' }).click();
   await waitForState(page, (now) => (now.build?.offset?.distance_mm ?? NaN) < 1000);
   // At 0, which parts cannot have, slider and parts go back to the distance of the settings.
-  const figure = partsPanel(page).locator('output[for="parts-distance"]');
-  const [kept, words] = [await slider.inputValue(), await figure.innerText()];
+  const figure = partsPanel(page).getByRole('spinbutton', { name: 'Distance, in m' });
+  const [kept, words] = [await slider.inputValue(), await figure.inputValue()];
   await slider.fill('0');
   await expect(slider).toHaveValue(kept);
-  await expect(figure).toHaveText(words);
+  await expect(figure).toHaveValue(words);
+  // It can be typed, and the proposed one comes back for an empty field.
+  for (const [text, is] of [
+    ['200 mm', '0.2'],
+    ['', words],
+  ]) {
+    await figure.fill(text);
+    await figure.press('Enter');
+    await expect(figure).toHaveValue(is);
+  }
+  const margin = partsPanel(page).getByLabel('Margin');
+  await partsPanel(page).getByText('Cutting', { exact: true }).click();
+  await margin.fill('5000');
+  await margin.press('Enter');
+  await expect(page.getByRole('alert')).toContainText('Margin: found 5000');
+  await partsPanel(page).getByText('Cutting', { exact: true }).click();
 
   await partsPanel(page).getByRole('button', { name: 'Tighten' }).click();
   const tightened = await waitForState(

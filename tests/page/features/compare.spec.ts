@@ -1,7 +1,7 @@
 // Iterations in half steps; the histogram and the angles of the original beside those of now.
 
 import type { Page } from '@playwright/test';
-import { downloaded, showStep, tool } from '../actions.ts';
+import { exported, showStep, tool } from '../actions.ts';
 import type { Picture } from '../picture.ts';
 import { expect, looks, pictureOf, positionOf, state, test, waitForState } from '../support.ts';
 
@@ -94,8 +94,7 @@ test('angles before and after are plotted and saved', async ({ page }) => {
   await expect(plot).toHaveAccessibleName(
     /^6688 corners by angle. The middle half: originally 70° to 110°, now \d+° to \d+°$/,
   );
-  const save = page.getByRole('button', { name: 'Save angles as CSV' });
-  const file = await downloaded(page, () => save.click());
+  const file = await exported(page, 'Angles');
   expect(file.name).toBe('fig-07-quality-angles.csv');
   const rows = file.text.trim().split('\n').slice(1);
   const columns = rows.map((row) => row.split(',').map(Number));

@@ -4,7 +4,7 @@
 import type { Page } from '@playwright/test';
 import { openText, showStep, tool } from '../actions.ts';
 import { gridText, tube } from '../meshes.ts';
-import { expect, looks, openPage, pictureOf, state, test, waitForState } from '../support.ts';
+import { expect, looks, openPage, pictureOf, test } from '../support.ts';
 
 test.use({ sameDocument: true });
 
@@ -38,7 +38,6 @@ test(
     const before = await tinted(page);
     const card = await openCurvature(page);
     await expect(card.getByText(/edges are \d+° off the lines of curvature/)).toBeVisible();
-    await card.getByLabel('Coloured by').selectOption({ label: 'Another measure' });
     await expect(async () => {
       const now = await tinted(page);
       expect(now.red).toBeGreaterThan(before.red + 300);
@@ -67,11 +66,10 @@ test('Gauss and mean curvature are coloured around zero, with units in metres', 
 }) => {
   await openPage(page);
   await openText(page, 'hypar.obj', hypar(12), 169);
-  const card = await openCurvature(page);
+  await showStep(page, 'Check');
+  const colours = page.getByLabel('Colour by');
   const legend = page.locator('#legend');
-  // The first measure is the angle between edges and lines of curvature, with its histogram.
-  await expect(legend).toContainText('Off the lines of curvature');
-  await card.getByLabel('Coloured by').selectOption('Gauss curvature (1/m²)');
+  await colours.selectOption('Gauss curvature');
   // In the middle it is -(0.1 / m)^2.
   await expect(legend.getByRole('img')).toHaveAttribute(
     'aria-label',
@@ -83,70 +81,20 @@ test('Gauss and mean curvature are coloured around zero, with units in metres', 
   await high.fill('0.02');
   await high.press('Enter');
   await expect(low).toHaveValue('−0.0200');
-  await card.getByLabel('Coloured by').selectOption('Mean curvature (1/m)');
+  await colours.selectOption('Mean curvature');
   await expect(legend).toContainText('Mean curvature');
-  // Closing the card removes its colours.
-  await page.getByRole('button', { name: 'Close curvature' }).click();
-  await expect(legend).toBeHidden();
-  expect((await state(page)).problems).toEqual([]);
-  // They were not the user's own choice: the first constraints colour the faces as ever.
-  await page.getByRole('button', { name: 'Make panels flat', exact: true }).click();
-  await expect(legend).toContainText('Planarity');
 });
 
 test('the high end of a range around zero stays above zero', async ({ page }) => {
   // Its low end is its mirror: past the middle the range was upside down, and all had one colour.
   await openPage(page);
   await openText(page, 'hypar.obj', hypar(12), 169);
-  const card = await openCurvature(page);
-  await card.getByLabel('Coloured by').selectOption('Mean curvature (1/m)');
+  await showStep(page, 'Check');
+  await page.getByLabel('Colour by').selectOption('Mean curvature');
   const high = page.getByRole('slider', { name: 'High end of the range' });
   await high.press('Home');
   await expect(high).toHaveAttribute('aria-valuenow', '51');
   await expect(page.getByLabel('Colours to')).not.toHaveValue(/^−/);
-});
-
-test('the colours from before the card are not those of another model', async ({ page }) => {
-  // The next model had the measure of the first one, as if the user had chosen it there.
-  await openPage(page);
-  await openText(page, 'hypar.obj', hypar(12), 169);
-  await showStep(page, 'Check');
-  await page.getByLabel('Colour by').selectOption('planarity');
-  await openCurvature(page);
-  await openText(page, 'other.obj', hypar(10), 121);
-  await page.getByRole('button', { name: 'Close curvature' }).click();
-  await expect(page.getByLabel('Colour by')).not.toHaveValue('planarity');
-});
-
-test('the colours from before the card come back after the mesh was refined', async ({ page }) => {
-  // A finer mesh was taken for another model.
-  await openPage(page);
-  await openText(page, 'hypar.obj', hypar(4), 25);
-  await showStep(page, 'Check');
-  const colours = page.getByLabel('Colour by');
-  await colours.selectOption('planarity');
-  await openCurvature(page);
-  await expect(colours).not.toHaveValue('planarity');
-  await showStep(page, 'Shape');
-  await page.getByRole('button', { name: 'Refine', exact: true }).click();
-  await page.getByRole('button', { name: 'Refine now' }).click();
-  await waitForState(page, (now) => now.faces === 64);
-  await page.getByRole('button', { name: 'Close curvature' }).click();
-  await expect(colours).toHaveValue('planarity');
-});
-
-test('another measure than a curvature is the one before', async ({ page }) => {
-  // The faces lost their colours.
-  await openPage(page);
-  await openText(page, 'hypar.obj', hypar(12), 169);
-  await showStep(page, 'Check');
-  await page.getByLabel('Colour by').selectOption('planarity');
-  const legend = page.locator('#legend');
-  await expect(legend).toContainText('Planarity');
-  const card = await openCurvature(page);
-  await expect(legend).toContainText('Off the lines of curvature');
-  await card.getByLabel('Coloured by').selectOption({ label: 'Another measure' });
-  await expect(legend).toContainText('Planarity');
 });
 
 test('a tube has lines around and along it', async ({ page }) => {

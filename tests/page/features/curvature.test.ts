@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { register } from 'node:module';
 import { test } from 'node:test';
 import type { AppContext } from '../../../www/app/context.ts';
-import { CurvatureLines, type Wish } from '../../../www/features/curvature/curvature-lines.ts';
+import { CurvatureLines, type Request } from '../../../www/features/curvature/curvature-lines.ts';
 import type { Lines, Question } from '../../../www/worker/jobs/curvature.ts';
 
 test('after a refusal the shape is sent again', async () => {
@@ -65,7 +65,7 @@ test('another shape is sent to the worker, even one with equal sums of its coord
   } as unknown as AppContext;
   const none = new Uint32Array(0);
   const lines = new CurvatureLines(app);
-  const strokes: Wish = { draw: 'strokes', distance: null, vertices: none, faces: none };
+  const strokes: Request = { draw: 'strokes', distance: null, vertices: none, faces: none };
   await lines.draw(strokes);
   // The first and the eighth coordinate had the same weight in a check sum.
   solver.geometry = shape(2, 5, 0, 0, 0, 1, 0, 0, 1, 0);

@@ -12,14 +12,23 @@ globalThis.matchMedia = () => ({ matches: true }) as MediaQueryList;
 const { ExactVerdict } = await import('../../../www/features/warnings/exact-verdict.ts');
 
 /** The verdict on one constraint, which cannot be met unless another report is given. */
-async function shown(report: object = { met: false, worst: [{ vertices: [2, 3] }] }) {
+async function shown(
+  report: object = { met: false, worst: [{ vertices: [2, 3] }] },
+  lock: string[] = [],
+) {
   const store = createStore();
   store.set({
-    document: { constraints: [] } as unknown as SceneDocument,
+    document: { constraints: [], lesson: { lock } } as unknown as SceneDocument,
     numbers: { exact: report } as unknown as State['numbers'],
   });
   const actions = {
-    ask: { exactWords: async () => ({ brief: 'not possible', numbers: '', suggestions: [] }) },
+    ask: {
+      exactWords: async () => ({
+        brief: 'not possible',
+        numbers: '',
+        suggestions: [{ label: 'Make plane soft', index: 0, within: null }],
+      }),
+    },
     tint: createViewActions(store).tint,
     reportErrors: (begun: Promise<unknown>) => begun,
     trials: { improvement: () => new Promise(() => {}) },
@@ -38,6 +47,16 @@ test('what cannot be met is coloured as long as that is said', async () => {
   assert.equal(store.get().tints.unmet, null);
 });
 
+test('what a lesson would refuse is not offered', async () => {
+  // Pressing it withdrew the message, and was refused.
+  const labels = async (lock: string[]) => {
+    const { messages } = await shown(undefined, lock);
+    return messages.now.value?.offers?.map(({ label }) => label);
+  };
+  assert.deepEqual(await labels(['weights']), ['Show them', 'Make plane soft']);
+  assert.deepEqual(await labels(['constraints']), ['Show them']);
+});
+
 test('what is found for a message is said also after the card that it was on has gone', async () => {
   // "Looking for suggestions …" stayed for ever.
   const { store, messages } = await shown();
@@ -50,7 +69,7 @@ test('what is found for a message is said also after the card that it was on has
   const message = messages.say({ words: 'too far', waits: 'Looking for suggestions …' });
   assert.equal(message.wasOnCard, true);
   store.set({ flatMap: {} as State['flatMap'] });
-  messages.turn(message, { waits: '' });
+  messages.update(message, { waits: '' });
   assert.equal(messages.now.value?.waits, '');
 });
 

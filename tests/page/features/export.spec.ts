@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { PolylineCurve } from 'rhino3dm';
 import { program } from '../../../.scripts/project.mjs';
-import { addConstraint, exported, openText, runToTheEnd, saved, tool } from '../actions.ts';
+import { addConstraint, exported, openText, saved, tool } from '../actions.ts';
 import { file, tetScene, wavyGrid } from '../meshes.ts';
 import { decodePng, differingBytes, distinctColours, type Picture } from '../picture.ts';
 import {
@@ -103,28 +103,6 @@ test('the exported scene equals that of Save scene', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', wavyGrid(3), 16);
   expect((await exported(page, 'Scene')).text).toBe((await saved(page, 'Save scene')).text);
-});
-
-test('the exported plot labels its curves', async ({ page }) => {
-  await openPage(page);
-  await runToTheEnd(page);
-  const { name, text } = await exported(page, 'SVG');
-  expect(name).toMatch(/convergence\.svg$/);
-  const drawn = await page.evaluate((source) => {
-    const { documentElement } = new DOMParser().parseFromString(source, 'image/svg+xml');
-    const all = (query: string) => [...documentElement.querySelectorAll(query)];
-    return {
-      lines: all('polyline').length,
-      words: all('text').map((node) => node.textContent),
-      numbers: all('polyline').every(
-        (line) => !/NaN|Infinity/.test(line.getAttribute('points') ?? ''),
-      ),
-    };
-  }, text);
-  expect(drawn.lines).toBeGreaterThan(2);
-  expect(drawn.numbers).toBe(true);
-  expect(drawn.words).toContain('total');
-  expect(drawn.words).toContain('energy in m²');
 });
 
 test('a picture has the chosen size, legend and background', looks, async ({ page }) => {

@@ -27,12 +27,14 @@ class Solver extends Emitter<{ scene: object; frame: object }> {
 /** Layouts of panels that know for which generation they were laid out. */
 async function begun(context: TestContext, boundary: string | null = null) {
   const solver = new Solver();
+  let kept: number[] = [];
   const jobs = Object.assign(new Emitter<object>(), {
     cancel() {},
     copy: ({ generation }: { generation: number }) => ({
-      layOutPanels: async () => ({
-        ...{ words: `for ${generation}`, notes: [], count: 1, size: 1, boundary },
-      }),
+      layOutPanels: async (_: object, faces: Uint32Array) => {
+        kept = [...faces];
+        return { words: `for ${generation}`, notes: [], count: 1, size: 1, boundary };
+      },
       panelsAtBoundaries: () => Promise.reject(new Cancelled()),
     }),
   });
@@ -43,7 +45,7 @@ async function begun(context: TestContext, boundary: string | null = null) {
   const layouts = new Layouts(app as unknown as AppContext, () => {});
   context.after(layouts.begin());
   await answered();
-  return { store, solver, layouts, said: () => layouts.said.value.words };
+  return { store, solver, layouts, said: () => layouts.said.value.words, kept: () => kept };
 }
 
 const answered = () => new Promise((done) => setTimeout(done));
@@ -72,6 +74,22 @@ test('panels are laid out again in another unit, in which their words are', asyn
     await answered();
   }
   assert.notEqual(layouts.laidOut.value, before);
+});
+
+test('the faces that stay are those selected now', async (context) => {
+  // They were those that were selected when the card was opened.
+  const { store, layouts, kept } = await begun(context);
+  const select = (...faces: number[]) =>
+    store.set({ selection: { ...store.get().selection, faces: new Set(faces) } });
+  layouts.change({ keeps: true });
+  await answered();
+  assert.deepEqual(kept(), []);
+  select(2, 3);
+  await answered();
+  assert.deepEqual(kept(), [2, 3]);
+  select();
+  await answered();
+  assert.deepEqual(kept(), []);
 });
 
 test('a shape that moves removes the panels, and at rest it has some again', async (context) => {

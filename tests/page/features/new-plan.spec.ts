@@ -80,6 +80,33 @@ test('a drawn plan becomes a roof of exactly circular panels', async ({ page }) 
   expect((await state(page)).handles.map(({ fixed }) => fixed)).toEqual([true, true, true, true]);
 });
 
+test('a number that is typed for a point stays with it, and Undo ends a drag', async ({ page }) => {
+  const dialog = await openPlan(page);
+  const [x, y] = [dialog.getByLabel('x', { exact: true }), dialog.getByLabel('y', { exact: true })];
+  await point(dialog, 1).focus();
+  const [first, low] = await Promise.all(
+    [x, y].map(async (field) => Number(await field.inputValue())),
+  );
+  const middle = async (of: Locator) => {
+    const { x, y, width, height } = await boxOf(of);
+    return [x + width / 2, y + height / 2] as const;
+  };
+  const second = await point(dialog, 2).getAttribute('aria-label');
+  await x.fill(String(first + 1));
+  // The second point was moved there in its place.
+  await page.mouse.click(...(await middle(point(dialog, 2))));
+  await expect(point(dialog, 1)).toHaveAccessibleName(new RegExp(`, ${first + 1}, ${low} `));
+  expect(await point(dialog, 2).getAttribute('aria-label')).toBe(second);
+  const [left, top] = await middle(point(dialog, 2));
+  await page.mouse.move(left, top);
+  await page.mouse.down();
+  await page.mouse.move(left + 20, top + 20, { steps: 3 });
+  await page.keyboard.press('Control+z');
+  await page.mouse.move(left + 40, top + 40, { steps: 3 });
+  await page.mouse.up();
+  expect(await point(dialog, 2).getAttribute('aria-label')).toBe(second);
+});
+
 test('an outline and a hole are drawn, panels are cut to them, and mistakes are shown', async ({
   page,
 }) => {

@@ -189,3 +189,20 @@ test('the panel is found among the commands, once there is an exact shape', asyn
   await page.keyboard.press('Enter');
   await expect(panel).toBeVisible();
 });
+
+test('a model without faces is offered no variations, and is told why', async ({ page }) => {
+  // The button opened a panel that closed itself without a word.
+  await openPage(page);
+  const scene = {
+    ...{ format: 'shape-up-scene', version: 1 },
+    mesh: { positions: [0, 1, 2, 3].map((x) => [x, x % 2, 0]), faces: [], curves: [[0, 1, 2, 3]] },
+    constraints: [{ kind: 'line', on: 'curves', require: 'exact' }],
+  };
+  await page.evaluate((given) => window.shapeUp.open(given, 'curve.shapeup.json'), scene);
+  await page.getByRole('button', { name: 'Run', exact: true }).click();
+  await waitForState(page, (now) => !now.running && now.exact?.met);
+  await showStep(page, 'Shape');
+  const button = page.getByRole('button', { name: 'Variations', exact: true });
+  await expect(button).toBeDisabled();
+  await expect(button).toHaveAttribute('title', 'For models with faces');
+});

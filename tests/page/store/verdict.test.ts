@@ -59,7 +59,7 @@ test('the card is where there is room for it, and what there is to say does not 
   for (const room of [{}, { room: 'small' }, { corner: 'curvature' }])
     assert.deepEqual(where(room), both, JSON.stringify(room));
   for (const room of [
-    ...[{ docked: 'parts' }, { flatMap: {} }, { presenting: {} }, { corner: 'new-panels' }],
+    ...[{ docked: 'parts' }, { flatMap: {} }, { presenting: true }, { corner: 'new-panels' }],
     { corner: 'curvature', room: 'small' },
   ])
     assert.deepEqual(where(room), none, JSON.stringify(room));

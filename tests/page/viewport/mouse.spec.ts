@@ -9,12 +9,13 @@ type Button = 'left' | 'middle' | 'right';
 const camera = (page: Page) => page.evaluate(() => window.shapeUp.camera() as number[]);
 const view = (page: Page) => page.getByRole('application', { name: '3D view' });
 
-/** Chooses a command by its name. */
-async function command(page: Page, name: string) {
-  await page.keyboard.press('Control+k');
-  await page.getByRole('combobox', { name: 'Command' }).fill(name);
-  await page.keyboard.press('Enter');
-  await expect(page.getByRole('dialog', { name: 'Commands' })).toBeHidden();
+/** Sets whose mouse buttons move the camera. */
+async function setMouse(page: Page, label: string) {
+  const menu = page.getByRole('button', { name: 'Views', exact: true });
+  await menu.click();
+  await page.getByLabel('Mouse as').selectOption({ label });
+  await menu.click();
+  await expect(page.getByLabel('Mouse as')).toBeHidden();
 }
 
 /** Drags beside the model with a button, and returns what that did to the camera. */
@@ -39,7 +40,7 @@ test('the right and the middle button do what they do in Rhino, on web pages and
 }) => {
   await openGrid(page, 4);
   /** Whether the camera turned, came nearer, or moved sideways. */
-  const deed = async (button: Button, ...keys: string[]) => {
+  const done = async (button: Button, ...keys: string[]) => {
     const { before, after } = await drag(page, button, ...keys);
     const differs = (from: number, to: number) =>
       before.slice(from, to).some((value, i) => Math.abs(value - after[from + i]) > 1e-6);
@@ -48,23 +49,23 @@ test('the right and the middle button do what they do in Rhino, on web pages and
     if (differs(3, 4)) return 'zoom';
     return differs(0, 3) ? 'pan' : 'nothing';
   };
-  expect(await deed('left')).toBe('orbit');
-  expect(await deed('left', 'Shift'), 'beside the model').toBe('pan');
-  expect(await deed('right')).toBe('orbit');
-  expect(await deed('right', 'Shift')).toBe('pan');
+  expect(await done('left')).toBe('orbit');
+  expect(await done('left', 'Shift'), 'beside the model').toBe('pan');
+  expect(await done('right')).toBe('orbit');
+  expect(await done('right', 'Shift')).toBe('pan');
   await page.keyboard.press('b');
-  expect(await deed('right'), 'in the Select tool').toBe('orbit');
+  expect(await done('right'), 'in the Select tool').toBe('orbit');
   await page.keyboard.press('v');
-  expect(await deed('middle')).toBe('pan');
-  await command(page, 'web pages');
-  expect(await deed('left')).toBe('orbit');
-  expect(await deed('right')).toBe('pan');
-  expect(await deed('middle')).toBe('zoom');
-  await command(page, 'in Blender');
-  expect(await deed('middle')).toBe('orbit');
-  expect(await deed('middle', 'Shift')).toBe('pan');
-  expect(await deed('middle', 'Control')).toBe('zoom');
-  await command(page, 'in Rhino');
+  expect(await done('middle')).toBe('pan');
+  await setMouse(page, 'on web pages');
+  expect(await done('left')).toBe('orbit');
+  expect(await done('right')).toBe('pan');
+  expect(await done('middle')).toBe('zoom');
+  await setMouse(page, 'in Blender');
+  expect(await done('middle')).toBe('orbit');
+  expect(await done('middle', 'Shift')).toBe('pan');
+  expect(await done('middle', 'Control')).toBe('zoom');
+  await setMouse(page, 'in Rhino');
 });
 
 test('Backspace goes back to the view before, and with Shift forward', async ({ page }) => {

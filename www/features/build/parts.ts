@@ -1,6 +1,7 @@
 /** The parts of the open shape as the panel shows them, made anew when the shape or a setting changes. */
 
 import { batch, computed, signal } from '@preact/signals';
+import { withoutPath } from '../../store/actions.ts';
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { once } from '../../ui/once.ts';
 import { LiveBuild } from './live-build.ts';
@@ -76,11 +77,20 @@ export class Parts {
     this.#sent.value = { ...this.#sent.value, ...own };
     this.#pending += 1;
     const build = { ...store.get().document?.build, ...this.#sent.value };
-    void actions.edit({ setBuild: { build } }).then((edited) => {
-      this.#pending -= 1;
-      // What was refused is neither sent again nor shown any longer.
-      if (!this.#pending || edited === undefined) this.#sent.value = {};
-    });
+    void actions
+      .edit({ setBuild: { build } }, (error) => this.#refusal(error))
+      .then((edited) => {
+        this.#pending -= 1;
+        // What was refused is neither sent again nor shown any longer.
+        if (!this.#pending || edited === undefined) this.#sent.value = {};
+      });
+  }
+
+  /** Names the setting of a refusal by its label: several may be wrong together. */
+  #refusal(error: unknown) {
+    const path = error instanceof Error && 'path' in error ? error.path : '';
+    const named = this.offers.value?.settings.find(({ id }) => path === `build.${id}`);
+    return `${named ? `${named.label}: ` : ''}${withoutPath(error)}`;
   }
 
   /**

@@ -3,6 +3,7 @@
  * with the error of each, and the weight of following the surface.
  */
 
+import { AmountField } from '../../ui/components/fields.tsx';
 import { HeldSlider } from '../../ui/components/held-slider.tsx';
 import { rounded } from '../../ui/words.ts';
 import type { WordedChoice, BuildSetting } from '../../pkg/engine/shape_up.js';
@@ -24,7 +25,8 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
   const setting = (id: string) => declared.find((one) => one.id === id);
   const [distance, kind, follow] = ['distance', 'kind', 'follow'].map(setting);
   /** Millimetres of the building per unit of the mesh. */
-  const scale = 1000 * parts.live.unit().metres;
+  const unit = parts.live.unit();
+  const scale = 1000 * unit.metres;
   const far = FAR * report.mean_edge_mm;
   const [inwards, outwards] = offset.safe_distance_mm;
   const at = offset.distance_mm / scale;
@@ -32,7 +34,18 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
     <div class="thickness">
       <div class="heading">
         <label for="parts-distance">{distance?.label}</label>
-        <output for="parts-distance">{words?.distance}</output>
+        <AmountField
+          aria-label={`${distance?.label}, in ${unit.symbol}`}
+          title={`Empty: ${distance?.absent}`}
+          min={-Infinity}
+          unit={unit.symbol}
+          value={rounded(at, 6)}
+          onAmount={(to) => parts.change({ distance: to })}
+          onEmpty={() => parts.change({ distance: null })}
+        />
+        <span class="unit" aria-hidden="true">
+          {unit.symbol}
+        </span>
       </div>
       <HeldSlider
         id="parts-distance"

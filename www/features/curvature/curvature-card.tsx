@@ -1,17 +1,16 @@
 /**
  * The curvature card: strokes along the principal directions or lines of curvature on the surface,
- * a curvature measure as colours, and the consequences for panels.
+ * and the consequences for panels. "Colour by" has the measures of curvature.
  */
 
 import './curvature.css';
 import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { declared } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useForecastWords } from '../../store/use-forecast-words.ts';
 import { AmountField, Choice } from '../../ui/components/fields.tsx';
 import { Pane } from '../../ui/components/pane.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { number, writtenUnit } from '../../ui/words.ts';
+import { number } from '../../ui/words.ts';
 import { CurvatureLines } from './curvature-lines.ts';
 import type { Lines, LinesQuestion } from '../../solver/types.ts';
 
@@ -37,7 +36,6 @@ function Card() {
   const [distance, setDistance] = useState<number | null>(null);
   useEffect(() => setDistance(null), [model]);
   const { answer, refused } = useLines(draw, distance);
-  const other = useCurvatureColours();
   const place = useRef<HTMLElement>(null);
   useEffect(() => place.current?.querySelector('select')?.focus(), []);
   const close = () => actions.leaveCorner('curvature');
@@ -65,10 +63,6 @@ function Card() {
         </label>
       )}
       <div class="key">{draw && <Keys />}</div>
-      <label class="by">
-        <span>Colours</span>
-        <Colours other={other} />
-      </label>
       <p class="quiet" aria-live="polite">
         {refused || wordsOf(draw, answer)}
       </p>
@@ -106,28 +100,6 @@ function Keys() {
   );
 }
 
-/**
- * The measures of curvature, which can colour the faces.
- * @param props.other gives them the colours of another measure
- */
-function Colours({ other }: { other: () => void }) {
-  const { store, actions } = useApp();
-  const { measures, measure, document } = store.state;
-  const own = measures.filter(({ curvature }) => curvature);
-  const options = own.map((about) => {
-    const { symbol } = writtenUnit(about.unit, document?.units ?? '', 1);
-    return [about.id, `${about.label}${symbol && ` (${symbol})`}`] as const;
-  });
-  return (
-    <Choice
-      aria-label="Coloured by"
-      value={own.some(({ id }) => id === measure) ? (measure ?? '') : ''}
-      options={[...options, ['', 'Another measure']]}
-      onChoose={(id) => (id ? actions.colourBy(id) : other())}
-    />
-  );
-}
-
 /** What the curvature means for panels. */
 function Consequences() {
   const words = useForecastWords(true)?.words;
@@ -155,30 +127,4 @@ function useLines(draw: Drawn, distance: number | null) {
     );
   }, [draw, distance, mode, selection]);
   return lines.told.value;
-}
-
-/**
- * Colours the faces by a curvature, and by what they had before when the card is closed.
- * @returns gives them what they had before; what the scene suggests if that is a curvature, or was on
- *   another model
- */
-function useCurvatureColours() {
-  const { store, actions } = useApp();
-  const [{ model, measure, measureChosen }] = useState(() => store.get());
-  const isCurvature = (id: string | null) => declared(store.get(), id)?.curvature ?? false;
-  function goBack(isBefore: boolean) {
-    const { model: now, document } = store.get();
-    const suggested = { measure: document?.measure ?? null, measureChosen: false };
-    // One object for all meshes made of a file.
-    const isSame = now?.guessed === model?.guessed;
-    actions.look(isBefore && isSame ? { measure, measureChosen } : suggested);
-  }
-  useEffect(() => {
-    const first = store.get().measures.find(({ curvature }) => curvature);
-    if (!isCurvature(measure)) actions.look({ measure: first?.id ?? null });
-    return () => {
-      if (isCurvature(store.get().measure)) goBack(true);
-    };
-  }, []);
-  return () => goBack(!isCurvature(measure));
 }

@@ -1,6 +1,6 @@
 /**
  * The lines on the current shape: one request at a time to the second worker, always for the latest
- * shape and wish.
+ * shape and request.
  */
 
 import { signal } from '@preact/signals';
@@ -11,13 +11,13 @@ import type { Lines, LinesQuestion } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** What is to be drawn. */
-export type Wish = Omit<LinesQuestion, 'shape'>;
+export type Request = Omit<LinesQuestion, 'shape'>;
 
 export class CurvatureLines {
   /** What was found last, or why nothing was. */
   readonly told = signal<{ answer: Lines | null; refused: string }>({ answer: null, refused: '' });
   #app;
-  #wish: Wish | null = null;
+  #request: Request | null = null;
   /** Generation of the shape that the worker has; 0 if none. */
   #known = 0;
   /** The last question. */
@@ -39,14 +39,14 @@ export class CurvatureLines {
     ];
     return () => {
       stops.forEach((stop) => stop());
-      this.#wish = null;
+      this.#request = null;
       this.#clear();
     };
   }
 
-  /** @param wish null for no lines */
-  async draw(wish: Wish | null) {
-    this.#wish = wish;
+  /** @param request null for no lines */
+  async draw(request: Request | null) {
+    this.#request = request;
     await this.#updates.ask();
   }
 
@@ -54,7 +54,7 @@ export class CurvatureLines {
     const { store, solver, jobs } = this.#app;
     const { model, running } = store.get();
     const { geometry } = solver;
-    const how = this.#wish;
+    const how = this.#request;
     if (!how || !model || !geometry) return this.#clear();
     if (running && model.vertices > MOST_LIVE_VERTICES) return;
     const { generation, positions, connectivity } = geometry;
@@ -76,7 +76,7 @@ export class CurvatureLines {
     // A worker that refuses may not have taken the shape.
     this.#known = answer ? generation : 0;
     // Another mesh may have been opened since.
-    if (store.get().model !== model || !this.#wish) return;
+    if (store.get().model !== model || !this.#request) return;
     this.told.value = { answer, refused };
     this.#draw();
   }

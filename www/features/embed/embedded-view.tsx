@@ -39,7 +39,7 @@ export function EmbeddedView() {
       if (measure) actions.colourBy(measure === 'none' ? null : measure);
       if (asked.has('autoplay')) actions.run();
     });
-    takeTurns(byId('viewport'), asked.get('embed') === PRESSED, (isIdle) => {
+    handOverInput(byId('viewport'), asked.get('embed') === PRESSED, (isIdle) => {
       isHinted.value = isIdle;
     });
   }, []);
@@ -84,7 +84,7 @@ export function EmbeddedView() {
  * @param isPressed whether the view was started by a press
  * @param hint called with whether the wheel was turned over the view, which left it to the page
  */
-function takeTurns(view: HTMLElement, isPressed: boolean, hint: (isIdle: boolean) => void) {
+function handOverInput(view: HTMLElement, isPressed: boolean, hint: (isIdle: boolean) => void) {
   let isActive = isPressed;
   const activate = (isNow: boolean) => {
     isActive = isNow;

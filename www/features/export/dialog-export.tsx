@@ -10,10 +10,8 @@ import { isDrawn } from '../../store/state.ts';
 import { mapInWords } from '../../store/stale-map.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
-import { columnsOf } from '../../ui/plot/energies.ts';
 import { oneAtATime } from '../../ui/once.ts';
 import { pictureOf, pictureSize, type Ground } from './picture.ts';
-import { convergenceSvg } from './plot-svg.ts';
 import { canRecord, turntableVideo } from './turntable-video.ts';
 import type { AppContext } from '../../app/context.ts';
 
@@ -61,7 +59,7 @@ export function showExport(app: AppContext) {
 function ExportDialog({ close }: InDialog) {
   const app = useApp();
   const { store, files, viewport, actions } = app;
-  const { model, document: scene } = store.state;
+  const { model } = store.state;
   const canDraw = isDrawn(store.state);
   const curvesOnly = (model?.faces ?? 0) === 0;
   const mapped = useComputed(() => mapInWords(app, store.state)).value;
@@ -194,18 +192,6 @@ function ExportDialog({ close }: InDialog) {
             if (!drawing) throw new Error('This browser cannot draw the view.');
             await files.save('-drawing.svg', 'image/svg+xml', () => drawing);
           })}
-        />
-        <Format
-          name="SVG"
-          words="The plot of the convergence, on white"
-          onClick={make(() =>
-            files.save('-convergence.svg', 'image/svg+xml', async () => {
-              const title = `${model?.title || files.name}: convergence`;
-              const squared = scene?.units ? `${scene.units}²` : '';
-              const columns = columnsOf(await actions.ask.trace(), model?.size ?? 0);
-              return convergenceSvg(columns, title, squared);
-            }),
-          )}
         />
       </section>
       <p class="working quiet" aria-live="polite">

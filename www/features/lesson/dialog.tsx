@@ -26,6 +26,8 @@ interface Subject {
   value: string;
   label: string;
   unit: string;
+  /** of a length, in which it can also be typed; empty otherwise */
+  typed: string;
   /** whether a number of things is bounded, not the largest value */
   isCount: boolean;
   /** from the unit of the goal in the file */
@@ -51,11 +53,11 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
   const { tolerance, units, lesson } = scene;
   // Goals are written in the unit of the tolerance.
   const { symbol, factor } = writtenUnit('length', units, tolerance);
-  const lengths = { unit: symbol || 'unit of the mesh', factor };
+  const lengths = { unit: symbol || 'unit of the mesh', typed: symbol, factor };
   const ofUnit = (unit: FaceMeasure['unit']) => {
     if (unit === 'length') return lengths;
     const { symbol, factor } = writtenUnit(unit, units, 1);
-    return { unit: symbol, factor };
+    return { unit: symbol, typed: '', factor };
   };
   const isAsked = (id: string) => lesson?.goals.some(({ measure }) => measure === id);
   // Signed measures are not errors, but a file may have a goal on one.
@@ -69,6 +71,7 @@ function subjectsOf(state: Readonly<State>, scene: SceneDocument, numbers: Build
       value: `beyond ${beyond} ${measure}`,
       label: `Panels beyond ${measured(beyond, unit, units)}: ${label}`,
       unit: 'panels',
+      typed: '',
       isCount: true,
       factor: 1,
       goal: { measure, beyond },
@@ -137,7 +140,7 @@ function firstGoals(state: Readonly<State>, scene: SceneDocument, subjects: Subj
 const focusRow = (row: HTMLElement | null) => row?.querySelector('select')?.focus();
 
 /** What the limit of a goal may be. */
-const limitOf = ({ isCount }: Subject) => ({ min: 0, isWhole: isCount });
+const limitOf = ({ isCount, typed }: Subject) => ({ min: 0, isWhole: isCount, unit: typed });
 const ERROR_AT = /^lesson\.goals\[(\d+)\]/;
 
 function LessonDialog({
@@ -286,7 +289,19 @@ function LessonDialog({
         </Button>
         <Button onClick={() => keep(() => files.saveScene())}>Lesson as a scene file</Button>
         <Button onClick={() => keep(() => pressNamed('share', app))}>Lesson as a link</Button>
-        {scene.lesson && <Button onClick={forget}>Remove lesson</Button>}
+        {scene.lesson && (
+          <Button
+            disabled={scene.lesson.lock.length > 0}
+            title={
+              scene.lesson.lock.length > 0
+                ? 'It has locks: only where it was just written, Undo removes it'
+                : undefined
+            }
+            onClick={forget}
+          >
+            Remove lesson
+          </Button>
+        )}
       </div>
     </form>
   );

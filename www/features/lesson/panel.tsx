@@ -7,6 +7,7 @@ import './lesson.css';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { ComponentType } from 'preact';
 import { isInLegend, movedInWords } from '../../store/colours/measures.ts';
+import { type Lock } from '../../store/panels-card.ts';
 import { showDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, Icon } from '../../ui/components/buttons.tsx';
@@ -17,8 +18,6 @@ import type { AppContext } from '../../app/context.ts';
 import type { LessonWords } from '../../pkg/engine/shape_up.js';
 
 const mark = (isMet: boolean) => (isMet ? '✓' : '✗');
-
-type Lock = LessonWords['lock'][number];
 
 /** The locks in display order. */
 export const LOCKS: [Lock, string][] = [
@@ -190,7 +189,7 @@ function HandIn() {
         />
       </label>
       <p>
-        {`${met} of ${goals.length} goals are satisfied now. The file contains the shape, the goals with their values, each step that you made, and the time.`}
+        {`${met} of ${goals.length} goals are satisfied now. The file contains the shape, the goals with their values, the steps in Undo, and the time.`}
       </p>
       <p class="quiet">
         The file is saved only on this computer: send it in as you send other work. The recipient

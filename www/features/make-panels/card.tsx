@@ -121,9 +121,9 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
   }, [app]);
   const { words, numbers, verdict } = verdicts(app).said.value;
   const level = verdict?.level ?? '';
-  const isPoor = verdict !== null && level !== 'good';
+  const isNotGood = verdict !== null && level !== 'good';
   return (
-    <Card class={isPoor ? 'card warning' : 'card'} data-shows="verdict" data-level={level}>
+    <Card class={isNotGood ? 'card warning' : 'card'} data-shows="verdict" data-level={level}>
       <p aria-live={verdict ? 'polite' : 'off'}>
         <span>
           <Sentence words={words} />
@@ -146,13 +146,14 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
 function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forecast }) {
   const app = useApp();
   const { store, actions } = app;
-  const better = verdicts(app).better.value;
+  const isLooking = verdicts(app).isLooking.value;
+  const presses = store.state.verdict?.report.suggestions ?? [];
   const isFixed = isLocked(store.state, 'constraints');
-  const isPoor = verdict.level !== 'good';
+  const isNotGood = verdict.level !== 'good';
   const again = isFixed ? null : verdict.again;
-  const isSearched = !isFixed && (better.isLooking || better.presses.length > 0);
+  const isSearched = !isFixed && (isLooking || presses.length > 0);
   const helps = forecast.newPanelsHelp || forecast.suggestion !== null;
-  const changesMesh = !isFixed && isPoor && helps;
+  const changesMesh = !isFixed && isNotGood && helps;
   if (!verdict.folded && again === null && !isSearched && !changesMesh) return null;
 
   const kindOf = (id: string) => store.get().kinds.find((kind) => kind.id === id);
@@ -178,7 +179,7 @@ function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forec
       {again !== null && <Button onClick={makeAgain}>{again}</Button>}
       {isSearched && (
         <div class="better" role="group" aria-label="Suggestions">
-          {better.presses.map((press, k) => (
+          {presses.map((press, k) => (
             <Button
               key={press.id}
               class={k === 0 ? 'bordered recommended' : 'bordered'}
@@ -187,7 +188,7 @@ function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forec
               {press.label}: <Sentence words={press.words} />
             </Button>
           ))}
-          {better.isLooking && <p class="quiet">Looking for suggestions …</p>}
+          {isLooking && <p class="quiet">Looking for suggestions …</p>}
         </div>
       )}
       {changesMesh && <NewPanelsButton hidden={!forecast.newPanelsHelp} />}

@@ -163,5 +163,5 @@ function sentence({ vertices, faces, corners: [triangles, quads, larger] }: Reme
   const words = kinds.filter(([number]) => number).map(([number, word]) => count(number, word));
   const of = words.length === 1 ? words[0] : `${count(faces[1], 'face')} (${words.join(', ')})`;
   const points = count(vertices[1], 'vertex', 'vertices');
-  return `${count(faces[0], 'face')} become ${of}, with ${points}.`;
+  return `${count(faces[0], 'face becomes', 'faces become')} ${of}, with ${points}.`;
 }

@@ -1,12 +1,13 @@
 /**
  * Layouts of new panels along the lines of curvature, in the second worker: one after another for the
- * newest wishes of the user, drawn over the mesh.
+ * newest settings of the user, drawn over the mesh.
  */
 
 import { effect, signal } from '@preact/signals';
 import { Cancelled, messageOf } from '../../solver/errors.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import type { AppContext } from '../../app/context.ts';
+import type { State } from '../../store/state.ts';
 import type {
   BoundaryForecast,
   LaidOut,
@@ -18,14 +19,14 @@ import type {
 type Fields = Required<Pick<LayoutSettings, 'count' | 'size'>>;
 
 /** What the user asks for. */
-interface Wishes extends Fields, Pick<LayoutSettings, 'follow' | 'even'> {
+interface Request extends Fields, Pick<LayoutSettings, 'follow' | 'even'> {
   boundary: BoundaryForecast['boundary'] | null;
   /** whether the selected faces stay as they are */
   keeps: boolean;
 }
 
 /** Initial positions of the sliders, from 0 to 1. */
-const AT_FIRST: Wishes = {
+const AT_FIRST: Request = {
   ...{ count: null, size: null, boundary: null, keeps: false },
   follow: 2 / 3,
   even: 0.25,
@@ -34,18 +35,22 @@ const AT_FIRST: Wishes = {
 /** Panels with what they were asked for, and the generation of the model. */
 interface LaidOutFor {
   panels: LaidOut;
-  asked: Wishes;
+  asked: Request;
   generation: number;
 }
 
 /** What the second worker does for the layouts. */
 export const LAYING_OUT = ['layOutPanels', 'panelsAtBoundaries'] as const;
 
-/** Time without another wish after which both choices at the boundary are forecast. */
+/** Time without another request after which both choices at the boundary are forecast. */
 const IDLE_MS = 1000;
 
+/** The faces that can stay as they are: those that are selected, unless all are. */
+export const selectedFaces = ({ selection, model }: Pick<State, 'selection' | 'model'>) =>
+  selection.faces.size === model?.faces ? [] : [...selection.faces];
+
 export class Layouts {
-  readonly wishes = signal(AT_FIRST);
+  readonly settings = signal(AT_FIRST);
   /** Number and side in their fields: what was typed, or what came of it. */
   readonly fields = signal<Fields>({ count: null, size: null });
   readonly laidOut = signal<LaidOutFor | null>(null);
@@ -54,8 +59,6 @@ export class Layouts {
   readonly doing = signal<string | null>(null);
   /** Both choices at the boundary, once they are known; empty if they were not to be found. */
   readonly forecast = signal<BoundaryForecast[] | null>(null);
-  /** The faces that were selected at the beginning. */
-  readonly selected: Uint32Array<ArrayBuffer>;
   #app;
   #close;
   /** The place of a refusal. */
@@ -74,7 +77,6 @@ export class Layouts {
   constructor(app: AppContext, close: () => void) {
     this.#app = app;
     this.#close = close;
-    this.selected = Uint32Array.from(app.store.get().selection.faces);
   }
 
   /** Lays out and draws, until the returned function is called. */
@@ -82,6 +84,7 @@ export class Layouts {
     const { store, solver, jobs, viewport } = this.#app;
     const { model: about, document } = store.get();
     let units = document?.units;
+    let { faces } = store.get().selection;
     this.#isOpen = true;
     const stops = [
       this.#draws(),
@@ -94,6 +97,11 @@ export class Layouts {
         if (!now || now.units === units) return;
         ({ units } = now);
         this.#update();
+      }),
+      store.subscribe(['selection'], ({ selection }) => {
+        if (selection.faces === faces) return;
+        ({ faces } = selection);
+        if (this.settings.value.keeps) this.#update();
       }),
       solver.on('frame', ({ generation }) => {
         const laidOut = this.laidOut.value;
@@ -116,12 +124,12 @@ export class Layouts {
     };
   }
 
-  wish(wishes: Partial<Wishes>) {
-    this.wishes.value = { ...this.wishes.value, ...wishes };
+  change(own: Partial<Request>) {
+    this.settings.value = { ...this.settings.value, ...own };
     // Both forecasts stay for the choice between them.
-    if (!('boundary' in wishes)) this.forecast.value = null;
+    if (!('boundary' in own)) this.forecast.value = null;
     const { count, size } = this.fields.value;
-    this.fields.value = { count: wishes.count ?? count, size: wishes.size ?? size };
+    this.fields.value = { count: own.count ?? count, size: own.size ?? size };
     this.#ask();
   }
 
@@ -158,22 +166,22 @@ export class Layouts {
   }
 
   async #layOut() {
-    const { solver, jobs } = this.#app;
+    const { store, solver, jobs } = this.#app;
     const model = solver.copy();
     if (!this.#isOpen || !model) return;
     this.#turn += 1;
     this.doing.value = 'Laying out panels …';
-    const asked = this.wishes.value;
+    const asked = this.settings.value;
     const { keeps, ...settings } = asked;
-    const kept = keeps ? this.selected : new Uint32Array(0);
+    const kept = Uint32Array.from(keeps ? selectedFaces(store.get()) : []);
     try {
       const panels = await jobs.copy(model).layOutPanels(settings, kept);
-      // Another wish, or another shape, has come meanwhile.
+      // Another request, or another shape, has come meanwhile.
       if (!this.#isOpen || this.#layouts.hasNext()) return;
       this.#refused.value = null;
       this.#show({ panels, asked, generation: model.generation });
       if (panels.boundary)
-        void this.#foretell(() => jobs.copy(model).panelsAtBoundaries(settings, kept));
+        void this.#forecastBoundaries(() => jobs.copy(model).panelsAtBoundaries(settings, kept));
     } catch (error) {
       if (this.#isOpen) await this.#refuse(error, () => jobs.copy(model).panelsRefusedAt());
     } finally {
@@ -186,7 +194,7 @@ export class Layouts {
     const before = this.laidOut.value;
     if (error instanceof Cancelled) {
       if (!before) return this.#close();
-      this.wishes.value = before.asked;
+      this.settings.value = before.asked;
       return this.#show(before);
     }
     const refused = (await place().catch(() => null)) ?? null;
@@ -206,8 +214,8 @@ export class Layouts {
     this.fields.value = { count, size };
   }
 
-  /** Forecasts both choices at the boundary, unless another wish comes first. */
-  async #foretell(ask: () => Promise<BoundaryForecast[]>) {
+  /** Forecasts both choices at the boundary, unless another request comes first. */
+  async #forecastBoundaries(ask: () => Promise<BoundaryForecast[]>) {
     const mine = this.#turn;
     await new Promise((later) => setTimeout(later, IDLE_MS));
     if (!this.#isOpen || mine !== this.#turn) return;

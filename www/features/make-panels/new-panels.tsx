@@ -12,7 +12,7 @@ import { Pane } from '../../ui/components/pane.tsx';
 import { groupDigits } from '../../ui/words.ts';
 import { fly, narrow } from '../../viewport/camera.ts';
 import { useCover, useNarrow } from '../../viewport/use-cover.ts';
-import { Layouts } from './layouts.ts';
+import { Layouts, selectedFaces } from './layouts.ts';
 import { makePanels } from './press.ts';
 import type { BoundaryForecast, LayoutNote } from '../../pkg/engine/shape_up.js';
 
@@ -95,7 +95,7 @@ type Of = { layouts: Layouts };
 function Sizes({ layouts }: Of) {
   const units = useApp().store.state.document?.units ?? '';
   const { count, size } = layouts.fields.value;
-  const suitable = () => layouts.wish({ count: null, size: null });
+  const suitable = () => layouts.change({ count: null, size: null });
   return (
     <div class="sizes">
       <label>
@@ -106,7 +106,7 @@ function Sizes({ layouts }: Of) {
           isPositive
           isReplaced
           value={count ?? null}
-          onAmount={(to) => layouts.wish({ count: to, size: null })}
+          onAmount={(to) => layouts.change({ count: to, size: null })}
           onEmpty={suitable}
         />
       </label>
@@ -118,7 +118,7 @@ function Sizes({ layouts }: Of) {
           isPositive
           isReplaced
           value={size ?? null}
-          onAmount={(to) => layouts.wish({ size: to, count: null })}
+          onAmount={(to) => layouts.change({ size: to, count: null })}
           onEmpty={suitable}
         />
         <span class="unit">{units}</span>
@@ -141,8 +141,8 @@ function Slider({
         max="1"
         step="any"
         aria-label={`${low} to ${high.toLowerCase()}`}
-        value={layouts.wishes.value[of]}
-        onInput={({ currentTarget }) => layouts.wish({ [of]: currentTarget.valueAsNumber })}
+        value={layouts.settings.value[of]}
+        onInput={({ currentTarget }) => layouts.change({ [of]: currentTarget.valueAsNumber })}
       />
       <div class="ends">
         <span>{low}</span>
@@ -165,13 +165,13 @@ function Boundary({ layouts }: Of) {
       <label>
         <span>Boundary</span>
         <Choice
-          value={layouts.wishes.value.boundary ?? ''}
+          value={layouts.settings.value.boundary ?? ''}
           options={[
             ['', AUTOMATIC],
             ...BOUNDARIES.map(([value, label]) => [value, label] as const),
           ]}
           onChoose={(value) =>
-            layouts.wish({ boundary: BOUNDARIES.find(([one]) => one === value)?.[0] ?? null })
+            layouts.change({ boundary: BOUNDARIES.find(([one]) => one === value)?.[0] ?? null })
           }
         />
       </label>
@@ -190,9 +190,8 @@ function Boundary({ layouts }: Of) {
 
 /** Whether the selected faces stay as they are, if some but not all are selected. */
 function Kept({ layouts }: Of) {
-  const { model } = useApp().store.state;
-  const { length } = layouts.selected;
-  if (!length || length === model?.faces) return null;
+  const { length } = selectedFaces(useApp().store.state);
+  if (length === 0) return null;
   const words =
     length === 1
       ? 'The selected face stays as it is'
@@ -200,8 +199,8 @@ function Kept({ layouts }: Of) {
   return (
     <Checkbox
       label={words}
-      checked={layouts.wishes.value.keeps}
-      onCheck={(keeps) => layouts.wish({ keeps })}
+      checked={layouts.settings.value.keeps}
+      onCheck={(keeps) => layouts.change({ keeps })}
     />
   );
 }

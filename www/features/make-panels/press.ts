@@ -31,7 +31,7 @@ export async function makePanels(app: AppContext, kind: KindWords, how?: How) {
   if (!before.model) return;
   const press = { isUnderWay: true, label };
   actions.pressed(press);
-  const settle = () => actions.pressTurns(press, { isUnderWay: false });
+  const settle = () => actions.updatePress(press, { isUnderWay: false });
   const arrived = still.matches ? null : viewport.transition(TRANSITION_MS);
   const show = (shown: boolean) => actions.look({ fitted: shown });
   // The fitted shapes are those of the final shape.

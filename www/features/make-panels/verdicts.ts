@@ -8,7 +8,7 @@ import { latestOnly } from '../../store/latest-only.ts';
 import { panelsTopic } from '../../store/panels-card.ts';
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
 import { once } from '../../ui/once.ts';
-import type { BetterPress, PanelVerdict } from '../../pkg/engine/shape_up.js';
+import type { PanelVerdict } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
 interface Said {
@@ -18,19 +18,15 @@ interface Said {
   verdict: PanelVerdict | null;
 }
 
-interface Better {
-  presses: BetterPress[];
-  isLooking: boolean;
-}
 const NOTHING: Said = { words: '', numbers: '', verdict: null };
-const NONE: Better = { presses: [], isLooking: false };
 
 /** What is said of the panels of the open model. */
 export const verdicts = once((app: AppContext) => new Verdicts(app));
 
 class Verdicts {
   readonly said = signal(NOTHING);
-  readonly better = signal(NONE);
+  /** Whether presses that end better are looked for; those found are in the verdict of the store. */
+  readonly isLooking = signal(false);
   #app;
   #renewals = latestOnly(() => this.#renew());
   /** The shape, the tolerance and the unit for which better presses were looked for. */
@@ -80,11 +76,15 @@ class Verdicts {
       this.said.value = NOTHING;
       return actions.look({ verdict: null });
     }
-    actions.look({ verdict: { shape: solver.geometry?.generation, report: verdict } });
+    const shape = solver.geometry?.generation;
+    const asked = `${shape} ${verdict.tolerance} ${verdict.required} ${store.get().document?.units}`;
+    const isTried = this.#triedFor === asked;
+    const suggestions = (isTried && store.get().verdict?.report.suggestions) || [];
+    actions.look({ verdict: { shape, report: { ...verdict, suggestions } } });
     const { brief, numbers } = verdict;
     this.said.value = { words: `${this.#chosen()}${brief}`, numbers, verdict };
     if (verdict.level === 'good') this.#forget();
-    else void this.#findBetter(verdict);
+    else if (verdict.required && !isTried) void this.#findBetter(shape, asked);
   }
 
   /** The better choice that led to the shape, to begin a verdict with; empty for another shape. */
@@ -94,34 +94,27 @@ class Verdicts {
     let { press } = store.get();
     if (!press?.label || shape === undefined) return '';
     // The first verdict after the press is on what it led to.
-    if (press.shape === undefined) press = actions.pressTurns(press, { shape });
+    if (press.shape === undefined) press = actions.updatePress(press, { shape });
     return press.shape === shape ? `${press.label}: ` : '';
   }
 
-  /** Looks for presses that end better than `verdict`; once for each shape, in the words of each unit. */
-  async #findBetter({ tolerance, required }: PanelVerdict) {
-    const { store, solver, actions } = this.#app;
-    const shape = solver.geometry?.generation;
-    const asked = `${shape} ${tolerance} ${required} ${store.get().document?.units}`;
-    if (this.#triedFor === asked) return actions.suggest(shape, this.better.value.presses);
-    if (!required) return;
+  /** Looks for presses that end better; once for what is asked, a shape and what is required of it. */
+  async #findBetter(shape: number | undefined, asked: string) {
+    const { actions } = this.#app;
     this.#triedFor = asked;
-    this.better.value = { presses: [], isLooking: true };
+    this.isLooking.value = true;
     const isWanted = () => this.#triedFor === asked;
     const ended = await actions.trials
-      .betterPresses((presses) => {
-        if (isWanted()) this.better.value = { presses, isLooking: true };
-        actions.suggest(shape, presses);
-      })
+      .betterPresses((presses) => isWanted() && actions.suggest(shape, presses))
       .catch(() => null);
     if (!isWanted()) return;
-    this.better.value = { ...this.better.value, isLooking: false };
+    this.isLooking.value = false;
     // Something has changed meanwhile: the next verdict asks again.
     if (ended === false) this.#triedFor = '';
   }
 
   #forget() {
     this.#triedFor = '';
-    this.better.value = NONE;
+    this.isLooking.value = false;
   }
 }

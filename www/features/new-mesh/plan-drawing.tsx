@@ -1,6 +1,5 @@
 /** The drawing of a plan: points to drag, arcs to pull out of sides, and loops to draw. */
 
-import { useSignal } from '@preact/signals';
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { ARROWS } from '../../ui/keys.ts';
 import { brief, rounded } from '../../ui/words.ts';
@@ -45,9 +44,7 @@ const apart = (p: Place, q: Place) => Math.hypot(p[0] - q[0], p[1] - q[1]);
 export function PlanDrawing({ drawn }: { drawn: DrawnPlan }) {
   const picture = useRef<SVGSVGElement>(null);
   const size = useSize(picture);
-  const drag = useSignal<{ spot: Spot; arc: boolean; moved: boolean; pointer: number } | null>(
-    null,
-  );
+  const { drag } = drawn;
   const loops = drawn.loops.value;
   const sides = drawn.sides.value;
   const sketch = drawn.sketch.value;
@@ -92,6 +89,8 @@ export function PlanDrawing({ drawn }: { drawn: DrawnPlan }) {
 
   function grab(event: PointerEvent, spot: Spot, arc: boolean) {
     if (event.button !== 0) return;
+    // What is typed in a field is about the point that is selected until now.
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
     drag.value = { spot, arc, moved: false, pointer: event.pointerId };
     picture.current?.setPointerCapture(event.pointerId);
     drawn.select(spot);
@@ -246,10 +245,10 @@ function Point({
   );
 }
 
-/** Gives the focus to a part of the drawing that is meant when the drawing wants it. */
-function useFocus(place: { current: SVGElement | null }, drawn: DrawnPlan, isMeant: boolean) {
+/** Focuses a part of the drawing after a redraw, if `drawn` asks for the focus and it is the target. */
+function useFocus(place: { current: SVGElement | null }, drawn: DrawnPlan, isTarget: boolean) {
   useLayoutEffect(() => {
-    if (!isMeant || !drawn.wantsFocus) return;
+    if (!isTarget || !drawn.wantsFocus) return;
     drawn.wantsFocus = false;
     place.current?.focus({ preventScroll: true });
   });

@@ -67,6 +67,10 @@ export class DrawnPlan {
     return this.loops.value[loop]?.[point] ? { loop, point } : { loop: 0, point: 0 };
   });
   readonly sketch = signal<Sketch | null>(null);
+  /** What is dragged: a point, or the side that begins there. Any other change of the plan ends it. */
+  readonly drag = signal<{ spot: Spot; arc: boolean; moved: boolean; pointer: number } | null>(
+    null,
+  );
   /** Sides that cross, given by their start points. */
   readonly crossing = signal<Spot[]>([]);
   /** What is wrong with a field of the whole plan, by its label. */
@@ -111,6 +115,7 @@ export class DrawnPlan {
 
   /** Changes the plan in one undo step. */
   step(change: Parameters<DrawnPlan['edit']>[0]) {
+    this.drag.value = null;
     this.remember();
     this.edit(change);
   }
@@ -241,6 +246,7 @@ export class DrawnPlan {
   }
 
   #replace(plan: Plan) {
+    this.drag.value = null;
     this.plan.value = plan;
     this.problems.value = {};
     this.replaced.value += 1;

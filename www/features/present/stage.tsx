@@ -2,12 +2,10 @@
 
 import './present.css';
 import { useSignal } from '@preact/signals';
-import { render } from 'preact';
 import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { presentActions } from '../../store/present-actions.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
-import type { AppContext } from '../../app/context.ts';
 import type { Slide } from '../../pkg/engine/shape_up.js';
 
 /** Actions of keys, including presenter remotes. */
@@ -28,22 +26,12 @@ const KEYS: Record<string, 'next' | 'previous' | 'first' | 'last' | 'dark' | 'ru
   Escape: 'end',
 };
 
-/** @param withNotes in a window of their own */
-export async function present({ actions }: AppContext, withNotes: boolean) {
-  const notes = withNotes ? openNotes() : null;
-  if (withNotes && !notes)
-    throw new Error('The browser blocked the window for the notes: allow pop-ups for this page.');
-  actions.look({ presenting: { notes } });
-}
-
 /** The presentation, if there is one. */
 export function Stage() {
-  const { presenting } = useApp().store.state;
-  return presenting && <Presentation notes={presenting.notes} />;
+  return useApp().store.state.presenting ? <Presentation /> : null;
 }
 
-/** @param props.notes the window of the speaker's notes */
-function Presentation({ notes }: { notes: Window | null }) {
+function Presentation() {
   const { store, actions } = useApp();
   const slides = useMemo(() => presentActions(store, actions), []);
   const at = useSignal(0);
@@ -61,19 +49,13 @@ function Presentation({ notes }: { notes: Window | null }) {
     await slides.showStep(at.value);
   }
 
-  /** Shows the next step. Opening the notes window ends full screen, so this enters it again. */
-  function forward() {
-    if (notes) void fillScreen();
-    return go(at.value + 1);
-  }
-
   function end() {
-    actions.look({ presenting: null });
+    actions.look({ presenting: false });
     actions.setStatus('The presentation has ended');
   }
 
   const done = {
-    next: forward,
+    next: () => go(at.value + 1),
     previous: () => go(at.value - 1),
     first: () => go(0),
     last: () => go(Infinity),
@@ -103,23 +85,16 @@ function Presentation({ notes }: { notes: Window | null }) {
       if (!document.fullscreenElement) end();
     };
     addEventListener('keydown', press, true);
-    notes?.addEventListener('keydown', press);
     document.addEventListener('fullscreenchange', leftScreen);
-    if (!notes) void fillScreen();
+    void fillScreen();
     nextButton.current?.focus();
     void go(0);
     return () => {
       removeEventListener('keydown', press, true);
       document.removeEventListener('fullscreenchange', leftScreen);
-      notes?.close();
       if (document.fullscreenElement) document.exitFullscreen().catch(() => {});
     };
   }, []);
-
-  useLayoutEffect(() => {
-    if (notes && !notes.closed && step)
-      render(<Notes step={step} next={steps[at.value + 1]} place={place} />, notes.document.body);
-  }, [step, place]);
 
   return (
     <section id="stage" aria-label="Presentation" data-dark={isDark.value ? '' : undefined}>
@@ -137,7 +112,7 @@ function Presentation({ notes }: { notes: Window | null }) {
           type="button"
           class="primary"
           disabled={at.value === steps.length - 1}
-          onClick={forward}
+          onClick={done.next}
         >
           Next
         </button>
@@ -152,25 +127,3 @@ async function fillScreen() {
   if (document.fullscreenElement) return;
   await document.documentElement.requestFullscreen?.().catch(() => {});
 }
-
-/** Opens the window of the speaker's notes beside the page; null if the browser blocks it. */
-function openNotes() {
-  const beside = open('', 'shape-up-notes', 'popup,width=560,height=480');
-  if (!beside) return null;
-  const { document: page } = beside;
-  page.title = 'Presentation notes';
-  page.documentElement.dataset.theme = document.documentElement.dataset.theme ?? '';
-  const styles = document.querySelectorAll('link[rel="stylesheet"], style');
-  page.head.replaceChildren(...[...styles].map((style) => page.importNode(style, true)));
-  return beside;
-}
-
-/** What the window of the notes shows. */
-const Notes = ({ step, next, place }: { step: Slide; next?: Slide; place: string }) => (
-  <main class="notes-window">
-    <p class="quiet">{place}</p>
-    <h1>{step.title}</h1>
-    <p class="notes">{step.notes || 'No notes for this step.'}</p>
-    <p class="quiet">{next ? `Next: ${next.title}` : 'This is the last step.'}</p>
-  </main>
-);

@@ -12,7 +12,6 @@ import { TextField } from '../../ui/components/text-field.tsx';
 import { Thumbnail } from '../../ui/components/thumbnail.tsx';
 import { sceneOf } from '../../solver/scene-text.ts';
 import { count } from '../../ui/words.ts';
-import { present } from './stage.tsx';
 import type { Slide } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
@@ -21,8 +20,7 @@ export function openSteps(app: AppContext) {
 }
 
 function StepsDialog({ close }: InDialog) {
-  const app = useApp();
-  const { store, solver, actions } = app;
+  const { store, solver, actions } = useApp();
   const slides = useMemo(() => presentActions(store, actions), []);
   /** The steps before the solver has answered: presses and typing can be quicker. */
   const sent = useSignal<Slide[] | null>(null);
@@ -47,11 +45,10 @@ function StepsDialog({ close }: InDialog) {
   const move = (index: number, by: number) =>
     change((all) => all.toSpliced(index, 1).toSpliced(index + by, 0, all[index]));
 
-  /** @param withNotes in a window of their own */
-  async function begin(withNotes: boolean) {
+  async function begin() {
     close();
     await saving.current;
-    await actions.reportErrors(present(app, withNotes));
+    actions.look({ presenting: true });
   }
 
   /** The shape of a step, unless a run changes it before. */
@@ -102,7 +99,7 @@ function StepsDialog({ close }: InDialog) {
             <TextField
               aria-label={`Notes of step ${i + 1}`}
               rows={1}
-              placeholder="Notes that only you see"
+              placeholder="Notes, not shown in the presentation"
               value={step.notes ?? ''}
               onText={(notes) => changeStep(i, { notes })}
             />
@@ -166,17 +163,9 @@ function StepsDialog({ close }: InDialog) {
         ))}
       </ol>
       <div class="dialog-buttons">
-        <Button class="primary" disabled={steps.length === 0} onClick={() => begin(false)}>
+        <Button class="primary" disabled={steps.length === 0} onClick={begin}>
           Start
         </Button>
-        {steps.some(({ notes }) => notes) && (
-          <Button
-            title="Your notes open in a separate window: put it on a screen that only you see"
-            onClick={() => begin(true)}
-          >
-            Start with notes
-          </Button>
-        )}
         <Button onClick={() => change((all) => [...all, slides.stepNow(`Step ${all.length + 1}`)])}>
           Add this view
         </Button>

@@ -3,6 +3,7 @@
  * which the element under the pointer has been added.
  */
 
+import { areHandlesLocked } from '../../store/handles.ts';
 import { isEnabled, press } from '../../store/press.ts';
 import { byId, element } from '../../ui/dom.ts';
 import { placeMenu } from '../../ui/controls/navigation.ts';
@@ -84,7 +85,10 @@ function sectionsOf({
   const what = state.document?.undo || state.undoes;
   const vertices = actions.selectedVertices();
   const held = new Map(document?.handles.map((handle) => [handle.vertex, handle.fixed]));
-  const some = (as: boolean | undefined) => vertices.some((vertex) => held.get(vertex) === as);
+  const areFree = !areHandlesLocked(document);
+  /** Whether a vertex that is held so may be held otherwise. */
+  const some = (as: boolean | undefined) =>
+    areFree && vertices.some((vertex) => held.get(vertex) === as);
   const offer: (fits: boolean, label: string, id: string) => [boolean, ...Item] = (
     fits,
     label,

@@ -152,21 +152,11 @@ function useKept() {
   return kept;
 }
 
-/**
- * Changes a kept shape by its name: while others are removed, an index of those that are shown may be
- * that of another shape.
- */
+/** Changes a kept shape by its name: those that are shown may not be those of the document yet. */
 function useKeptChange() {
   const { store, actions } = useApp();
   return (name: string, edit: (index: number) => Edit) => {
-    async function change() {
-      const { model } = store.get();
-      await actions.settled();
-      // Names such as Start are those of every model.
-      if (store.get().model !== model) return;
-      const index = store.get().document?.variants.indexOf(name) ?? -1;
-      if (index >= 0) await actions.edit(edit(index));
-    }
-    void actions.begin(change());
+    const index = store.get().document?.variants.indexOf(name) ?? -1;
+    if (index >= 0) void actions.edit(edit(index));
   };
 }

@@ -14,9 +14,9 @@ import { Kept } from './kept.tsx';
 import { VariationCard } from './variation-card.tsx';
 import { Variations } from './variations.ts';
 
-/** Whether the shape can be varied, or has kept ones beside it. */
+/** Whether the shape can be varied, or has kept ones beside it. Their pictures are of faces. */
 export function canVary(state: Readonly<State>) {
-  if (state.running || !state.document) return false;
+  if (state.running || !state.document || !state.model?.faces) return false;
   return state.document.variants.length > 0 || isMet(state);
 }
 

@@ -40,7 +40,7 @@ export class Variations {
   #app;
   /** Number of the current search; a new number ends it. */
   #search = 0;
-  /** What the latest deed shows: the shape of the sliders, that made exact, or the shape before. */
+  /** What the last action shows: the shape of the sliders, that made exact, or the shape before. */
   #wanted: 'moved' | 'exact' | 'none' = 'none';
   /** The document for which the variations were computed. */
   #searched: unknown = null;

@@ -5,8 +5,6 @@
 
 import { ViewHistory } from './view-history.ts';
 import { ViewTools } from './view-tools.ts';
-import { MICE } from '../../store/state.ts';
-import { MOUSE_NAMES, MOUSE_WORDS } from '../../viewport/input/mouse.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
 import type { Viewport } from '../../viewport/viewport.ts';
@@ -54,17 +52,6 @@ export function viewCommands(app: AppContext): Command[] {
       action: () => history.go(1),
       enabled,
     },
-    ...MICE.map((mouse) => ({
-      id: `mouse-${mouse}`,
-      group: 'View',
-      label: `Mouse buttons as ${MOUSE_NAMES[mouse]}`,
-      keys: [],
-      action: () => {
-        actions.useMouse(mouse);
-        actions.setStatus(`Mouse: ${MOUSE_WORDS[mouse]}`);
-      },
-      pressed: (state: State) => state.mouse === mouse,
-    })),
     {
       id: 'parallel',
       group: 'View',

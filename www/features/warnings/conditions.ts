@@ -4,6 +4,7 @@
  */
 
 import { isInLegend } from '../../store/colours/measures.ts';
+import { isLocked } from '../../store/panels-card.ts';
 import { isHard } from '../../store/state.ts';
 import { untilChanged } from '../../store/until-changed.ts';
 import { count, length } from '../../ui/words.ts';
@@ -62,11 +63,12 @@ class Conditions {
     const isListed = document.getElementById('model')?.checkVisibility();
     if (problems.length === 0 || isListed) return void this.#lookForFlatFaces();
     const { message, suggestion } = problems.find((problem) => problem.suggestion) ?? problems[0];
-    const mend = suggestion && {
-      label: suggestion.label,
-      action: () =>
-        actions.reportErrors(mesh.remesh({ operation: suggestion.operation }, suggestion.label)),
-    };
+    const mend = suggestion &&
+      !isLocked(store.get(), 'mesh') && {
+        label: suggestion.label,
+        action: () =>
+          actions.reportErrors(mesh.remesh({ operation: suggestion.operation }, suggestion.label)),
+      };
     const words = `${count(problems.length, 'kind of problem', 'kinds of problem')}, see Open or make: ${message}`;
     untilChanged(store, alerts.notice(words, ...(mend ? [mend] : [])));
   }
@@ -106,7 +108,7 @@ class Conditions {
       waits: 'Looking for suggestions …',
     });
     const suggestions = await actions.trials.suggestions().catch(() => null);
-    if (!suggestions) return this.messages.turn(message, { waits: '' });
+    if (!suggestions) return this.messages.update(message, { waits: '' });
     const helping = suggestions.slice(0, MOST_SUGGESTIONS).map(({ label, edit, worst }) => ({
       label: `${label}: worst ${length(worst, scene.units, scene.tolerance)}`,
       title: 'The largest distance after this change',
@@ -114,7 +116,7 @@ class Conditions {
     }));
     const waits =
       helping.length > 0 ? '' : 'No suggestion was found that makes the largest distance smaller.';
-    this.messages.turn(message, { waits, offers: [show, ...helping] });
+    this.messages.update(message, { waits, offers: [show, ...helping] });
   }
 
   /** Applies a suggestion and runs on. */

@@ -3,6 +3,7 @@
  * was required, and the constraints that cannot be satisfied together.
  */
 
+import { isLocked } from '../../store/panels-card.ts';
 import { isHard } from '../../store/state.ts';
 import { showElements } from '../../viewport/camera.ts';
 import type { AppContext as App } from '../../app/context.ts';
@@ -130,7 +131,7 @@ export class ExactVerdict {
 
   /** Selects and colours the constraints that cannot be met together, and offers suggestions. */
   #showUnmet({ worst }: ExactReport, words: ExactWords) {
-    const { actions } = this.#app;
+    const { store, actions } = this.#app;
     const elements = elementsOf(
       this.#app,
       worst.map(({ vertices }) => vertices),
@@ -139,7 +140,8 @@ export class ExactVerdict {
       showElements(this.#app, elements);
       actions.tint('unmet', { ...elements, colour: UNMET });
     };
-    const suggestions = words.suggestions.map(({ label, index, within }) => ({
+    const isFixed = isLocked(store.get(), 'constraints');
+    const suggestions = (isFixed ? [] : words.suggestions).map(({ label, index, within }) => ({
       label,
       act: () => actions.exact.require(index, within === null ? 'soft' : { within }),
     }));

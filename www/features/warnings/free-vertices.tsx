@@ -5,6 +5,7 @@
 
 import { useEffect, useMemo, useState } from 'preact/hooks';
 import { newestOnly } from '../../store/latest-only.ts';
+import { isLocked } from '../../store/panels-card.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { count } from '../../ui/words.ts';
@@ -53,16 +54,20 @@ export function FreeVertices() {
   return (
     <div class="message notice" role="group" aria-label="Vertices that stand still">
       <p>{count(free, stand, stand)}</p>
-      <Button
-        class="small bordered"
-        title="With these weights, the vertices follow the others"
-        onClick={() => actions.edit({ preset: { id: 'opened' } })}
-      >
-        Use the weights of Keep the design
-      </Button>
-      <Button class="small bordered" onClick={() => actions.addHandles(vertices, true)}>
-        Fix them
-      </Button>
+      {!isLocked({ document }, 'weights') && (
+        <Button
+          class="small bordered"
+          title="With these weights, the vertices follow the others"
+          onClick={() => actions.edit({ preset: { id: 'opened' } })}
+        >
+          Use the weights of Keep the design
+        </Button>
+      )}
+      {!isLocked({ document }, 'handles') && (
+        <Button class="small bordered" onClick={() => actions.addHandles(vertices, true)}>
+          Fix them
+        </Button>
+      )}
       <Button class="small bordered" onClick={() => actions.select({ vertices, faces: [] })}>
         Select
       </Button>

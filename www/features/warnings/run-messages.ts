@@ -47,7 +47,7 @@ export class RunMessages {
   }
 
   /** Changes a message, if it is still shown. */
-  turn(message: Message, change: Partial<Message>) {
+  update(message: Message, change: Partial<Message>) {
     if (this.isShown(message)) this.now.value = { ...message, ...change };
   }
 

@@ -2,7 +2,7 @@
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { isInLegend } from '../../store/colours/measures.ts';
-import { keyOf } from '../../store/rows.ts';
+import { keyOf } from '../../solver/rows.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Icon } from '../../ui/components/buttons.tsx';
 import { AmountField } from '../../ui/components/fields.tsx';
@@ -51,7 +51,7 @@ function Row({ row }: { row: ConstraintRow }) {
   useEffect(() => untint, []);
   /** Tints the members in the view. */
   async function tint() {
-    const members = await actions.reportErrors(actions.ask.members(row.index));
+    const members = await actions.members(row.index);
     if (!members || !place.current?.matches(':is(:hover, :focus-within)')) return;
     // Dots on the corners of tinted faces would be redundant.
     const vertices = members.faces.length > 0 ? NONE : members.vertices;
@@ -59,7 +59,7 @@ function Row({ row }: { row: ConstraintRow }) {
   }
 
   async function select() {
-    const members = await actions.reportErrors(actions.ask.members(row.index));
+    const members = await actions.members(row.index);
     if (members) actions.select(members);
   }
 

@@ -24,8 +24,8 @@ export function WeightPresets() {
 
   function choose(id: string) {
     const preset = presets.find((one) => one.id === id);
-    if (preset?.warning) setChosen({ id, model });
-    else if (preset) void apply(preset);
+    setChosen(preset?.warning ? { id, model } : null);
+    if (preset && !preset.warning) void apply(preset);
   }
 
   return (

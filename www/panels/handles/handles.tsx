@@ -5,7 +5,7 @@ import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
-import { count } from '../../ui/words.ts';
+import { count, groupDigits } from '../../ui/words.ts';
 import { SelectedHandles } from './selected.tsx';
 import type { Document as SceneDocument } from '../../pkg/engine/shape_up.js';
 
@@ -38,8 +38,9 @@ function wordsFor(scene: SceneDocument) {
 function automatic({ pinned, constraints }: SceneDocument) {
   // Without constraints nothing moves, so pinned vertices do not matter.
   if (pinned.length === 0 || constraints.length === 0) return '';
-  const vertices = count(pinned.length, 'vertex is', 'vertices are');
-  return ` ${vertices} fixed automatically, because nothing else holds that part. Add a handle to hold it where you want.`;
+  return pinned.length === 1
+    ? ' 1 vertex is fixed automatically, because nothing else holds that part. Add a handle to hold it where you want.'
+    : ` ${groupDigits(pinned.length)} vertices are fixed automatically, because nothing else holds those parts. Add handles to hold them where you want.`;
 }
 
 /** What can be done with the selected vertices. */

@@ -21,7 +21,7 @@ import { brief, groupDigits, measured, number, rounded } from '../../ui/words.ts
 import { cover } from '../../viewport/camera.ts';
 import { rampOf } from '../../viewport/ramp.ts';
 import { RangeEnd } from './range-end.tsx';
-import { useTold } from './use-told.ts';
+import { useAfterViewUpdate } from './use-after-view-update.ts';
 import type { Spread } from '../../store/colours/spread.ts';
 import type { FaceMeasure } from '../../pkg/engine/shape_up.js';
 import type { Loaded } from '../../solver/types.ts';
@@ -122,7 +122,7 @@ function Values({ about, spread, model }: Of & { model: Loaded }) {
 /** The ramp of the range, as a CSS background. */
 function useBackground() {
   const { viewport } = useApp();
-  return useTold(({ spread, display }) => {
+  return useAfterViewUpdate(({ spread, display }) => {
     const { low = 0, high = 1, tolerance = null } = spread?.places ?? {};
     const neutral = display.full ? 0 : 100 * (tolerance ?? 0);
     return rampOf(viewport, [100 * low, 100 * high], neutral);
@@ -155,7 +155,7 @@ function Ends() {
   const { state } = store;
   const { range } = state;
   const { symbol, factor } = shownUnit(state);
-  const step = useTold(
+  const step = useAfterViewUpdate(
     (now) => (!now.display.log && viewport.unmeasured((view) => view.bandStep())) || null,
   );
   const steps = step && `steps of ${brief(rounded(step * factor, 3))} `;

@@ -1,8 +1,10 @@
-/** The contents of the model, and the problems of its file. */
+/** The contents of the model, and the report on its file, of which a lesson locks only the changes. */
 
+import { isLocked } from '../../store/panels-card.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { count, groupDigits } from '../../ui/words.ts';
+import { showElements } from '../../viewport/camera.ts';
 import { FrameFields } from './frame-fields.tsx';
 import type { ComponentChildren } from 'preact';
 import type { MeshSuggestion } from '../../pkg/engine/shape_up.js';
@@ -23,8 +25,6 @@ export function Model() {
       </dl>
       <FrameFields model={model} />
       <Groups model={model} />
-      {/* Each file is reported anew. */}
-      <Report key={model} model={model} />
     </>
   );
 }
@@ -52,8 +52,15 @@ function Groups({ model: { groups } }: { model: Loaded }) {
 }
 
 /** The import report. */
+export function ImportReport() {
+  const { model } = useApp().store.state;
+  // Each file is reported anew.
+  return model && <Report key={model} model={model} />;
+}
+
 function Report({ model: { problems, notes } }: { model: Loaded }) {
-  const { actions } = useApp();
+  const { document } = useApp().store.state;
+  const isFixed = isLocked({ document }, 'mesh');
   if (problems.length + notes.length === 0) return null;
   const title =
     problems.length > 0
@@ -62,9 +69,10 @@ function Report({ model: { problems, notes } }: { model: Loaded }) {
   return (
     <Details title={title} open={problems.length > 0}>
       <ul>
-        {problems.map(({ message, suggestion }) => (
+        {problems.map(({ message, flaw, suggestion }) => (
           <li key={message}>
-            {message} {suggestion && <Mend suggestion={suggestion} />}
+            {message} {flaw && <Select flaw={flaw} message={message} />}{' '}
+            {suggestion && !isFixed && <Mend suggestion={suggestion} />}
           </li>
         ))}
         {notes.map((note) => (
@@ -73,10 +81,29 @@ function Report({ model: { problems, notes } }: { model: Loaded }) {
           </li>
         ))}
       </ul>
-      <Button class="small bordered" onClick={() => actions.showPlot('log')}>
-        Details
-      </Button>
     </Details>
+  );
+}
+
+/** Selects the elements that have a problem. */
+function Select({ flaw, message }: { flaw: string; message: string }) {
+  const app = useApp();
+  const { actions } = app;
+  async function select() {
+    const found = await actions.reportErrors(actions.ask.flawed(flaw));
+    if (!found) return;
+    const some = found.vertices.length + found.edges.length + found.faces.length;
+    if (some > 0) showElements(app, found);
+    else actions.setStatus('No elements with this problem are left');
+  }
+  return (
+    <Button
+      class="small bordered"
+      aria-label={`Select: ${message}`}
+      onClick={() => actions.begin(select())}
+    >
+      Select
+    </Button>
   );
 }
 

@@ -1,4 +1,4 @@
-/** The energies of the iterations, as plots and figures have them. */
+/** The energies of the iterations, as the plot has them. */
 
 import { energyOrZero } from '../words.ts';
 

@@ -1,4 +1,4 @@
-/** What the view knows about its colours. */
+/** Values read from the view after it was updated. */
 
 import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
@@ -14,7 +14,7 @@ const KEYS: (keyof State)[] = [
  * Reads something of the view after it has been told the state: the subscriptions of the view are
  * older, while a component may be rendered before them.
  */
-export function useTold<Value>(read: (state: Readonly<State>) => Value): Value {
+export function useAfterViewUpdate<Value>(read: (state: Readonly<State>) => Value): Value {
   const { store } = useApp();
   const [value, setValue] = useState(() => read(store.get()));
   useEffect(() => store.subscribe(KEYS, (state) => setValue(() => read(state))), []);
