@@ -58,7 +58,7 @@ pub struct BuildCard {
     pub check: Vec<CheckRow>,
     /// Suggestions for the numbers that exceed their limits.
     pub tighten: Tighten,
-    /// What is not available, or not as it seems, each with the reason.
+    /// What is not available, or not as it seems, each with the reason, as sentences.
     pub problems: Vec<String>,
 }
 
@@ -73,7 +73,7 @@ impl Build {
             tighten: self.tighten(&check, &closing, inexact),
             offset: self.offset_report(closing, inexact),
             check,
-            problems: self.faults.iter().map(|fault| fault.0.clone()).collect(),
+            problems: self.faults.iter().map(Fault::sentence).collect(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Reasons why something cannot be built, and the products that are still available.
 
 use crate::mesh::{Mesh, untouched_words};
-use crate::words::UNITS;
+use crate::words::{self, UNITS};
 use std::fmt;
 
 /// One sentence: the problem, and what is available nevertheless.
@@ -17,6 +17,11 @@ impl fmt::Display for Fault {
 impl std::error::Error for Fault {}
 
 impl Fault {
+    /// The reason as a sentence.
+    pub fn sentence(&self) -> String {
+        format!("{}.", words::sentence(&self.0))
+    }
+
     /// Points, curves and tetrahedra have nothing to cut.
     pub(super) fn no_panels(mesh: &Mesh) -> Fault {
         let what = match (mesh.curves.is_empty(), mesh.tets.is_empty()) {
