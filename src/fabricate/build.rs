@@ -115,7 +115,7 @@ pub struct Build {
     pub parts: Vec<CutPart>,
     /// Neighbours' names without room, on parts that are on a sheet.
     pub dropped_names: usize,
-    /// Parts on a sheet whose own name is too small to be read well.
+    /// Parts on a sheet whose own name, or of one of whose panels, is too small to be read well.
     pub small_names: usize,
     /// Holes without room.
     pub dropped_holes: usize,

@@ -125,7 +125,7 @@ pub struct BuildReport {
     pub no_least_joint: &'static str,
     /// Neighbours' names without room on their part.
     pub dropped_names: usize,
-    /// Parts whose own name is lower than 2 mm.
+    /// Parts whose own name, or of one of whose panels, is lower than 2 mm.
     pub small_names: usize,
     /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
