@@ -119,6 +119,8 @@ pub struct Build {
     pub small_names: usize,
     /// Holes without room.
     pub dropped_holes: usize,
+    /// Holes left out at edges where panels do not meet one to one.
+    pub unpaired_holes: usize,
     /// Inner corners without room for a relief.
     pub dropped_reliefs: usize,
     /// Where the parts are on the sheets.
@@ -201,6 +203,7 @@ impl Build {
             dropped_names: 0,
             small_names: 0,
             dropped_holes: 0,
+            unpaired_holes: 0,
             dropped_reliefs: 0,
             layout: Layout::default(),
             types,

@@ -231,6 +231,11 @@ impl BuildReport {
             ),
             named(&self.not_cut, format!("Not cut: {uncut}.")),
             counted(
+            counted(
+                self.unpaired_holes,
+                words::count(self.unpaired_holes, "hole is", "holes are")
+                    + " left out where panels do not meet one to one.",
+            ),
                 self.dropped_names,
                 format!("No room for {} of neighbours.", count(self.dropped_names, "name")),
             ),

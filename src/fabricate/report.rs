@@ -129,6 +129,8 @@ pub struct BuildReport {
     pub small_names: usize,
     /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
+    /// Holes left out where panels do not meet one to one along an edge: none lies opposite.
+    pub unpaired_holes: usize,
     /// Round holes in parts on sheets.
     pub holes: usize,
     /// Holes left out for lack of room.
@@ -261,6 +263,7 @@ impl Build {
             }),
             edge_types: edge_types(&self.surface, self.settings.alike / building).leaders.len(),
             edge_types_curve: curve(&ALIKE_MM, self.surface.edges.len(), |tolerance| {
+            unpaired_holes: self.unpaired_holes,
                 edge_types(&self.surface, tolerance / building)
             }),
             flattening_error_mm: errors.fold(0.0, f64::max) * building,
