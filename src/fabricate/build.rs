@@ -220,8 +220,8 @@ impl Build {
         if build.surface.untouched > 0 {
             build.faults.push(Fault::untouched(build.surface.untouched));
         }
-        if build.surface.is_inside_out() {
-            build.faults.push(Fault::inside_out(build.surface.parts));
+        if let Some(all) = build.surface.inside_out() {
+            build.faults.push(Fault::inside_out(all));
         }
         if !are_as_asked {
             build.faults.push(Fault::no_rows());

@@ -55,13 +55,13 @@ impl Fault {
         Fault(untouched_words(faces))
     }
 
-    /// A closed surface whose panels face inwards, or of several parts at least one.
-    pub(super) fn inside_out(parts: usize) -> Fault {
-        let words = match parts {
-            1 => {
+    /// A closed part of the surface whose panels face inwards; `all` parts do, or only some.
+    pub(super) fn inside_out(all: bool) -> Fault {
+        let words = match all {
+            true => {
                 "the surface is closed and its panels face inwards, so what is called outside here is its inside: apply Flip faces, in Edit mesh"
             }
-            _ => {
+            false => {
                 "a closed part of the surface has panels that face inwards, so what is called outside there is its inside: turn its faces around in the program that it comes from"
             }
         };

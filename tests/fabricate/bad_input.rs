@@ -400,6 +400,7 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
     }
     let mut open = Mesh { faces: Ragged::new(), ..reversed.clone() };
     reversed.faces.iter().skip(1).for_each(|face| open.faces.push(face));
+    let two = reversed.clone();
     // A smaller cube beside it, which its volume alone does not show.
     let mut beside = hollow.clone();
     beside.positions[8..].iter_mut().for_each(|point| point[0] += 5.0);
@@ -408,6 +409,14 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
         let problems = build(&mesh, &BuildSettings::default()).report().problems;
         assert_eq!(problems.iter().any(|words| words.contains("inwards")), is_inside_out);
     }
+    // Two that both face inwards are turned by one press.
+    let mut both = two.clone();
+    both.positions.extend(two.positions.iter().map(|[x, y, z]| [x + 5.0, *y, *z]));
+    for face in two.faces.iter() {
+        both.faces.push(&face.iter().map(|v| v + 8).collect::<Vec<_>>());
+    }
+    let problems = build(&both, &BuildSettings::default()).card().problems;
+    assert!(problems[0].ends_with("apply Flip faces, in Edit mesh."), "{problems:?}");
 }
 
 #[test]
