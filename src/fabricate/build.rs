@@ -360,9 +360,11 @@ impl Build {
             _ if self.surface.one_sided.is_some() => "",
             // Above and below as the letters stand, which is outwards.
             Product::Fins if self.distance() > 0.0 => {
-                "NAME: FROM ITS FIRST NODE, TOP OUTWARDS, EDGE OF THE MODEL BELOW IT"
+                "FIN NAMES READ FROM FIRST TO SECOND NODE, OUTSIDE UP, MODEL EDGE AT THE BOTTOM"
             }
-            Product::Fins => "NAME: FROM ITS FIRST NODE, TOP OUTWARDS, EDGE OF THE MODEL ABOVE IT",
+            Product::Fins => {
+                "FIN NAMES READ FROM FIRST TO SECOND NODE, OUTSIDE UP, MODEL EDGE AT THE TOP"
+            }
             Product::Paper if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };

@@ -193,7 +193,7 @@ fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
         (
             Product::Fins,
             false,
-            "NAME: FROM ITS FIRST NODE, TOP OUTWARDS, EDGE OF THE MODEL BELOW IT, ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
+            "FIN NAMES READ FROM FIRST TO SECOND NODE, OUTSIDE UP, MODEL EDGE AT THE BOTTOM, ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
         ),
         (Product::Paper, false, "SEEN FROM OUTSIDE"),
         (Product::Paper, true, "SEEN FROM INSIDE, MIRRORED"),
