@@ -99,9 +99,9 @@ impl Build {
     pub(super) fn check_rows(&self) -> Vec<CheckRow> {
         let beam = |e: u32| Worst::Edge(self.surface.edges[e as usize].ends);
         vec![
-            self.warp().row(("beam_warp", "Beam twist", "mm"), beam),
+            self.warp().row(("beam_warp", "Beam warp", "mm"), beam),
             self.distance_error().row(("distance_error", "Offset error", "mm"), Worst::Vertex),
-            self.lean().row(("lean", "Node tilt", "deg"), Worst::Vertex),
+            self.lean().row(("lean", "Axis lean", "deg"), Worst::Vertex),
             self.safe_distance_row(beam),
             self.flatness().row(("panel_flatness", "Panel flatness", "mm"), Worst::Panel),
         ]
