@@ -177,6 +177,24 @@ fn curve(tolerances: &[f64], things: usize, types: impl Fn(f64) -> Types) -> Vec
 }
 
 impl OffsetCheck {
+        let building = self.mm_of_building();
+        let mut report = self.report_without_curves();
+        report.types_curve = curve(&ALIKE_MM, self.flat.len(), |tolerance| {
+            panel_types(&self.flat, tolerance / building, self.settings.mirror)
+        });
+        report.edge_types_curve = curve(&ALIKE_MM, self.surface.edges.len(), |tolerance| {
+            edge_types(&self.surface, tolerance / building)
+        });
+        if let Some((own, frame)) = report.frame.as_mut().zip(self.frame.as_ref()) {
+            own.node_types_curve = curve(&ALIKE_DEG, own.nodes, |tolerance| {
+                node_types(&frame.nodes, tolerance, self.settings.mirror)
+            });
+        }
+        report
+    }
+
+    /// The report without the numbers of types at other tolerances, which take most of its time.
+    pub(super) fn report_without_curves(&self) -> BuildReport {
     /// The error by which kinds are compared.
     pub(super) fn worst_error(&self) -> f64 {
         self.warp.max(self.distance_error)
@@ -258,14 +276,9 @@ impl Build {
             dropped_holes: self.dropped_holes,
             dropped_reliefs: self.dropped_reliefs,
             types: self.types.leaders.len(),
-            types_curve: curve(&ALIKE_MM, self.flat.len(), |tolerance| {
-                panel_types(&self.flat, tolerance / building, self.settings.mirror)
-            }),
+            types_curve: Vec::new(),
             edge_types: edge_types(&self.surface, self.settings.alike / building).leaders.len(),
-            edge_types_curve: curve(&ALIKE_MM, self.surface.edges.len(), |tolerance| {
-            unpaired_holes: self.unpaired_holes,
-                edge_types(&self.surface, tolerance / building)
-            }),
+            edge_types_curve: Vec::new(),
             flattening_error_mm: errors.fold(0.0, f64::max) * building,
             fold_deg,
             frame: self.frame_report(),
@@ -338,14 +351,11 @@ impl Build {
         let places = self.layout.places(self.parts.len());
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
         let (step, node_step_vertex) = frame.largest_step().unwrap_or_default();
-        let nodes = frame.nodes.iter().flatten().count();
         Some(FrameReport {
-            nodes,
+            nodes: frame.nodes.iter().flatten().count(),
             node_types: frame.types.leaders.len(),
             alike_deg: self.settings.alike_deg,
-            node_types_curve: curve(&ALIKE_DEG, nodes, |tolerance| {
-                node_types(&frame.nodes, tolerance, self.settings.mirror)
-            }),
+            node_types_curve: Vec::new(),
             cut_back_mm: largest(&mut fins().flat_map(|fin| fin.cut_back)) * self.mm_of_sheet(),
             flattening_error_mm: largest(&mut fins().map(|fin| fin.flattening_error))
                 * self.mm_of_building(),

@@ -37,7 +37,7 @@ pub struct ReportView {
 impl Build {
     /// The report as an HTML document, which is also well-formed XML.
     pub fn report_page(&self, view: &ReportView) -> String {
-        let report = self.report();
+        let report = self.report_without_curves();
         let title = match view.title.trim() {
             "" => "Model".to_owned(),
             own => escaped(own),

@@ -55,7 +55,7 @@ pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
 }
 
 fn summary(build: &Build) -> String {
-    let report = build.report();
+    let report = build.report_without_curves();
     let mut table = Table::new(&["what", "value", "unit"]);
     let mut row = |what: &str, value: Cell<'_>, unit: &str| {
         table.row([Cell::from(what), value, Cell::from(unit)]);
