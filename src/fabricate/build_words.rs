@@ -181,7 +181,10 @@ impl BuildReport {
             let within = words::brief(frame.alike_deg);
             types(frame.node_types, &format!(" of nodes within {within}°"))
         }));
-        line.extend(self.paper.as_ref().map(|paper| words::count(paper.tabs, "tab", "tabs")));
+        let tabs = self.paper.as_ref().map_or(0, |paper| paper.tabs);
+        if tabs > 0 {
+            line.push(count(tabs, "tab"));
+        }
         line.join(", ")
     }
 
