@@ -109,7 +109,7 @@ impl Build {
 
     /// The values behind the rows of the check, in their order; empty for the distance, a single
     /// number.
-    pub(super) fn spreads(&self) -> [Vec<f64>; 5] {
+    pub(super) fn check_values(&self) -> [Vec<f64>; 5] {
         let values = |checked: Checked| checked.values.into_iter().flatten().collect();
         [
             values(self.warp()),

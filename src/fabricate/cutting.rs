@@ -72,7 +72,7 @@ impl Build {
             |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
         let (whole, outline) = (turned(&scaled), turned(&outline));
         let across = |e: u32| {
-            let met = self.surface.met(e, f as u32).into_iter();
+            let met = self.surface.neighbours_across(e, f as u32).into_iter();
             let names: Vec<&str> = met.map(|other| &*self.names[other as usize]).collect();
             (!names.is_empty()).then(|| names.join("/"))
         };

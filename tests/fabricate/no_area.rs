@@ -53,9 +53,9 @@ fn no_panel_is_told_to_meet_one_that_is_not_there() {
     let [left, right] = expected.surface.edges[edge(&expected, [a, b]) as usize].panels;
     let (left, right) = (left.unwrap(), right.unwrap());
     let c = plain.positions.len() as u32;
-    assert_eq!(made.surface.met(edge(&made, [a, b]), right), [left]);
+    assert_eq!(made.surface.neighbours_across(edge(&made, [a, b]), right), [left]);
     for ends in [[a, c], [b, c]] {
-        assert_eq!(made.surface.met(edge(&made, ends), left), [right]);
+        assert_eq!(made.surface.neighbours_across(edge(&made, ends), left), [right]);
     }
     // What is written on the panel is the same.
     let right = right as usize;

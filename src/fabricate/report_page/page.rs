@@ -94,7 +94,7 @@ impl Build {
     }
 
     fn check(&self, report: &BuildReport) -> String {
-        let rows = report.check.iter().zip(self.spreads());
+        let rows = report.card.check.iter().zip(self.check_values());
         let rows: String = rows.map(|(row, values)| check_row(row, &values)).collect();
         let kept = report
             .offset
