@@ -121,7 +121,7 @@ impl Build {
     /// The scale at which parts fit on a sheet, or are large enough for hands.
     fn advice_on_scale(&self, report: &BuildReport) -> Option<Advice> {
         let now = self.settings.scale;
-        let mean_edge = report.mean_edge_mm;
+        let mean_edge = report.card.mean_edge_mm;
         if !report.too_large.is_empty() {
             // A disc is as large at every scale.
             let is_disc = |&k: &usize| self.disc_of(k).is_some();

@@ -3,15 +3,13 @@
 use super::alike::Types;
 use super::beam::{edge_types, node_types};
 use super::build::Build;
-use super::card::{BuildCard, OffsetReport};
-use super::check_card::CheckRow;
+use super::card::BuildCard;
 use super::file::shared_length;
 use super::offset::{Choice, OffsetCheck};
 use super::panel::{panel_types, perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, Hole, NamePlace, Place, Sheet};
 use super::surface::distinct;
-use super::tighten::Tighten;
 use crate::scene::{OffsetKind, Product};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -88,8 +86,6 @@ pub struct BuildReport {
     pub components: usize,
     /// Panels that were reversed to agree with their neighbours.
     pub turned: usize,
-    /// Mean length of edges.
-    pub mean_edge_mm: f64,
     /// The unit of the mesh.
     pub unit: String,
     /// The denominator of the scale.
@@ -129,12 +125,12 @@ pub struct BuildReport {
     pub small_names: usize,
     /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
-    /// Holes left out where panels do not meet one to one along an edge: none lies opposite.
-    pub unpaired_holes: usize,
     /// Round holes in parts on sheets.
     pub holes: usize,
     /// Holes left out for lack of room.
     pub dropped_holes: usize,
+    /// Holes left out where panels do not meet one to one along an edge: none lies opposite.
+    pub unpaired_holes: usize,
     /// Inner corners that are cut without a relief for lack of room.
     pub dropped_reliefs: usize,
     /// Types of panels.
@@ -149,18 +145,13 @@ pub struct BuildReport {
     pub flattening_error_mm: f64,
     /// Smallest and largest fold, positive for ridges; null without inner edges.
     pub fold_deg: Option<[f64; 2]>,
-    /// The offset; null if it is not available.
-    pub offset: Option<OffsetReport>,
     /// Beams and nodes; null if they are not made.
     pub frame: Option<FrameReport>,
     /// The paper model; null for other products.
     pub paper: Option<PaperReport>,
-    /// The five numbers of the build check.
-    pub check: Vec<CheckRow>,
-    /// Suggestions for the numbers that exceed their limits.
-    pub tighten: Tighten,
-    /// What is not available, or not as it seems, each with the reason.
-    pub problems: Vec<String>,
+    /// The part that depends on the offset, among the numbers of the report.
+    #[serde(flatten)]
+    pub card: BuildCard,
 }
 
 /// The tolerances at which types are counted, in mm of the building.
@@ -177,6 +168,15 @@ fn curve(tolerances: &[f64], things: usize, types: impl Fn(f64) -> Types) -> Vec
 }
 
 impl OffsetCheck {
+    /// The error by which kinds are compared.
+    pub(super) fn worst_error(&self) -> f64 {
+        self.warp.max(self.distance_error)
+    }
+}
+
+impl Build {
+    /// All numbers.
+    pub fn report(&self) -> BuildReport {
         let building = self.mm_of_building();
         let mut report = self.report_without_curves();
         report.types_curve = curve(&ALIKE_MM, self.flat.len(), |tolerance| {
@@ -195,15 +195,6 @@ impl OffsetCheck {
 
     /// The report without the numbers of types at other tolerances, which take most of its time.
     pub(super) fn report_without_curves(&self) -> BuildReport {
-    /// The error by which kinds are compared.
-    pub(super) fn worst_error(&self) -> f64 {
-        self.warp.max(self.distance_error)
-    }
-}
-
-impl Build {
-    /// All numbers.
-    pub fn report(&self) -> BuildReport {
         let building = self.mm_of_building();
         let on_sheets: Vec<usize> = self
             .layout
@@ -230,7 +221,6 @@ impl Build {
         });
         let least = [1.0, -1.0].map(|side| self.least_joint(&folds, side));
         let errors = self.flat.iter().flatten().map(|flat| flat.flattening_error);
-        let BuildCard { mean_edge_mm, offset, check, tighten, problems } = self.card();
         let nodes = distinct(self.surface.faces.indices().iter().copied());
         BuildReport {
             product: self.settings.product,
@@ -244,7 +234,6 @@ impl Build {
             nodes: nodes.len(),
             components: self.surface.parts,
             turned: self.surface.turned,
-            mean_edge_mm,
             unit: self.unit.symbol.clone(),
             scale: self.settings.scale,
             sheets,
@@ -274,6 +263,7 @@ impl Build {
                 .collect(),
             holes: holes().filter(|hole| hole.slot.is_none()).count(),
             dropped_holes: self.dropped_holes,
+            unpaired_holes: self.unpaired_holes,
             dropped_reliefs: self.dropped_reliefs,
             types: self.types.leaders.len(),
             types_curve: Vec::new(),
@@ -283,10 +273,7 @@ impl Build {
             fold_deg,
             frame: self.frame_report(),
             paper: self.paper_report(),
-            tighten,
-            check,
-            offset,
-            problems,
+            card: self.card(),
         }
     }
 

@@ -44,7 +44,7 @@ fn faces_that_run_the_other_way_are_turned() {
     let (own, found) =
         (build(&mesh, &BuildSettings::default()), build(&mixed, &BuildSettings::default()));
     assert_eq!((own.surface.turned, found.surface.turned), (0, 5));
-    assert_eq!(found.report().offset.unwrap().kind, own.report().offset.unwrap().kind);
+    assert_eq!(found.card().offset.unwrap().kind, own.card().offset.unwrap().kind);
     assert!(found.faults.is_empty());
 }
 
@@ -81,7 +81,7 @@ fn a_moebius_strip_is_cut_and_has_no_offset() {
         "{:?}",
         made.faults
     );
-    assert!(made.report().check[0].value.is_none());
+    assert!(made.card().check[0].value.is_none());
 }
 
 #[test]
@@ -306,7 +306,7 @@ fn a_ridge_that_shrank_to_a_point_has_no_fold_and_no_beam() {
     assert!(fold.iter().all(|fold| (fold - hip.to_degrees()).abs() < 1e-9), "{fold:?}");
     assert!(report.no_least_joint.is_empty() && report.least_joint_mm[1].is_some(), "{report:?}");
     // No beam has an end that stands on the point with another height than its hip.
-    let offset = report.offset.expect("an outside");
+    let offset = report.card.offset.expect("an outside");
     assert!(offset.exact && offset.distance_error_mm < 1e-3, "{offset:?}");
     assert_eq!(report.frame.expect("fins").without_prism, 0);
 }
@@ -381,7 +381,7 @@ fn faces_that_are_left_as_they_are_are_mentioned() {
     let report = made.report();
     assert_eq!((report.panels, report.placed), (1, 1));
     let said = |words: &[String]| words.iter().any(|words| words.contains("1 face has the same"));
-    assert!(said(&report.problems), "{:?}", report.problems);
+    assert!(said(&report.card.problems), "{:?}", report.card.problems);
 }
 
 #[test]
@@ -406,7 +406,7 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
     beside.positions[8..].iter_mut().for_each(|point| point[0] += 5.0);
     let all = [(cube, false), (reversed, true), (hollow, false), (open, false), (beside, true)];
     for (mesh, is_inside_out) in all {
-        let problems = build(&mesh, &BuildSettings::default()).report().problems;
+        let problems = build(&mesh, &BuildSettings::default()).card().problems;
         assert_eq!(problems.iter().any(|words| words.contains("inwards")), is_inside_out);
     }
     // Two that both face inwards are turned by one press.

@@ -253,7 +253,7 @@ fn without_an_outside_there_are_no_fins_and_it_says_so() {
     let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };
     [[0, 1, 2], [0, 1, 3], [0, 1, 4]].iter().for_each(|face| mesh.faces.push(face));
     let made = build(&mesh, &settings());
-    assert!(made.parts.is_empty() && made.report().problems[0].contains("beams are not available"));
+    assert!(made.parts.is_empty() && made.card().problems[0].contains("beams are not available"));
     let names: Vec<_> = made.files(true).into_iter().map(|file| file.name).collect();
     assert_eq!(names, ["edges.csv", "nodes.csv", "summary.csv"]);
 }

@@ -34,9 +34,9 @@ fn a_panel_without_area_leaves_the_offset_of_the_others_exact() {
         let own = BuildSettings { kind: Some(OffsetKind::Face), ..BuildSettings::default() };
         let mesh = with_a_panel_without_area(revolution(9, 7), [32, 33], share);
         let report = build(&mesh, &own).report();
-        assert_eq!(report.problems, Vec::<String>::new(), "{share}");
+        assert_eq!(report.card.problems, Vec::<String>::new(), "{share}");
         assert_eq!(report.not_cut, ["P63: it has no area"]);
-        assert!(report.offset.unwrap().exact, "{share}");
+        assert!(report.card.offset.unwrap().exact, "{share}");
     }
 }
 

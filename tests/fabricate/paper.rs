@@ -346,7 +346,7 @@ fn what_cannot_be_folded_is_told_and_the_rest_is_made() {
         triangles.faces.push(&[face[0], face[2], face[3]]);
     }
     let made = build(&triangles, &settings(Pieces::Strips));
-    assert!(made.report().problems.iter().any(|problem| problem.contains("nets are made instead")));
+    assert!(made.card().problems.iter().any(|problem| problem.contains("nets are made instead")));
     assert!(made.report().placed > 0);
     // A panel that crosses itself, a sound one beside it, and one without area.
     let positions =

@@ -79,7 +79,7 @@ fn its_numbers_are_those_of_the_card() {
     let page = page(&revolution(9, 7), &BuildSettings::default());
     let words = words(&parsed(&page));
     let report = made.report();
-    for row in &report.check {
+    for row in &report.card.check {
         let at = words.iter().position(|line| line == row.label).expect("every row is there");
         let [value, limit, state] = [1, 2, 3].map(|k| &words[at + k]);
         let number = |words: &str| words.split([' ', '\u{b0}']).next().unwrap().parse::<f64>();

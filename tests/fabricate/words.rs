@@ -195,7 +195,7 @@ fn names_by_rows_where_there_is_no_grid_are_said_to_be_numbers() {
     let own = |names| BuildSettings { names, ..BuildSettings::default() };
     let said = |mesh: &Mesh, names| {
         let report = build(mesh, &own(names)).report();
-        report.problems.iter().any(|words| words.contains("rows"))
+        report.card.problems.iter().any(|words| words.contains("rows"))
     };
     assert!(said(&super::beams::cube(), Names::Rows));
     assert!(!said(&super::beams::cube(), Names::Index));

@@ -85,7 +85,7 @@ fn summary(build: &Build) -> String {
         }
     }
     row("types of panels", Cell::from(report.types), "");
-    for check in &report.check {
+    for check in &report.card.check {
         row(check.label, Cell::from(check.value), check.unit);
         row(&format!("{}, limit", check.label), Cell::from(check.limit), check.unit);
     }
