@@ -159,22 +159,10 @@ pub(super) fn beam_name([a, b]: [u32; 2]) -> String {
 }
 
 impl Build {
-    /// All parts of a mesh at its `positions`, which stands on the ground.
+    /// All parts of a mesh at its `positions`, which stands as `stand` says.
     ///
     /// # Errors
     /// If the mesh has no faces, or a setting is out of its range.
-    pub fn new(
-        mesh: &Mesh,
-        settings: &BuildSettings,
-        unit: LengthInMetres,
-    ) -> Result<Build, Fault> {
-        Build::standing(mesh, settings, unit, &Stand::guessed(mesh))
-    }
-
-    /// As [`Build::new`], of a shape that stands as is known.
-    ///
-    /// # Errors
-    /// As [`Build::new`].
     pub fn standing(
         mesh: &Mesh,
         settings: &BuildSettings,

@@ -3,8 +3,8 @@
 
 use super::identities::revolution;
 use super::{build, metres};
-use shape_up::fabricate::Build;
 use shape_up::fabricate::sheet::Role;
+use shape_up::fabricate::{Build, Stand};
 use shape_up::generate::NewKind;
 use shape_up::math::{Vec3, ears};
 use shape_up::mesh::Mesh;
@@ -381,7 +381,7 @@ fn fins_and_discs_of_a_new_dome_go_together() {
     (sizes[3], sizes[4]) = (12.0, 3.0);
     let mesh = kind.mesh(&sizes).unwrap();
     let own = BuildSettings { kind: Some(OffsetKind::Corner), ..settings() };
-    let made = Build::new(&mesh, &own, metres()).unwrap();
+    let made = Build::standing(&mesh, &own, metres(), &Stand::default()).unwrap();
     assert_fits(&made, "dome");
 }
 
