@@ -102,6 +102,14 @@ fn its_numbers_are_those_of_the_card() {
 }
 
 #[test]
+fn without_a_material_its_first_line_is_a_sentence_too() {
+    let own = BuildSettings { material: String::new(), ..BuildSettings::default() };
+    let page = page(&revolution(9, 7), &own);
+    let words = words(&parsed(&page));
+    assert!(words.iter().any(|line| line.starts_with("At 1:")), "{words:?}");
+}
+
+#[test]
 fn nothing_leaves_its_picture_whatever_is_made_of_whatever_mesh() {
     let level = |i: u32, j: u32| [f64::from(i), f64::from(j), 0.0];
     let mut folded = grid(6, 5, level);
