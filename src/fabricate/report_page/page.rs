@@ -97,6 +97,7 @@ impl Build {
         let rows = report.card.check.iter().zip(self.check_values());
         let rows: String = rows.map(|(row, values)| check_row(row, &values)).collect();
         let kept = report
+            .card
             .offset
             .as_ref()
             .map_or(String::new(), |offset| format!("<p>{}</p>\n", escaped(&offset.words())));
