@@ -129,7 +129,7 @@ fn circles_are_asked_for_where_corners_keep_the_distance_and_planes_for_flatness
     assert_eq!(kinds(Some(OffsetKind::Corner)), ["circle", "plane"]);
     assert_eq!(kinds(Some(OffsetKind::Face)), ["plane"]);
     let all_met = build(&revolution(9, 7), &BuildSettings::default()).report();
-    assert!(all_met.tighten.suggestions.is_empty());
+    assert!(all_met.card.tighten.suggestions.is_empty());
 }
 
 /// What is said where no constraint is suggested.
