@@ -2,9 +2,10 @@
 
 use super::facet::FoldKind;
 use super::net::OutlineSide;
+use super::tab_name::place_on_tab;
 use super::{JointKind, PaperModel};
-use crate::fabricate::panel::smallest_box;
-use crate::fabricate::sheet::{CutPart, Inscription, label};
+use crate::fabricate::panel::{direction_of, smallest_box};
+use crate::fabricate::sheet::{CutPart, Inscription, label, strokes, upright};
 use crate::math::plane::{Point2, distance, rotated};
 use crate::math::sort_by_number;
 
@@ -114,10 +115,11 @@ pub fn write_names(
 ) -> MissingNames {
     let piece = model.pieces[number];
     let (_, place) = outline(model, piece, inside);
+    let put = |point: Point2| place.put(point);
     let (mut dropped, mut small, mut is_named) = (0, false, false);
     for &panel in &part.panels {
         for own in name_places(model, piece, panel) {
-            let sides = own.iter().map(|&side| named_side(model, names, side, (place, turn)));
+            let sides = own.iter().map(|&side| named_side(model, names, side, &put));
             let (mut polygon, mut beside): (Vec<Point2>, Vec<_>) = sides.unzip();
             if inside {
                 // Counterclockwise again; each name stays with its side.
@@ -153,7 +155,11 @@ pub fn write_names(
         }
     }
     for tab in model.tabs(piece) {
-        part.engraved.extend(tab_name(model, names, tab.side, (place, turn)).unwrap_or_default());
+        if let Some((name, height, middle)) = tab_name(model, names, tab.side) {
+            let [p, _, _, q] = tab.corners.map(put);
+            let along = upright(direction_of(p, q), turn);
+            part.engraved.extend(strokes(&name, height, put(middle), along));
+        }
     }
     MissingNames { dropped, small, piece: !is_named }
 }
@@ -196,10 +202,10 @@ fn named_side(
     model: &PaperModel,
     names: &[String],
     side: OutlineSide,
-    (place, turn): (Put, Point2),
+    put: &impl Fn(Point2) -> Point2,
 ) -> (Point2, Option<String>) {
     let net = &model.net;
-    let start = place.put(net.ends((side.facet, side.side))[0]);
+    let start = put(net.ends((side.facet, side.side))[0]);
     let own = (side.facet, side.side);
     if let Some(others) = model.unpaired.get(&own) {
         let others: Vec<&str> = others.iter().map(|&other| &*names[other as usize]).collect();
@@ -208,9 +214,7 @@ fn named_side(
     let name = net.across(own).and_then(|(joint, (g, _))| {
         let is_on_tab = match model.joint_kinds[joint as usize] {
             JointKind::Folded => true,
-            JointKind::Tab(tab) => {
-                tab.side == side && tab_name(model, names, side, (place, turn)).is_some()
-            }
+            JointKind::Tab(tab) => tab.side == side && tab_name(model, names, side).is_some(),
             JointKind::Bare => false,
         };
         (!is_on_tab).then(|| names[net.facets[g as usize].panel as usize].clone())
@@ -218,29 +222,17 @@ fn named_side(
     (start, name)
 }
 
-/// The lines of the name on the tab of a side; none without room for letters that are read well.
+/// The name on the tab of a side, its height and its centre; none if it has no room.
 fn tab_name(
     model: &PaperModel,
     names: &[String],
     side: OutlineSide,
-    (place, turn): (Put, Point2),
-) -> Option<Vec<Vec<Point2>>> {
+) -> Option<(String, f64, Point2)> {
     let (joint, (g, _)) = model.net.across((side.facet, side.side))?;
     let JointKind::Tab(tab) = &model.joint_kinds[joint as usize] else { return None };
-    let mut outline = tab.corners.map(|corner| place.put(corner));
-    if place.inside {
-        outline.reverse();
-    }
-    let labels = label(Inscription {
-        outline: &outline,
-        name: &names[model.net.facets[g as usize].panel as usize],
-        neighbours: &[],
-        is_oriented: false,
-        with_arrow: false,
-        turn,
-        holes: &[],
-    });
-    (!labels.small).then_some(labels.lines)
+    let name = names[model.net.facets[g as usize].panel as usize].clone();
+    let (height, middle) = place_on_tab(tab, &name)?;
+    Some((name, height, middle))
 }
 
 /// A dashed line that begins and ends with a dash, as separate lines, which every program

@@ -8,6 +8,7 @@ mod net;
 mod plane;
 mod strip;
 mod tab;
+mod tab_name;
 mod thickness;
 
 pub use drawn::{MissingNames, drawn, write_names};
