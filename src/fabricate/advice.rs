@@ -121,7 +121,7 @@ impl Build {
     /// The scale at which parts fit on a sheet, or are large enough for hands.
     fn advice_on_scale(&self, report: &BuildReport) -> Option<Advice> {
         let now = self.settings.scale;
-        let mean_edge = report.mean_edge_mm;
+        let mean_edge = report.card.mean_edge_mm;
         if !report.too_large.is_empty() {
             // A disc is as large at every scale.
             let is_disc = |&k: &usize| self.disc_of(k).is_some();
@@ -176,7 +176,7 @@ impl Build {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fabricate::LengthInMetres;
+    use crate::fabricate::{LengthInMetres, Stand};
     use crate::mesh::Mesh;
 
     /// A ridge of two panels with sides of this length, 90 degrees from each other.
@@ -196,7 +196,8 @@ mod tests {
 
     fn advice(side: f64, settings: &BuildSettings) -> Vec<Advice> {
         let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
-        let build = Build::new(&ridge(side), settings, unit).expect("panels");
+        let build =
+            Build::standing(&ridge(side), settings, unit, &Stand::default()).expect("panels");
         let report = build.report();
         build.words(&report).advice
     }
@@ -229,7 +230,8 @@ mod tests {
         let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
         let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
         let advised = |own: &BuildSettings| {
-            let build = Build::new(&ridge(5.0), own, unit.clone()).expect("panels");
+            let build =
+                Build::standing(&ridge(5.0), own, unit.clone(), &Stand::default()).expect("panels");
             let report = BuildReport { least_joint_mm: [Some(1.0), Some(2.0)], ..build.report() };
             build.advice_on_joint(&report).map_or(Vec::new(), |advice| advice.choices)
         };
@@ -252,7 +254,9 @@ mod tests {
         ] {
             let unit = LengthInMetres::of(unit).expect("it is known");
             let settings = BuildSettings { scale, ..BuildSettings::default() };
-            let build = Build::new(&ridge(scale / unit.metres), &settings, unit).expect("panels");
+            let build =
+                Build::standing(&ridge(scale / unit.metres), &settings, unit, &Stand::default())
+                    .expect("panels");
             let report = BuildReport { least_joint_mm: [None, Some(2.95)], ..build.report() };
             let choices = build.advice_on_joint(&report).map_or(Vec::new(), |own| own.choices);
             assert_eq!(choices.iter().map(|own| &*own.label).collect::<Vec<_>>(), [label]);
@@ -271,7 +275,7 @@ mod tests {
             let product = Product::Fins;
             let (scale, thickness) = (20.0, 6.0);
             let own = BuildSettings { distance, product, scale, thickness, ..Default::default() };
-            let build = Build::new(&mesh, &own, unit).expect("a panel");
+            let build = Build::standing(&mesh, &own, unit, &Stand::default()).expect("a panel");
             assert_eq!((build.not_cut.len(), build.layout.too_large.len()), (0, 2));
             build.advice(&build.report()).len()
         };

@@ -115,10 +115,12 @@ pub struct Build {
     pub parts: Vec<CutPart>,
     /// Neighbours' names without room, on parts that are on a sheet.
     pub dropped_names: usize,
-    /// Parts on a sheet whose own name is too small to be read well.
+    /// Parts on a sheet whose own name, or of one of whose panels, is too small to be read well.
     pub small_names: usize,
     /// Holes without room.
     pub dropped_holes: usize,
+    /// Holes left out at edges where panels do not meet one to one.
+    pub unpaired_holes: usize,
     /// Inner corners without room for a relief.
     pub dropped_reliefs: usize,
     /// Where the parts are on the sheets.
@@ -157,22 +159,10 @@ pub(super) fn beam_name([a, b]: [u32; 2]) -> String {
 }
 
 impl Build {
-    /// All parts of a mesh at its `positions`, which stands on the ground.
+    /// All parts of a mesh at its `positions`, which stands as `stand` says.
     ///
     /// # Errors
     /// If the mesh has no faces, or a setting is out of its range.
-    pub fn new(
-        mesh: &Mesh,
-        settings: &BuildSettings,
-        unit: LengthInMetres,
-    ) -> Result<Build, Fault> {
-        Build::standing(mesh, settings, unit, &Stand::guessed(mesh))
-    }
-
-    /// As [`Build::new`], of a shape that stands as is known.
-    ///
-    /// # Errors
-    /// As [`Build::new`].
     pub fn standing(
         mesh: &Mesh,
         settings: &BuildSettings,
@@ -201,6 +191,7 @@ impl Build {
             dropped_names: 0,
             small_names: 0,
             dropped_holes: 0,
+            unpaired_holes: 0,
             dropped_reliefs: 0,
             layout: Layout::default(),
             types,
@@ -217,8 +208,8 @@ impl Build {
         if build.surface.untouched > 0 {
             build.faults.push(Fault::untouched(build.surface.untouched));
         }
-        if build.surface.is_inside_out() {
-            build.faults.push(Fault::inside_out(build.surface.parts));
+        if let Some(all) = build.surface.inside_out() {
+            build.faults.push(Fault::inside_out(all));
         }
         if !are_as_asked {
             build.faults.push(Fault::no_rows());
@@ -357,9 +348,11 @@ impl Build {
             _ if self.surface.one_sided.is_some() => "",
             // Above and below as the letters stand, which is outwards.
             Product::Fins if self.distance() > 0.0 => {
-                "NAME: FROM ITS FIRST NODE, TOP OUTWARDS, EDGE OF THE MODEL BELOW IT"
+                "FIN NAMES READ FROM FIRST TO SECOND NODE, OUTSIDE UP, MODEL EDGE AT THE BOTTOM"
             }
-            Product::Fins => "NAME: FROM ITS FIRST NODE, TOP OUTWARDS, EDGE OF THE MODEL ABOVE IT",
+            Product::Fins => {
+                "FIN NAMES READ FROM FIRST TO SECOND NODE, OUTSIDE UP, MODEL EDGE AT THE TOP"
+            }
             Product::Paper if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };

@@ -100,31 +100,6 @@ impl CheckRow {
     }
 }
 
-impl CardWords {
-    /// The words of these parts of a card; the unit of the mesh is `building` mm long.
-    fn new(
-        check: &[CheckRow],
-        offset: Option<&OffsetReport>,
-        suggestions: &[PanelSuggestion],
-        building: f64,
-    ) -> CardWords {
-        let suggestion = |found: &PanelSuggestion| {
-            let adjective = panel_adjective(found.constraint).unwrap_or_default();
-            let within = words::millimetres_limit(building * found.within);
-            format!("Makes all panels {adjective} within {within}")
-        };
-        CardWords {
-            check: check.iter().map(CheckRow::words).collect(),
-            offset: offset.map(OffsetReport::words).unwrap_or_default(),
-            distance: offset
-                .map(|offset| words::millimetres(offset.distance_mm))
-                .unwrap_or_default(),
-            safe: offset.map(OffsetReport::safe).unwrap_or_default(),
-            suggestions: suggestions.iter().map(suggestion).collect(),
-        }
-    }
-}
-
 impl OffsetReport {
     /// Says what keeps the distance, and why not exactly.
     pub fn words(&self) -> String {
@@ -181,7 +156,10 @@ impl BuildReport {
             let within = words::brief(frame.alike_deg);
             types(frame.node_types, &format!(" of nodes within {within}°"))
         }));
-        line.extend(self.paper.as_ref().map(|paper| words::count(paper.tabs, "tab", "tabs")));
+        let tabs = self.paper.as_ref().map_or(0, |paper| paper.tabs);
+        if tabs > 0 {
+            line.push(count(tabs, "tab"));
+        }
         line.join(", ")
     }
 
@@ -254,6 +232,11 @@ impl BuildReport {
                 },
             ),
             counted(
+                self.unpaired_holes,
+                words::count(self.unpaired_holes, "hole is", "holes are")
+                    + " left out where panels do not meet one to one.",
+            ),
+            counted(
                 self.dropped_reliefs,
                 words::count(self.dropped_reliefs, "inner corner has", "inner corners have")
                     + " no room for a relief: the tool leaves material there.",
@@ -324,7 +307,6 @@ impl BuildReport {
 impl Build {
     /// The report of this build in words.
     pub fn words(&self, report: &BuildReport) -> BuildWords {
-        let BuildReport { check, offset, tighten, .. } = report;
         let advice = self.advice(report);
         let joint = report.joint(self.settings.thickness);
         let is_advised = advice.iter().any(|advice| advice.words == joint);
@@ -333,19 +315,27 @@ impl Build {
             warnings: report.warnings(&self.settings),
             joint: if is_advised { String::new() } else { joint },
             advice,
-            card: CardWords::new(
-                check,
-                offset.as_ref(),
-                &tighten.suggestions,
-                self.mm_of_building(),
-            ),
+            card: self.card_words(&report.card),
         }
     }
 
     /// The card of this build in words.
     pub fn card_words(&self, card: &BuildCard) -> CardWords {
         let BuildCard { check, offset, tighten, .. } = card;
-        CardWords::new(check, offset.as_ref(), &tighten.suggestions, self.mm_of_building())
+        let suggestion = |found: &PanelSuggestion| {
+            let adjective = panel_adjective(found.constraint).unwrap_or_default();
+            let within = words::millimetres_limit(self.mm_of_building() * found.within);
+            format!("Makes all panels {adjective} within {within}")
+        };
+        let of_offset =
+            |words: fn(&OffsetReport) -> String| offset.as_ref().map(words).unwrap_or_default();
+        CardWords {
+            check: check.iter().map(CheckRow::words).collect(),
+            offset: of_offset(OffsetReport::words),
+            distance: of_offset(|offset| words::millimetres(offset.distance_mm)),
+            safe: of_offset(OffsetReport::safe),
+            suggestions: tighten.suggestions.iter().map(suggestion).collect(),
+        }
     }
 }
 

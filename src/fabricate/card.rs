@@ -2,11 +2,10 @@
 
 use super::build::Build;
 use super::check_card::CheckRow;
-use super::offset::{Closing, can_be_exact, closing};
-use super::panel::FlatPanel;
+use super::fault::Fault;
+use super::offset::{Closing, Reason, closing};
 use super::tighten::Tighten;
 use crate::scene::OffsetKind;
-use crate::words;
 use serde::Serialize;
 
 /// Numbers of the offset.
@@ -59,7 +58,7 @@ pub struct BuildCard {
     pub check: Vec<CheckRow>,
     /// Suggestions for the numbers that exceed their limits.
     pub tighten: Tighten,
-    /// What is not available, or not as it seems, each with the reason.
+    /// What is not available, or not as it seems, each with the reason, as sentences.
     pub problems: Vec<String>,
 }
 
@@ -67,24 +66,24 @@ impl Build {
     /// The card, without the parts of the report that take longer.
     pub fn card(&self) -> BuildCard {
         let check = self.check_rows();
+        let closing = closing(&self.surface);
+        let inexact = self.inexact(&closing);
         BuildCard {
             mean_edge_mm: self.surface.mean_edge() * self.mm_of_building(),
-            offset: self.offset_report(),
-            tighten: self.tighten(&check),
+            tighten: self.tighten(&check, &closing, inexact),
+            offset: self.offset_report(closing, inexact),
             check,
-            problems: self.faults.iter().map(|fault| fault.0.clone()).collect(),
+            problems: self.faults.iter().map(Fault::sentence).collect(),
         }
     }
 
-    fn offset_report(&self) -> Option<OffsetReport> {
+    fn offset_report(&self, closing: Closing, inexact: Option<Reason>) -> Option<OffsetReport> {
         let (axes, check) = self.offset.as_ref()?;
         let building = self.mm_of_building();
-        let closing = closing(&self.surface);
-        let why_not = if axes.exact { String::new() } else { self.why_not(axes.kind, &closing) };
         Some(OffsetReport {
             kind: axes.kind,
-            exact: axes.exact,
-            why_not,
+            exact: inexact.is_none(),
+            why_not: inexact.map_or_else(String::new, |reason| reason.words(&self.names)),
             distance_mm: self.distance() * building,
             warp_mm: check.warp * building,
             twist_deg: check.twist_deg,
@@ -100,95 +99,12 @@ impl Build {
         })
     }
 
-    fn why_not(&self, kind: OffsetKind, closing: &Closing) -> String {
-        const LEAN: &str = "the exact axes lean too far";
-        /// Turns below this are due to rounding or the solver's tolerance.
-        const CLOSED: f64 = 0.01;
-        /// Smaller eigenvalues of the closing form are zero.
-        const ZERO: f64 = 1e-6;
+    /// Why the axes of the offset are not exact; none if they are, or there is no offset.
+    fn inexact(&self, closing: &Closing) -> Option<Reason> {
         /// Panels are flat within this fraction of the tolerance of exact offsets.
         const FLAT: f64 = 0.01;
-        match kind {
-            OffsetKind::Corner if closing.odd_panels > 0 => format!(
-                "the axes do not close around {}, with an odd number of edges",
-                words::count(closing.odd_panels, "panel", "panels")
-            ),
-            OffsetKind::Corner if closing.panel_deg > CLOSED => format!(
-                "around panel {} an axis is turned by {}: its corners are not on a circle",
-                self.names[closing.panel as usize],
-                words::degrees(closing.panel_deg)
-            ),
-            OffsetKind::Corner => {
-                let turns = closing.rims_deg.iter().flatten();
-                let worst = turns.copied().fold(0.0, f64::max);
-                if closing.rims_deg.contains(&None) {
-                    "a rim has an odd number of edges: axes close around it only in special shapes"
-                        .to_owned()
-                } else if worst > CLOSED {
-                    format!(
-                        "around a rim an axis is turned by {}, so the axes do not close",
-                        words::degrees(worst)
-                    )
-                } else if closing.eigenvalues[0] > ZERO {
-                    "the axes do not close around the openings through the surface, as in a ring".to_owned()
-                } else {
-                    LEAN.to_owned()
-                }
-            }
-            OffsetKind::Face => {
-                let tolerance = self.exact_tolerance();
-                let bent = |flat: &FlatPanel| flat.flatness > FLAT * tolerance;
-                if !can_be_exact(&self.surface, kind, self.distance(), tolerance) {
-                    "around some vertex, the panels moved by this distance do not meet in one point".to_owned()
-                } else if self.flat.iter().flatten().any(bent) {
-                    "the panels are not flat".to_owned()
-                } else {
-                    LEAN.to_owned()
-                }
-            }
-            OffsetKind::Edge => {
-                "only a mesh whose edges are parallel to edges that all touch one sphere allows this".to_owned()
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::fabricate::LengthInMetres;
-    use crate::mesh::Mesh;
-    use crate::scene::BuildSettings;
-
-    fn one_panel() -> Build {
-        let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
-        let faces = [[0, 1, 2, 3]].into_iter().collect();
-        let mesh = Mesh { positions, faces, ..Mesh::default() };
-        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
-        Build::new(&mesh, &BuildSettings::default(), unit).unwrap()
-    }
-
-    #[test]
-    fn an_odd_rim_is_the_reason_rather_than_a_turn_of_zero() {
-        let build = one_panel();
-        let why = |rims_deg: [Option<f64>; 2]| {
-            let closing = Closing { rims_deg: rims_deg.to_vec(), ..Closing::default() };
-            build.why_not(OffsetKind::Corner, &closing)
-        };
-        let odd = why([None, Some(0.0)]);
-        assert!(odd.contains("odd number of edges") && !odd.contains('°'), "{odd}");
-        let turned = why([Some(0.0), Some(1.5)]);
-        assert!(turned.contains("turned by 1.50°"), "{turned}");
-    }
-
-    #[test]
-    fn openings_are_the_reason_where_axes_close_around_panels_and_rims_and_not_on_the_whole() {
-        let build = one_panel();
-        let why = |least: f64| {
-            let eigenvalues = [least, 0.1, 0.2];
-            build.why_not(OffsetKind::Corner, &Closing { eigenvalues, ..Closing::default() })
-        };
-        assert!(why(0.01).contains("openings through the surface"), "{}", why(0.01));
-        assert!(why(1e-12).contains("lean"), "{}", why(1e-12));
+        let most = FLAT * self.exact_tolerance();
+        let are_flat = self.flat.iter().flatten().all(|flat| flat.flatness <= most);
+        self.offset.as_ref()?.0.reason(closing, are_flat)
     }
 }

@@ -99,9 +99,9 @@ impl Build {
     pub(super) fn check_rows(&self) -> Vec<CheckRow> {
         let beam = |e: u32| Worst::Edge(self.surface.edges[e as usize].ends);
         vec![
-            self.warp().row(("beam_warp", "Beam twist", "mm"), beam),
+            self.warp().row(("beam_warp", "Beam warp", "mm"), beam),
             self.distance_error().row(("distance_error", "Offset error", "mm"), Worst::Vertex),
-            self.lean().row(("lean", "Node tilt", "deg"), Worst::Vertex),
+            self.lean().row(("lean", "Axis lean", "deg"), Worst::Vertex),
             self.safe_distance_row(beam),
             self.flatness().row(("panel_flatness", "Panel flatness", "mm"), Worst::Panel),
         ]
@@ -109,7 +109,7 @@ impl Build {
 
     /// The values behind the rows of the check, in their order; empty for the distance, a single
     /// number.
-    pub(super) fn spreads(&self) -> [Vec<f64>; 5] {
+    pub(super) fn check_values(&self) -> [Vec<f64>; 5] {
         let values = |checked: Checked| checked.values.into_iter().flatten().collect();
         [
             values(self.warp()),

@@ -72,7 +72,7 @@ impl Build {
             |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
         let (whole, outline) = (turned(&scaled), turned(&outline));
         let across = |e: u32| {
-            let met = self.surface.met(e, f as u32).into_iter();
+            let met = self.surface.neighbours_across(e, f as u32).into_iter();
             let names: Vec<&str> = met.map(|other| &*self.names[other as usize]).collect();
             (!names.is_empty()).then(|| names.join("/"))
         };
@@ -287,7 +287,7 @@ impl Build {
                     let Labels { lines, texts, dropped, small } = labels;
                     part.engraved.extend(lines);
                     // Without room there is no small name either.
-                    let small = usize::from(small && !texts.is_empty());
+                    let small = small && !texts.is_empty();
                     // Its own name says which neighbour is where.
                     let dropped = if part.is_oriented { 0 } else { dropped };
                     MissingNames { dropped, small, piece: texts.is_empty() }
@@ -295,7 +295,7 @@ impl Build {
             };
             part.named = if missing.piece { NamePlace::Nowhere } else { NamePlace::OnPart };
             self.dropped_names += missing.dropped;
-            self.small_names += missing.small;
+            self.small_names += usize::from(missing.small);
         }
         self.parts = parts;
         self.write_on_waste();

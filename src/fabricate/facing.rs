@@ -6,11 +6,12 @@ use crate::math::{Vec3, angle_between};
 use crate::mesh::components;
 
 impl PanelSurface {
-    /// Whether the panels of a closed part face inwards: it encloses a negative volume, and its
-    /// box does not lie in that of a larger part, whose hollow it would be.
-    pub fn is_inside_out(&self) -> bool {
+    /// Whether the panels of all closed parts face inwards, so that they are all to be flipped; none if
+    /// those of no part do. They do where a part encloses a negative volume, and its box does not lie in
+    /// that of a larger part, whose hollow it would be.
+    pub fn inside_out(&self) -> Option<bool> {
         if self.one_sided.is_some() {
-            return false;
+            return None;
         }
         let shells = self.closed_shells();
         let contains = |outer: &Shell, inner: &Shell| {
@@ -18,7 +19,8 @@ impl PanelSurface {
                 && (0..3).all(|k| outer.low[k] <= inner.low[k] && inner.high[k] <= outer.high[k])
         };
         let is_hollow = |own: &Shell| shells.iter().any(|outer| contains(outer, own));
-        shells.iter().any(|own| own.volume < 0.0 && !is_hollow(own))
+        let faces_inwards = |own: &Shell| own.volume < 0.0 && !is_hollow(own);
+        shells.iter().any(faces_inwards).then(|| shells.iter().all(faces_inwards))
     }
 
     /// The connected parts that have no rim.

@@ -1,7 +1,7 @@
 //! Reasons why something cannot be built, and the products that are still available.
 
 use crate::mesh::{Mesh, untouched_words};
-use crate::words::UNITS;
+use crate::words::{self, UNITS};
 use std::fmt;
 
 /// One sentence: the problem, and what is available nevertheless.
@@ -17,6 +17,11 @@ impl fmt::Display for Fault {
 impl std::error::Error for Fault {}
 
 impl Fault {
+    /// The reason as a sentence.
+    pub fn sentence(&self) -> String {
+        format!("{}.", words::sentence(&self.0))
+    }
+
     /// Points, curves and tetrahedra have nothing to cut.
     pub(super) fn no_panels(mesh: &Mesh) -> Fault {
         let what = match (mesh.curves.is_empty(), mesh.tets.is_empty()) {
@@ -50,13 +55,13 @@ impl Fault {
         Fault(untouched_words(faces))
     }
 
-    /// A closed surface whose panels face inwards, or of several parts at least one.
-    pub(super) fn inside_out(parts: usize) -> Fault {
-        let words = match parts {
-            1 => {
+    /// A closed part of the surface whose panels face inwards; `all` parts do, or only some.
+    pub(super) fn inside_out(all: bool) -> Fault {
+        let words = match all {
+            true => {
                 "the surface is closed and its panels face inwards, so what is called outside here is its inside: apply Flip faces, in Edit mesh"
             }
-            _ => {
+            false => {
                 "a closed part of the surface has panels that face inwards, so what is called outside there is its inside: turn its faces around in the program that it comes from"
             }
         };

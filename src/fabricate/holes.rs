@@ -40,7 +40,7 @@ impl Build {
         let unpaired = self.surface.unpaired();
         let unpaired = unpaired.flat_map(|(e, _)| self.surface.panels.row(e as usize));
         let cut = unpaired.filter(|&&f| self.cut[f as usize].is_some());
-        self.dropped_holes += ALONG.len() * cut.count();
+        self.unpaired_holes += ALONG.len() * cut.count();
         for (edge, e) in self.surface.edges.iter().zip(0..) {
             let [Some(f), Some(g)] = edge.panels else { continue };
             let cut = [f, g].map(|f| self.cut[f as usize].as_ref().map(|cut| (f, cut)));

@@ -35,7 +35,7 @@ pub struct BuildNumber {
 pub const BUILD_NUMBERS: [BuildNumber; 6] = [
     BuildNumber {
         id: "beam_warp",
-        label: "Beam twist",
+        label: "Beam warp",
         description: "largest distance of a beam's corners to its plane",
         unit: NumberUnit::Length,
     },
@@ -47,7 +47,7 @@ pub const BUILD_NUMBERS: [BuildNumber; 6] = [
     },
     BuildNumber {
         id: "lean",
-        label: "Node tilt",
+        label: "Axis lean",
         description: "largest angle between an inner node axis and the surface normal",
         unit: NumberUnit::Degrees,
     },

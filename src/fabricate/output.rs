@@ -55,7 +55,7 @@ impl Build {
         }
         if !drawings.is_empty() {
             add("sheets.pdf".to_owned(), pdf(&drawings, self.printed_page().size()));
-            let key = self.key(z_up).drawings;
+            let key = self.key(z_up);
             key.iter().for_each(|drawing| add(format!("{}.svg", drawing.name), svg(drawing)));
             add("key.pdf".to_owned(), pdf(&key, None));
         }

@@ -3,15 +3,13 @@
 use super::alike::Types;
 use super::beam::{edge_types, node_types};
 use super::build::Build;
-use super::card::{BuildCard, OffsetReport};
-use super::check_card::CheckRow;
+use super::card::BuildCard;
 use super::file::shared_length;
 use super::offset::{Choice, OffsetCheck};
 use super::panel::{panel_types, perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, Hole, NamePlace, Place, Sheet};
 use super::surface::distinct;
-use super::tighten::Tighten;
 use crate::scene::{OffsetKind, Product};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -88,8 +86,6 @@ pub struct BuildReport {
     pub components: usize,
     /// Panels that were reversed to agree with their neighbours.
     pub turned: usize,
-    /// Mean length of edges.
-    pub mean_edge_mm: f64,
     /// The unit of the mesh.
     pub unit: String,
     /// The denominator of the scale.
@@ -125,7 +121,7 @@ pub struct BuildReport {
     pub no_least_joint: &'static str,
     /// Neighbours' names without room on their part.
     pub dropped_names: usize,
-    /// Parts whose own name is lower than 2 mm.
+    /// Parts whose own name, or of one of whose panels, is lower than 2 mm.
     pub small_names: usize,
     /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
@@ -133,6 +129,8 @@ pub struct BuildReport {
     pub holes: usize,
     /// Holes left out for lack of room.
     pub dropped_holes: usize,
+    /// Holes left out where panels do not meet one to one along an edge: none lies opposite.
+    pub unpaired_holes: usize,
     /// Inner corners that are cut without a relief for lack of room.
     pub dropped_reliefs: usize,
     /// Types of panels.
@@ -147,18 +145,13 @@ pub struct BuildReport {
     pub flattening_error_mm: f64,
     /// Smallest and largest fold, positive for ridges; null without inner edges.
     pub fold_deg: Option<[f64; 2]>,
-    /// The offset; null if it is not available.
-    pub offset: Option<OffsetReport>,
     /// Beams and nodes; null if they are not made.
     pub frame: Option<FrameReport>,
     /// The paper model; null for other products.
     pub paper: Option<PaperReport>,
-    /// The five numbers of the build check.
-    pub check: Vec<CheckRow>,
-    /// Suggestions for the numbers that exceed their limits.
-    pub tighten: Tighten,
-    /// What is not available, or not as it seems, each with the reason.
-    pub problems: Vec<String>,
+    /// The part that depends on the offset, among the numbers of the report.
+    #[serde(flatten)]
+    pub card: BuildCard,
 }
 
 /// The tolerances at which types are counted, in mm of the building.
@@ -185,6 +178,24 @@ impl Build {
     /// All numbers.
     pub fn report(&self) -> BuildReport {
         let building = self.mm_of_building();
+        let mut report = self.report_without_curves();
+        report.types_curve = curve(&ALIKE_MM, self.flat.len(), |tolerance| {
+            panel_types(&self.flat, tolerance / building, self.settings.mirror)
+        });
+        report.edge_types_curve = curve(&ALIKE_MM, self.surface.edges.len(), |tolerance| {
+            edge_types(&self.surface, tolerance / building)
+        });
+        if let Some((own, frame)) = report.frame.as_mut().zip(self.frame.as_ref()) {
+            own.node_types_curve = curve(&ALIKE_DEG, own.nodes, |tolerance| {
+                node_types(&frame.nodes, tolerance, self.settings.mirror)
+            });
+        }
+        report
+    }
+
+    /// The report without the numbers of types at other tolerances, which take most of its time.
+    pub(super) fn report_without_curves(&self) -> BuildReport {
+        let building = self.mm_of_building();
         let on_sheets: Vec<usize> = self
             .layout
             .sheets
@@ -210,7 +221,6 @@ impl Build {
         });
         let least = [1.0, -1.0].map(|side| self.least_joint(&folds, side));
         let errors = self.flat.iter().flatten().map(|flat| flat.flattening_error);
-        let BuildCard { mean_edge_mm, offset, check, tighten, problems } = self.card();
         let nodes = distinct(self.surface.faces.indices().iter().copied());
         BuildReport {
             product: self.settings.product,
@@ -224,7 +234,6 @@ impl Build {
             nodes: nodes.len(),
             components: self.surface.parts,
             turned: self.surface.turned,
-            mean_edge_mm,
             unit: self.unit.symbol.clone(),
             scale: self.settings.scale,
             sheets,
@@ -254,23 +263,17 @@ impl Build {
                 .collect(),
             holes: holes().filter(|hole| hole.slot.is_none()).count(),
             dropped_holes: self.dropped_holes,
+            unpaired_holes: self.unpaired_holes,
             dropped_reliefs: self.dropped_reliefs,
             types: self.types.leaders.len(),
-            types_curve: curve(&ALIKE_MM, self.flat.len(), |tolerance| {
-                panel_types(&self.flat, tolerance / building, self.settings.mirror)
-            }),
+            types_curve: Vec::new(),
             edge_types: edge_types(&self.surface, self.settings.alike / building).leaders.len(),
-            edge_types_curve: curve(&ALIKE_MM, self.surface.edges.len(), |tolerance| {
-                edge_types(&self.surface, tolerance / building)
-            }),
+            edge_types_curve: Vec::new(),
             flattening_error_mm: errors.fold(0.0, f64::max) * building,
             fold_deg,
             frame: self.frame_report(),
             paper: self.paper_report(),
-            tighten,
-            check,
-            offset,
-            problems,
+            card: self.card(),
         }
     }
 
@@ -335,14 +338,11 @@ impl Build {
         let places = self.layout.places(self.parts.len());
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
         let (step, node_step_vertex) = frame.largest_step().unwrap_or_default();
-        let nodes = frame.nodes.iter().flatten().count();
         Some(FrameReport {
-            nodes,
+            nodes: frame.nodes.iter().flatten().count(),
             node_types: frame.types.leaders.len(),
             alike_deg: self.settings.alike_deg,
-            node_types_curve: curve(&ALIKE_DEG, nodes, |tolerance| {
-                node_types(&frame.nodes, tolerance, self.settings.mirror)
-            }),
+            node_types_curve: Vec::new(),
             cut_back_mm: largest(&mut fins().flat_map(|fin| fin.cut_back)) * self.mm_of_sheet(),
             flattening_error_mm: largest(&mut fins().map(|fin| fin.flattening_error))
                 * self.mm_of_building(),

@@ -5,7 +5,7 @@
 
 use crate::fabricate::beam::Prism;
 use crate::fabricate::build::{Build, beam_name, node_name};
-use crate::fabricate::file::{GlbLayer, GlbPart, glb};
+use crate::fabricate::file::{Drawing, GlbLayer, GlbPart, glb};
 use crate::fabricate::panel::triangles_in_space;
 use crate::fabricate::plates::Plate;
 use crate::fabricate::sheet::Role;
@@ -117,11 +117,11 @@ impl Build {
             }));
         }
         let beside = parts.iter().flat_map(|part| &part.points);
-        let (mut right, mut front) = (f64::NEG_INFINITY, f64::INFINITY);
-        for [x, y, _] in beside {
-            (right, front) = (right.max(*x), front.min(*y));
+        let (mut right, mut low) = (f64::NEG_INFINITY, [f64::INFINITY; 2]);
+        for [x, y, z] in beside {
+            (right, low) = (right.max(*x), [low[0].min(*y), low[1].min(*z)]);
         }
-        parts.extend(self.sheets_from([right, front]));
+        parts.extend(self.sheets_from([right, low[0], low[1]]));
         parts
     }
 
@@ -132,16 +132,16 @@ impl Build {
         all.filter_map(|(edge, prism)| Some((beam_name(edge.ends), prism.as_ref()?)))
     }
 
-    /// The lines of all sheets at their real size, side by side to the right of this point on the
-    /// ground.
-    fn sheets_from(&self, [right, front]: [f64; 2]) -> Vec<SpatialPart> {
+    /// The lines of all sheets as they are cut, at their real size, side by side to the right of this
+    /// point.
+    fn sheets_from(&self, [right, front, ground]: [f64; 3]) -> Vec<SpatialPart> {
         let of_mm = 1.0 / self.mm_of_building();
         let mut parts = Vec::new();
         let mut left = right;
-        for drawing in self.drawings() {
+        for drawing in self.drawings().into_iter().map(Drawing::cut_once) {
             left += BESIDE * drawing.size[0] * of_mm;
             for line in &drawing.lines {
-                let put = |&[x, y]: &[f64; 2]| [left + x * of_mm, front + y * of_mm, 0.0];
+                let put = |&[x, y]: &[f64; 2]| [left + x * of_mm, front + y * of_mm, ground];
                 let title = if line.role == Role::Sheet { &drawing.name } else { &line.part };
                 parts.push(SpatialPart {
                     layer: format!("Sheets {}", line.role.layer()),

@@ -148,9 +148,11 @@ impl PanelSurface {
     }
 
     /// The panels that a panel meets at an edge: those beyond it, and beyond panels without area.
-    pub fn met(&self, edge: u32, panel: u32) -> Vec<u32> {
+    pub fn neighbours_across(&self, edge: u32, panel: u32) -> Vec<u32> {
         let mut found: Vec<u32> = Vec::new();
-        for f in self.others(edge, panel).flat_map(|other| self.made(edge, other)) {
+        for f in
+            self.others(edge, panel).flat_map(|other| self.panels_beyond_degenerate(edge, other))
+        {
             if f != panel && !found.contains(&f) {
                 found.push(f);
             }
@@ -158,9 +160,9 @@ impl PanelSurface {
         found
     }
 
-    /// What is made of a panel at one of its edges: the panel. Nothing is made of a panel without area:
-    /// in its place there are those that lie along the edge beyond it.
-    pub fn made(&self, edge: u32, panel: u32) -> Vec<u32> {
+    /// A panel, as one of its edges sees it: itself, or if it has no area, so that nothing is made of it,
+    /// those that lie along the edge beyond it.
+    pub fn panels_beyond_degenerate(&self, edge: u32, panel: u32) -> Vec<u32> {
         if self.has_area(panel) {
             return vec![panel];
         }
@@ -212,7 +214,8 @@ impl PanelSurface {
         let apart = (0..).zip(&self.edges).filter(|(_, edge)| !self.is_joined(edge));
         apart.filter_map(|(e, _)| {
             // What lies along a panel without area is on one side of it: at the rim it meets nothing.
-            let own = self.panels.row(e as usize).iter().map(|&f| self.made(e, f));
+            let own =
+                self.panels.row(e as usize).iter().map(|&f| self.panels_beyond_degenerate(e, f));
             let sides: Vec<Vec<u32>> = own.filter(|made| !made.is_empty()).collect();
             let mut panels = sides.concat();
             panels.sort_unstable();
@@ -282,7 +285,7 @@ impl PanelSurface {
         };
         let mut sides = self.sides.row(left as usize).iter().copied();
         let e = sides.find(|&e| self.edges[e as usize].ends == edge.ends)?;
-        let [left, right] = [left, right].map(|panel| self.made(e, panel));
+        let [left, right] = [left, right].map(|panel| self.panels_beyond_degenerate(e, panel));
         let fold = |(f, g): (u32, u32)| {
             let (n, m) = (self.normal(f), self.normal(g));
             libm::atan2(t.dot(n.cross(m)), n.dot(m))

@@ -2,6 +2,7 @@
 
 use super::build::{Build, allowed};
 use super::check_card::CheckRow;
+use super::offset::{Closing, Reason};
 use crate::scene::OffsetKind;
 use serde::Serialize;
 
@@ -25,42 +26,63 @@ pub struct Tighten {
     /// In order of preference: the first that suits the panels of the mesh.
     pub suggestions: Vec<PanelSuggestion>,
     /// Why there is none, or what helps if none of them suits the panels.
-    pub otherwise: &'static str,
+    pub otherwise: String,
 }
 
 impl Build {
-    /// Finds suggestions for the numbers of the check that exceed their limits.
-    pub(super) fn tighten(&self, rows: &[CheckRow]) -> Tighten {
+    /// Finds suggestions for the numbers of the check that exceed their limits, as far as they remove
+    /// the reason why the axes are `inexact`.
+    pub(super) fn tighten(
+        &self,
+        rows: &[CheckRow],
+        closing: &Closing,
+        inexact: Option<Reason>,
+    ) -> Tighten {
         let missed = |id: &str| rows.iter().find(|row| row.id == id && row.met == Some(false));
         let limit = |id: &str| missed(id).and_then(|row| row.limit);
-        let flatness = limit("panel_flatness");
         let of_offset = [limit("beam_warp"), limit("distance_error")].into_iter().flatten();
-        let of_offset = of_offset.reduce(f64::min);
-        let suggestion = |constraint, within: f64| PanelSuggestion {
-            constraint,
-            within: allowed(within) / self.mm_of_building(),
+        let of_offset = of_offset.reduce(f64::min).map(|limit| PART * limit);
+        let flatness = limit("panel_flatness");
+        let is_turned = |reason| matches!(reason, Some(Reason::PanelTurn(..)));
+        let kind = self.settings.kind;
+        let circles = is_turned(inexact) || (kind.is_none() && is_turned(closing.reason()));
+        // Panels with their corners on circles are also flat.
+        let circle = of_offset.filter(|_| circles);
+        let circle = circle.map(|within| flatness.map_or(within, |flatness| flatness.min(within)));
+        let plane = of_offset.filter(|_| inexact == Some(Reason::NotFlat));
+        let plane = [flatness, plane].into_iter().flatten().reduce(f64::min);
+        let suggestion = |constraint, within: Option<f64>| {
+            let within = allowed(within?) / self.mm_of_building();
+            Some(PanelSuggestion { constraint, within })
         };
-        let corners = self.settings.kind.is_none_or(|kind| kind == OffsetKind::Corner);
-        let mut suggestions = Vec::new();
-        if let Some(of_offset) = of_offset.filter(|_| corners) {
-            // Panels with their corners on circles are also flat.
-            suggestions.push(suggestion(
-                "circle",
-                flatness.unwrap_or(f64::INFINITY).min(PART * of_offset),
-            ));
-        }
-        suggestions.extend(flatness.map(|flatness| suggestion("plane", flatness)));
-        let otherwise = if of_offset.is_some() && !corners {
-            "Set “Measured at” to “Corners”: circular panels then make the offset exact."
+        let found = [suggestion("circle", circle), suggestion("plane", plane)];
+        let suggestions: Vec<PanelSuggestion> = found.into_iter().flatten().collect();
+        let helpless = inexact.filter(|_| of_offset.is_some() && suggestions.is_empty());
+        let otherwise = if let Some(reason) = helpless {
+            let others = kind.is_some_and(|kind| kind != OffsetKind::Corner);
+            match others && is_turned(closing.reason()) && !closing.has_openings {
+                true => {
+                    "Set “Measured at” to “Corners”: circular panels then make the offset exact."
+                }
+                false => {
+                    let reason = reason.words(&self.names);
+                    let otherwise = format!("No constraint on panels helps: {reason}.");
+                    return Tighten { suggestions, otherwise };
+                }
+            }
         } else if missed("safe_distance").is_some() {
             "Bring “Distance” nearer to 0: fewer edges then flip."
-        } else if missed("lean").is_some() {
+        } else if missed("lean").is_some() && inexact.is_some() {
             "Increase “Upright axes”: the axes then lean less."
-        } else if rows.iter().all(|row| row.met != Some(false)) {
-            "Every number is within its limit."
-        } else {
+        } else if missed("lean").is_some() {
+            "The offset is exact: how its axes lean follows from the shape and “Measured at”."
+        } else if rows.iter().any(|row| row.met == Some(false)) {
             "These panels can be made neither circular nor flat."
+        } else if rows.iter().any(|row| row.met.is_none()) {
+            "Every number that is available is within its limit."
+        } else {
+            "Every number is within its limit."
         };
-        Tighten { suggestions, otherwise }
+        Tighten { suggestions, otherwise: otherwise.to_owned() }
     }
 }

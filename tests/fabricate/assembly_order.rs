@@ -7,7 +7,7 @@ use crate::support::shared;
 use shape_up::fabricate::{Build, Stand};
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Names, Up};
+use shape_up::scene::{BuildSettings, Names, UnitsAndUp, Up};
 use std::collections::BTreeSet;
 
 fn named(mesh: &Mesh, stand: Option<&Stand>) -> Build {
@@ -17,10 +17,8 @@ fn named(mesh: &Mesh, stand: Option<&Stand>) -> Build {
         outlines_only: true,
         ..BuildSettings::default()
     };
-    let made = match stand {
-        Some(stand) => Build::standing(mesh, &own, metres(), stand),
-        None => Build::new(mesh, &own, metres()),
-    };
+    let guessed = Stand { up: UnitsAndUp::guess_up(mesh), held: Vec::new() };
+    let made = Build::standing(mesh, &own, metres(), stand.unwrap_or(&guessed));
     made.expect("it can be built")
 }
 

@@ -5,8 +5,8 @@ use super::{build, metres};
 use crate::support::grid::grid;
 use crate::support::long_or;
 use crate::support::shared;
-use shape_up::fabricate::Build;
 use shape_up::fabricate::panel::is_simple;
+use shape_up::fabricate::{Build, Stand};
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::scene::{BuildSettings, Names, OffsetKind, Product};
@@ -27,7 +27,8 @@ fn points_and_curves_have_no_panels() {
     for (mesh, what) in
         [(points, "points"), (curves, "curves"), (tets, "tetrahedra"), (none, "points")]
     {
-        let fault = Build::new(&mesh, &BuildSettings::default(), metres()).unwrap_err();
+        let fault = Build::standing(&mesh, &BuildSettings::default(), metres(), &Stand::default())
+            .unwrap_err();
         assert!(fault.0.contains(what) && fault.0.contains("expected"), "{fault}");
     }
 }
@@ -44,7 +45,7 @@ fn faces_that_run_the_other_way_are_turned() {
     let (own, found) =
         (build(&mesh, &BuildSettings::default()), build(&mixed, &BuildSettings::default()));
     assert_eq!((own.surface.turned, found.surface.turned), (0, 5));
-    assert_eq!(found.report().offset.unwrap().kind, own.report().offset.unwrap().kind);
+    assert_eq!(found.card().offset.unwrap().kind, own.card().offset.unwrap().kind);
     assert!(found.faults.is_empty());
 }
 
@@ -81,7 +82,7 @@ fn a_moebius_strip_is_cut_and_has_no_offset() {
         "{:?}",
         made.faults
     );
-    assert!(made.report().check[0].value.is_none());
+    assert!(made.card().check[0].value.is_none());
 }
 
 #[test]
@@ -155,7 +156,7 @@ fn settings_out_of_range_are_named() {
         (BuildSettings { distance: Some(0.0), ..BuildSettings::default() }, "build.distance"),
         (BuildSettings { margin: 200.0, ..BuildSettings::default() }, "build.margin"),
     ] {
-        let fault = Build::new(&mesh, &settings, metres()).unwrap_err();
+        let fault = Build::standing(&mesh, &settings, metres(), &Stand::default()).unwrap_err();
         assert!(fault.0.starts_with(key) && fault.0.contains("expected"), "{fault}");
     }
 }
@@ -176,7 +177,7 @@ fn real_and_awkward_meshes_are_built_without_a_panic() {
                 continue;
             }
             let own = BuildSettings { kind: Some(OffsetKind::Face), ..BuildSettings::default() };
-            if let Ok(made) = Build::new(&read.mesh, &own, metres()) {
+            if let Ok(made) = Build::standing(&read.mesh, &own, metres(), &Stand::default()) {
                 let text = serde_json::to_string(&made.report()).unwrap();
                 assert!(!text.contains("NaN"), "{}", path.display());
                 assert!(super::without_nan(&made));
@@ -243,7 +244,10 @@ fn an_edge_of_three_panels_has_the_names_of_the_others_and_is_mentioned() {
     let made = build(&mesh, &settings);
     let engraved = |build: &Build, k: usize| build.parts[k].engraved.len();
     // The name of each panel, and those of the two others.
-    assert_eq!((made.dropped_names, made.report().dropped_holes), (0, 6));
+    assert_eq!((made.dropped_names, made.dropped_holes), (0, 0));
+    // However long the edge, no two of them lie opposite each other.
+    let words = made.words(&made.report()).warnings;
+    assert_eq!(words, ["6 holes are left out where panels do not meet one to one."]);
     assert!((0..3).all(|k| engraved(&made, k) > 5));
     let paper = build(&mesh, &BuildSettings { product: Product::Paper, ..settings });
     assert_eq!(paper.report().paper.unwrap().without_tab, ["P0/P1/P2"]);
@@ -303,7 +307,7 @@ fn a_ridge_that_shrank_to_a_point_has_no_fold_and_no_beam() {
     assert!(fold.iter().all(|fold| (fold - hip.to_degrees()).abs() < 1e-9), "{fold:?}");
     assert!(report.no_least_joint.is_empty() && report.least_joint_mm[1].is_some(), "{report:?}");
     // No beam has an end that stands on the point with another height than its hip.
-    let offset = report.offset.expect("an outside");
+    let offset = report.card.offset.expect("an outside");
     assert!(offset.exact && offset.distance_error_mm < 1e-3, "{offset:?}");
     assert_eq!(report.frame.expect("fins").without_prism, 0);
 }
@@ -378,7 +382,7 @@ fn faces_that_are_left_as_they_are_are_mentioned() {
     let report = made.report();
     assert_eq!((report.panels, report.placed), (1, 1));
     let said = |words: &[String]| words.iter().any(|words| words.contains("1 face has the same"));
-    assert!(said(&report.problems), "{:?}", report.problems);
+    assert!(said(&report.card.problems), "{:?}", report.card.problems);
 }
 
 #[test]
@@ -397,14 +401,23 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
     }
     let mut open = Mesh { faces: Ragged::new(), ..reversed.clone() };
     reversed.faces.iter().skip(1).for_each(|face| open.faces.push(face));
+    let two = reversed.clone();
     // A smaller cube beside it, which its volume alone does not show.
     let mut beside = hollow.clone();
     beside.positions[8..].iter_mut().for_each(|point| point[0] += 5.0);
     let all = [(cube, false), (reversed, true), (hollow, false), (open, false), (beside, true)];
     for (mesh, is_inside_out) in all {
-        let problems = build(&mesh, &BuildSettings::default()).report().problems;
+        let problems = build(&mesh, &BuildSettings::default()).card().problems;
         assert_eq!(problems.iter().any(|words| words.contains("inwards")), is_inside_out);
     }
+    // Two that both face inwards are turned by one press.
+    let mut both = two.clone();
+    both.positions.extend(two.positions.iter().map(|[x, y, z]| [x + 5.0, *y, *z]));
+    for face in two.faces.iter() {
+        both.faces.push(&face.iter().map(|v| v + 8).collect::<Vec<_>>());
+    }
+    let problems = build(&both, &BuildSettings::default()).card().problems;
+    assert!(problems[0].ends_with("apply Flip faces, in Edit mesh."), "{problems:?}");
 }
 
 #[test]

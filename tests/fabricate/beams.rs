@@ -5,7 +5,7 @@ use super::{build, dxf, length};
 use crate::support::grid::grid;
 use shape_up::fabricate::beam::{EndCut, cut_back, end_cuts, node_types, nodes};
 use shape_up::fabricate::sheet::{Inscription, NamePlace, label, strokes};
-use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildFile, LengthInMetres, PanelSurface};
+use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildFile, LengthInMetres, PanelSurface, Stand};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
@@ -187,7 +187,7 @@ fn fins_are_on_the_sheets_and_in_lists() {
 #[test]
 fn beams_state_the_unit_and_the_up_axis_of_the_model() {
     let feet = LengthInMetres { symbol: "ft".to_owned(), metres: 0.3048 };
-    let made = Build::new(&revolution(5, 4), &settings(), feet).unwrap();
+    let made = Build::standing(&revolution(5, 4), &settings(), feet, &Stand::default()).unwrap();
     for up in [Up::Y, Up::Z] {
         let files = made.files(up == Up::Z);
         let beams = files.iter().find(|file| file.name == "beams.obj").unwrap();
@@ -253,7 +253,7 @@ fn without_an_outside_there_are_no_fins_and_it_says_so() {
     let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };
     [[0, 1, 2], [0, 1, 3], [0, 1, 4]].iter().for_each(|face| mesh.faces.push(face));
     let made = build(&mesh, &settings());
-    assert!(made.parts.is_empty() && made.report().problems[0].contains("beams are not available"));
+    assert!(made.parts.is_empty() && made.card().problems[0].contains("beams are not available"));
     let names: Vec<_> = made.files(true).into_iter().map(|file| file.name).collect();
     assert_eq!(names, ["edges.csv", "nodes.csv", "summary.csv"]);
 }

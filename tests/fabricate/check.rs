@@ -25,7 +25,7 @@ fn row(rows: &[CheckRow], id: &str) -> CheckRow {
 fn what_fails_is_listed_and_the_worst_of_it_is_named() {
     let own = BuildSettings { kind: Some(OffsetKind::Corner), ..BuildSettings::default() };
     let made = build(&wavy(), &own);
-    let check = made.report().check;
+    let check = made.card().check;
     let failed = made.failed();
     let flatness = row(&check, "panel_flatness");
     assert_eq!(flatness.met, Some(false));
@@ -47,14 +47,14 @@ fn what_fails_is_listed_and_the_worst_of_it_is_named() {
     let limits = CheckLimits { warp: 1e9, distance: 1e9, lean: 180.0, flatness: 1e9 };
     let made = build(&wavy(), &BuildSettings { limits, ..own });
     assert_eq!(made.failed(), shape_up::fabricate::Failed::default());
-    assert!(made.report().tighten.suggestions.is_empty());
+    assert!(made.card().tighten.suggestions.is_empty());
 }
 
 #[test]
 fn a_limit_of_0_is_suggested_as_what_meets_it_and_not_as_0() {
     let limits = CheckLimits { warp: 0.0, distance: 0.0, flatness: 0.0, lean: 20.0 };
     let tighten =
-        build(&wavy(), &BuildSettings { limits, ..BuildSettings::default() }).report().tighten;
+        build(&wavy(), &BuildSettings { limits, ..BuildSettings::default() }).card().tighten;
     assert!(tighten.suggestions.len() == 2, "{tighten:?}");
     // A scene refuses a tolerance of 0.
     assert!(tighten.suggestions.iter().all(|one| one.within > 0.0), "{tighten:?}");
@@ -63,14 +63,14 @@ fn a_limit_of_0_is_suggested_as_what_meets_it_and_not_as_0() {
 #[test]
 fn no_lean_is_judged_where_all_nodes_are_at_the_rim() {
     let strip = grid(6, 1, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * i)]);
-    let lean = row(&build(&strip, &BuildSettings::default()).report().check, "lean");
+    let lean = row(&build(&strip, &BuildSettings::default()).card().check, "lean");
     assert_eq!((lean.value, lean.met, lean.failed), (None, None, 0));
 }
 
 #[test]
 fn the_lean_that_is_judged_is_that_of_an_inner_node() {
     let made = build(&wavy(), &BuildSettings::default());
-    let lean = row(&made.report().check, "lean");
+    let lean = row(&made.card().check, "lean");
     let (axes, _) = made.offset.as_ref().unwrap();
     let angle = |v: usize| {
         let (axis, normal) = (axes.axes[v], made.surface.normals[v]);
@@ -90,10 +90,10 @@ fn the_lean_that_is_judged_is_that_of_an_inner_node() {
 fn past_the_safe_distance_the_edges_that_turn_round_fail() {
     let far = |distance| BuildSettings { distance: Some(distance), ..BuildSettings::default() };
     let mesh = revolution(9, 7);
-    let safe = build(&mesh, &far(-0.1)).report().offset.unwrap().safe_distance_mm[0].unwrap();
+    let safe = build(&mesh, &far(-0.1)).card().offset.unwrap().safe_distance_mm[0].unwrap();
     for (part, turned) in [(0.999, false), (1.001, true)] {
         let made = build(&mesh, &far(1e-3 * part * safe));
-        let check = row(&made.report().check, "safe_distance");
+        let check = row(&made.card().check, "safe_distance");
         assert_eq!((check.met, check.failed > 0), (Some(!turned), turned));
         let (axes, layer) = (&made.offset.as_ref().unwrap().0, made.layer().unwrap());
         for (e, edge) in (0..).zip(&made.surface.edges) {
@@ -122,14 +122,44 @@ fn moving_the_layer_gives_the_check_of_that_distance() {
 fn circles_are_asked_for_where_corners_keep_the_distance_and_planes_for_flatness() {
     let kinds = |kind| {
         let own = BuildSettings { kind, ..BuildSettings::default() };
-        let tighten = build(&wavy(), &own).report().tighten;
+        let tighten = build(&wavy(), &own).card().tighten;
         tighten.suggestions.into_iter().map(|one| one.constraint).collect::<Vec<_>>()
     };
     assert_eq!(kinds(None), ["circle", "plane"]);
     assert_eq!(kinds(Some(OffsetKind::Corner)), ["circle", "plane"]);
     assert_eq!(kinds(Some(OffsetKind::Face)), ["plane"]);
     let all_met = build(&revolution(9, 7), &BuildSettings::default()).report();
-    assert!(all_met.tighten.suggestions.is_empty());
+    assert!(all_met.card.tighten.suggestions.is_empty());
+}
+
+/// What is said where no constraint is suggested.
+fn otherwise(mesh: &Mesh, own: &BuildSettings) -> String {
+    let tighten = build(mesh, own).card().tighten;
+    assert!(tighten.suggestions.is_empty(), "{tighten:?}");
+    tighten.otherwise
+}
+
+#[test]
+fn nothing_is_suggested_that_does_not_remove_the_reason() {
+    let of = |kind| BuildSettings { kind, ..BuildSettings::default() };
+    // Triangles are circular and flat, and axes do not close around them.
+    let wavy = wavy();
+    let mut triangles = Mesh { positions: wavy.positions.clone(), ..Mesh::default() };
+    for face in wavy.faces.iter() {
+        triangles.faces.push(&face[..3]);
+        triangles.faces.push(&[face[2], face[3], face[0]]);
+    }
+    for kind in [None, Some(OffsetKind::Face), Some(OffsetKind::Corner)] {
+        let words = otherwise(&triangles, &of(kind));
+        assert!(words.starts_with("No constraint on panels helps: "), "{words}");
+    }
+    // Exact axes do not follow the surface, however upright they are asked for.
+    let mut low = cube();
+    low.positions.iter_mut().for_each(|[x, y, _]| (*x, *y) = (10.0 * *x, 10.0 * *y));
+    let words = otherwise(&low, &of(Some(OffsetKind::Face)));
+    assert!(words.starts_with("The offset is exact"), "{words}");
+    let words = otherwise(&crate::support::grid::wall_on_floor(), &of(None));
+    assert_eq!(words, "Every number that is available is within its limit.");
 }
 
 #[test]
@@ -160,7 +190,7 @@ fn sides_that_fail_are_on_the_sheet_with_their_panel() {
 /// Why the offset of this kind is not exact.
 fn why_not(mesh: &Mesh, kind: OffsetKind) -> String {
     let made = build(mesh, &BuildSettings { kind: Some(kind), ..BuildSettings::default() });
-    made.report().offset.unwrap().why_not
+    made.card().offset.unwrap().why_not
 }
 
 #[test]
@@ -181,15 +211,15 @@ fn the_kind_that_meets_all_limits_is_the_default_whatever_the_size() {
         let bytes = std::fs::read(path).unwrap();
         let mesh = shape_up::mesh::read(name, &bytes).unwrap().mesh;
         let report = build(&mesh, &BuildSettings::default()).report();
-        assert_eq!(report.offset.unwrap().kind, OffsetKind::Face, "{name}");
-        assert!(report.check.iter().all(|row| row.met == Some(true)), "{name}");
+        assert_eq!(report.card.offset.unwrap().kind, OffsetKind::Face, "{name}");
+        assert!(report.card.check.iter().all(|row| row.met == Some(true)), "{name}");
     }
     // Where both meet the limits exactly, it is that of panels at every size.
     for size in [0.1, 0.3, 0.7, 1.0, 3.0] {
         let mut mesh = revolution(9, 7);
         mesh.positions.iter_mut().flatten().for_each(|x| *x *= size);
         let report = build(&mesh, &BuildSettings::default()).report();
-        assert_eq!(report.offset.unwrap().kind, OffsetKind::Face, "{size}");
+        assert_eq!(report.card.offset.unwrap().kind, OffsetKind::Face, "{size}");
     }
 }
 
@@ -199,12 +229,12 @@ fn what_is_exact_but_for_rounding_meets_limits_of_0() {
     for kind in [OffsetKind::Face, OffsetKind::Corner] {
         let own = BuildSettings { kind: Some(kind), limits, ..BuildSettings::default() };
         let report = build(&revolution(9, 7), &own).report();
-        assert!(report.offset.unwrap().exact, "{kind:?}");
+        assert!(report.card.offset.unwrap().exact, "{kind:?}");
         for id in ["beam_warp", "distance_error"] {
-            let row = row(&report.check, id);
+            let row = row(&report.card.check, id);
             assert_eq!((row.met, row.failed), (Some(true), 0), "{row:?}");
         }
     }
     let report = build(&wavy(), &BuildSettings { limits, ..BuildSettings::default() }).report();
-    assert_eq!(row(&report.check, "beam_warp").met, Some(false));
+    assert_eq!(row(&report.card.check, "beam_warp").met, Some(false));
 }

@@ -162,7 +162,7 @@ fn material_that_is_too_thin_for_slots_gets_none_and_the_report_says_so() {
     {
         let made = build(&revolution(5, 4), &own);
         assert!(made.discs.is_empty() && made.parts.iter().all(|part| part.outline.len() == 4));
-        let problems = made.report().problems;
+        let problems = made.card().problems;
         assert!(problems.iter().any(|words| words.contains("slots of node discs")), "{problems:?}");
     }
 }

@@ -3,9 +3,9 @@
 use super::identities::revolution;
 use super::{build, metres};
 use crate::support::grid::grid;
-use shape_up::fabricate::Build;
 use shape_up::fabricate::file::Drawing;
 use shape_up::fabricate::sheet::{Role, strokes, text_width};
+use shape_up::fabricate::{Build, Stand};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::scene::{BuildSettings, Product};
 use std::collections::BTreeSet;
@@ -42,9 +42,8 @@ fn a_roof_is_seen_from_above_with_each_name_on_its_panel() {
     let mesh = grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
     let made = build(&mesh, &BuildSettings::default());
     let key = made.key(true);
-    let [drawing] = &key.drawings[..] else { panic!("{} drawings", key.drawings.len()) };
+    let [drawing] = &key[..] else { panic!("{} drawings", key.len()) };
     assert_eq!(drawing.title, "KEY 1/1, NOT TO BE CUT, SEEN FROM ABOVE");
-    assert!(key.unnamed.is_empty());
     let found = names(drawing);
     assert_eq!(found.len(), mesh.faces.len());
     // One scale and one offset take the middles of all panels to their names.
@@ -77,18 +76,17 @@ fn a_roof_is_seen_from_above_with_each_name_on_its_panel() {
 fn what_is_not_seen_from_above_is_named_from_the_sides() {
     let made = build(&cuboid(0.0, 1.0), &BuildSettings::default());
     let key = made.key(true);
-    assert!(key.unnamed.is_empty(), "{:?}", key.unnamed);
-    assert_eq!(all_names(&key.drawings), made.names.iter().cloned().collect());
+    assert_eq!(all_names(&key), made.names.iter().cloned().collect());
     // The bottom is seen from nowhere else; a wall is on the side that is named for it.
-    assert_eq!(names(&key.drawings[0]).len(), 1);
+    assert_eq!(names(&key[0]).len(), 1);
     let from = |title: &str| {
-        let drawing = key.drawings.iter().find(|drawing| drawing.title.ends_with(title));
+        let drawing = key.iter().find(|drawing| drawing.title.ends_with(title));
         drawing.map(|drawing| all_names(std::slice::from_ref(drawing)))
     };
     assert_eq!(from("BELOW"), Some(BTreeSet::from(["P0".to_owned()])));
     let [east, west] = [("+X", "P5"), ("-X", "P4")];
     for (side, wall) in [east, west] {
-        let views = key.drawings.iter().filter(|drawing| drawing.title.contains(side));
+        let views = key.iter().filter(|drawing| drawing.title.contains(side));
         for drawing in views {
             assert!(names(drawing).iter().any(|(name, _)| name == wall), "{}", drawing.title);
         }
@@ -103,15 +101,31 @@ fn what_is_hidden_from_all_sides_is_said() {
     mesh.positions.extend(inner.positions);
     mesh.faces = mesh.faces.iter().map(<[u32]>::to_vec).chain(faces).collect::<Ragged>();
     let key = build(&mesh, &BuildSettings::default()).key(true);
-    assert_eq!(key.unnamed, ["P6", "P7", "P8", "P9", "P10", "P11"]);
-    assert_eq!(all_names(&key.drawings).len(), 6);
-    assert!(key.drawings[0].title.ends_with(", WITHOUT 6 NAMES THAT NO VIEW SHOWS"));
+    assert!(
+        ["P6", "P7", "P8", "P9", "P10", "P11"].iter().all(|own| !all_names(&key).contains(*own))
+    );
+    assert_eq!(all_names(&key).len(), 6);
+    assert!(key[0].title.ends_with(", WITHOUT 6 NAMES THAT NO VIEW SHOWS"));
     // On every page, however narrow.
-    for Drawing { lines, size: [width, _], .. } in &key.drawings {
+    for Drawing { lines, size: [width, _], .. } in &key {
         assert!(
             lines.iter().flat_map(|line| &line.points).all(|[x, _]| (0.0..=*width).contains(x))
         );
     }
+}
+
+#[test]
+fn a_panel_too_small_for_the_page_of_the_others_is_named_on_a_larger_one() {
+    // Quads of 1 m and one of 0.3 m beside them.
+    let mut mesh = grid(20, 20, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let first = mesh.positions.len() as u32;
+    let corners = [[0.0, 0.0], [0.3, 0.0], [0.3, 0.3], [0.0, 0.3]];
+    mesh.positions.extend(corners.map(|[x, y]| [20.1 + x, y, 0.0]));
+    mesh.faces.push(&[first, first + 1, first + 2, first + 3]);
+    let key = build(&mesh, &BuildSettings::default()).key(true);
+    let titles: Vec<&str> = key.iter().map(|drawing| &*drawing.title).collect();
+    assert_eq!(titles, ["KEY 1/1, NOT TO BE CUT, SEEN FROM ABOVE"]);
+    assert!(all_names(&key).contains("P400") && key[0].size[0] < 421.0);
 }
 
 #[test]
@@ -122,12 +136,8 @@ fn what_is_not_made_has_no_mark() {
     for product in [Product::Panels, Product::Fins, Product::Paper] {
         let made = build(&mesh, &BuildSettings { product, ..BuildSettings::default() });
         let key = made.key(true);
-        assert!(
-            !made.not_cut.is_empty() && key.unnamed.is_empty(),
-            "{product:?} {:?}",
-            key.unnamed
-        );
-        assert_eq!(key.drawings[0].title, "KEY 1/1, NOT TO BE CUT, SEEN FROM ABOVE");
+        assert!(!made.not_cut.is_empty(), "{product:?}");
+        assert_eq!(key[0].title, "KEY 1/1, NOT TO BE CUT, SEEN FROM ABOVE");
     }
 }
 
@@ -145,25 +155,21 @@ fn a_panel_that_is_cut_along_its_crease_has_the_names_of_both_pieces() {
     };
     let made = build(&mesh, &settings);
     assert_eq!((made.parts.len(), made.layout.too_large.len()), (2, 0));
-    assert_eq!(all_names(&made.key(true).drawings), BTreeSet::from(["S1/S2".to_owned()]));
+    assert_eq!(all_names(&made.key(true)), BTreeSet::from(["S1/S2".to_owned()]));
 }
 
 #[test]
 fn beams_and_nodes_are_named_and_the_axes_are_those_of_the_file() {
     let settings = BuildSettings { product: Product::Fins, ..BuildSettings::default() };
-    let made = Build::new(&revolution(5, 4), &settings, metres()).unwrap();
+    let made = Build::standing(&revolution(5, 4), &settings, metres(), &Stand::default()).unwrap();
     for z_up in [true, false] {
         let key = made.key(z_up);
-        let found = all_names(&key.drawings);
+        let found = all_names(&key);
         let beams = found.iter().filter(|name| name.starts_with('B')).count();
         let nodes = found.iter().filter(|name| name.starts_with('N')).count();
-        assert_eq!(
-            beams + nodes + key.unnamed.len(),
-            made.surface.edges.len() + made.surface.positions.len()
-        );
-        assert!(key.unnamed.is_empty(), "{:?}", key.unnamed);
+        assert_eq!(beams + nodes, made.surface.edges.len() + made.surface.positions.len());
         let other = if z_up { "Z" } else { "Y" };
-        assert!(key.drawings.iter().all(|drawing| !drawing.title.contains(&format!("+{other}"))));
+        assert!(key.iter().all(|drawing| !drawing.title.contains(&format!("+{other}"))));
     }
 }
 
@@ -174,7 +180,7 @@ fn a_piece_of_paper_is_named_on_each_of_its_panels() {
     let made = build(&revolution(6, 5), &settings);
     let pieces: BTreeSet<String> = made.parts.iter().map(|part| part.name.clone()).collect();
     let key = made.key(true);
-    assert_eq!(all_names(&key.drawings), pieces);
+    assert_eq!(all_names(&key), pieces);
     let files: Vec<String> = made.files(true).into_iter().map(|file| file.name).collect();
     assert!(files.contains(&"key.pdf".to_owned()) && files.contains(&"key-1.svg".to_owned()));
 }
@@ -187,7 +193,7 @@ fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
         (
             Product::Fins,
             false,
-            "NAME: FROM ITS FIRST NODE, TOP OUTWARDS, EDGE OF THE MODEL BELOW IT, ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
+            "FIN NAMES READ FROM FIRST TO SECOND NODE, OUTSIDE UP, MODEL EDGE AT THE BOTTOM, ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
         ),
         (Product::Paper, false, "SEEN FROM OUTSIDE"),
         (Product::Paper, true, "SEEN FROM INSIDE, MIRRORED"),

@@ -26,7 +26,7 @@ mod space;
 mod words;
 mod workshop;
 
-use shape_up::fabricate::{Build, LengthInMetres};
+use shape_up::fabricate::{Build, LengthInMetres, Stand};
 use shape_up::mesh::Mesh;
 use shape_up::scene::BuildSettings;
 
@@ -52,7 +52,7 @@ pub(crate) fn metres() -> LengthInMetres {
 
 /// A build of a mesh in metres.
 pub(crate) fn build(mesh: &Mesh, settings: &BuildSettings) -> Build {
-    Build::new(mesh, settings, metres()).expect("it can be built")
+    Build::standing(mesh, settings, metres(), &Stand::default()).expect("it can be built")
 }
 
 /// Length of a vector in the plane.

@@ -34,9 +34,9 @@ fn a_panel_without_area_leaves_the_offset_of_the_others_exact() {
         let own = BuildSettings { kind: Some(OffsetKind::Face), ..BuildSettings::default() };
         let mesh = with_a_panel_without_area(revolution(9, 7), [32, 33], share);
         let report = build(&mesh, &own).report();
-        assert_eq!(report.problems, Vec::<String>::new(), "{share}");
+        assert_eq!(report.card.problems, Vec::<String>::new(), "{share}");
         assert_eq!(report.not_cut, ["P63: it has no area"]);
-        assert!(report.offset.unwrap().exact, "{share}");
+        assert!(report.card.offset.unwrap().exact, "{share}");
     }
 }
 
@@ -53,9 +53,9 @@ fn no_panel_is_told_to_meet_one_that_is_not_there() {
     let [left, right] = expected.surface.edges[edge(&expected, [a, b]) as usize].panels;
     let (left, right) = (left.unwrap(), right.unwrap());
     let c = plain.positions.len() as u32;
-    assert_eq!(made.surface.met(edge(&made, [a, b]), right), [left]);
+    assert_eq!(made.surface.neighbours_across(edge(&made, [a, b]), right), [left]);
     for ends in [[a, c], [b, c]] {
-        assert_eq!(made.surface.met(edge(&made, ends), left), [right]);
+        assert_eq!(made.surface.neighbours_across(edge(&made, ends), left), [right]);
     }
     // What is written on the panel is the same.
     let right = right as usize;
@@ -80,7 +80,7 @@ fn panels_beside_one_without_area_meet_each_other_in_folds_joints_holes_paper_an
     assert_eq!(report.least_joint_mm[0], None);
     assert!((report.least_joint_mm[1].expect("inside") - 6.0).abs() < 1e-9, "{report:?}");
     // Two on the side of the west, and two on each of the three sides of the east.
-    assert_eq!((report.holes, report.dropped_holes), (0, 8));
+    assert_eq!((report.holes, report.dropped_holes, report.unpaired_holes), (0, 0, 8));
     let edges = made.files(true).into_iter().find(|file| file.name == "edges.csv").unwrap().text;
     let of_ridge = ["B0-1", "B0-2", "B2-3", "B1-3", "B1-2"];
     for line in of_ridge.map(|name| edges.lines().find(|line| line.starts_with(name)).unwrap()) {

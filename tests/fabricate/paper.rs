@@ -5,8 +5,8 @@ use super::identities::revolution;
 use crate::support::grid::grid;
 use crate::support::long_or;
 use crate::support::shared;
-use shape_up::fabricate::Build;
 use shape_up::fabricate::paper::{JointKind, PaperModel};
+use shape_up::fabricate::{Build, Stand};
 use shape_up::math::plane::{Point2, area, bounds};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, Fold, Pieces, Product};
@@ -346,7 +346,7 @@ fn what_cannot_be_folded_is_told_and_the_rest_is_made() {
         triangles.faces.push(&[face[0], face[2], face[3]]);
     }
     let made = build(&triangles, &settings(Pieces::Strips));
-    assert!(made.report().problems.iter().any(|problem| problem.contains("nets are made instead")));
+    assert!(made.card().problems.iter().any(|problem| problem.contains("nets are made instead")));
     assert!(made.report().placed > 0);
     // A panel that crosses itself, a sound one beside it, and one without area.
     let positions =
@@ -379,7 +379,9 @@ fn real_and_awkward_meshes_are_folded_without_a_panic() {
             }
             for product in [Product::Fins, Product::Paper] {
                 let own = BuildSettings { product, ..settings(Pieces::Strips) };
-                if let Ok(made) = Build::new(&read.mesh, &own, super::metres()) {
+                if let Ok(made) =
+                    Build::standing(&read.mesh, &own, super::metres(), &Stand::default())
+                {
                     let text = serde_json::to_string(&made.report()).unwrap();
                     assert!(!text.contains("NaN"), "{}", path.display());
                     assert!(super::without_nan(&made));

@@ -56,6 +56,13 @@ fn names_lie_on_their_panels_and_their_tabs() {
 }
 
 #[test]
+fn pieces_with_small_names_are_counted_and_not_their_panels() {
+    let own = BuildSettings { scale: 80.0, ..settings(Pieces::Nets) };
+    let made = build(&revolution(9, 7), &own);
+    assert!(made.small_names > 0 && made.small_names <= made.parts.len(), "{}", made.small_names);
+}
+
+#[test]
 fn no_letter_is_cut_through() {
     for (name, mesh, pieces) in cases() {
         for print_inside in [false, true] {

@@ -62,7 +62,7 @@ fn more_pages_than_anybody_would_glue_are_not_made() {
     let own = BuildSettings { sheet, scale: large, page: Page::A4, ..settings(Pieces::Nets) };
     let made = build(&mesh, &own);
     let all = |made: &Build| made.layout.sheets.len();
-    let words = |made: &Build| made.report().problems.concat();
+    let words = |made: &Build| made.card().problems.concat();
     assert!(all(&made) >= 15, "{}", all(&made));
     assert!(words(&made).contains("pages"), "{}", words(&made));
     assert_eq!(printed(&made).len(), all(&made));

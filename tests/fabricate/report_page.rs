@@ -79,7 +79,7 @@ fn its_numbers_are_those_of_the_card() {
     let page = page(&revolution(9, 7), &BuildSettings::default());
     let words = words(&parsed(&page));
     let report = made.report();
-    for row in &report.check {
+    for row in &report.card.check {
         let at = words.iter().position(|line| line == row.label).expect("every row is there");
         let [value, limit, state] = [1, 2, 3].map(|k| &words[at + k]);
         let number = |words: &str| words.split([' ', '\u{b0}']).next().unwrap().parse::<f64>();
@@ -99,6 +99,14 @@ fn its_numbers_are_those_of_the_card() {
     }
     let sheets = format!("{} of 420 x 297 mm", report.sheets);
     assert!(words.contains(&sheets), "{words:?}");
+}
+
+#[test]
+fn without_a_material_its_first_line_is_a_sentence_too() {
+    let own = BuildSettings { material: String::new(), ..BuildSettings::default() };
+    let page = page(&revolution(9, 7), &own);
+    let words = words(&parsed(&page));
+    assert!(words.iter().any(|line| line.starts_with("At 1:")), "{words:?}");
 }
 
 #[test]

@@ -50,7 +50,34 @@ fn sheets_have_their_real_size_beside_the_shape() {
     assert!((found - expected).abs() < 1e-6 * expected, "{found} {expected}");
     let right = made.surface.positions.iter().map(|p| p.x + made.surface.centre.x);
     let right = right.fold(f64::NEG_INFINITY, f64::max);
-    assert!(cut.iter().flat_map(|part| &part.points).all(|p| p[0] > right && p[2] == 0.0));
+    assert!(cut.iter().flat_map(|part| &part.points).all(|p| p[0] > right));
+}
+
+#[test]
+fn sheets_lie_as_low_as_the_shape_and_their_lines_are_cut_once() {
+    let mut mesh = crate::support::grid::grid(3, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    mesh.positions.iter_mut().for_each(|[_, _, z]| *z += 408.0);
+    let own = BuildSettings { gap: 0.0, joint: 0.0, ..BuildSettings::default() };
+    let made = build(&mesh, &own);
+    let parts = made.spatial_parts(true);
+    let cut = on(&parts, "Sheets CUT");
+    let points = || cut.iter().flat_map(|part| &part.points);
+    let low = parts.iter().filter(|part| !part.layer.starts_with("Sheets"));
+    let low = low.flat_map(|part| &part.points).map(|p| p[2]).fold(f64::INFINITY, f64::min);
+    assert!((low - 408.0).abs() < 1.0 && points().all(|p| p[2] == low), "{low}");
+    let length: f64 = (cut.iter())
+        .map(|part| {
+            let closing = part.points.first().filter(|_| part.closed);
+            let around: Vec<_> = part.points.iter().chain(closing).collect();
+            let side = |ends: &[&[f64; 3]]| {
+                let [x, y] = [0, 1].map(|k| 1e3 * (ends[1][k] - ends[0][k]));
+                (x * x + y * y).sqrt()
+            };
+            around.windows(2).map(side).sum::<f64>()
+        })
+        .sum();
+    let expected = made.report().cut_length_mm;
+    assert!((length - expected).abs() < 1e-6 * expected, "{length} {expected}");
 }
 
 #[test]

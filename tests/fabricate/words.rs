@@ -40,12 +40,14 @@ fn parts_on_sheets_are_counted_with_what_is_left_out() {
 
 #[test]
 fn fins_and_paper_have_their_own_nouns() {
-    for (product, noun, more) in
-        [(Product::Fins, " fins on ", "of nodes within"), (Product::Paper, " piece on ", " tabs")]
-    {
+    for (product, noun, more) in [
+        (Product::Fins, " fins on ", "of nodes within"),
+        (Product::Paper, " piece on ", " % covered"),
+    ] {
         let made = build(&wavy(), &BuildSettings { product, ..BuildSettings::default() });
         let words = made.words(&made.report());
         assert!(words.sheets.contains(noun) && words.sheets.contains(more), "{}", words.sheets);
+        assert!(!words.sheets.contains(" 0 tabs"), "{}", words.sheets);
         assert!(words.joint.is_empty());
     }
 }
@@ -193,7 +195,7 @@ fn names_by_rows_where_there_is_no_grid_are_said_to_be_numbers() {
     let own = |names| BuildSettings { names, ..BuildSettings::default() };
     let said = |mesh: &Mesh, names| {
         let report = build(mesh, &own(names)).report();
-        report.problems.iter().any(|words| words.contains("rows"))
+        report.card.problems.iter().any(|words| words.contains("rows"))
     };
     assert!(said(&super::beams::cube(), Names::Rows));
     assert!(!said(&super::beams::cube(), Names::Index));

@@ -30,7 +30,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let report = build.report();
     let said = build.words(&report);
     if asked.out.is_some() && report.placed == 0 {
-        let why = report.problems.iter().chain(&said.warnings).cloned().collect::<Vec<_>>();
+        let why = report.card.problems.iter().chain(&said.warnings).cloned().collect::<Vec<_>>();
         return Err(at(format!("nothing can be cut: {}", why.join(" "))));
     }
     let _made = asked.out.as_deref().map(MadeFolders::make).transpose()?;
@@ -125,10 +125,10 @@ fn words(report: &BuildReport, said: &BuildWords, remarks: &[String]) -> String 
     let CardWords { check, offset, .. } = &said.card;
     let sentences = [offset, &said.joint].into_iter().filter(|words| !words.is_empty());
     lines.extend(sentences.cloned());
-    lines.extend(report.check.iter().zip(check).map(check_line));
+    lines.extend(report.card.check.iter().zip(check).map(check_line));
     lines.extend(said.advice.iter().map(advice_line));
     lines.extend(said.warnings.iter().cloned());
-    lines.extend(report.problems.iter().map(|problem| format!("problem: {problem}")));
+    lines.extend(report.card.problems.iter().map(|problem| format!("problem: {problem}")));
     lines.join("\n") + "\n" + &output::notes(remarks)
 }
 

@@ -17,8 +17,8 @@ const SHORTEST: f64 = 0.2;
 /// What is cut of each outline, as open lines, if something of it is cut already with those before it
 /// or with itself; else none.
 fn cut_once<'a>(outlines: impl Iterator<Item = &'a [Point2]>) -> Vec<Option<Vec<Vec<Point2>>>> {
-    let mut known = Known::default();
-    outlines.enumerate().map(|(number, outline)| known.add(number, outline)).collect()
+    let mut lines = CutLines::default();
+    outlines.enumerate().map(|(number, outline)| lines.add(number, outline)).collect()
 }
 
 /// The length of what outlines share with others or with themselves, in mm.
@@ -36,7 +36,7 @@ fn length_of(lines: &[Vec<Point2>]) -> f64 {
 
 /// The lines so far.
 #[derive(Default)]
-struct Known {
+struct CutLines {
     lines: Vec<Line>,
     boxes: Boxes,
 }
@@ -47,7 +47,7 @@ struct Line {
     of: [usize; 2],
 }
 
-impl Known {
+impl CutLines {
     fn add(&mut self, number: usize, outline: &[Point2]) -> Option<Vec<Vec<Point2>>> {
         let n = outline.len();
         let mut runs: Vec<Vec<Point2>> = Vec::new();
@@ -57,7 +57,7 @@ impl Known {
             let is_beside = |of: [usize; 2]| {
                 of[0] == number && [k + 1, k + n - 1].iter().any(|other| of[1] == other % n)
             };
-            for [p, q] in self.rest(side, is_beside, &mut is_shared) {
+            for [p, q] in self.uncut(side, is_beside, &mut is_shared) {
                 self.boxes.insert(self.lines.len() as u32, bounds([p, q]));
                 self.lines.push(Line { ends: [p, q], of: [number, k] });
                 match runs.last_mut().filter(|run| run.last() == Some(&p)) {
@@ -79,7 +79,7 @@ impl Known {
     }
 
     /// What of a side is not yet cut.
-    fn rest(
+    fn uncut(
         &self,
         [p, q]: [Point2; 2],
         is_beside: impl Fn([usize; 2]) -> bool,

@@ -13,50 +13,51 @@ mod view;
 use super::build::{Build, CutPanel, beam_name, node_name};
 use super::file::Drawing;
 use super::sheet::CutPart;
-use super::sight::{Sight, compass, from_above, from_camera};
+use super::sight::{ViewAxes, compass, from_above, from_camera};
 use crate::math::Vec3;
 use crate::math::plane::{Point2, rotated};
 use crate::scene::Product;
+use page::Page;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
-use view::{Element, Mark, View};
-
-/// The key drawings of a build.
-#[derive(Clone, Debug, Default)]
-pub struct Key {
-    /// The drawings, from the most important on: the first is from above.
-    pub drawings: Vec<Drawing>,
-    /// The names that none of them shows: of what is hidden from all sides, or too small.
-    pub unnamed: Vec<String>,
-}
+use view::{Element, Mark, Spot, View};
 
 /// Tilt of the views from the sides, in radians: that of an isometric drawing.
 const TILT: f64 = 0.6155;
 
 impl Build {
-    /// Draws the key. `z_up` is whether z is up in the mesh; else y is.
-    pub fn key(&self, z_up: bool) -> Key {
+    /// Draws the key, from the most important view on: the first is from above. Titles say how many names
+    /// no view shows, of what is hidden from all sides or too small. `z_up` is whether z is up in the
+    /// mesh; else y is.
+    pub fn key(&self, z_up: bool) -> Vec<Drawing> {
         let marks = self.marks();
         let seams: Vec<(u32, Vec<Vec3<f64>>)> = (self.splices.iter())
             .map(|own| (own.panel, self.in_space(own.panel, &own.seam)))
             .collect();
         let mut missing: Vec<usize> = (0..marks.len()).collect();
-        let view_of = |sight| View::new(&self.surface, sight);
-        let mut others: Vec<View<'_>> = around(z_up).into_iter().map(view_of).collect();
-        let mut next = Some(view_of(from_above(z_up)));
+        let seen_in = |axes| {
+            let view = View::new(&self.surface, axes);
+            let spots = view.spots(&marks);
+            (view, spots)
+        };
         let mut chosen = Vec::new();
-        while let Some(view) = next.take() {
-            let spots = view.spots(&marks, 0..marks.len());
-            let page = page::Page::of(&view, &spots);
+        let mut next = Some(seen_in(from_above(z_up)));
+        let mut others = None;
+        while let Some((view, spots)) = next.take() {
+            let page = Page::of(&view, &spots, &missing);
             missing.retain(|mark| !page.names(&spots, *mark));
             chosen.push((view, spots, page));
+            if missing.is_empty() {
+                break;
+            }
             // The side that shows most of what has no name yet.
-            let best = (0..others.len())
-                .map(|k| {
-                    let spots = others[k].spots(&marks, missing.iter().copied());
-                    let page = page::Page::of(&others[k], &spots);
-                    (missing.iter().filter(|mark| page.names(&spots, **mark)).count(), k)
-                })
-                .max_by_key(|&(count, k)| (count, std::cmp::Reverse(k)));
+            let others = others
+                .get_or_insert_with(|| around(z_up).into_iter().map(seen_in).collect::<Vec<_>>());
+            let named = |(view, spots): &(View<'_>, Vec<Option<Spot>>)| {
+                let page = Page::of(view, spots, &missing);
+                missing.iter().filter(|mark| page.names(spots, **mark)).count()
+            };
+            let best = others.iter().map(named).zip(0..);
+            let best = best.max_by_key(|&(count, k)| (count, std::cmp::Reverse(k)));
             next = best.filter(|&(count, _)| count > 0).map(|(_, k)| others.remove(k));
         }
         let count = chosen.len();
@@ -66,14 +67,11 @@ impl Build {
             hidden => format!(", WITHOUT {hidden} NAMES THAT NO VIEW SHOWS"),
         };
         let drawings = chosen.iter().zip(1..).map(|((view, spots, page), number)| {
-            let seen = seen_from(view.sight, z_up);
+            let seen = seen_from(view.axes, z_up);
             let title = format!("KEY {number}/{count}, NOT TO BE CUT, SEEN FROM {seen}{hidden}");
             page.drawing(format!("key-{number}"), title, view, (spots, &marks), &seams)
         });
-        Key {
-            drawings: drawings.collect(),
-            unnamed: missing.into_iter().map(|mark| marks[mark].name.clone()).collect(),
-        }
+        drawings.collect()
     }
 
     /// The names of the parts that are made, and where they go. The panels of a paper model have the
@@ -124,16 +122,16 @@ impl Build {
 }
 
 /// The views beside that from above: from four sides, and from below.
-fn around(z_up: bool) -> Vec<Sight> {
-    let mut sights: Vec<Sight> =
+fn around(z_up: bool) -> Vec<ViewAxes> {
+    let mut views: Vec<ViewAxes> =
         (0..4).map(|k| from_camera(z_up, [FRAC_PI_4 + FRAC_PI_2 * f64::from(k), TILT])).collect();
     let [east, north, up] = compass(z_up);
-    sights.push([east, -north, up]);
-    sights
+    views.push([east, -north, up]);
+    views
 }
 
 /// Where the viewer is, in words, with the axes of the mesh.
-fn seen_from([_, _, away]: Sight, z_up: bool) -> String {
+fn seen_from([_, _, away]: ViewAxes, z_up: bool) -> String {
     let [_, _, up] = compass(z_up);
     let height = -away.dot(up);
     if height.abs() > 0.99 {

@@ -33,8 +33,9 @@ pub(super) struct Page {
 }
 
 impl Page {
-    /// The smallest page on which nearly all names of a view are read well; else the largest.
-    pub(super) fn of(view: &View<'_>, spots: &[Option<Spot>]) -> Page {
+    /// The smallest page on which nearly all names of a view are read well, and none of the `missing`
+    /// marks is without a name that a larger page has; else the largest.
+    pub(super) fn of(view: &View<'_>, spots: &[Option<Spot>], missing: &[usize]) -> Page {
         let is_wide = view.seen.size[0] > view.seen.size[1];
         let pages = PAPERS.map(|[short, long]| {
             let size = if is_wide { [long, short] } else { [short, long] };
@@ -43,9 +44,11 @@ impl Page {
             Page { size, scale: if scale.is_finite() { scale } else { 1.0 } }
         });
         let seen = spots.iter().flatten().count() as f64;
+        let named = |page: &Page| missing.iter().filter(|mark| page.names(spots, **mark)).count();
+        let most = named(&pages[PAPERS.len() - 1]);
         let is_enough = |page: &&Page| {
             let read = spots.iter().flatten().filter(|spot| page.height(spot) >= READABLE);
-            read.count() as f64 >= MOST * seen
+            read.count() as f64 >= MOST * seen && named(page) == most
         };
         *pages.iter().find(is_enough).unwrap_or(&pages[PAPERS.len() - 1])
     }

@@ -4,7 +4,7 @@
 use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{direction_of, roomiest_point};
 use crate::fabricate::sheet::{text_width, upright};
-use crate::fabricate::sight::{Seen, Sight};
+use crate::fabricate::sight::{Seen, ViewAxes};
 use crate::fabricate::surface::{Edge, PanelSurface};
 use crate::math::Vec3;
 use crate::math::plane::{Point2, bounds, distance, is_inside};
@@ -45,18 +45,18 @@ const OF_NODE: f64 = 0.15;
 
 pub(super) struct View<'a> {
     pub(super) surface: &'a PanelSurface,
-    pub(super) sight: Sight,
+    pub(super) axes: ViewAxes,
     pub(super) seen: Seen,
     /// The box of each panel in the picture.
     panels: Boxes,
 }
 
 impl View<'_> {
-    pub(super) fn new(surface: &PanelSurface, sight: Sight) -> View<'_> {
-        let seen = Seen::new(surface, sight);
+    pub(super) fn new(surface: &PanelSurface, axes: ViewAxes) -> View<'_> {
+        let seen = Seen::new(surface, axes);
         let around = |row: &[u32]| bounds(row.iter().map(|&v| seen.points[v as usize]));
         let panels = Boxes::of(surface.faces.iter().map(around));
-        View { surface, sight, seen, panels }
+        View { surface, axes, seen, panels }
     }
 
     fn corners(&self, face: u32) -> Vec<Point2> {
@@ -66,7 +66,7 @@ impl View<'_> {
 
     /// How far away a panel is at a point; none if it is seen edge-on.
     fn depth(&self, face: u32, [x, y]: Point2) -> Option<f64> {
-        let [right, up, away] = self.sight;
+        let [right, up, away] = self.axes;
         let normal = self.surface.normal(face);
         let across = normal.dot(away);
         let row = self.surface.faces.row(face as usize);
@@ -98,7 +98,7 @@ impl View<'_> {
     }
 
     fn projected(&self, points: &[Vec3<f64>]) -> Vec<Point2> {
-        let [right, up, _] = self.sight;
+        let [right, up, _] = self.axes;
         points.iter().map(|point| [point.dot(right), point.dot(up)]).collect()
     }
 
@@ -111,20 +111,15 @@ impl View<'_> {
     }
 
     /// Where the names of some marks are written; none if what they name is not seen.
-    pub(super) fn spots(
-        &self,
-        marks: &[Mark],
-        which: impl Iterator<Item = usize>,
-    ) -> Vec<Option<Spot>> {
-        let mut spots = vec![None; marks.len()];
+    pub(super) fn spots(&self, marks: &[Mark]) -> Vec<Option<Spot>> {
         let (mut shortest, mut around) = (Vec::new(), Vec::new());
         if marks.iter().any(|mark| matches!(mark.element, Element::Vertex(_))) {
             (shortest, around) = self.around_vertices();
         }
-        for k in which {
+        let spot = |Mark { name, element }: &Mark| {
             // The width of the name where it is one high.
-            let wide = text_width(&marks[k].name, 1.0);
-            spots[k] = match &marks[k].element {
+            let wide = text_width(name, 1.0);
+            match element {
                 Element::Panel(face) => self.on_panel(*face, &self.corners(*face), wide),
                 Element::Piece(face, outline) => {
                     self.on_panel(*face, &self.projected(outline), wide)
@@ -137,9 +132,9 @@ impl View<'_> {
                     let is_seen = height > 0.0 && !self.is_hidden(at, depth, &around[v as usize]);
                     is_seen.then_some(Spot { at, along: [1.0, 0.0], height })
                 }
-            };
-        }
-        spots
+            }
+        };
+        marks.iter().map(spot).collect()
     }
 
     /// The name of a panel, or of a piece of it with these corners in the picture.

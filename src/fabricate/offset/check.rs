@@ -41,18 +41,12 @@ pub struct OffsetCheck {
     /// Largest deviation from the requested distance: `d (|n| - 1)`, `d (n . N_f - 1)` at a corner,
     /// or `d (|P_e n| - 1)`.
     pub distance_error: f64,
-    /// Least and largest distance of corners.
-    pub corner_distance: [f64; 2],
-    /// Least and largest distance of panels at their corners.
-    pub face_distance: [f64; 2],
     /// Least and largest distance of beams.
     pub edge_distance: [f64; 2],
     /// Largest angle between a node axis and `N_i`.
     pub lean_deg: f64,
     /// As `lean_deg`, over inner vertices, whose lean is checked.
     pub inner_lean_deg: f64,
-    /// Mean angle between a node axis and `N_i`.
-    pub mean_lean_deg: f64,
     /// Largest deviation of a panel of the offset from flat.
     pub offset_flatness: f64,
     /// The distances, inwards and outwards, at which the first edge of the offset flips; none
@@ -81,8 +75,6 @@ pub fn check(
 ) -> OffsetCheck {
     let empty = [f64::INFINITY, f64::NEG_INFINITY];
     let mut found = OffsetCheck {
-        corner_distance: empty,
-        face_distance: empty,
         edge_distance: if surface.beams().next().is_some() { empty } else { [0.0; 2] },
         nodes: vec![None; axes.len()],
         ..OffsetCheck::default()
@@ -131,26 +123,19 @@ pub fn check(
     for (face, f) in surface.faces.iter().zip(0..) {
         let normal = surface.normal(f);
         for &v in face.iter().filter(|_| normal != Vec3::zero()) {
-            let height = distance * normal.dot(axes[v as usize]);
-            widen(&mut found.face_distance, height);
             if kind == OffsetKind::Face {
-                found.add_error(v, height - distance);
+                found.add_error(v, distance * normal.dot(axes[v as usize]) - distance);
             }
         }
     }
-    let mut used = 0;
     for ((axis, normal), v) in axes.iter().zip(&surface.normals).zip(0..) {
         if *normal == Vec3::zero() {
             continue;
         }
-        used += 1;
-        let length = distance.abs() * axis.length();
-        widen(&mut found.corner_distance, length);
         if kind == OffsetKind::Corner {
-            found.add_error(v, length - distance.abs());
+            found.add_error(v, distance.abs() * axis.length() - distance.abs());
         }
         let angle = lean(*axis, *normal);
-        found.mean_lean_deg += angle;
         found.lean_deg = found.lean_deg.max(angle);
         if let Some(node) = &mut found.nodes[v as usize] {
             node.lean_deg = angle;
@@ -159,7 +144,6 @@ pub fn check(
             }
         }
     }
-    found.mean_lean_deg /= f64::from(used.max(1));
     let errors = found.nodes.iter().flatten().map(|node| node.distance_error);
     found.distance_error = errors.fold(0.0, f64::max);
     // Larger limits are due to rounding in `k`: there is none.

@@ -2,9 +2,8 @@
 //! `n_j = R_e n_i` with `R_e = I - 2 t_e t_e'`. Around a panel, and around a hole, the product of
 //! these reflections must leave the axis unchanged.
 
-use crate::fabricate::surface::PanelSurface;
-use crate::math::{Vec3, symmetric_eigen};
-use nalgebra::DMatrix;
+use crate::fabricate::surface::{PanelSurface, distinct};
+use crate::math::Vec3;
 
 /// A 3 by 3 matrix.
 type Matrix = [[f64; 3]; 3];
@@ -22,16 +21,17 @@ pub struct Closing {
     pub odd_panels: usize,
     /// The turn around each rim in degrees; none if it has an odd number of edges.
     pub rims_deg: Vec<Option<f64>>,
-    /// The eigenvalues, ascending, of the closing form `H`: the mean of
-    /// `(T_j - R_e T_i)' (T_j - R_e T_i)` over all edges outside a spanning tree, with `T_i` the
-    /// product of reflections along the tree. Each zero eigenvalue gives one direction of exact
-    /// axes. Nonzero eigenvalues depend on the tree.
-    pub eigenvalues: [f64; 3],
+    /// Whether there are openings through the surface, as in a ring or a tube: its Euler
+    /// characteristic is below that of as many discs as it has parts. Elsewhere axes that close
+    /// around all panels close everywhere.
+    pub has_openings: bool,
 }
 
 /// Follows the reflections around all panels and rims.
 pub fn closing(surface: &PanelSurface) -> Closing {
-    let mut found = Closing { eigenvalues: closing_form(surface), ..Closing::default() };
+    let nodes = distinct(surface.faces.indices().iter().copied()).len();
+    let has_openings = nodes + surface.faces.len() < surface.edges.len() + surface.parts;
+    let mut found = Closing { has_openings, ..Closing::default() };
     for (face, f) in surface.faces.iter().zip(0..) {
         match turn(surface, face) {
             Some(angle) if angle > found.panel_deg => (found.panel_deg, found.panel) = (angle, f),
@@ -71,55 +71,4 @@ fn reflected(t: Vec3<f64>, matrix: Matrix) -> Matrix {
     let t = [t.x, t.y, t.z];
     let along: [f64; 3] = std::array::from_fn(|c| (0..3).map(|k| t[k] * matrix[k][c]).sum());
     std::array::from_fn(|r| std::array::from_fn(|c| matrix[r][c] - 2.0 * t[r] * along[c]))
-}
-
-fn closing_form(surface: &PanelSurface) -> [f64; 3] {
-    let n = surface.positions.len();
-    let mut at: Vec<Vec<(u32, u32)>> = vec![Vec::new(); n];
-    for (edge, e) in surface.edges.iter().zip(0..) {
-        let [i, j] = edge.ends;
-        at[i as usize].push((j, e));
-        at[j as usize].push((i, e));
-    }
-    let mut transported: Vec<Option<Matrix>> = vec![None; n];
-    let mut of_tree = vec![false; surface.edges.len()];
-    for first in 0..n {
-        if transported[first].is_some() {
-            continue;
-        }
-        transported[first] = Some(IDENTITY);
-        let (mut queue, mut next) = (vec![first as u32], 0);
-        while let Some(&i) = queue.get(next) {
-            next += 1;
-            let own = transported[i as usize].unwrap_or(IDENTITY);
-            for &(j, e) in &at[i as usize] {
-                if transported[j as usize].is_none() {
-                    let t = surface.direction(&surface.edges[e as usize]);
-                    transported[j as usize] = Some(reflected(t, own));
-                    of_tree[e as usize] = true;
-                    queue.push(j);
-                }
-            }
-        }
-    }
-    let (mut sum, mut count) = ([[0.0; 3]; 3], 0.0);
-    for (edge, of_tree) in surface.edges.iter().zip(of_tree) {
-        let [Some(from), Some(to)] = edge.ends.map(|v| transported[v as usize]) else { continue };
-        if of_tree {
-            continue;
-        }
-        let over = reflected(surface.direction(edge), from);
-        let gap: Matrix = std::array::from_fn(|r| std::array::from_fn(|c| to[r][c] - over[r][c]));
-        for r in 0..3 {
-            for c in 0..3 {
-                sum[r][c] += (0..3).map(|k| gap[k][r] * gap[k][c]).sum::<f64>();
-            }
-        }
-        count += 1.0;
-    }
-    if count > 0.0 {
-        sum = sum.map(|row| row.map(|entry| entry / count));
-    }
-    let values = symmetric_eigen(&DMatrix::from_fn(3, 3, |r, c| sum[r][c])).0;
-    [values[2], values[1], values[0]]
 }

@@ -84,7 +84,7 @@ fn of_beams(
 /// Returns false if no axes can have distance errors below `tolerance` at the distance `depth`.
 /// Only panels are tested: at each vertex, how far the planes around it are from touching a common
 /// cone.
-pub(in crate::fabricate) fn can_be_exact(
+pub(super) fn can_be_exact(
     surface: &PanelSurface,
     kind: OffsetKind,
     depth: f64,

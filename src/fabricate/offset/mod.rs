@@ -36,18 +36,19 @@ mod check;
 mod closing;
 mod exact;
 mod newton;
+mod reason;
 mod system;
 
 pub use check::{BeamCheck, NodeCheck, OffsetCheck, check};
 pub use closing::{Closing, closing};
-pub(super) use exact::can_be_exact;
+pub(super) use reason::Reason;
 pub(super) use system::across_edge;
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use crate::scene::OffsetKind;
 use check::{most_lean, within};
-use exact::exact_pass;
+use exact::{can_be_exact, exact_pass};
 use newton::{InitialAxes, StopWhen, descend};
 use serde::Serialize;
 use system::System;
@@ -62,8 +63,19 @@ pub struct Axes {
     pub axes: Vec<Vec3<f64>>,
     /// The elements that keep their distance.
     pub kind: OffsetKind,
-    /// Whether they come from the exact pass.
-    pub exact: bool,
+    /// Why the exact axes are not taken, but the fit; none if they are.
+    pub inexact: Option<Inexact>,
+}
+
+/// The test that exact axes do not pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inexact {
+    /// Around some vertex, the panels moved by the distance do not meet in one point.
+    NoPoint,
+    /// Their beam warp or distance error is above the tolerance.
+    Errors,
+    /// They lean much more than the fit.
+    Lean,
 }
 
 /// For each kind the exact axes, if beam warp and distance error at the distance `depth` stay below
@@ -78,13 +90,18 @@ pub(in crate::fabricate) fn axes_of(
     let system = &mut System::new(surface);
     let of = |&kind: &OffsetKind| {
         let fitted = fitted(system, surface, kind, mu);
-        let exact = can_be_exact(surface, kind, depth, tolerance)
-            .then(|| exact_pass(system, surface, kind, (mu, fitted.clone())))
-            .filter(|exact| {
-                within(surface, exact, kind, depth, tolerance)
-                    && most_lean(surface, exact) <= most_lean(surface, &fitted) + MOST_LEAN
-            });
-        Axes { exact: exact.is_some(), axes: exact.unwrap_or(fitted), kind }
+        if !can_be_exact(surface, kind, depth, tolerance) {
+            return Axes { axes: fitted, kind, inexact: Some(Inexact::NoPoint) };
+        }
+        let exact = exact_pass(system, surface, kind, (mu, fitted.clone()));
+        let inexact = if !within(surface, &exact, kind, depth, tolerance) {
+            Some(Inexact::Errors)
+        } else if most_lean(surface, &exact) > most_lean(surface, &fitted) + MOST_LEAN {
+            Some(Inexact::Lean)
+        } else {
+            None
+        };
+        Axes { axes: if inexact.is_none() { exact } else { fitted }, kind, inexact }
     };
     kinds.iter().map(of).collect()
 }
@@ -133,7 +150,7 @@ impl Choice {
     pub(in crate::fabricate) fn of(axes: &Axes, check: &OffsetCheck, building: f64) -> Choice {
         Choice {
             kind: axes.kind,
-            exact: axes.exact,
+            exact: axes.inexact.is_none(),
             warp_mm: check.warp * building,
             distance_error_mm: check.distance_error * building,
         }

@@ -8,8 +8,7 @@
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{Vec3, marked, polygon_sides};
-use crate::mesh::Mesh;
-use crate::scene::{HandleSpec, Hold, Scene, UnitsAndUp, Up};
+use crate::scene::{HandleSpec, Hold, Scene, Up};
 use std::collections::VecDeque;
 
 /// Height of the rim that stands on the ground, as a fraction of the height of its component.
@@ -19,8 +18,8 @@ const ROUNDING: f64 = 1e-6;
 /// Directions about the vertical that differ by more are not the same, as a fraction of a turn.
 const DIRECTIONS: i64 = 1 << 20;
 
-/// How a shape stands.
-#[derive(Clone, Debug)]
+/// How a shape stands; by default on the ground, with z up.
+#[derive(Clone, Debug, Default)]
 pub struct Stand {
     /// The axis that points up.
     pub up: Up,
@@ -38,11 +37,6 @@ impl Stand {
     pub fn on(handles: &[HandleSpec], up: Up) -> Stand {
         let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
         Stand { up, held: fixed.flat_map(|handle| handle.vertices.iter().copied()).collect() }
-    }
-
-    /// As the shape of a mesh suggests, on the ground.
-    pub fn guessed(mesh: &Mesh) -> Stand {
-        Stand { up: UnitsAndUp::guess_up(mesh), held: Vec::new() }
     }
 
     /// The height of a point, and its two coordinates in plan, counterclockwise seen from above.

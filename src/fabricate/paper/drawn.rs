@@ -98,8 +98,8 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
 pub struct MissingNames {
     /// Neighbours' names.
     pub dropped: usize,
-    /// Panels whose name is too small to be read well.
-    pub small: usize,
+    /// Whether a name that is written is too small to be read well: its own, or of one of its panels.
+    pub small: bool,
     /// Whether its own name is missing.
     pub piece: bool,
 }
@@ -116,7 +116,7 @@ pub fn write_names(
     let piece = model.pieces[number];
     let (_, place) = outline(model, piece, inside);
     let put = |point: Point2| place.put(point);
-    let (mut dropped, mut small, mut is_named) = (0, 0, false);
+    let (mut dropped, mut small, mut is_named) = (0, false, false);
     for &panel in &part.panels {
         for own in name_places(model, piece, panel) {
             let sides = own.iter().map(|&side| named_side(model, names, side, &put));
@@ -151,7 +151,7 @@ pub fn write_names(
             }
             part.engraved.extend(labels.lines);
             dropped += labels.dropped;
-            small += usize::from(labels.small && !labels.texts.is_empty());
+            small |= labels.small && !labels.texts.is_empty();
         }
     }
     for tab in model.tabs(piece) {

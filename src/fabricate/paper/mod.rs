@@ -149,7 +149,7 @@ fn unpaired(surface: &PanelSurface, facets: &[Facet]) -> BTreeMap<(u32, u32), Ve
         for ((side, joint), k) in own.panel_sides.iter().zip(&own.joints).zip(0..) {
             let (Some(side), None) = (side, joint) else { continue };
             let edge = surface.sides.row(own.panel as usize)[*side as usize];
-            let met = surface.met(edge, own.panel);
+            let met = surface.neighbours_across(edge, own.panel);
             if !surface.is_joined(&surface.edges[edge as usize]) && !met.is_empty() {
                 found.insert((f, k), met);
             }

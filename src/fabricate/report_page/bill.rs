@@ -56,7 +56,8 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
             let scores = folds.flat_map(|fold| fold.windows(2));
             let scores = scores.map(|ends| distance(ends[0], ends[1])).fold(0.0, |a, b| a + b);
             lines.push(("Length of scores", millimetres(scores)));
-            lines.extend(report.paper.as_ref().map(|paper| ("Tabs", paper.tabs.to_string())));
+            let tabs = report.paper.as_ref().map(|paper| paper.tabs).filter(|tabs| *tabs > 0);
+            lines.extend(tabs.map(|tabs| ("Tabs", tabs.to_string())));
         }
     }
     lines

@@ -37,7 +37,7 @@ pub struct ReportView {
 impl Build {
     /// The report as an HTML document, which is also well-formed XML.
     pub fn report_page(&self, view: &ReportView) -> String {
-        let report = self.report();
+        let report = self.report_without_curves();
         let title = match view.title.trim() {
             "" => "Model".to_owned(),
             own => escaped(own),
@@ -61,14 +61,14 @@ impl Build {
 
     fn head(&self, report: &BuildReport, title: &str) -> String {
         let line = format!(
-            "{} at 1:{}, {} on {}. Model in {}; lengths of the building in mm.",
+            "{} at 1:{}, {} on {}. Model in {}.",
             self.settings.material,
             words::brief(report.scale),
             report.parts_in_words(true),
             words::count(report.sheets, "sheet", "sheets"),
             report.unit
         );
-        let line = escaped(&words::sentence(&line));
+        let line = escaped(&words::sentence(line.trim_start()));
         format!("<header>\n<h1>{title}</h1>\n<p>{line}</p>\n</header>\n")
     }
 
@@ -94,9 +94,10 @@ impl Build {
     }
 
     fn check(&self, report: &BuildReport) -> String {
-        let rows = report.check.iter().zip(self.spreads());
+        let rows = report.card.check.iter().zip(self.check_values());
         let rows: String = rows.map(|(row, values)| check_row(row, &values)).collect();
         let kept = report
+            .card
             .offset
             .as_ref()
             .map_or(String::new(), |offset| format!("<p>{}</p>\n", escaped(&offset.words())));
@@ -104,8 +105,8 @@ impl Build {
     }
 
     fn notes(&self, report: &BuildReport) -> String {
-        let notes = report.problems.iter().cloned().chain(self.words(report).warnings);
-        let items = notes.map(|note| format!("<li>{}</li>\n", escaped(&words::sentence(&note))));
+        let notes = report.card.problems.iter().cloned().chain(self.words(report).warnings);
+        let items = notes.map(|note| format!("<li>{}</li>\n", escaped(&note)));
         match items.collect::<String>() {
             none if none.is_empty() => none,
             items => section("Notes", &format!("<ul>\n{items}</ul>\n")),

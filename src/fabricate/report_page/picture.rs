@@ -5,7 +5,7 @@ use crate::fabricate::build::Build;
 use crate::fabricate::check_card::Failed;
 use crate::fabricate::file::{escaped, places};
 use crate::fabricate::panel::roomiest_point;
-use crate::fabricate::sight::{Seen, Sight};
+use crate::fabricate::sight::{Seen, ViewAxes};
 use crate::math::plane::Point2;
 use crate::math::{argsort, key_of_number, marked};
 
@@ -23,20 +23,20 @@ const LETTER: [f64; 2] = [0.6, 0.72];
 /// A shape in a view, in the unit of the mesh.
 pub(super) struct Picture<'a> {
     build: &'a Build,
-    sight: Sight,
+    axes: ViewAxes,
     pub(super) seen: Seen,
     /// The panels, farthest first.
     order: Vec<u32>,
 }
 
 impl Picture<'_> {
-    pub(super) fn new(build: &Build, sight: Sight) -> Picture<'_> {
-        let seen = Seen::new(&build.surface, sight);
+    pub(super) fn new(build: &Build, axes: ViewAxes) -> Picture<'_> {
+        let seen = Seen::new(&build.surface, axes);
         let depth = |face: &[u32]| {
             face.iter().map(|&v| seen.depths[v as usize]).sum::<f64>() / face.len() as f64
         };
         let order = argsort(build.surface.faces.iter().map(|face| key_of_number(-depth(face))));
-        Picture { build, sight, seen, order }
+        Picture { build, axes, seen, order }
     }
 
     /// The scale at which it fills a box, in mm per unit of the mesh.
@@ -61,7 +61,7 @@ impl Picture<'_> {
     pub(super) fn shaded(&self, room: [f64; 2], failed: &Failed) -> String {
         let scale = self.scale_in(room);
         let (room, points) = self.placed(room[0], scale);
-        let [right, up, away] = self.sight;
+        let [right, up, away] = self.axes;
         let light = right * -0.37 + up * 0.56 - away * 0.74;
         let fails = marked(self.build.surface.faces.len(), &failed.panels);
         let fill = |f: u32| {

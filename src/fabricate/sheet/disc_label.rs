@@ -6,7 +6,7 @@
 use super::label::{ALIKE, LEAST, LEAST_OWN, Labels, TALLEST, underline, upright};
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
-use super::text_box::{Box2, ROOM};
+use super::text_box::{ROOM, TextBox};
 use crate::fabricate::panel::{direction_of, distance_to_outline};
 use crate::math::plane::{Point2, distance, dot, length, rotated};
 
@@ -65,7 +65,7 @@ fn labels_of(
     // A circle within the outline.
     let room = distance_to_outline(outline, [0.0; 2]);
     let mut labels = Labels::default();
-    let mut taken: Vec<Box2> = holes.iter().map(Box2::of_hole).collect();
+    let mut taken: Vec<TextBox> = holes.iter().map(TextBox::of_hole).collect();
     if let Some(first) = slots.first() {
         let (lines, own) = arrow(first, radius);
         labels.lines.extend(lines);
@@ -109,8 +109,8 @@ fn own_name(
     (name, tallest): (&str, f64),
     slots: &[SlotName],
     (room, turn): (f64, Point2),
-    taken: &[Box2],
-) -> Option<(f64, Box2)> {
+    taken: &[TextBox],
+) -> Option<(f64, TextBox)> {
     let n = slots.len();
     let outwards = |k: usize| direction_of(slots[k % n].corners[0], slots[k % n].corners[1]);
     let between = |k: usize| {
@@ -130,7 +130,7 @@ fn own_name(
                 let centre = away.map(|x| x * share * room);
                 let level = [turn[0], -turn[1]];
                 for along in [level, upright([-away[1], away[0]], turn), upright(away, turn)] {
-                    let own = Box2::of_text(name, height, centre, along);
+                    let own = TextBox::of_text(name, height, centre, along);
                     if own.reach() < room && taken.iter().all(|other| own.is_apart(other)) {
                         return Some((height, own));
                     }
@@ -149,8 +149,8 @@ fn beside_slot(
     (k, sort): (usize, usize),
     tallest: f64,
     turn: Point2,
-    taken: &[Box2],
-) -> Option<(f64, Box2)> {
+    taken: &[TextBox],
+) -> Option<(f64, TextBox)> {
     let [from, to, across, _] = slots[k].corners;
     let name = &slots[k].names[sort];
     let along = direction_of(from, to);
@@ -170,7 +170,7 @@ fn beside_slot(
             for side in [aside, -aside] {
                 let back = share * radius;
                 let centre = [0, 1].map(|x| middle[x] + side * left[x] - back * along[x]);
-                let found = Box2::of_text(name, height, centre, upright(along, turn));
+                let found = TextBox::of_text(name, height, centre, upright(along, turn));
                 if found.reach() < room
                     && taken.iter().all(|other| found.is_apart(other))
                     && is_nearest(centre)
@@ -185,7 +185,7 @@ fn beside_slot(
 }
 
 /// An arrow from the rim to a slot, and its box.
-fn arrow(slot: &SlotName, radius: f64) -> (Vec<Vec<Point2>>, Box2) {
+fn arrow(slot: &SlotName, radius: f64) -> (Vec<Vec<Point2>>, TextBox) {
     let [from, to, across, _] = slot.corners;
     let along = direction_of(from, to);
     let left = rotated(along, [0.0, 1.0]);
@@ -202,7 +202,7 @@ fn arrow(slot: &SlotName, radius: f64) -> (Vec<Vec<Point2>>, Box2) {
     let lines =
         vec![vec![at(end, 0.0), at(tip, 0.0)], vec![at(head, wide), at(tip, 0.0), at(head, -wide)]];
     let half = [0.5 * (end - tip) * wall, wide * wall];
-    (lines, Box2 { centre: at(0.5 * (tip + end), 0.0), along, half })
+    (lines, TextBox { centre: at(0.5 * (tip + end), 0.0), along, half })
 }
 
 #[cfg(test)]

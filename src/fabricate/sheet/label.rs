@@ -5,7 +5,7 @@
 
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
-use super::text_box::{Box2, ROOM};
+use super::text_box::{ROOM, TextBox};
 use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
 use crate::math::plane::{Point2, distance, dot, rotated};
 
@@ -112,7 +112,7 @@ fn label_of_height(
     let longest = longest.unwrap_or(0);
     let across = direction_of(outline[longest], outline[(longest + 1) % n]);
     let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
-    let mut taken: Vec<Box2> = holes.iter().map(Box2::of_hole).collect();
+    let mut taken: Vec<TextBox> = holes.iter().map(TextBox::of_hole).collect();
     let (mut height, mut own) = (own * beside, None);
     // Try the roomiest point (it may be beside a hole at one end of a slender part) and the middle;
     // along the sheet and along the longest edge; with decreasing height until the name is inside.
@@ -124,7 +124,7 @@ fn label_of_height(
         own = [centre, middle]
             .into_iter()
             .flat_map(|centre| directions.iter().map(move |&along| (centre, along)))
-            .map(|(centre, along)| Box2::of_text(name, height, centre, along))
+            .map(|(centre, along)| TextBox::of_text(name, height, centre, along))
             .find(|own| own.is_in(outline) && taken.iter().all(|hole| own.is_apart(hole)));
         if own.is_none() {
             height *= 0.85;
@@ -164,7 +164,7 @@ fn label_of_height(
 
 /// A line below the text of a box.
 pub(super) fn underline(
-    Box2 { centre, along: [c, s], .. }: Box2,
+    TextBox { centre, along: [c, s], .. }: TextBox,
     width: f64,
     height: f64,
 ) -> Vec<Point2> {
@@ -181,8 +181,8 @@ fn beside_edge(
     ([p, q], rivals): ([Point2; 2], &[[Point2; 2]]),
     (name, tallest): (&str, f64),
     turn: Point2,
-    (taken, holes): (&[Box2], &[Hole]),
-) -> Option<(f64, Box2)> {
+    (taken, holes): (&[TextBox], &[Hole]),
+) -> Option<(f64, TextBox)> {
     if tallest < LEAST {
         return None;
     }
@@ -208,7 +208,7 @@ fn beside_edge(
                 // letters.
                 for share in if is_tall { &SHARES[..5] } else { &SHARES[..] } {
                     let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
-                    let own = Box2::of_text(name, height, centre, upright(direction, turn));
+                    let own = TextBox::of_text(name, height, centre, upright(direction, turn));
                     if own.is_in(outline)
                         && taken.iter().all(|other| own.is_apart(other))
                         && is_nearest([p, q], rivals, centre)
@@ -237,7 +237,7 @@ fn is_nearest(own: [Point2; 2], rivals: &[[Point2; 2]], point: Point2) -> bool {
 fn arrow(
     outline: &[Point2],
     labels: &mut Labels,
-    taken: &mut Vec<Box2>,
+    taken: &mut Vec<TextBox>,
     height: f64,
     radius: f64,
 ) -> bool {
@@ -250,7 +250,7 @@ fn arrow(
     let mut away = 0.0;
     let room = |away: f64| {
         let centre = [0, 1].map(|x| own.centre[x] + away * along[x]);
-        Box2 { centre, along, half }
+        TextBox { centre, along, half }
     };
     while !room(away).is_apart(&own) && away < 4.0 * radius {
         away += 0.1 * height;

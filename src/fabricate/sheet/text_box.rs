@@ -10,28 +10,28 @@ pub(super) const ROOM: f64 = 0.35;
 
 /// A rotated rectangle that nothing else may overlap.
 #[derive(Clone, Copy)]
-pub(super) struct Box2 {
+pub(super) struct TextBox {
     pub(super) centre: Point2,
     pub(super) along: Point2,
     pub(super) half: [f64; 2],
 }
 
-impl Box2 {
-    pub(super) fn of_text(text: &str, height: f64, centre: Point2, along: Point2) -> Box2 {
+impl TextBox {
+    pub(super) fn of_text(text: &str, height: f64, centre: Point2, along: Point2) -> TextBox {
         let room = ROOM * height;
         let half = [0.5 * text_width(text, height) + room, 0.5 * height + room];
-        Box2 { centre, along, half }
+        TextBox { centre, along, half }
     }
 
-    pub(super) fn of_hole(hole: &Hole) -> Box2 {
+    pub(super) fn of_hole(hole: &Hole) -> TextBox {
         match &hole.slot {
-            None => Box2 { centre: hole.centre, along: [1.0, 0.0], half: [hole.radius; 2] },
-            Some(outline) => Box2::of_slot(outline),
+            None => TextBox { centre: hole.centre, along: [1.0, 0.0], half: [hole.radius; 2] },
+            Some(outline) => TextBox::of_slot(outline),
         }
     }
 
     /// Along the first side of an outline.
-    fn of_slot(outline: &[Point2]) -> Box2 {
+    fn of_slot(outline: &[Point2]) -> TextBox {
         let along = match outline {
             [p, q, ..] => direction_of(*p, *q),
             _ => [1.0, 0.0],
@@ -39,7 +39,7 @@ impl Box2 {
         let [c, s] = along;
         let [low, high] = bounds(outline.iter().map(|&point| rotated(point, [c, -s])));
         let centre = rotated([0, 1].map(|k| 0.5 * (low[k] + high[k])), along);
-        Box2 { centre, along, half: [0, 1].map(|k| 0.5 * (high[k] - low[k])) }
+        TextBox { centre, along, half: [0, 1].map(|k| 0.5 * (high[k] - low[k])) }
     }
 
     fn corners(&self) -> [Point2; 4] {
@@ -56,7 +56,7 @@ impl Box2 {
     }
 
     /// Whether two are disjoint, by their separating axes.
-    pub(super) fn is_apart(&self, other: &Box2) -> bool {
+    pub(super) fn is_apart(&self, other: &TextBox) -> bool {
         let separates = |axis: Point2| {
             let range = |corners: [Point2; 4]| {
                 let at = corners.map(|[x, y]| x * axis[0] + y * axis[1]);
@@ -117,7 +117,7 @@ mod tests {
             [9.8, 20.0],
             [0.0, 20.0],
         ];
-        let text = |centre: Point2, along: Point2| Box2 { centre, along, half: [4.0, 1.0] };
+        let text = |centre: Point2, along: Point2| TextBox { centre, along, half: [4.0, 1.0] };
         for along in [[1.0, 0.0], [0.8, 0.6], [0.0, 1.0]] {
             assert!(!text([10.0, 10.0], along).is_in(&outline), "{along:?}");
             assert!(text([5.0, 10.0], along).is_in(&outline), "{along:?}");

@@ -55,7 +55,7 @@ pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
 }
 
 fn summary(build: &Build) -> String {
-    let report = build.report();
+    let report = build.report_without_curves();
     let mut table = Table::new(&["what", "value", "unit"]);
     let mut row = |what: &str, value: Cell<'_>, unit: &str| {
         table.row([Cell::from(what), value, Cell::from(unit)]);
@@ -85,7 +85,7 @@ fn summary(build: &Build) -> String {
         }
     }
     row("types of panels", Cell::from(report.types), "");
-    for check in &report.check {
+    for check in &report.card.check {
         row(check.label, Cell::from(check.value), check.unit);
         row(&format!("{}, limit", check.label), Cell::from(check.limit), check.unit);
     }

@@ -33,7 +33,7 @@ pub(super) fn edges(build: &Build) -> String {
         let panels = |is_left: bool| {
             let own = build.surface.panels.row(e).iter();
             let own = own.filter(|f| ascending[e].contains(f) == is_left);
-            let made = own.flat_map(|&f| build.surface.made(e as u32, f));
+            let made = own.flat_map(|&f| build.surface.panels_beyond_degenerate(e as u32, f));
             made.map(|f| &*build.names[f as usize]).collect::<Vec<_>>().join("/")
         };
         let [left, right] = [panels(true), panels(false)];

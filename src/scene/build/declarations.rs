@@ -306,7 +306,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(
         Limits,
         "limits.warp",
-        "Beam twist",
+        "Beam warp",
         number(Mm, FROM_0, |own| Some(own.limits.warp)),
         "Corners of a beam from its plane, at full size.",
     ),
@@ -320,7 +320,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(
         Limits,
         "limits.lean",
-        "Node tilt",
+        "Axis lean",
         number(Degrees, FROM_0, |own| Some(own.limits.lean)),
         "Axis of a node from the normal of the surface.",
     ),

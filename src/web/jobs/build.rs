@@ -9,7 +9,6 @@ use crate::mesh::Mesh;
 use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings, Up};
 use crate::web::values::{AsIs, Js, flat, indices, plain, plains, read};
 use crate::web::{log_panics, mesh_of, thrown};
-use crate::words;
 use js_sys::{Float64Array, Uint32Array};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
@@ -126,7 +125,7 @@ impl Builder {
         let mesh = Mesh { unplaced, untouched, ..mesh_of(positions, offsets, indices) };
         let build = LengthInMetres::of(&symbol)
             .and_then(|unit| Build::standing(&mesh, &settings, unit, &stand));
-        let said = |fault: Fault| thrown(format!("{}.", words::sentence(&fault.0)));
+        let said = |fault: Fault| thrown(fault.sentence());
         Ok(Builder { build: build.map_err(said)?, z_up })
     }
 

@@ -80,10 +80,10 @@ fn turned(v: Point, axis: Point, angle: f64) -> Point {
 /// All fins by their names, as their letters and outlines say.
 fn fins(files: &Files) -> BTreeMap<String, Fin> {
     let (parts, beside) = files.parts();
-    let legend = beside.iter().find(|text| text.text.starts_with("NAME: FROM ITS FIRST NODE, TOP"));
+    let legend = beside.iter().find(|text| text.text.starts_with("FIN NAMES READ FROM FIRST"));
     let legend = &*legend.expect("the sheet says how fins lie").text;
-    let is_below = legend.contains("EDGE OF THE MODEL BELOW IT");
-    assert!(is_below || legend.contains("EDGE OF THE MODEL ABOVE IT"));
+    let is_below = legend.contains("OUTSIDE UP, MODEL EDGE AT THE BOTTOM");
+    assert!(is_below || legend.contains("OUTSIDE UP, MODEL EDGE AT THE TOP"));
     let table = files.table("fins.csv");
     let cut_backs: BTreeMap<String, [f64; 2]> = table
         .rows()

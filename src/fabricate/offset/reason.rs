@@ -1,0 +1,137 @@
+//! Why the axes of an offset are not exact: what is said about it, and which constraint on panels helps,
+//! follow from it.
+
+use super::{Axes, Closing, Inexact};
+use crate::scene::OffsetKind;
+use crate::words;
+
+/// Turns below this, in degrees, are due to rounding or the solver's tolerance.
+const CLOSED: f64 = 0.01;
+
+/// Why axes are not exact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::fabricate) enum Reason {
+    /// Corners: the number of panels with an odd number of edges, around which axes do not close.
+    OddPanels(usize),
+    /// Corners: a panel, and the angle in degrees by which an axis is turned around it.
+    PanelTurn(u32, f64),
+    /// Corners: a rim has an odd number of edges.
+    OddRim,
+    /// Corners: the angle in degrees by which an axis is turned around a rim.
+    RimTurn(f64),
+    /// Corners: axes close around panels and rims, but not around openings through the surface.
+    Openings,
+    /// Panels: around some vertex they do not meet in one point.
+    NoPoint,
+    /// Panels: some are not flat.
+    NotFlat,
+    /// Beams: edges are not parallel to edges that touch one sphere.
+    NoSphere,
+    /// The exact axes lean too far.
+    Lean,
+}
+
+impl Closing {
+    /// Why axes do not close around a panel or a rim; none if they do.
+    pub(in crate::fabricate) fn reason(&self) -> Option<Reason> {
+        let turns = self.rims_deg.iter().flatten();
+        let rim = turns.copied().fold(0.0, f64::max);
+        if self.odd_panels > 0 {
+            Some(Reason::OddPanels(self.odd_panels))
+        } else if self.panel_deg > CLOSED {
+            Some(Reason::PanelTurn(self.panel, self.panel_deg))
+        } else if self.rims_deg.contains(&None) {
+            Some(Reason::OddRim)
+        } else {
+            (rim > CLOSED).then_some(Reason::RimTurn(rim))
+        }
+    }
+}
+
+impl Axes {
+    /// Why these are not exact; none if they are. `are_flat` is whether all panels are flat.
+    pub(in crate::fabricate) fn reason(&self, closing: &Closing, are_flat: bool) -> Option<Reason> {
+        Some(match (self.kind, self.inexact?) {
+            (_, Inexact::Lean) => Reason::Lean,
+            (OffsetKind::Corner, _) => closing.reason().unwrap_or(match closing.has_openings {
+                true => Reason::Openings,
+                // However small its turn, there is no other reason.
+                false => Reason::PanelTurn(closing.panel, closing.panel_deg),
+            }),
+            (OffsetKind::Face, Inexact::Errors) if !are_flat => Reason::NotFlat,
+            (OffsetKind::Face, _) => Reason::NoPoint,
+            (OffsetKind::Edge, _) => Reason::NoSphere,
+        })
+    }
+}
+
+impl Reason {
+    /// The reason as a clause; panels have these `names`.
+    pub(in crate::fabricate) fn words(self, names: &[String]) -> String {
+        let plain = match self {
+            Reason::OddPanels(panels) => {
+                let panels = words::count(panels, "panel", "panels");
+                return format!(
+                    "the axes do not close around {panels}, with an odd number of edges"
+                );
+            }
+            Reason::PanelTurn(panel, turn) => {
+                let (name, turn) = (&names[panel as usize], words::degrees(turn));
+                return format!(
+                    "around panel {name} an axis is turned by {turn}: its corners are not on a circle"
+                );
+            }
+            Reason::RimTurn(turn) => {
+                let turn = words::degrees(turn);
+                return format!(
+                    "around a rim an axis is turned by {turn}, so the axes do not close"
+                );
+            }
+            Reason::OddRim => {
+                "a rim has an odd number of edges: axes close around it only in special shapes"
+            }
+            Reason::Openings => {
+                "the axes do not close around the openings through the surface, as in a ring"
+            }
+            Reason::NoPoint => {
+                "around some vertex, the panels moved by this distance do not meet in one point"
+            }
+            Reason::NotFlat => "the panels are not flat",
+            Reason::NoSphere => {
+                "only a mesh whose edges are parallel to edges that all touch one sphere allows this"
+            }
+            Reason::Lean => "the exact axes lean too far",
+        };
+        plain.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn reason(closing: &Closing, inexact: Inexact) -> Option<Reason> {
+        let axes = Axes { axes: Vec::new(), kind: OffsetKind::Corner, inexact: Some(inexact) };
+        axes.reason(closing, true)
+    }
+
+    #[test]
+    fn an_odd_rim_is_the_reason_rather_than_a_turn_of_zero() {
+        let of_rims = |rims: [Option<f64>; 2]| {
+            let closing = Closing { rims_deg: rims.to_vec(), ..Closing::default() };
+            reason(&closing, Inexact::Errors)
+        };
+        assert_eq!(of_rims([None, Some(0.0)]), Some(Reason::OddRim));
+        assert_eq!(of_rims([Some(0.0), Some(1.5)]), Some(Reason::RimTurn(1.5)));
+    }
+
+    #[test]
+    fn openings_or_the_lean_are_the_reason_only_where_they_are() {
+        let closing =
+            |has_openings| Closing { has_openings, panel_deg: 1e-5, ..Closing::default() };
+        assert_eq!(reason(&closing(true), Inexact::Errors), Some(Reason::Openings));
+        let turned = Some(Reason::PanelTurn(0, 1e-5));
+        assert_eq!(reason(&closing(false), Inexact::Errors), turned);
+        assert_eq!(reason(&closing(true), Inexact::Lean), Some(Reason::Lean));
+    }
+}
