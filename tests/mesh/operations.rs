@@ -27,6 +27,7 @@ pub(crate) fn apply(
     let topology = Topology::new(mesh);
     operation.apply(&Task {
         mesh,
+        rest: &mesh.positions,
         topology: &topology,
         up: [0.0, 0.0, 1.0],
         sizes: sizes.unwrap_or(&defaults),
@@ -208,6 +209,42 @@ fn a_concave_quad_is_cut_inside() {
     let cut = done(&dart, "triangles").mesh;
     assert!(cut.faces.iter().all(|face| face.contains(&0) && face.contains(&2)));
     assert!(apply(&cut, "quads", None, &Picked::default()).is_err(), "it is not convex");
+}
+
+/// A slab with a notch as deep as its centre, and one around its centre.
+fn notched() -> [Mesh; 2] {
+    let l: &[[u32; 2]] = &[[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]];
+    let u: &[[u32; 2]] = &[[0, 0], [3, 0], [3, 3], [2, 3], [2, 1], [1, 1], [1, 3], [0, 3]];
+    [l, u].map(|slab| Mesh {
+        positions: slab.iter().map(|&[x, y]| [f64::from(x), f64::from(y), 0.0]).collect(),
+        faces: [(0..slab.len() as u32).collect::<Vec<u32>>()].into_iter().collect(),
+        ..Mesh::default()
+    })
+}
+
+#[test]
+fn a_face_that_its_centre_does_not_see_is_cut_along_diagonals() {
+    for (slab, twice) in notched().into_iter().zip([6.0, 14.0]) {
+        let cut = done(&slab, "triangles").mesh;
+        assert_eq!(cut.positions, slab.positions);
+        let areas = cut.faces.iter().map(|face| {
+            let [a, b, c] = [0, 1, 2].map(|k| cut.positions[face[k] as usize]);
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        });
+        assert!(areas.clone().all(|area| area > 0.1));
+        assert_eq!(areas.sum::<f64>(), twice);
+    }
+    let [_, u] = notched();
+    assert!(apply(&u, "split-face", None, &with_vertices(&[3, 6])).is_err(), "it is in the notch");
+    assert!(apply(&u, "split-face", None, &with_vertices(&[2, 7])).is_err(), "it crosses it");
+    assert_eq!(area(&apply(&u, "split-face", None, &with_vertices(&[0, 4])).unwrap().mesh), 7.0);
+}
+
+#[test]
+fn a_notched_quad_whose_inner_diagonal_is_an_edge_is_not_cut_outside() {
+    let text = "v 0 0 0\nv 4 -1 0\nv 1 0.2 0\nv 0 4 0\nv 0 0 3\nf 1 2 3 4\nf 1 3 5\n";
+    let cut = done(&read("dart.obj", text.as_bytes()).unwrap().mesh, "triangles").mesh;
+    assert_eq!((cut.faces.len(), cut.positions[5]), (5, [0.5, 0.1, 0.0]));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Deleting, merging and splitting faces, and filling holes with faces.
 
 use super::declaration::{OperationError, Task};
-use crate::math::{Vec3, polygon_sides};
+use crate::math::{Vec3, is_diagonal_inside, polygon_sides};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 
@@ -65,14 +65,20 @@ fn outline(task: &Task<'_>, faces: &[u32]) -> Option<Vec<u32>> {
     (faces.len() > 1 && corners.len() == count && count > 2).then_some(corners)
 }
 
-/// Splits the face that has both picked vertices, which no edge of faces may connect.
+/// Splits the face that has both picked vertices, which no edge of faces may connect, and the line
+/// between them inside it.
 pub(super) fn split(task: &Task<'_>) -> Result<Edited, OperationError> {
-    let wrong =
-        OperationError::Expected("two selected corners of one face without an edge between them");
+    let wrong = OperationError::Expected(
+        "two selected corners of one face without an edge between them, and the line between them inside it",
+    );
     let &[a, b] = task.vertices else { return Err(wrong) };
     let is_cut = |corners: &[u32]| {
-        let is_open = a != b && task.topology.body_edge(a, b).is_none();
-        is_open && corners.contains(&a) && corners.contains(&b)
+        let ends = [a, b].map(|end| corners.iter().position(|&corner| corner == end));
+        let (true, [Some(a), Some(b)]) = (task.topology.body_edge(a, b).is_none(), ends) else {
+            return false;
+        };
+        let corners = corners.iter().map(|&v| Vec3::from(task.mesh.positions[v as usize]));
+        a != b && is_diagonal_inside(&corners.collect::<Vec<_>>(), [a, b])
     };
     let cut = task.all_faces().find(|&face| is_cut(task.mesh.faces.row(face as usize)));
     let cut = cut.ok_or(wrong)?;
