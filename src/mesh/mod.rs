@@ -42,7 +42,7 @@ pub use bounds::{BoundingSphere, LARGEST_COORDINATE, diagonal, first_out_of_rang
 pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };
-pub(crate) use coincident::first_of_part;
+pub(crate) use coincident::first_of_group;
 pub(crate) use curvature::form_on;
 pub use curvature::{
     Curvature, CurvatureField, CurvatureLine, CurvatureLines, Family, SurfacePoint, curvatures,

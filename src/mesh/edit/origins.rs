@@ -1,5 +1,6 @@
 //! The map from the elements of a new mesh to those of the mesh that it was made from.
 
+use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
 
 /// A mesh made from another one, with the origins of its elements.
@@ -26,6 +27,32 @@ impl Edited {
             }
         }
         other
+    }
+}
+
+/// Least area of a new face in the direction of the old one, as a fraction of the area of that.
+const NO_AREA: f64 = 1e-9;
+
+impl Edited {
+    /// Counts the faces around a new vertex between three or more old ones that have no area, or face
+    /// the other way than the face that they were made from: `old`, at the positions of this mesh.
+    /// There the vertex is not inside it.
+    pub fn turned_over(&self, old: &Mesh) -> usize {
+        let area = |mesh: &Mesh, face: usize| {
+            let corners = mesh.faces.row(face).iter();
+            twice_vector_area(corners.map(|&v| Vec3::from(mesh.positions[v as usize])))
+        };
+        let is_turned = |&face: &usize| {
+            let is_centre = |&v: &u32| self.origins.between.row(v as usize).len() > 2;
+            let is = area(&self.mesh, face);
+            let is_against = |&parent: &u32| {
+                let was = area(old, parent as usize);
+                was != Vec3::zero() && is.dot(was) <= NO_AREA * was.length_squared()
+            };
+            self.mesh.faces.row(face).iter().any(is_centre)
+                && self.origins.faces.row(face).iter().any(is_against)
+        };
+        (0..self.mesh.faces.len()).filter(is_turned).count()
     }
 }
 

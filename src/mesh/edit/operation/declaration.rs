@@ -47,6 +47,8 @@ pub enum Picks {
 pub struct Task<'a> {
     /// The mesh at its current positions.
     pub mesh: &'a Mesh,
+    /// `#V by 3`: its rest positions, where what lies on each other is looked for.
+    pub rest: &'a [Point],
     /// The topology of the mesh.
     pub topology: &'a Topology,
     /// The direction that points up, a unit vector.

@@ -52,7 +52,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "triangles",
         label: "Faces to triangles",
-        summary: "Cuts quads along the shorter diagonal, and larger faces from a new vertex at their centre.",
+        summary: "Cuts quads along the shorter diagonal, and larger faces from a new vertex at their centre or, with a notch, along diagonals.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: triangles::from_faces,
@@ -127,7 +127,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "join",
         label: "Join seams",
-        summary: "Merges boundary vertices that lie on each other without being joined, as between two patches.",
+        summary: "Merges boundary vertices that lie on each other without being joined, as between two patches. A seam that has opened since is closed.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: vertices::join,
