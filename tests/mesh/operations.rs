@@ -341,6 +341,18 @@ fn holes_are_closed_and_the_outline_stays() {
     let closed = apply(&whole, "fill", None, &with_vertices(&[0])).unwrap().mesh;
     assert_eq!(closed.faces.row(25).len(), 20);
     assert_eq!(Topology::new(&closed).boundary_loops().len(), 0);
+    for id in ["fill", "extrude"] {
+        let refused = apply(&closed, id, None, &Picked::default());
+        assert_eq!(refused, Err(OperationError::NoBoundary));
+    }
+    // Each of two pieces has an outline.
+    let mut two = mesh.clone();
+    two.positions.extend(mesh.positions.iter().map(|&[x, y, z]| [x + 9.0, y, z]));
+    mesh.faces.iter().for_each(|face| {
+        two.faces.push(&face.iter().map(|v| v + 36).collect::<Vec<_>>());
+    });
+    let filled = done(&two, "fill").mesh;
+    assert_eq!((filled.faces.len(), Topology::new(&filled).boundary_loops().len()), (50, 2));
 }
 
 #[test]

@@ -72,6 +72,8 @@ pub enum OperationError {
     Tetrahedra(usize),
     /// The mesh has no faces.
     NoFaces,
+    /// The mesh has no boundary.
+    NoBoundary,
     /// A picked element does not exist.
     NotThere {
         /// `face` or `vertex`.
@@ -104,6 +106,7 @@ impl fmt::Display for OperationError {
                 words::count(*count, "tetrahedron", "tetrahedra")
             ),
             OperationError::NoFaces => f.write_str("the mesh has no faces"),
+            OperationError::NoBoundary => f.write_str("the mesh is closed: it has no boundary"),
             OperationError::NotThere { element, index } => {
                 write!(f, "there is no {element} {index}")
             }

@@ -2,8 +2,10 @@
 
 use super::declaration::{OperationError, Task};
 use crate::math::{Vec3, is_diagonal_inside, polygon_sides};
+use crate::mesh::components;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
+use std::collections::BTreeMap;
 
 pub(super) fn delete(task: &Task<'_>) -> Result<Edited, OperationError> {
     let is_picked = task.picked_faces();
@@ -100,10 +102,14 @@ pub(super) fn split(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Closes the boundary loops with a picked vertex; without one, all but the longest, the outline.
+/// Closes the boundary loops with a picked vertex; without one, all but the longest of each connected
+/// component, its outline.
 pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
     let Task { mesh, topology, .. } = task;
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    if topology.boundary_loops().is_empty() {
+        return Err(OperationError::NoBoundary);
+    }
     // An open chain, such as the rim of a wall on a floor, encloses no hole.
     let loops = topology.boundary_loops().iter().filter(|row| topology.is_closed_loop(row));
     let loops: Vec<&[u32]> = loops.collect();
@@ -111,17 +117,23 @@ pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
     let length = |corners: &[u32]| -> f64 {
         polygon_sides(corners).map(|[a, b]| (at(b) - at(a)).length()).sum()
     };
-    let outline = (0..loops.len())
-        .max_by(|&i, &j| length(loops[i]).total_cmp(&length(loops[j])))
-        .filter(|_| task.vertices.is_empty());
-    let is_meant = |(i, corners): &(usize, &[u32])| {
-        Some(*i) != outline && corners.iter().any(|&v| is_picked[v as usize])
+    let component = components(mesh.positions.len(), mesh.faces.iter());
+    let mut longest: BTreeMap<u32, (f64, usize)> = BTreeMap::new();
+    for (i, corners) in loops.iter().enumerate().filter(|_| task.vertices.is_empty()) {
+        let own = longest.entry(component[corners[0] as usize]).or_insert((0.0, i));
+        if length(corners) > own.0 {
+            *own = (length(corners), i);
+        }
+    }
+    let is_outline = |i: usize| longest.values().any(|(_, outline)| *outline == i);
+    let is_meant = |(i, corners): &(usize, &&[u32])| {
+        !is_outline(*i) && corners.iter().any(|&v| is_picked[v as usize])
     };
     let holes: Vec<&[u32]> =
-        loops.iter().copied().enumerate().filter(is_meant).map(|(_, corners)| corners).collect();
+        loops.iter().enumerate().filter(is_meant).map(|(_, corners)| *corners).collect();
     if holes.is_empty() {
         return Err(OperationError::Expected(if task.vertices.is_empty() {
-            "a hole other than the outline; to close the outline, select one of its vertices"
+            "a hole other than the outline of a piece; to close an outline, select one of its vertices"
         } else {
             "a selected vertex on a closed boundary"
         }));

@@ -87,7 +87,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "fill",
         label: "Fill holes",
-        summary: "Closes every boundary except the longest with a face, or only those with a selected vertex.",
+        summary: "Closes every boundary except the longest of each piece with a face, or only those with a selected vertex.",
         picks: Picks::AnyVertices,
         sizes: &[],
         apply: faces::fill_holes,
