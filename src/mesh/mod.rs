@@ -71,5 +71,6 @@ pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind, untouched_words};
 pub use seams::seams;
 pub use topology::{
-    Repeated, Topology, components, corners, edge_lines, hinges, repeated, stars, strips,
+    Repeated, Topology, components, corners, edge_lines, hinges, orientation, repeated, stars,
+    strips,
 };

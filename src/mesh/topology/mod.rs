@@ -6,11 +6,13 @@
 mod boundary;
 mod edge_lines;
 mod local;
+mod orientation;
 mod strips;
 
 pub use boundary::components;
 pub use edge_lines::{Repeated, edge_lines, repeated};
 pub use local::{corners, hinges, stars};
+pub use orientation::orientation;
 pub use strips::strips;
 
 use crate::math::Vec3;
