@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { openText, showStep, tool } from '../actions.ts';
-import { gridText, tube } from '../meshes.ts';
+import { gridText } from '../meshes.ts';
 import { expect, looks, openPage, pictureOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -52,8 +52,6 @@ test(
     await card.getByLabel('Distance between lines').fill('1.5');
     await card.getByLabel('Distance between lines').press('Enter');
     await expect(card.getByText('expected a distance from')).toBeHidden();
-    await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
-    await expect(card.getByText('Select vertices or faces')).toBeVisible();
     await page.getByRole('button', { name: 'Close curvature' }).click();
     await expect(card).toBeHidden();
     await expect(async () => {
@@ -147,16 +145,4 @@ test('another measure than a curvature is the one before', async ({ page }) => {
   await expect(legend).toContainText('Off the lines of curvature');
   await card.getByLabel('Coloured by').selectOption({ label: 'Another measure' });
   await expect(legend).toContainText('Planarity');
-});
-
-test('a tube has lines around and along it', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'tube.obj', tube(), 60);
-  const card = await openCurvature(page);
-  await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
-  await showStep(page, 'Shape');
-  await page.evaluate(() => (document.querySelector('#viewport') as HTMLElement).focus());
-  await page.keyboard.press('3');
-  await page.keyboard.press('Control+A');
-  await expect(card.getByText('Select vertices or faces')).toBeHidden();
 });
