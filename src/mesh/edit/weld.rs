@@ -2,6 +2,7 @@
 //! common edges, and constraints on them would tear it apart.
 
 use crate::mesh::coincident::{first_of_group, tolerance, within_face};
+use crate::mesh::io::COINCIDENT;
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
 use std::collections::BTreeSet;
 
@@ -28,6 +29,7 @@ impl Read {
         let of_mesh = diagnose(&weld.original);
         self.problems.retain(|problem| of_mesh.iter().all(|other| other.kind != problem.kind));
         self.problems.extend(diagnose(&self.mesh));
+        self.notes.retain(|note| !note.contains(COINCIDENT));
         self.notes.push(format!(
             "faces do not share vertices: {} coincident vertices were welded, {} remain",
             weld.original.positions.len() - self.mesh.positions.len(),
