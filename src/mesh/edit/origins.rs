@@ -66,8 +66,8 @@ pub struct Origins {
     /// The old vertices that each new vertex lies between, ascending: one for an old vertex, two
     /// for a vertex on an old edge, the corners of a face for a vertex inside it.
     pub between: Ragged,
-    /// The old faces that each new face is a part of or was made from, ascending; empty for a face
-    /// that closes a hole.
+    /// The old faces that each new face is a part of or was made from; empty for a face that closes
+    /// a hole.
     pub faces: Ragged,
 }
 
