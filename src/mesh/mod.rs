@@ -12,7 +12,7 @@
 //! | `coincident` | vertices at one place, up to rounding |
 //! | `seams` | boundary vertices that lie on others without being joined |
 //! | `io` | reading and writing mesh files |
-//! | `topology` | edges, neighbours, boundary loops, strips, components, curves on the mesh |
+//! | `topology` | edges, neighbours, boundary loops, strips, components, orientation, curves on the mesh |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest points `c(v)` on a surface, Eq. 11, and on its boundary curves |
 //! | `measure` | planarity, circularity, angles, Gauss curvature, unrolled strips, distortion of flat maps |

@@ -3,7 +3,7 @@
 
 use crate::session::refine::{everything, open};
 use crate::support::grid::{bumpy, grid};
-use shape_up::mesh::{Mesh, Ragged};
+use shape_up::mesh::{Mesh, Ragged, Scheme};
 use shape_up::session::{Edit, Remeshing, RemeshingPreview, Session};
 
 fn remeshing(operation: &str, sizes: &[f64], vertices: &[u32], faces: &[u32]) -> Remeshing {
@@ -193,7 +193,7 @@ fn new_faces_that_lie_over_others_are_said() {
         ..Mesh::default()
     };
     let mut session = open("", mesh);
-    let refine = r#"{ "refine": { "scheme": "linear", "levels": 1 } }"#;
-    session.edit(Edit::from_json(refine).expect("it is an edit")).expect("it can be refined");
+    let refine = Edit::Refine { scheme: Scheme::Linear, levels: 1, keep: 75.0, adopt: false };
+    session.edit(refine).expect("it can be refined");
     assert!(session.lost()[0].contains("turned over or without area"), "{:?}", session.lost());
 }

@@ -38,21 +38,20 @@ impl Edited {
     /// the other way than the face that they were made from: `old`, at the positions of this mesh.
     /// There the vertex is not inside it.
     pub fn turned_over(&self, old: &Mesh) -> usize {
-        let area = |mesh: &Mesh, face: usize| {
-            let corners = mesh.faces.row(face).iter();
-            twice_vector_area(corners.map(|&v| Vec3::from(mesh.positions[v as usize])))
+        let area = |mesh: &Mesh, face: &[u32]| {
+            twice_vector_area(face.iter().map(|&v| Vec3::from(mesh.positions[v as usize])))
         };
-        let is_turned = |&face: &usize| {
-            let is_centre = |&v: &u32| self.origins.between.row(v as usize).len() > 2;
+        let before: Vec<Vec3<f64>> = old.faces.iter().map(|face| area(old, face)).collect();
+        let is_centre = |&v: &u32| self.origins.between.row(v as usize).len() > 2;
+        let is_turned = |(face, parents): &(&[u32], &[u32])| {
             let is = area(&self.mesh, face);
             let is_against = |&parent: &u32| {
-                let was = area(old, parent as usize);
+                let was = before[parent as usize];
                 was != Vec3::zero() && is.dot(was) <= NO_AREA * was.length_squared()
             };
-            self.mesh.faces.row(face).iter().any(is_centre)
-                && self.origins.faces.row(face).iter().any(is_against)
+            face.iter().any(is_centre) && parents.iter().any(is_against)
         };
-        (0..self.mesh.faces.len()).filter(is_turned).count()
+        self.mesh.faces.iter().zip(self.origins.faces.iter()).filter(is_turned).count()
     }
 }
 
