@@ -4,15 +4,14 @@
 //! manifold: an edge may have any number of faces, a vertex any number of fans.
 
 mod boundary;
+mod components;
 mod edge_lines;
 mod local;
-mod orientation;
 mod strips;
 
-pub use boundary::components;
+pub use components::{components, orientation};
 pub use edge_lines::{Repeated, edge_lines, repeated};
 pub use local::{corners, hinges, stars};
-pub use orientation::orientation;
 pub use strips::strips;
 
 use crate::math::Vec3;

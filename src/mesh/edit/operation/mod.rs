@@ -4,7 +4,6 @@ mod declaration;
 mod dual;
 mod extrude;
 mod faces;
-mod orientation;
 mod strips;
 mod triangles;
 mod vertices;
@@ -154,7 +153,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         summary: "Flips as few faces as possible so that all have the same orientation.",
         picks: Picks::Nothing,
         sizes: &[],
-        apply: orientation::unify,
+        apply: faces::unify,
     },
     MeshOperation {
         id: "flip",
@@ -162,7 +161,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         summary: "Flips all faces: front becomes back.",
         picks: Picks::Nothing,
         sizes: &[],
-        apply: orientation::flip,
+        apply: faces::flip,
     },
 ];
 
