@@ -192,7 +192,7 @@ fn new_faces_that_lie_over_others_are_said() {
         faces: [(0..8).collect::<Vec<u32>>()].into_iter().collect(),
         ..Mesh::default()
     };
-    let mut session = open("", mesh);
+    let mut session = open(r#""title": "slab""#, mesh);
     let refine = Edit::Refine { scheme: Scheme::Linear, levels: 1, keep: 75.0, adopt: false };
     session.edit(refine).expect("it can be refined");
     assert!(session.lost()[0].contains("turned over or without area"), "{:?}", session.lost());

@@ -227,7 +227,7 @@ fn spaced_lines_keep_their_distance_and_cover_the_surface() {
             }
         }
         for centre in field.centres() {
-            let at = Point::from(field.position(centre));
+            let at = Point::from(centre.at);
             let nearest = points.iter().flatten().map(|point| gap(&at, point));
             assert!(nearest.fold(f64::MAX, f64::min) < 1.6 * distance);
         }

@@ -133,7 +133,7 @@ pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
         loops.iter().enumerate().filter(is_meant).map(|(_, corners)| *corners).collect();
     if holes.is_empty() {
         return Err(OperationError::Expected(if task.vertices.is_empty() {
-            "a hole other than the outline of a piece; to close an outline, select one of its vertices"
+            "a hole other than the outline of a piece; to close the outline, select one of its vertices"
         } else {
             "a selected vertex on a closed boundary"
         }));
