@@ -2,9 +2,7 @@
 //! figures.
 
 use crate::support::random::Random;
-use shape_up::experiment::{
-    AngleSums, COMPARISON, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series,
-};
+use shape_up::experiment::{COMPARISON, EXPERIMENTS, EndedBy, Experiment, Limits, Run, Series};
 use shape_up::generate::example::EXAMPLES;
 use shape_up::math::Vec3;
 use shape_up::mesh::Point;
@@ -15,8 +13,8 @@ use shape_up::session::Session;
 fn run(example: &str, limits: impl Fn(Limits) -> Limits) -> Vec<(&'static str, Series)> {
     let experiment = Experiment::of(example).expect("it has one");
     let (scene, mesh) = EXAMPLES.iter().find(|e| e.id == example).expect("there is one").build();
-    let mut run = Run::new(experiment, scene, mesh, limits(experiment.limits));
-    while run.step().expect("positions stay finite") {}
+    let run = Run::of(experiment, scene, &mesh, limits(experiment.limits))
+        .expect("positions stay finite");
     let ids = experiment.methods.iter().map(|method| method.id);
     ids.zip(run.series().to_vec()).collect()
 }
@@ -69,8 +67,8 @@ fn mean_centring_beats_all_but_the_accelerated_solver() {
         assert!(last(slow) > 1e-2, "{slow}: {}", last(slow));
     }
     assert!(last("l-bfgs") < 0.8 * last("gradient-descent"));
-    assert_eq!(of(&all, "accelerated").ended_by, Some(EndedBy::Reached));
-    assert_eq!(of(&all, "l-bfgs").ended_by, Some(EndedBy::Iterations));
+    assert_eq!(of(&all, "accelerated").ended_by, EndedBy::Reached);
+    assert_eq!(of(&all, "l-bfgs").ended_by, EndedBy::Iterations);
     // After the time of the slow methods, the centred one is far below all of them.
     for slow in ["not-centred", "gradient-descent", "l-bfgs"] {
         let given = of(&all, slow).samples.last().expect("it has samples").seconds;
@@ -87,8 +85,7 @@ fn whatever_is_open_can_be_compared_with_bfgs_where_it_fits() {
         let (scene, mesh) =
             EXAMPLES.iter().find(|e| e.id == example).expect("there is one").build();
         let limits = Limits { iterations, seconds: f64::INFINITY };
-        let mut run = Run::new(&COMPARISON, scene, mesh, limits);
-        while run.step().expect("positions stay finite") {}
+        let run = Run::of(&COMPARISON, scene, &mesh, limits).expect("positions stay finite");
         let ids = COMPARISON.methods.iter().map(|method| method.id);
         ids.zip(run.series().to_vec()).collect::<Vec<_>>()
     };
@@ -106,8 +103,8 @@ fn whatever_is_open_can_be_compared_with_bfgs_where_it_fits() {
 
     let large = compared("fig-05-planar", 1);
     let bfgs = of(&large, "bfgs");
-    assert_eq!((bfgs.samples.len(), bfgs.ended_by), (0, Some(EndedBy::TooLarge)));
-    assert_eq!(of(&large, "l-bfgs").ended_by, Some(EndedBy::Iterations));
+    assert_eq!((bfgs.samples.len(), bfgs.ended_by), (0, EndedBy::TooLarge));
+    assert_eq!(of(&large, "l-bfgs").ended_by, EndedBy::Iterations);
 }
 
 /// The length of the shortest edge of an example at its start.
@@ -125,7 +122,7 @@ fn fitted_circles_are_smoother_than_penalised_angles_at_the_same_error() {
     let all = run("fig-11-strip", without_clock);
     let [fitted, penalised] = ["shape-up", "gauss-newton"].map(|id| {
         let series = of(&all, id);
-        assert_eq!(series.ended_by, Some(EndedBy::Reached), "{id}");
+        assert_eq!(series.ended_by, EndedBy::Reached, "{id}");
         let last = &series.samples.last().expect("it has samples").values;
         println!("{id}: {} iterations, {last:?}", series.samples.len() - 1);
         [last[0], last[1], last[2]]
@@ -150,8 +147,8 @@ fn both_find_the_same_shape_where_no_edge_collapses() {
     scene.handles.clear();
     scene.closeness.to = ClosenessTo::Rest;
     scene.weights = Weights { shape: 2000.0, close: 1.0, smooth: 1.0 };
-    let mut run = Run::new(experiment, scene, mesh, without_clock(experiment.limits));
-    while run.step().expect("positions stay finite") {}
+    let run = Run::of(experiment, scene, &mesh, without_clock(experiment.limits))
+        .expect("positions stay finite");
     let [fitted, penalised] = [0, 1].map(|k| {
         let series = &run.series()[k];
         println!("{:?} after {}", series.ended_by, series.samples.len());
@@ -168,10 +165,10 @@ fn limits_end_a_method_and_the_next_one_starts() {
     let all = run("fig-10-collapse", |_| Limits { iterations: 2, seconds: f64::INFINITY });
     for (method, series) in &all {
         assert_eq!(series.samples.len(), 3, "{method}");
-        assert_eq!(series.ended_by, Some(EndedBy::Iterations), "{method}");
+        assert_eq!(series.ended_by, EndedBy::Iterations, "{method}");
     }
     let none = run("fig-10-collapse", |limits| Limits { seconds: 0.0, ..limits });
-    assert!(none.iter().all(|(_, series)| series.ended_by == Some(EndedBy::Seconds)));
+    assert!(none.iter().all(|(_, series)| series.ended_by == EndedBy::Seconds));
 }
 
 #[test]
@@ -179,8 +176,8 @@ fn every_line_of_the_table_has_every_column() {
     let experiment = Experiment::of("fig-11-strip").expect("it has one");
     let (scene, mesh) =
         EXAMPLES.iter().find(|e| e.id == "fig-11-strip").expect("there is one").build();
-    let mut run = Run::new(experiment, scene, mesh, Limits { iterations: 2, seconds: 10.0 });
-    while run.step().expect("positions stay finite") {}
+    let run = Run::of(experiment, scene, &mesh, Limits { iterations: 2, seconds: 10.0 })
+        .expect("positions stay finite");
     let csv = run.csv();
     let lines: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
     assert_eq!(lines[0], ["method", "iteration", "seconds", "smooth", "e_c", "shortest"]);
@@ -197,13 +194,8 @@ fn a_scene_that_the_penalty_method_cannot_have_is_refused() {
     let (mut scene, mesh) =
         EXAMPLES.iter().find(|e| e.id == "fig-11-strip").expect("there is one").build();
     scene.handles[0].hold = Hold::Soft { weight: 1.0 };
-    let mut run = Run::new(experiment, scene, mesh, Limits { iterations: 0, seconds: 10.0 });
-    let error = loop {
-        match run.step() {
-            Ok(more) => assert!(more, "it should be refused"),
-            Err(error) => break error.to_string(),
-        }
-    };
+    let run = Run::of(experiment, scene, &mesh, Limits { iterations: 0, seconds: 10.0 });
+    let error = run.err().expect("it should be refused").to_string();
     assert!(error.contains("handles[0]") && error.contains("expected \"fixed\": true"), "{error}");
 }
 
@@ -241,60 +233,5 @@ fn the_gradient_is_that_of_the_energy() {
             let error = (difference - gradient[v][k]).abs();
             assert!(error < 1e-6 * largest, "{v}, {k}: {difference} and {}", gradient[v][k]);
         }
-    }
-}
-
-fn quad(random: &mut Random) -> [Vec3<f64>; 4] {
-    let corners = [[0.0, 0.0], [1.0, 0.0], [1.2, 1.0], [-0.1, 0.9]];
-    corners.map(|[x, y]| {
-        let [a, b, c] = [0; 3].map(|_| 0.1 * random.uniform());
-        Vec3::new(x + a, y + b, c)
-    })
-}
-
-#[test]
-fn the_derivatives_of_the_angle_sums_are_those_of_their_differences() {
-    let mut random = Random::new(3);
-    for _ in 0..50 {
-        let corners = quad(&mut random);
-        let found = AngleSums::of(corners, 0.7);
-        for v in 0..4 {
-            for k in 0..3 {
-                const STEP: f64 = 1e-6;
-                let at = |step: f64| {
-                    let mut moved = corners;
-                    let by = [0, 1, 2].map(|i| if i == k { step } else { 0.0 });
-                    moved[v] += Vec3::from(by);
-                    AngleSums::of(moved, 0.7).residuals
-                };
-                let (more, less) = (at(STEP), at(-STEP));
-                for r in 0..3 {
-                    let difference = (more[r] - less[r]) / (2.0 * STEP);
-                    let by = found.derivatives[r][v];
-                    let by = [by.x, by.y, by.z][k];
-                    assert!((difference - by).abs() < 1e-7, "{r}, {v}, {k}: {difference} {by}");
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn the_residuals_vanish_on_circles_only() {
-    let mut random = Random::new(5);
-    for _ in 0..50 {
-        // Four points around a circle in an inclined plane.
-        let (u, v) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 1.0, 0.0));
-        let turns = [0.0, 0.25, 0.5, 0.75].map(|t| t + 0.1 * random.uniform());
-        let at = |t: f64| u * shape_up::math::cosine(t) + v * shape_up::math::sine(t);
-        let on = AngleSums::of(turns.map(at), 1.0);
-        assert!(on.residuals.iter().all(|r| r.abs() < 1e-12), "{:?}", on.residuals);
-        let mut off = turns.map(at);
-        off[2] = off[2] * 1.1;
-        let off = AngleSums::of(off, 1.0);
-        assert!(off.residuals[0].abs() > 1e-2 && off.residuals[2].abs() < 1e-12);
-        let mut bent = turns.map(at);
-        bent[2] += u.cross(v) * 0.1;
-        assert!(AngleSums::of(bent, 1.0).residuals[2].abs() > 1e-3);
     }
 }

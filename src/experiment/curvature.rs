@@ -37,7 +37,7 @@ impl Curvature {
     pub(super) fn forget(&mut self) {
         match self {
             Curvature::Ignored => {}
-            Curvature::Recent(memory) => memory.forget(),
+            Curvature::Recent(memory) => memory.clear(),
             Curvature::Dense { inverse, learned } => {
                 *inverse = identity(inverse.len().isqrt());
                 *learned = false;
@@ -67,7 +67,7 @@ impl Curvature {
         }
         match self {
             Curvature::Ignored => {}
-            Curvature::Recent(memory) => memory.learn(s, y),
+            Curvature::Recent(memory) => memory.push(s, y),
             Curvature::Dense { inverse, learned } => {
                 if !*learned {
                     // Scaling from the first step (6.20).

@@ -1,5 +1,5 @@
 //! Gauss-Newton on a penalty function, as in Liu et al. 2006: the squared residuals of
-//! [`AngleSums`], with the fairness and closeness of Eq. 13.
+//! `AngleSums`, with the fairness and closeness of Eq. 13.
 //!
 //! Their criterion for a quad with a circumscribed circle needs no fit (Liu, Pottmann, Wallner,
 //! Yang, Wang: Geometric modeling with conical meshes and developable surfaces, 2006): the sums of
@@ -16,20 +16,20 @@ const RESIDUALS: usize = 3;
 
 /// The residuals of one quad with their derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AngleSums {
+struct AngleSums {
     /// The sum of the first and the third angle minus pi, the same for the second and the fourth,
     /// and the signed volume spanned by the corners. The angle sums alone are insensitive to a
     /// small bend: they change with its square.
-    pub residuals: [f64; 3],
+    residuals: [f64; 3],
     /// Derivative of each residual by each corner.
-    pub derivatives: [[Vec3<f64>; 4]; 3],
+    derivatives: [[Vec3<f64>; 4]; 3],
 }
 
 impl AngleSums {
     /// Evaluates the residuals at four corners, in order around the quad. The volume is divided by
     /// `length` cubed. The result is not finite if an edge has zero length or two adjacent edges
     /// are collinear: the angles then have no derivative.
-    pub fn of(corners: [Vec3<f64>; 4], length: f64) -> AngleSums {
+    fn of(corners: [Vec3<f64>; 4], length: f64) -> AngleSums {
         let mut residuals = [-PI, -PI, 0.0];
         let mut derivatives = [[Vec3::zero(); 4]; RESIDUALS];
         for k in 0..4 {
@@ -242,4 +242,72 @@ fn at(positions: &[Point], v: u32) -> Vec3<f64> {
 
 fn coordinates(v: u32) -> [u32; 3] {
     [3 * v, 3 * v + 1, 3 * v + 2]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Pseudo-random numbers from -1 to 1.
+    fn noise(mut seed: u32) -> impl FnMut() -> f64 {
+        move || {
+            seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(seed >> 8) / f64::from(1 << 23) - 1.0
+        }
+    }
+
+    fn quad(random: &mut impl FnMut() -> f64) -> [Vec3<f64>; 4] {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.2, 1.0], [-0.1, 0.9]];
+        corners.map(|[x, y]| {
+            let [a, b, c] = [0; 3].map(|_| 0.1 * random());
+            Vec3::new(x + a, y + b, c)
+        })
+    }
+
+    #[test]
+    fn the_derivatives_of_the_angle_sums_are_those_of_their_differences() {
+        let mut random = noise(3);
+        for _ in 0..50 {
+            let corners = quad(&mut random);
+            let found = AngleSums::of(corners, 0.7);
+            for v in 0..4 {
+                for k in 0..3 {
+                    const STEP: f64 = 1e-6;
+                    let at = |step: f64| {
+                        let mut moved = corners;
+                        let by = [0, 1, 2].map(|i| if i == k { step } else { 0.0 });
+                        moved[v] += Vec3::from(by);
+                        AngleSums::of(moved, 0.7).residuals
+                    };
+                    let (more, less) = (at(STEP), at(-STEP));
+                    for r in 0..3 {
+                        let difference = (more[r] - less[r]) / (2.0 * STEP);
+                        let by = found.derivatives[r][v];
+                        let by = [by.x, by.y, by.z][k];
+                        assert!((difference - by).abs() < 1e-7, "{r}, {v}, {k}: {difference} {by}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_residuals_vanish_on_circles_only() {
+        let mut random = noise(5);
+        for _ in 0..50 {
+            // Four points around a circle in an inclined plane.
+            let (u, v) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 1.0, 0.0));
+            let turns = [0.0, 0.25, 0.5, 0.75].map(|t| t + 0.1 * random());
+            let at = |t: f64| u * crate::math::cosine(t) + v * crate::math::sine(t);
+            let on = AngleSums::of(turns.map(at), 1.0);
+            assert!(on.residuals.iter().all(|r| r.abs() < 1e-12), "{:?}", on.residuals);
+            let mut off = turns.map(at);
+            off[2] = off[2] * 1.1;
+            let off = AngleSums::of(off, 1.0);
+            assert!(off.residuals[0].abs() > 1e-2 && off.residuals[2].abs() < 1e-12);
+            let mut bent = turns.map(at);
+            bent[2] += u.cross(v) * 0.1;
+            assert!(AngleSums::of(bent, 1.0).residuals[2].abs() > 1e-3);
+        }
+    }
 }

@@ -7,7 +7,7 @@
 //! | `declaration` | the declarations of an experiment and its methods |
 //! | `penalty` | Fig. 11: circular panels whose edges collapse, against a penalty method |
 //! | `methods` | Fig. 10: recovery from a collapsed start; the methods that lower the energy of a scene |
-//! | `run` | a running experiment: one method after another, one iteration at a time |
+//! | `run` | a run of an experiment: its methods, one after another |
 //! | `descent`, `line_search` | gradient descent, L-BFGS and BFGS, on the gradient of Appendix A |
 //! | `curvature` | curvature estimates of L-BFGS and BFGS |
 //! | `gauss_newton` | the penalty method: angle sums, and Gauss-Newton on them |
@@ -26,7 +26,6 @@ mod penalty;
 mod run;
 
 pub use declaration::{Experiment, Limits, MethodInfo, Over, Plot, Quantity, Unit};
-pub use gauss_newton::AngleSums;
 pub use methods::COMPARISON;
 pub use run::{EndedBy, Run, Sample, Series};
 

@@ -116,7 +116,7 @@ impl Method for Fitted {
         let total = self.session.solver().energy().total;
         let error = self.measured.error(&self.session.positions());
         let weight = self.continuation.weight;
-        if self.continuation.is_reached(total, error, false) {
+        if self.continuation.record(total, error, false) {
             return Ok(Step::Reached);
         }
         if self.continuation.weight != weight {
@@ -200,7 +200,7 @@ impl Method for Penalised {
         let moved = self.state.step(weight);
         let total = self.state.total(weight, self.state.penalties());
         let error = self.measured.error(&self.state.positions);
-        if self.continuation.is_reached(total, error, !moved) {
+        if self.continuation.record(total, error, !moved) {
             return Ok(Step::Reached);
         }
         // Stalled only if the weight did not change either.
@@ -240,7 +240,7 @@ impl Continuation {
     /// Records an iteration, or a failed one (`stuck`): the total at this weight, and the
     /// circularity error. Returns true once the total has settled at the required error; otherwise
     /// it may have changed the weight.
-    pub(super) fn is_reached(&mut self, total: f64, error: f64, stuck: bool) -> bool {
+    pub(super) fn record(&mut self, total: f64, error: f64, stuck: bool) -> bool {
         self.totals.push(total);
         let n = self.totals.len();
         let falls_no_more =

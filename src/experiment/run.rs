@@ -1,19 +1,18 @@
-//! A running experiment: one method after another, one iteration at a time, so that a host can show
-//! the progress and stop at any time.
+//! A run of an experiment: its methods, one after another.
 
-use super::declaration::{Experiment, Limits, Method, Step};
+use super::declaration::{Experiment, Limits, Method, MethodInfo, Step};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 use crate::session::Error;
 use crate::solve::clock;
 
 /// The measurements of one method.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Series {
     /// One sample at the start and after each iteration; empty if the mesh is too large.
     pub samples: Vec<Sample>,
-    /// Why the method ended, once it has.
-    pub ended_by: Option<EndedBy>,
+    /// Why the method ended.
+    pub ended_by: EndedBy,
 }
 
 /// The state of a method after an iteration.
@@ -53,21 +52,33 @@ impl EndedBy {
     }
 }
 
-/// An experiment on a scene.
+/// An experiment on a scene, and its measurements.
 pub struct Run {
     experiment: &'static Experiment,
     pub(super) scene: Scene,
-    mesh: Mesh,
-    limits: Limits,
-    under_way: Option<Box<dyn Method>>,
-    /// One entry for each method that has started.
+    /// One entry for each method.
     series: Vec<Series>,
 }
 
 impl Run {
-    /// Creates a run; no method has started yet.
-    pub fn new(experiment: &'static Experiment, scene: Scene, mesh: Mesh, limits: Limits) -> Run {
-        Run { experiment, scene, mesh, limits, under_way: None, series: Vec::new() }
+    /// Runs each method until it ends or reaches a limit.
+    ///
+    /// # Errors
+    /// If the scene does not fit the experiment, or a position is not finite.
+    pub fn of(
+        experiment: &'static Experiment,
+        scene: Scene,
+        mesh: &Mesh,
+        limits: Limits,
+    ) -> Result<Run, Error> {
+        let run = |info: &MethodInfo| {
+            if info.most_vertices.is_some_and(|most| mesh.positions.len() > most) {
+                return Ok(Series { samples: Vec::new(), ended_by: EndedBy::TooLarge });
+            }
+            series((info.start)(&scene, mesh)?, limits)
+        };
+        let series = experiment.methods.iter().map(run).collect::<Result<_, Error>>()?;
+        Ok(Run { experiment, scene, series })
     }
 
     /// The experiment.
@@ -75,7 +86,7 @@ impl Run {
         self.experiment
     }
 
-    /// The measurements so far, of each method that has started.
+    /// The measurements of each method.
     pub fn series(&self) -> &[Series] {
         &self.series
     }
@@ -94,49 +105,29 @@ impl Run {
         }
         text
     }
+}
 
-    /// Starts the next method, or runs one iteration of the current one. Returns false once all
-    /// have ended.
-    ///
-    /// # Errors
-    /// If the scene does not fit the experiment, or a position is not finite.
-    pub fn step(&mut self) -> Result<bool, Error> {
-        let Some(method) = &mut self.under_way else {
-            let Some(info) = self.experiment.methods.get(self.series.len()) else {
-                return Ok(false);
-            };
-            let vertices = self.mesh.positions.len();
-            if info.most_vertices.is_some_and(|most| vertices > most) {
-                let ended_by = Some(EndedBy::TooLarge);
-                self.series.push(Series { samples: Vec::new(), ended_by });
-                return Ok(true);
-            }
-            let method = (info.start)(&self.scene, &self.mesh)?;
-            let first = Sample { seconds: method.set_up_seconds(), values: method.values() };
-            let ended_by = (self.limits.iterations == 0).then_some(EndedBy::Iterations);
-            self.series.push(Series { samples: vec![first], ended_by });
-            self.under_way = ended_by.is_none().then_some(method);
-            return Ok(true);
-        };
+/// Runs a method until it ends or reaches a limit.
+fn series(mut method: Box<dyn Method>, limits: Limits) -> Result<Series, Error> {
+    let mut seconds = method.set_up_seconds();
+    let mut samples = vec![Sample { seconds, values: method.values() }];
+    let ended_by = loop {
+        if samples.len() > limits.iterations as usize {
+            break EndedBy::Iterations;
+        }
+        if samples.len() > 1 && seconds > limits.seconds {
+            break EndedBy::Seconds;
+        }
         let started = clock::now();
         let step = method.step()?;
-        let took = clock::now() - started;
-        let series = self.series.last_mut().expect("the method that is under way has one");
-        let seconds = took + series.samples.last().map_or(0.0, |sample| sample.seconds);
-        if step != Step::Stalled {
-            series.samples.push(Sample { seconds, values: method.values() });
+        seconds += clock::now() - started;
+        if step == Step::Stalled {
+            break EndedBy::Stalled;
         }
-        series.ended_by = match step {
-            Step::Reached => Some(EndedBy::Reached),
-            Step::Stalled => Some(EndedBy::Stalled),
-            Step::Going if series.samples.len() > self.limits.iterations as usize => {
-                Some(EndedBy::Iterations)
-            }
-            Step::Going => (seconds > self.limits.seconds).then_some(EndedBy::Seconds),
-        };
-        if series.ended_by.is_some() {
-            self.under_way = None;
+        samples.push(Sample { seconds, values: method.values() });
+        if step == Step::Reached {
+            break EndedBy::Reached;
         }
-        Ok(true)
-    }
+    };
+    Ok(Series { samples, ended_by })
 }

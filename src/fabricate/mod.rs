@@ -15,7 +15,6 @@
 //! | `fault` | reasons why something cannot be built |
 //! | `unit` | the unit of the mesh |
 //! | `surface` | the panels as an oriented surface, edges with the panels on both sides |
-//! | `orientation` | which panels to reverse so that all face the same side |
 //! | `facing` | panels that face inwards or are folded over |
 //! | `alike` | sorting of items into types |
 //! | `boxes` | which boxes in the plane meet another one |
@@ -64,7 +63,6 @@ mod key;
 mod layer;
 mod numbers;
 pub mod offset;
-mod orientation;
 mod output;
 pub mod panel;
 pub mod paper;

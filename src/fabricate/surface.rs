@@ -5,9 +5,8 @@
 //! digits.
 
 use super::fault::Fault;
-use super::orientation::{orientation, reversed};
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
-use crate::mesh::{Mesh, Ragged, Topology, components};
+use crate::mesh::{Mesh, Ragged, Topology, components, orientation};
 
 /// The largest area due to rounding, as a fraction of the square of the longest side; and the largest
 /// length due to it, as a fraction of a side.
@@ -97,7 +96,12 @@ impl PanelSurface {
             ..Mesh::default()
         };
         let topology = Topology::new(&only_faces);
-        let (turned, one_sided) = orientation(&mesh.faces, &topology);
+        let (turned, contradiction) = orientation(&mesh.faces, &topology);
+        let crowded = topology.edge_faces().iter().filter(|faces| faces.len() > 2).count();
+        let one_sided = match contradiction {
+            Some(ends) => Some(Fault::one_sided(ends)),
+            None => (crowded > 0).then(|| Fault::crowded_edges(crowded)),
+        };
         let mut faces = Ragged::new();
         for (face, &turned) in mesh.faces.iter().zip(&turned) {
             match turned {
@@ -350,4 +354,11 @@ pub(super) fn distinct(indices: impl Iterator<Item = u32>) -> Vec<u32> {
         is_there[index as usize] = true;
     }
     (0..).zip(is_there).filter(|(_, is_there)| *is_there).map(|(index, _)| index).collect()
+}
+
+/// The corners of a face backwards. Its first side stays the first one, to which arrows point and
+/// from which rotations and strips are counted.
+fn reversed(face: &[u32]) -> Vec<u32> {
+    let (first, rest) = face.split_at(face.len().min(2));
+    first.iter().rev().chain(rest.iter().rev()).copied().collect()
 }

@@ -121,7 +121,12 @@ fn of_data(text: &str) -> JsonError {
     let after = |words: &str| text.strip_prefix(words);
     let message = if let Some(rest) = after("invalid type: ").or(after("invalid value: ")) {
         let (found, expected) = rest.rsplit_once(", expected ").unwrap_or((rest, "another value"));
-        format!("found {}, expected {}", plain_found(found), plain(expected))
+        let (found, mut expected) = (plain_found(found), plain(expected));
+        if expected == WHOLE && found.parse::<u64>().is_ok() {
+            // Natively and in wasm: indices and numbers of elements are of 32 bits.
+            expected = "a whole number up to 4294967295";
+        }
+        format!("found {found}, expected {expected}")
     } else if let Some(rest) = after("invalid length ") {
         format!("found an array of {rest}")
     } else if let Some(rest) = after("unknown field `") {
@@ -168,19 +173,23 @@ fn describe(value: &Value) -> String {
     }
 }
 
-/// Shortens a text in quotes.
-fn shortened(quoted: &str) -> String {
-    match quoted.char_indices().nth(41) {
-        Some((end, _)) if end + 1 < quoted.len() => format!("{}\"...", &quoted[..end]),
-        _ => quoted.to_owned(),
+/// Shortens a text, which may be in quotes.
+fn shortened(text: &str) -> String {
+    let quote = if text.starts_with('"') { "\"" } else { "" };
+    match text.char_indices().nth(41) {
+        Some((end, _)) if end + 1 < text.len() => format!("{}{quote}...", &text[..end]),
+        _ => text.to_owned(),
     }
 }
+
+/// What is expected where serde expects `u32`.
+const WHOLE: &str = "a whole number, 0 or more";
 
 /// Replaces the words of serde that name Rust types by plain ones.
 fn plain(expected: &str) -> &str {
     match expected {
         "f64" => "a number",
-        "u32" | "usize" => "a whole number, 0 or more",
+        "u32" | "usize" => WHOLE,
         "a boolean" => "true or false",
         "a sequence" => "an array",
         "a map" => "an object",
@@ -201,5 +210,27 @@ pub(crate) fn push_key(path: &mut String, key: &str) {
             path.push('.');
         }
         path.push_str(key);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::json::from_text;
+
+    #[test]
+    fn long_words_and_large_numbers_are_said_as_they_are() {
+        #[derive(Debug, serde::Deserialize)]
+        #[serde(rename_all = "kebab-case")]
+        enum One {
+            Only,
+        }
+        let word = "x".repeat(50);
+        let said =
+            from_text::<One>(&format!("\"{word}\"")).expect_err("it is another word").message;
+        assert!(said.starts_with(&format!("found `{}...`, expected", &word[..41])), "{said}");
+        let said = from_text::<u32>("5000000000").expect_err("it is too large").message;
+        assert_eq!(said, "found 5000000000, expected a whole number up to 4294967295");
+        let said = from_text::<u32>("-1").expect_err("it is negative").message;
+        assert_eq!(said, "found -1, expected a whole number, 0 or more");
     }
 }

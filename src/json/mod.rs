@@ -14,7 +14,7 @@ mod shape;
 
 pub(crate) use error::{JsonError, push_key};
 pub(crate) use shape::{
-    Apart, Either, Entries, Object, Words, fixed, lists_of_objects, object, object_or_none,
+    Either, Entries, Object, SplitKeys, Words, fixed, lists_of_objects, object, object_or_none,
     objects, points, present, word, word_or, word_or_null,
 };
 

@@ -185,13 +185,13 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Entries<T> {
 }
 
 /// The entries of an object without those whose key `is_apart`, which go to `apart`.
-pub(crate) struct Apart<'a, A, F> {
+pub(crate) struct SplitKeys<'a, A, F> {
     pub(crate) map: A,
     pub(crate) is_apart: F,
     pub(crate) apart: &'a mut Map<String, Value>,
 }
 
-impl<'de, A: MapAccess<'de>, F: Fn(&str) -> bool> MapAccess<'de> for Apart<'_, A, F> {
+impl<'de, A: MapAccess<'de>, F: Fn(&str) -> bool> MapAccess<'de> for SplitKeys<'_, A, F> {
     type Error = A::Error;
 
     fn next_key_seed<K: DeserializeSeed<'de>>(

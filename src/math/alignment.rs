@@ -26,7 +26,7 @@
 //! multiplies the true rotation by a symmetric matrix, so it always shows as columns that are not
 //! orthonormal. This is checked, and corrected by a step towards the polar factor.
 
-use crate::math::{Lane, PrincipalAxes, Vec3};
+use crate::math::{Lane, PrincipalAxes, Vec3, largest_coordinate};
 
 /// Upper bound of `|R^T R - I|` for the columns of an accurate rotation.
 const ORTHONORMAL: f64 = 1e-12;
@@ -244,7 +244,7 @@ impl Alignment<f64> {
     /// If several rotations are equally close, one is chosen: any one about the common line of
     /// collinear points, the identity if all points or all rest points coincide.
     pub fn robust(rest: &[Vec3<f64>], v: &[Vec3<f64>]) -> Self {
-        let (rest_size, size) = (greatest(rest), greatest(v));
+        let (rest_size, size) = (largest_coordinate(rest), largest_coordinate(v));
         let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
         let mut found = Alignment { columns: identity, scale: 0.0, accurate: 1.0 };
         if rest_size == 0.0 || size == 0.0 {
@@ -294,9 +294,4 @@ impl Alignment<f64> {
         found.scale = (trace.max(0.0) / square * (size / rest_size)).min(f64::MAX);
         found
     }
-}
-
-/// The greatest absolute coordinate.
-fn greatest(points: &[Vec3<f64>]) -> f64 {
-    points.iter().fold(0.0f64, |m, v| m.max(v.x.abs()).max(v.y.abs()).max(v.z.abs()))
 }

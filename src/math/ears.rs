@@ -1,4 +1,4 @@
-//! A polygon as triangles.
+//! A polygon as triangles, and what lies inside it.
 
 use super::key_of_number;
 use super::plane::{Point2, bounds, distance};
@@ -20,6 +20,39 @@ pub fn ears(polygon: &[Point2]) -> Vec<[usize; 3]> {
 
 /// The same for a polygon in space, seen along its normal; lengths of diagonals are those in space.
 pub fn ears_in_space(corners: &[Vec3<f64>]) -> Vec<[usize; 3]> {
+    ears_by(&along_normal(corners), |a, c| (corners[c] - corners[a]).length_squared())
+}
+
+/// Whether every side of a polygon in space is seen from the mean of its corners, looking along its
+/// normal, so that triangles around the mean neither overlap nor lack area.
+pub fn is_seen_from_mean(corners: &[Vec3<f64>]) -> bool {
+    let flat = along_normal(corners);
+    let share = 1.0 / flat.len() as f64;
+    let mean = [0, 1].map(|axis| flat.iter().map(|p| share * p[axis]).sum());
+    let [low, high] = bounds(flat.iter().copied());
+    let least = STRAIGHT * distance(low, high);
+    let mut sides = polygon_sides(&flat);
+    sides.all(|[p, q]| p == q || turn(p, q, mean) > least * distance(p, q))
+}
+
+/// Whether the segment between two corners of a polygon in space, seen along its normal, lies inside.
+pub fn is_diagonal_inside(corners: &[Vec3<f64>], [a, b]: [usize; 2]) -> bool {
+    let flat = along_normal(corners);
+    let n = flat.len();
+    let is_between = |from: usize, to: usize| {
+        let [before, at, after] = [from + n - 1, from, from + 1].map(|k| flat[k % n]);
+        let left = [turn(at, flat[to], before) > 0.0, turn(at, after, flat[to]) > 0.0];
+        if turn(before, at, after) > 0.0 { left == [true; 2] } else { left != [false; 2] }
+    };
+    let crosses = |[p, q]: [Point2; 2]| {
+        let [a, b] = [flat[a], flat[b]];
+        turn(p, q, a) * turn(p, q, b) < 0.0 && turn(a, b, p) * turn(a, b, q) < 0.0
+    };
+    is_between(a, b) && is_between(b, a) && !polygon_sides(&flat).any(crosses)
+}
+
+/// A polygon in space seen along its normal.
+fn along_normal(corners: &[Vec3<f64>]) -> Vec<Point2> {
     let normal = twice_vector_area(corners.iter().copied()).direction_or_zero();
     let steps = polygon_sides(corners).map(|[p, q]| q - p);
     let along = steps.map(|step| (step - normal * step.dot(normal)).direction_or_zero());
@@ -27,9 +60,7 @@ pub fn ears_in_space(corners: &[Vec3<f64>]) -> Vec<[usize; 3]> {
     let y = normal.cross(x);
     // Relative to a corner: far away, rounding would exceed what is straight.
     let origin = corners.first().copied().unwrap_or(Vec3::zero());
-    let flat = corners.iter().map(|&p| [(p - origin).dot(x), (p - origin).dot(y)]);
-    let flat: Vec<Point2> = flat.collect();
-    ears_by(&flat, |a, c| (corners[c] - corners[a]).length_squared())
+    corners.iter().map(|&p| [(p - origin).dot(x), (p - origin).dot(y)]).collect()
 }
 
 /// Cuts off ears by the squared length of the `diagonal` between two corners.

@@ -20,13 +20,13 @@ impl LimitedMemory {
         self.pairs.is_empty()
     }
 
-    /// Forgets all steps.
-    pub fn forget(&mut self) {
+    /// Removes all steps.
+    pub fn clear(&mut self) {
         self.pairs.clear();
     }
 
     /// Adds a step and the change of the gradient along it; their product must be positive.
-    pub fn learn(&mut self, step: Vec<f64>, change: Vec<f64>) {
+    pub fn push(&mut self, step: Vec<f64>, change: Vec<f64>) {
         if self.pairs.len() == self.most {
             self.pairs.remove(0);
         }

@@ -50,7 +50,9 @@ pub use alignment::Alignment;
 pub use circle_fit::{CircleFit, PrincipalCircle};
 pub use cubic::Cubic;
 pub use dense::{orthonormalise, symmetric_eigen};
-pub use ears::{ears, ears_in_space, triangles_in_space, turn};
+pub use ears::{
+    ears, ears_in_space, is_diagonal_inside, is_seen_from_mean, triangles_in_space, turn,
+};
 pub use eigenvector::Eigenvector;
 pub use elementary::{angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, sine};
 pub use indices::{Ragged, argsort, key_of_number, key_of_pair, marked, sort_by_number};

@@ -15,17 +15,17 @@ use crate::math::{Round, Symmetric3, Vec3};
 /// vanishes at the minimum, as for an arc of a great circle.
 const STEPS: usize = 60;
 
-/// After so many steps it shows which starts lead to the least energies,
+/// Steps from every start, after which it shows which of them lead to the least energies.
 const FIRST_STEPS: usize = 2;
 
-/// and so many of them are followed to their end.
+/// Number of starts with the least energies that are followed to their end.
 const FOLLOWED: usize = 2;
 
 /// A step is halved at most so often; what then does not descend is rounding error.
 const HALVINGS: usize = 12;
 
 /// Added to the Hessian without its negative parts, so that it is invertible.
-const LEVEL: f64 = 1e-12;
+const REGULARISATION: f64 = 1e-12;
 
 /// Steps longer than this fraction of the radius change `E` by more than its rounding error.
 const POLISH: f64 = 1e-6;
@@ -165,7 +165,7 @@ impl Search<'_> {
             whole[6] += k;
             negative[6] += below;
         }
-        let level = LEVEL * self.points.len() as f64;
+        let level = REGULARISATION * self.points.len() as f64;
         let solved = |[xx, xy, xz, yy, yz, zz, k]: [f64; 7]| {
             let zz = if self.dimensions == 2 { 1.0 } else { zz + k };
             let hessian = Symmetric3 { xx: xx + k, xy, xz, yy: yy + k, yz, zz };

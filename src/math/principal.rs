@@ -6,7 +6,7 @@
 //! eigenvalues would lose half of their digits. The height of an arc is thus accurate to the
 //! rounding error of its length.
 
-use crate::math::Vec3;
+use crate::math::{Vec3, largest_coordinate};
 
 /// Convergence is quadratic: 99 % of a million random and degenerate inputs needed at most six
 /// sweeps. Any rotation that remains after twelve is rounding error.
@@ -30,8 +30,7 @@ impl PrincipalAxes {
     /// Finds the principal axes of mean-centred points, and replaces the points by their
     /// coordinates along these axes, divided by the scale.
     pub fn rotate(points: &mut [Vec3<f64>]) -> PrincipalAxes {
-        let scale =
-            points.iter().fold(0.0f64, |m, v| m.max(v.x.abs()).max(v.y.abs()).max(v.z.abs()));
+        let scale = largest_coordinate(points);
         if scale > 0.0 {
             for v in points.iter_mut() {
                 *v = Vec3::new(v.x / scale, v.y / scale, v.z / scale);

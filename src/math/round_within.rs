@@ -22,7 +22,7 @@ const STEPS: usize = 5;
 
 /// Added to the Hessian, whose entries are of order one, so that it is invertible if all points are
 /// in one direction.
-const LEVEL: f64 = 1e-12;
+const REGULARISATION: f64 = 1e-12;
 
 /// The least determinant of the Hessian at which the closed form is used.
 const LEAST_DETERMINANT: f64 = 1e-9;
@@ -97,7 +97,7 @@ impl<S: Lane> RoundWithin<S> {
             let [xx, xy, xz, yy, yz, zz, rest] = hessian.map(|h| h * inverse_n);
             // One along the normal of a circle, where the points carry no information.
             let out = normal * rest;
-            let level = one - rest + S::splat(LEVEL);
+            let level = one - rest + S::splat(REGULARISATION);
             let hessian = Symmetric3 {
                 xx: xx + out.x * normal.x + level,
                 xy: xy + out.x * normal.y,
@@ -175,9 +175,10 @@ impl RoundWithin<f64> {
 /// A circle or sphere fitted in principal axes: slower, but accurate for every input, and closest
 /// to the points if the limits change the radius.
 ///
-/// Collinear (for a sphere, coplanar) points that may not stay on their line bulge to one side. A limit of more than a million times the size of the points gives a
-/// line along the longest axis (for a sphere, a plane along the two longest). Coincident points
-/// stay. If the radius must be zero, all points go to their mean.
+/// Collinear (for a sphere, coplanar) points that may not stay on their line bulge to one side. A
+/// limit of more than a million times the size of the points gives a line along the longest axis (for
+/// a sphere, a plane along the two longest). Coincident points stay. If the radius must be zero, all
+/// points go to their mean.
 #[derive(Clone, Copy, Debug)]
 pub struct PrincipalRound {
     /// The principal axes of the points.

@@ -51,9 +51,9 @@ impl BoundingSphere {
         };
         let origin = Vec3::from(first);
         let at = |i: usize| Vec3::from(points[i]) - origin;
-        let mut ball = Ball { centre: Vec3::zero(), radius_squared: 0.0, carriers: vec![0] };
+        let mut ball = Ball { centre: Vec3::zero(), radius_squared: 0.0, support: vec![0] };
         let mut farthest = ball.farthest(points.len(), at);
-        while !ball.carriers.contains(&farthest.0) && farthest.1 > ball.radius_squared {
+        while !ball.support.contains(&farthest.0) && farthest.1 > ball.radius_squared {
             // No ball is larger when only a rounding error is left.
             let Some(greater) = ball.with(farthest.0, at) else { break };
             ball = greater;
@@ -73,7 +73,7 @@ struct Ball {
     centre: Vec3<f64>,
     radius_squared: f64,
     /// The support: at most four points on the surface that determine the ball.
-    carriers: Vec<usize>,
+    support: Vec<usize>,
 }
 
 impl Ball {
@@ -85,19 +85,18 @@ impl Ball {
         })
     }
 
-    /// Returns the smallest ball of the carriers and of one point outside, which lies on its
+    /// Returns the smallest ball of the support and of one point outside, which lies on its
     /// surface; `None` if it is not larger than this ball.
     fn with(&self, outside: usize, at: impl Fn(usize) -> Vec3<f64>) -> Option<Ball> {
         let mut least: Option<Ball> = None;
-        for subset in 0..1_usize << self.carriers.len() {
-            let chosen = self.carriers.iter().enumerate().filter(|(k, _)| subset >> k & 1 == 1);
-            let mut carriers = vec![outside];
-            carriers.extend(chosen.map(|(_, &i)| i));
-            if carriers.len() > 4 {
+        for subset in 0..1_usize << self.support.len() {
+            let chosen = self.support.iter().enumerate().filter(|(k, _)| subset >> k & 1 == 1);
+            let mut support = vec![outside];
+            support.extend(chosen.map(|(_, &i)| i));
+            if support.len() > 4 {
                 continue;
             }
-            let sides: Vec<Vec3<f64>> =
-                carriers[1..].iter().map(|&i| at(i) - at(outside)).collect();
+            let sides: Vec<Vec3<f64>> = support[1..].iter().map(|&i| at(i) - at(outside)).collect();
             let Some(to_centre) = circumcentre(&sides) else { continue };
             let (centre, radius_squared) = (at(outside) + to_centre, to_centre.length_squared());
             // Points on the surface can lie slightly outside, by rounding.
@@ -105,9 +104,9 @@ impl Ball {
                 |i: &usize| (at(*i) - centre).length_squared() <= radius_squared * (1.0 + 1e-12);
             if radius_squared > self.radius_squared
                 && least.as_ref().is_none_or(|least| radius_squared < least.radius_squared)
-                && self.carriers.iter().all(holds)
+                && self.support.iter().all(holds)
             {
-                least = Some(Ball { centre, radius_squared, carriers });
+                least = Some(Ball { centre, radius_squared, support });
             }
         }
         least
@@ -130,7 +129,7 @@ fn circumcentre(points: &[Vec3<f64>]) -> Option<Vec3<f64>> {
             let sum = b.cross(c) * half(a) + c.cross(a) * half(b) + a.cross(b) * half(c);
             (sum, a.dot(b.cross(c)))
         }
-        _ => panic!("a ball in space is carried by at most four points"),
+        _ => panic!("a ball in space is determined by at most four points"),
     };
     let centre = sum * (1.0 / weight);
     (weight != 0.0 && centre.length_squared().is_finite()).then_some(centre)

@@ -18,29 +18,42 @@ pub(super) fn tolerance(mesh: &Mesh) -> Option<f64> {
     Some((TOLERANCE * diagonal).min(OF_SHORTEST_EDGE * shortest))
 }
 
-/// Returns for each vertex the first one of its part within `tolerance` that does not itself lie on
-/// an earlier one. Vertices of no part, and those that are not in the file, lie on none: where the
+/// Returns for each vertex the first one of its group within `tolerance` that does not itself lie on
+/// an earlier one. Vertices of no group, and those that are not in the file, lie on none: where the
 /// latter are is a guess.
-pub(crate) fn first_of_part(
+pub(crate) fn first_of_group(
     mesh: &Mesh,
-    part: impl Fn(u32) -> Option<u32>,
+    group: impl Fn(u32) -> Option<u32>,
     tolerance: f64,
 ) -> Vec<u32> {
     let mut first: Vec<u32> = (0..mesh.positions.len() as u32).collect();
     let is_placed = |v: u32| mesh.unplaced.binary_search(&v).is_err();
     let placed = first.iter().filter(|&&v| is_placed(v));
-    let (vertices, parts): (Vec<u32>, Vec<u32>) =
-        placed.filter_map(|&v| Some((v, part(v)?))).unzip();
+    let (vertices, groups): (Vec<u32>, Vec<u32>) =
+        placed.filter_map(|&v| Some((v, group(v)?))).unzip();
     let positions: Vec<Point> = vertices.iter().map(|&v| mesh.positions[v as usize]).collect();
-    for (&v, nearest) in vertices.iter().zip(first_within(&positions, &parts, tolerance)) {
+    for (&v, nearest) in vertices.iter().zip(first_within(&positions, &groups, tolerance)) {
         first[v as usize] = vertices[nearest as usize];
     }
     first
 }
 
-/// Returns for each position the first one of its part within `tolerance` that is not itself
+/// Returns for each vertex whether a face has two corners at its place, where `first` is of
+/// [`first_of_group`]: merged there, the face would lose an edge.
+pub(super) fn within_face(mesh: &Mesh, first: &[u32]) -> Vec<bool> {
+    let mut within_face = vec![false; mesh.positions.len()];
+    for face in mesh.faces.iter() {
+        let mut at: Vec<u32> = face.iter().map(|&v| first[v as usize]).collect();
+        at.sort_unstable();
+        let twice = at.windows(2).filter(|pair| pair[0] == pair[1]);
+        twice.for_each(|pair| within_face[pair[0] as usize] = true);
+    }
+    first.iter().map(|&first| within_face[first as usize]).collect()
+}
+
+/// Returns for each position the first one of its group within `tolerance` that is not itself
 /// merged.
-fn first_within(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> {
+fn first_within(positions: &[Point], groups: &[u32], tolerance: f64) -> Vec<u32> {
     // With cells of twice the tolerance, all points within the tolerance are in at most 8 cells.
     // Adding zero turns -0 into +0.
     let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
@@ -67,7 +80,7 @@ fn first_within(positions: &[Point], parts: &[u32], tolerance: f64) -> Vec<u32> 
             let count = counts.get(begin).copied().unwrap_or(0);
             for &other in apart.iter().skip(begin).take(count) {
                 let away = Vec3::from(positions[other as usize]) - Vec3::from(here);
-                if parts[other as usize] == parts[vertex] && away.length() <= tolerance {
+                if groups[other as usize] == groups[vertex] && away.length() <= tolerance {
                     nearest = nearest.min(other);
                 }
             }

@@ -67,8 +67,8 @@ impl Laplacian {
     /// Returns the weights of Alexa and Wardetzky 2011 on the rest mesh, whose faces may have any
     /// number of corners and need not be planar. The neighbours of a vertex are the corners of its
     /// faces. On triangles these are the cotangent weights; on planar faces the Laplacian of linear
-    /// functions is zero at interior vertices.
-    pub fn polygon(mesh: &Mesh) -> Laplacian {
+    /// functions is zero at interior vertices. An edge of no face, as of a curve, has weight 1.
+    pub fn polygon(mesh: &Mesh, topology: &Topology) -> Laplacian {
         let (mut pairs, mut of_pair) = (Vec::new(), Vec::new());
         let mut weights = PolygonWeights::default();
         for face in mesh.faces.iter() {
@@ -84,6 +84,12 @@ impl Laplacian {
                     pairs.extend([[face[i], face[j]], [face[j], face[i]]]);
                     of_pair.extend([weight; 2]);
                 }
+            }
+        }
+        for (&[a, b], faces) in topology.edges().iter().zip(topology.edge_faces().iter()) {
+            if faces.is_empty() {
+                pairs.extend([[a, b], [b, a]]);
+                of_pair.extend([1.0; 2]);
             }
         }
         let order = argsort(pairs.iter().copied().map(key_of_pair));

@@ -12,7 +12,7 @@
 //! | `coincident` | vertices at one place, up to rounding |
 //! | `seams` | boundary vertices that lie on others without being joined |
 //! | `io` | reading and writing mesh files |
-//! | `topology` | edges, neighbours, boundary loops, strips, components, curves on the mesh |
+//! | `topology` | edges, neighbours, boundary loops, strips, components, orientation, curves on the mesh |
 //! | `laplacian` | the weights `w_ij` of Eq. 12 |
 //! | `closest` | closest points `c(v)` on a surface, Eq. 11, and on its boundary curves |
 //! | `measure` | planarity, circularity, angles, Gauss curvature, unrolled strips, distortion of flat maps |
@@ -42,7 +42,7 @@ pub use bounds::{BoundingSphere, LARGEST_COORDINATE, diagonal, first_out_of_rang
 pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };
-pub(crate) use coincident::first_of_part;
+pub(crate) use coincident::first_of_group;
 pub(crate) use curvature::form_on;
 pub use curvature::{
     Curvature, CurvatureField, CurvatureLine, CurvatureLines, Family, SurfacePoint, curvatures,
@@ -71,5 +71,6 @@ pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind, untouched_words};
 pub use seams::seams;
 pub use topology::{
-    Repeated, Topology, components, corners, edge_lines, hinges, repeated, stars, strips,
+    Repeated, Topology, components, corners, edge_lines, hinges, orientation, repeated, stars,
+    strips,
 };

@@ -89,12 +89,14 @@ impl ProblemKind {
             MalformedCorner(_) => "with a corner that is not a vertex number, skipped",
             CornerZero(_) => "with vertex number 0, skipped: vertices count from 1",
             CornerOutOfRange(_) => "with the number of a missing vertex, skipped",
-            TooFewCorners(ElementKind::Face) => "with fewer than three corners, skipped",
-            TooFewCorners(ElementKind::Curve) => "with fewer than two vertices, skipped",
-            TooFewCorners(ElementKind::Tetrahedron) => "with fewer than four corners, skipped",
+            TooFewCorners(ElementKind::Face) => "with fewer than three different corners, skipped",
+            TooFewCorners(ElementKind::Curve) => "with fewer than two different vertices, skipped",
+            TooFewCorners(ElementKind::Tetrahedron) => {
+                "with fewer than four different corners, skipped"
+            }
             RepeatedCorner(_) => "with the same vertex twice in a row, which is kept once",
             SelfTouchingFace => {
-                "with the same vertex at two corners, as around a hole: exported as it came, but neither \
+                "with the same vertex at two corners, as around a hole: exported unchanged, but neither \
                  shown, solved nor built"
             }
             UnknownStatement => "ignored",
@@ -114,7 +116,7 @@ impl ProblemKind {
 pub fn untouched_words(faces: usize) -> String {
     let faces = words::count(faces, "face has", "faces have");
     format!(
-        "{faces} the same vertex at two corners, as around a hole: left as it came, neither solved nor built"
+        "{faces} the same vertex at two corners, as around a hole: left unchanged, neither solved nor built"
     )
 }
 

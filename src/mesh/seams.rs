@@ -2,7 +2,7 @@
 //! where a program wrote two patches of one surface. Nothing keeps the patches together there.
 
 use super::Mesh;
-use super::coincident::{first_of_part, tolerance};
+use super::coincident::{first_of_group, tolerance, within_face};
 use super::sides::{Side, sides_of_faces};
 use crate::math::marked;
 
@@ -33,7 +33,7 @@ pub(super) fn seams_of(mesh: &Mesh, sides: &[Side]) -> Vec<[u32; 2]> {
 
 /// Returns the faces that lie on each other: their corners coincide, up to rounding.
 fn layered(mesh: &Mesh, tolerance: f64) -> Vec<u32> {
-    let first = first_of_part(mesh, |_| Some(0), tolerance);
+    let first = first_of_group(mesh, |_| Some(0), tolerance);
     let mut places = mesh.faces.clone();
     places.rename(&first);
     places.sort_rows();
@@ -49,22 +49,13 @@ fn pairs(mesh: &Mesh, sides: &[Side], tolerance: f64) -> Vec<[u32; 2]> {
     let rim = sides.chunk_by(|a, b| a.ends == b.ends).filter(|edge| edge.len() == 1);
     let ends: Vec<u32> = rim.flat_map(|edge| edge[0].ends).collect();
     let on_rim = marked(mesh.positions.len(), &ends);
-    let first = first_of_part(mesh, |v| on_rim[v as usize].then_some(0), tolerance);
+    let first = first_of_group(mesh, |v| on_rim[v as usize].then_some(0), tolerance);
     if (0..).zip(&first).all(|(v, first)| v == *first) {
         return Vec::new();
     }
-    let mut within_face = vec![false; mesh.positions.len()];
-    for face in mesh.faces.iter() {
-        let mut at: Vec<u32> = face.iter().map(|&v| first[v as usize]).collect();
-        at.sort_unstable();
-        let twice = at.windows(2).filter(|pair| pair[0] == pair[1]);
-        twice.for_each(|pair| within_face[pair[0] as usize] = true);
-    }
-    (0..)
-        .zip(first)
-        .filter(|&(v, first)| v != first && !within_face[first as usize])
-        .map(|(v, first)| [v, first])
-        .collect()
+    let pairs = (0..).zip(&first).zip(within_face(mesh, &first));
+    let pairs = pairs.filter(|((v, first), within_face)| v != *first && !within_face);
+    pairs.map(|((v, &first), _)| [v, first]).collect()
 }
 
 #[cfg(test)]

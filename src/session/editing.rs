@@ -317,12 +317,13 @@ impl Session {
         let operation = MeshOperation::of(operation).map_err(refused)?;
         let mesh = self.current_shape();
         let up = self.document().up.direction();
-        let topology = self.topology();
-        let task = Task { mesh: &mesh, topology, up, sizes, vertices, faces };
+        let (rest, topology) = (self.rest.positions(), self.topology());
+        let task = Task { mesh: &mesh, rest, topology, up, sizes, vertices, faces };
         Ok((operation, operation.apply(&task).map_err(refused)?))
     }
 
-    /// Carries the scene over to a mesh derived from its own at the positions `from`. Also returns
+    /// Carries the scene over to a mesh derived from its own at the positions `from`, and says what is
+    /// left out and where new faces lie over others. Also returns
     /// the rest mesh, derived in the same way from the positions `rest`; both `#V by 3`.
     fn carried_to(&self, edited: &Edited, from: &[Point], rest: &[Point]) -> (RestMesh, Carried) {
         let positions = edited.in_other_state(from, rest);
@@ -331,6 +332,13 @@ impl Session {
         let mut rest = self.rest.next(mesh);
         let shape = (&**self.scene.handles(), &**self.scene.positions());
         let mut carried = carry(self.document(), shape, &self.rest, (edited, from), &rest);
+        let turned_over = edited.turned_over(&self.mesh().at(from));
+        if turned_over > 0 {
+            let faces = words::count(turned_over, "new face is", "new faces are");
+            carried.lost.push(format!(
+                "{faces} turned over or without area: the centre of a face with a notch may lie outside it."
+            ));
+        }
         rest.set_lost(std::mem::take(&mut carried.lost));
         (rest, carried)
     }

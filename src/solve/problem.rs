@@ -82,7 +82,7 @@ impl Problem<'_> {
         (self.weights.smooth > 0.0).then(|| match weighting {
             Weighting::Auto | Weighting::Uniform => Laplacian::uniform(self.topology),
             Weighting::Cotangent => Laplacian::cotangent(self.mesh, self.topology),
-            Weighting::Polygon => Laplacian::polygon(self.mesh),
+            Weighting::Polygon => Laplacian::polygon(self.mesh, self.topology),
         })
     }
 }

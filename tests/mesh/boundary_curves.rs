@@ -41,7 +41,7 @@ fn the_closest_point_is_that_of_brute_force_and_of_the_own_loop() {
             // Mostly small moves, as those of vertices, and some large ones.
             let size = if k % 10 == 0 { 20.0 } else { 0.3 };
             p = closest_of_all(&polyline, p) + random.vector() * size;
-            let found = Vec3::from(curve.polyline.closest(p.into(), &mut hint));
+            let found = Vec3::from(curve.curve.closest(p.into(), &mut hint));
             let expected = closest_of_all(&polyline, p);
             let (found, expected) = ((found - p).length(), (expected - p).length());
             assert!((found - expected).abs() <= 1e-12 * 20.0, "{p:?}: {found}, {expected}");

@@ -3,7 +3,7 @@
 
 use crate::support::shared;
 use shape_up::math;
-use shape_up::mesh::{CurvatureLines, Mesh, Topology, curvatures};
+use shape_up::mesh::{CurvatureField, CurvatureLines, Family, Mesh, Topology, curvatures};
 use std::f64::consts::{PI, TAU};
 
 type Surface = fn(f64, f64) -> [f64; 3];
@@ -206,4 +206,25 @@ fn edges_of_known_meshes_lie_as_measured() {
     let Some(sphere) = shared::mesh("chebyshev_sphere.obj") else { return };
     let lines = CurvatureLines::new(&sphere.positions, &sphere.faces, &Topology::new(&sphere));
     assert_eq!(lines.mean, None);
+}
+
+/// Every line ends, on known meshes.
+#[test]
+fn lines_of_known_meshes_are_finite_and_on_the_mesh() {
+    for file in ["compas_tubemesh.obj", "horse_quad.obj", "cmc1.obj", "M2_eq_quad2.obj"] {
+        let Some(mesh) = shared::mesh(file) else { return };
+        let size = mesh
+            .positions
+            .iter()
+            .fold(0.0, |size: f64, p| p.iter().fold(size, |s, x| s.max(x.abs())));
+        let field = CurvatureField::new(&mesh.positions, &mesh, &Topology::new(&mesh));
+        let begun = std::time::Instant::now();
+        let lines = [Family::Larger, Family::Smaller]
+            .map(|family| field.spaced_lines(family, 3.0 * field.mean_edge()));
+        println!("{file}: {} and {} lines, {:?}", lines[0].len(), lines[1].len(), begun.elapsed());
+        for line in lines.iter().flatten() {
+            assert!(line.positions().all(|point| point.iter().all(|x| x.abs() <= size + 1e-9)));
+        }
+        assert!(lines.iter().all(|lines| lines.len() > 2), "{file}");
+    }
 }

@@ -3,7 +3,6 @@
 mod boundary_curves;
 mod closest;
 mod curvature;
-mod curvature_lines;
 mod developable;
 mod extrude;
 mod files;

@@ -27,6 +27,7 @@ pub(crate) fn apply(
     let topology = Topology::new(mesh);
     operation.apply(&Task {
         mesh,
+        rest: &mesh.positions,
         topology: &topology,
         up: [0.0, 0.0, 1.0],
         sizes: sizes.unwrap_or(&defaults),
@@ -210,6 +211,43 @@ fn a_concave_quad_is_cut_inside() {
     assert!(apply(&cut, "quads", None, &Picked::default()).is_err(), "it is not convex");
 }
 
+/// A slab with a notch as deep as its centre, and one around its centre.
+fn notched() -> [Mesh; 2] {
+    let l: &[[u32; 2]] = &[[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]];
+    let u: &[[u32; 2]] = &[[0, 0], [3, 0], [3, 3], [2, 3], [2, 1], [1, 1], [1, 3], [0, 3]];
+    [l, u].map(|slab| Mesh {
+        positions: slab.iter().map(|&[x, y]| [f64::from(x), f64::from(y), 0.0]).collect(),
+        faces: [(0..slab.len() as u32).collect::<Vec<u32>>()].into_iter().collect(),
+        ..Mesh::default()
+    })
+}
+
+#[test]
+fn a_face_that_its_centre_does_not_see_is_cut_along_diagonals() {
+    for (slab, twice) in notched().into_iter().zip([6.0, 14.0]) {
+        let cut = done(&slab, "triangles").mesh;
+        assert_eq!(cut.positions, slab.positions);
+        let areas = cut.faces.iter().map(|face| {
+            let [a, b, c] = [0, 1, 2].map(|k| cut.positions[face[k] as usize]);
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+        });
+        assert!(areas.clone().all(|area| area > 0.1));
+        assert_eq!(areas.sum::<f64>(), twice);
+    }
+    let [_, u] = notched();
+    assert!(apply(&u, "split-face", None, &with_vertices(&[3, 6])).is_err(), "it is in the notch");
+    assert!(apply(&u, "split-face", None, &with_vertices(&[2, 7])).is_err(), "it crosses it");
+    let cut = apply(&u, "split-face", None, &with_vertices(&[0, 4])).unwrap().mesh;
+    assert_eq!(cut.faces, [&[0, 1, 2, 3, 4][..], &[4, 5, 6, 7, 0]].into_iter().collect());
+}
+
+#[test]
+fn a_notched_quad_whose_inner_diagonal_is_an_edge_is_not_cut_outside() {
+    let text = "v 0 0 0\nv 4 -1 0\nv 1 0.2 0\nv 0 4 0\nv 0 0 3\nf 1 2 3 4\nf 1 3 5\n";
+    let cut = done(&read("dart.obj", text.as_bytes()).unwrap().mesh, "triangles").mesh;
+    assert_eq!((cut.faces.len(), cut.positions[5]), (5, [0.5, 0.1, 0.0]));
+}
+
 #[test]
 fn the_dual_of_a_grid_is_a_grid_with_its_outline() {
     let mesh = flat(6, 4);
@@ -304,6 +342,18 @@ fn holes_are_closed_and_the_outline_stays() {
     let closed = apply(&whole, "fill", None, &with_vertices(&[0])).unwrap().mesh;
     assert_eq!(closed.faces.row(25).len(), 20);
     assert_eq!(Topology::new(&closed).boundary_loops().len(), 0);
+    for id in ["fill", "extrude"] {
+        let refused = apply(&closed, id, None, &Picked::default());
+        assert_eq!(refused, Err(OperationError::NoBoundary));
+    }
+    // Each of two pieces has an outline.
+    let mut two = mesh.clone();
+    two.positions.extend(mesh.positions.iter().map(|&[x, y, z]| [x + 9.0, y, z]));
+    mesh.faces.iter().for_each(|face| {
+        two.faces.push(&face.iter().map(|v| v + 36).collect::<Vec<_>>());
+    });
+    let filled = done(&two, "fill").mesh;
+    assert_eq!((filled.faces.len(), Topology::new(&filled).boundary_loops().len()), (50, 2));
 }
 
 #[test]

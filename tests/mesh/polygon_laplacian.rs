@@ -20,6 +20,10 @@ fn dense(laplacian: &Laplacian) -> DMatrix<f64> {
     matrix
 }
 
+fn polygon(mesh: &Mesh) -> Laplacian {
+    Laplacian::polygon(mesh, &Topology::new(mesh))
+}
+
 /// A grid of quads, some of which are split into two triangles; some pairs are merged to hexagons,
 /// whose common side has its midpoint displaced. Vertex `(i, j)` is at `point(i / n, j / n)`.
 fn mixed_grid(n: u32, point: impl Fn(f64, f64) -> Point) -> Mesh {
@@ -82,7 +86,7 @@ fn it_is_the_matrix_of_its_definition_on_polygons_that_are_not_planar() {
             let positions: Vec<Point> = (0..n).map(corner).map(Point::from).collect();
             let corners: Vec<Vector3<f64>> = positions.iter().map(|&p| p.into()).collect();
             let faces = Ragged::from_iter([(0..n as u32).collect::<Vec<_>>()]);
-            let found = dense(&Laplacian::polygon(&Mesh { positions, faces, ..Mesh::default() }));
+            let found = dense(&polygon(&Mesh { positions, faces, ..Mesh::default() }));
             let expected = by_definition(&corners);
             let off = (found - &expected).amax();
             assert!(off <= 1e-12 * expected.amax(), "{n} corners: {off:e}");
@@ -98,7 +102,7 @@ proptest! {
         let topology = Topology::new(&mesh);
         if Laplacian::has_cotangents(&mesh) {
             let expected = dense(&Laplacian::cotangent(&mesh, &topology));
-            let off = (dense(&Laplacian::polygon(&mesh)) - &expected).amax();
+            let off = (dense(&polygon(&mesh)) - &expected).amax();
             prop_assert!(off <= 1e-12 * expected.amax(), "{off:e}");
         }
     }
@@ -112,7 +116,7 @@ proptest! {
         for (p, by) in mesh.positions.iter_mut().zip(&moves) {
             *p = [0, 1, 2].map(|i| p[i] + by[i] / f64::from(n));
         }
-        let laplacian = Laplacian::polygon(&mesh);
+        let laplacian = polygon(&mesh);
         for (i, (neighbours, weights)) in laplacian.rows().enumerate() {
             prop_assert!(neighbours.is_sorted());
             for (&j, w) in neighbours.iter().zip(weights) {
@@ -138,7 +142,7 @@ fn linear_functions_have_none_inside_planar_meshes() {
         let [x, y] = [p[0] + 0.035 * random.uniform(), p[1] + 0.035 * random.uniform()];
         *p = [0.6 * x + 0.8 * y, 0.8 * x - 0.6 * y, 2.0 - 0.3 * x];
     }
-    let laplacian = dense(&Laplacian::polygon(&plane));
+    let laplacian = dense(&polygon(&plane));
     let topology = Topology::new(&plane);
     let boundary: Vec<u32> = topology.boundary_loops().indices().to_vec();
     let inside = (0..plane.positions.len()).filter(|&v| !boundary.contains(&(v as u32)));
@@ -157,7 +161,7 @@ fn smoothness_with_it_is_the_sum_of_eq_12() {
     let mut random = Random::new(2);
     let moved: Vec<Point> =
         mesh.positions.iter().map(|&p| (Vec3::from(p) + random.vector() * 0.1).into()).collect();
-    let laplacian = dense(&Laplacian::polygon(&mesh));
+    let laplacian = dense(&polygon(&mesh));
     for of in [SmoothnessOf::Surface, SmoothnessOf::Displacement] {
         let scene = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
             "weights": { "smooth": 1 }, "smoothness": { "weighting": "polygon" } }"#;
@@ -265,7 +269,7 @@ fn errors(
     let masses = masses(mesh);
     let right = minus_laplacian.component_mul(&masses);
     let solve = |laplacian: &Laplacian| is_free_of(poisson(laplacian, &right, known));
-    let polygon = solve(&Laplacian::polygon(mesh));
+    let polygon = solve(&polygon(mesh));
     let uniform = solve(&Laplacian::uniform(&Topology::new(mesh)));
     let inner = |a: &DVector<f64>, b: &DVector<f64>| a.component_mul(b).dot(&masses);
     let scale = inner(&uniform, exact) / inner(&uniform, &uniform);
@@ -385,4 +389,11 @@ fn it_converges_on_the_graph_of_a_function_where_uniform_weights_do_not() {
             assert!(uniform < 1.5 * now[1] && now[1] > 10.0 * now[0], "{uniform} {}", now[1]);
         }
     }
+}
+
+#[test]
+fn an_edge_of_no_face_has_weight_one() {
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [3.0, 0.0, 1.0]];
+    let curves = Mesh { positions, curves: [[0, 1, 2]].iter().collect(), ..Mesh::default() };
+    assert_eq!(polygon(&curves), Laplacian::uniform(&Topology::new(&curves)));
 }

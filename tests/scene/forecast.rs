@@ -161,7 +161,8 @@ fn diagonal_quads_are_named_where_they_follow_the_lines_of_curvature() {
     let operation = MESH_OPERATIONS.iter().find(|one| one.id == suggestion.operation).unwrap();
     let (mesh, up) = (hypar(), [0.0, 0.0, 1.0]);
     let topology = &Topology::new(&mesh);
-    let task = Task { mesh: &mesh, topology, up, sizes: &[], vertices: &[], faces: &[] };
+    let rest = &mesh.positions;
+    let task = Task { mesh: &mesh, rest, topology, up, sizes: &[], vertices: &[], faces: &[] };
     let turned = operation.apply(&task).unwrap().mesh;
     let now = forecast(&turned);
     assert_eq!(now.suggestion(), None);

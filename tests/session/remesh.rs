@@ -3,7 +3,7 @@
 
 use crate::session::refine::{everything, open};
 use crate::support::grid::{bumpy, grid};
-use shape_up::mesh::{Mesh, Ragged};
+use shape_up::mesh::{Mesh, Ragged, Scheme};
 use shape_up::session::{Edit, Remeshing, RemeshingPreview, Session};
 
 fn remeshing(operation: &str, sizes: &[f64], vertices: &[u32], faces: &[u32]) -> Remeshing {
@@ -167,4 +167,33 @@ fn a_refused_operation_changes_nothing() {
         assert_eq!(everything(&session), before);
     }
     assert_eq!(session.undo_and_redo(), [None, None]);
+}
+
+#[test]
+fn a_seam_that_has_opened_is_joined_where_it_lies_on_itself_at_rest() {
+    // Two quads with vertices of their own along x = 1; the second has moved at one of them.
+    let mut mesh = flat(1, 1);
+    mesh.positions.extend([1.0, 2.0].into_iter().flat_map(|x| [0.0, 1.0].map(|y| [x, y, 0.0])));
+    mesh.faces.push(&[4, 6, 7, 5]);
+    let mut now = mesh.positions.clone();
+    now[5] = [1.0, 1.0, 0.5];
+    let mut session = open(&format!(r#" "current": {now:?} "#), mesh);
+    session.edit(Edit::Remesh(remeshing("join", &[], &[], &[]))).expect("it has a seam");
+    assert_eq!(session.topology().boundary_loops().len(), 1);
+    assert_eq!((session.mesh().positions.len(), session.positions()[3]), (6, [1.0, 1.0, 0.25]));
+    assert_eq!(session.mesh().positions[3], [1.0, 1.0, 0.0]);
+}
+
+#[test]
+fn new_faces_that_lie_over_others_are_said() {
+    let slab = [[0, 0], [3, 0], [3, 3], [2, 3], [2, 1], [1, 1], [1, 3], [0, 3]];
+    let mesh = Mesh {
+        positions: slab.map(|[x, y]| [f64::from(x), f64::from(y), 0.0]).to_vec(),
+        faces: [(0..8).collect::<Vec<u32>>()].into_iter().collect(),
+        ..Mesh::default()
+    };
+    let mut session = open(r#""title": "slab""#, mesh);
+    let refine = Edit::Refine { scheme: Scheme::Linear, levels: 1, keep: 75.0, adopt: false };
+    session.edit(refine).expect("it can be refined");
+    assert!(session.lost()[0].contains("turned over or without area"), "{:?}", session.lost());
 }

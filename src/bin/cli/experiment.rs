@@ -25,8 +25,8 @@ pub(super) fn run(asked: &Asked) -> Result<(), Failure> {
         seconds: asked.seconds.unwrap_or(experiment.limits.seconds),
     };
     let name = asked.on.display();
-    let mut run = Run::new(experiment, scene, mesh, limits);
-    while run.step().map_err(|error| Failure::Input(format!("{name}: {error}")))? {}
+    let run = Run::of(experiment, scene, &mesh, limits)
+        .map_err(|error| Failure::Input(format!("{name}: {error}")))?;
     let csv = asked.csv.as_ref().map(|file| (file, run.csv()));
     let svg = asked.svg.as_ref().map(|file| (file, run.svg(&name.to_string())));
     output::write(&csv.into_iter().chain(svg).collect::<Vec<_>>())?;
@@ -61,8 +61,7 @@ fn table(run: &Run) -> String {
         vec![vec!["method".to_owned(), "ended by".into(), "iterations".into(), "seconds".into()]];
     rows[0].extend(experiment.quantities.iter().map(|quantity| quantity.label.to_lowercase()));
     for (method, series) in experiment.methods.iter().zip(run.series()) {
-        let ended = series.ended_by.map_or("", |ended| ended.words());
-        let mut row = vec![method.label.to_owned(), ended.to_owned()];
+        let mut row = vec![method.label.to_owned(), series.ended_by.words().to_owned()];
         if let Some((last, before)) = series.samples.split_last() {
             row.extend([before.len().to_string(), words::number(last.seconds)]);
             row.extend(last.values.iter().map(|&value| words::number(value)));

@@ -8,6 +8,7 @@
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{Vec3, marked, polygon_sides};
+use crate::mesh::components;
 use crate::scene::{HandleSpec, Hold, Scene, Up};
 use std::collections::VecDeque;
 
@@ -87,7 +88,7 @@ struct Plan<'a> {
 
 impl Plan<'_> {
     fn new<'a>(surface: &'a PanelSurface, stand: &Stand) -> Plan<'a> {
-        let component = components(surface);
+        let component = components(surface.faces.len(), surface.panels.iter());
         let points: Vec<_> =
             surface.positions.iter().map(|&at| stand.height_and_plan(at)).collect();
         let count = component.iter().max().map_or(0, |last| *last as usize + 1);
@@ -212,29 +213,4 @@ impl Plan<'_> {
         }
         found
     }
-}
-
-/// The connected component of each panel, over common edges, numbered by their first panels.
-fn components(surface: &PanelSurface) -> Vec<u32> {
-    let mut found: Vec<Option<u32>> = vec![None; surface.faces.len()];
-    let mut count = 0;
-    for start in 0..surface.faces.len() as u32 {
-        if found[start as usize].is_some() {
-            continue;
-        }
-        let mut open = vec![start];
-        found[start as usize] = Some(count);
-        while let Some(f) = open.pop() {
-            for &e in surface.sides.row(f as usize) {
-                for other in surface.others(e, f) {
-                    if found[other as usize].is_none() {
-                        found[other as usize] = Some(count);
-                        open.push(other);
-                    }
-                }
-            }
-        }
-        count += 1;
-    }
-    found.into_iter().flatten().collect()
 }

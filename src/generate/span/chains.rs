@@ -1,7 +1,7 @@
 //! Polylines that together make a closed curve, as the four edges of a patch are drawn.
 
 use crate::math::marked;
-use crate::mesh::{Mesh, Point, diagonal, first_of_part};
+use crate::mesh::{Mesh, Point, diagonal, first_of_group};
 use std::collections::BTreeMap;
 
 /// Points nearer to each other than this fraction of their extent, of one curve or of the ends of all,
@@ -30,7 +30,7 @@ pub(super) fn closed_chains(mesh: &Mesh) -> Vec<Vec<u32>> {
         return Vec::new();
     }
     let is_end = marked(mesh.positions.len(), &all);
-    let first = first_of_part(mesh, |v| is_end[v as usize].then_some(0), near);
+    let first = first_of_group(mesh, |v| is_end[v as usize].then_some(0), near);
     let place = |vertex: u32| first[vertex as usize];
     let ends = |curve: &[u32]| Some([place(*curve.first()?), place(*curve.last()?)]);
     let mut meeting: BTreeMap<u32, Vec<usize>> = BTreeMap::new();

@@ -17,8 +17,8 @@ pub struct BoundaryCurves {
 /// One boundary loop.
 #[derive(Clone, Debug)]
 pub struct BoundaryCurve {
-    /// The polyline, including the corners.
-    pub polyline: Surface,
+    /// The loop as a polyline, including the corners.
+    pub curve: Surface,
     /// The vertices along the loop, without the corners.
     pub vertices: Vec<u32>,
     /// The pieces between corners, in order.
@@ -61,7 +61,7 @@ impl BoundaryCurves {
             }
             let curve = Mesh { curves: Ragged::from_iter([polyline]), ..Mesh::default() };
             BoundaryCurve {
-                polyline: Surface::for_iterations(positions, &curve),
+                curve: Surface::for_iterations(positions, &curve),
                 pieces: pieces(one, topology.is_closed_loop(one), &is_corner),
                 vertices: one.iter().copied().filter(|&v| !is_corner[v as usize]).collect(),
             }

@@ -39,8 +39,6 @@ pub struct CurvatureField {
     /// The face that each triangle belongs to.
     faces: Vec<u32>,
     normals: Vec<Vec3<f64>>,
-    /// The first triangle with an area at each point, `#points`; [`NONE`] without one.
-    first_triangle: Vec<u32>,
     /// The triangles across the sides of each triangle; side 0 is from corner 0 to corner 1.
     beyond: Vec<[u32; 3]>,
     mean_edge: f64,
@@ -79,18 +77,11 @@ impl CurvatureField {
             beyond: vec![[NONE; 3]; triangles.len()],
             triangles,
             faces,
-            first_triangle: Vec::new(),
             mean_edge,
             diameter,
         };
         field.join();
         field.orient();
-        field.first_triangle = vec![NONE; field.points.len()];
-        for (triangle, corners) in field.triangles.iter().enumerate().rev() {
-            if field.normals[triangle] != Vec3::zero() {
-                corners.iter().for_each(|&v| field.first_triangle[v as usize] = triangle as u32);
-            }
-        }
         field
     }
 
@@ -105,7 +96,7 @@ impl CurvatureField {
     }
 
     /// Returns the centres of the faces in order, without faces of zero area.
-    pub fn centres(&self) -> impl Iterator<Item = SurfacePoint> + '_ {
+    pub(super) fn centres(&self) -> impl Iterator<Item = SurfacePoint> + '_ {
         let of_face = self.faces.chunk_by(|a, b| a == b).scan(0, |next, same| {
             let first = *next;
             *next += same.len();
@@ -122,24 +113,6 @@ impl CurvatureField {
         let at = if pieces > 1 { c } else { (a + b + c) * (1.0 / 3.0) };
         let point = SurfacePoint { triangle, at };
         (self.normal(point) != Vec3::zero()).then_some(point)
-    }
-
-    /// Returns the point at a vertex, in its first triangle with an area; `None` if there is none.
-    pub fn at_vertex(&self, vertex: u32) -> Option<SurfacePoint> {
-        let triangle = *self.first_triangle.get(vertex as usize).filter(|&&of| of != NONE)?;
-        Some(SurfacePoint { triangle, at: self.points[vertex as usize] })
-    }
-
-    /// Returns the centre of a face; `None` if it has no area.
-    pub fn at_face(&self, face: u32) -> Option<SurfacePoint> {
-        let first = self.faces.partition_point(|&other| other < face);
-        let pieces = self.faces[first..].iter().take_while(|&&other| other == face).count();
-        (pieces > 0).then(|| self.centre(first, pieces)).flatten()
-    }
-
-    /// Returns the position of a point.
-    pub fn position(&self, point: SurfacePoint) -> Point {
-        point.at.into()
     }
 
     /// Returns the unit normal of the triangle of a point; zero if it has no area.

@@ -6,6 +6,8 @@
 mod edges;
 mod field;
 mod spaced;
+#[cfg(test)]
+mod tests;
 mod trace;
 
 pub use edges::CurvatureLines;

@@ -83,14 +83,9 @@ impl CurvatureLine {
 }
 
 impl CurvatureField {
-    /// Traces the line through a point to both sides until it closes, reaches the boundary or a
-    /// point without a direction, or is within an edge of an earlier part of itself. `None` without
-    /// a direction at the point.
-    pub fn line_through(&self, point: SurfacePoint, family: Family) -> Option<CurvatureLine> {
-        self.line_until(point, family, |points| comes_back(points, self.mean_edge()))
-    }
-
-    /// Traces the line through a point until `is_end` of the points so far, the newest last.
+    /// Traces the line through a point to both sides until it closes, reaches the boundary or a point
+    /// without a direction, or until `is_end` of the points so far, the newest last. `None` without a
+    /// direction at the point.
     pub(super) fn line_until(
         &self,
         point: SurfacePoint,

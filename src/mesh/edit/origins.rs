@@ -1,5 +1,6 @@
 //! The map from the elements of a new mesh to those of the mesh that it was made from.
 
+use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
 
 /// A mesh made from another one, with the origins of its elements.
@@ -29,6 +30,31 @@ impl Edited {
     }
 }
 
+/// Least area of a new face in the direction of the old one, as a fraction of the area of that.
+const NO_AREA: f64 = 1e-9;
+
+impl Edited {
+    /// Counts the faces around a new vertex between three or more old ones that have no area, or face
+    /// the other way than the face that they were made from: `old`, at the positions of this mesh.
+    /// There the vertex is not inside it.
+    pub fn turned_over(&self, old: &Mesh) -> usize {
+        let area = |mesh: &Mesh, face: &[u32]| {
+            twice_vector_area(face.iter().map(|&v| Vec3::from(mesh.positions[v as usize])))
+        };
+        let before: Vec<Vec3<f64>> = old.faces.iter().map(|face| area(old, face)).collect();
+        let is_centre = |&v: &u32| self.origins.between.row(v as usize).len() > 2;
+        let is_turned = |(face, parents): &(&[u32], &[u32])| {
+            let is = area(&self.mesh, face);
+            let is_against = |&parent: &u32| {
+                let was = before[parent as usize];
+                was != Vec3::zero() && is.dot(was) <= NO_AREA * was.length_squared()
+            };
+            face.iter().any(is_centre) && parents.iter().any(is_against)
+        };
+        self.mesh.faces.iter().zip(self.origins.faces.iter()).filter(is_turned).count()
+    }
+}
+
 /// The origins of the elements of a mesh. Remaining old vertices come first, in their order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Origins {
@@ -39,8 +65,8 @@ pub struct Origins {
     /// The old vertices that each new vertex lies between, ascending: one for an old vertex, two
     /// for a vertex on an old edge, the corners of a face for a vertex inside it.
     pub between: Ragged,
-    /// The old faces that each new face is a part of or was made from, ascending; empty for a face
-    /// that closes a hole.
+    /// The old faces that each new face is a part of or was made from; empty for a face that closes
+    /// a hole.
     pub faces: Ragged,
 }
 

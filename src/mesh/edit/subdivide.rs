@@ -26,7 +26,7 @@ pub enum Scheme {
     /// Smooth; quads from polygons.
     #[default]
     CatmullClark,
-    /// Keeps the shape; quads from polygons, or triangles if all faces are triangles.
+    /// Keeps the edges where they are; quads from polygons, or triangles if all faces are triangles.
     Linear,
     /// Smooth; triangles from triangles.
     Loop,

@@ -1,8 +1,8 @@
 //! Welding of coincident vertices. In a mesh whose faces do not share vertices, faces have no
 //! common edges, and constraints on them would tear it apart.
 
-use super::rebuild::has_twice;
-use crate::mesh::coincident::{first_of_part, tolerance};
+use crate::mesh::coincident::{first_of_group, tolerance, within_face};
+use crate::mesh::io::COINCIDENT;
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
 use std::collections::BTreeSet;
 
@@ -29,6 +29,7 @@ impl Read {
         let of_mesh = diagnose(&weld.original);
         self.problems.retain(|problem| of_mesh.iter().all(|other| other.kind != problem.kind));
         self.problems.extend(diagnose(&self.mesh));
+        self.notes.retain(|note| !note.contains(COINCIDENT));
         self.notes.push(format!(
             "faces do not share vertices: {} coincident vertices were welded, {} remain",
             weld.original.positions.len() - self.mesh.positions.len(),
@@ -54,7 +55,7 @@ impl Weld {
         let whole = vec![0; mesh.positions.len()];
         let parts = [whole, groups(mesh)];
         let (welded, to) = parts.iter().find_map(|parts| {
-            let first = first_of_part(mesh, |v| Some(parts[v as usize]), tolerance);
+            let first = first_of_group(mesh, |v| Some(parts[v as usize]), tolerance);
             // Loose points and ends of curves at one place say nothing of faces.
             let of_faces = first.iter().zip(&uses).filter(|(_, uses)| **uses > 0);
             let remain = of_faces.map(|(first, _)| first).collect::<BTreeSet<_>>().len();
@@ -75,13 +76,14 @@ impl Weld {
     }
 }
 
-/// Merges the vertices that have the same `first`; returns the mesh and the new index of each
-/// vertex. `None` if faces degenerate or coincide.
+/// Merges the vertices that have the same `first`, except where a face has two corners at one place;
+/// returns the mesh and the new index of each vertex. `None` if faces coincide.
 fn merged(mesh: &Mesh, first: &[u32]) -> Option<(Mesh, Vec<u32>)> {
     let mut to = vec![0; first.len()];
     let mut positions = Vec::new();
+    let stays = within_face(mesh, first);
     for (vertex, &first) in first.iter().enumerate() {
-        to[vertex] = if first as usize == vertex {
+        to[vertex] = if stays[vertex] || first as usize == vertex {
             positions.push(mesh.positions[vertex]);
             positions.len() as u32 - 1
         } else {
@@ -99,9 +101,7 @@ fn merged(mesh: &Mesh, first: &[u32]) -> Option<(Mesh, Vec<u32>)> {
     welded.unplaced.dedup();
     let on_each_other =
         |mesh: &Mesh| elements_with_problem(mesh, ProblemKind::DuplicateFace).faces.len();
-    let is_sound =
-        !welded.faces.iter().any(has_twice) && on_each_other(&welded) == on_each_other(mesh);
-    is_sound.then_some((welded, to))
+    (on_each_other(&welded) == on_each_other(mesh)).then_some((welded, to))
 }
 
 /// Returns for each vertex the number, from 1, of an object or group of its faces; 0 without one.
@@ -161,6 +161,18 @@ mod tests {
             let is_there = |(at, &to): (&Point, &u32)| *at == now[to as usize];
             assert!(out.iter().zip(&weld.to).all(is_there));
         }
+    }
+
+    #[test]
+    fn a_face_with_two_corners_at_one_place_leaves_the_others_welded() {
+        let mut mesh = soup(5, 0.0, 1.0);
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend([[5.0, 5.0, 2.5], [5.0, 5.0, 2.5], [6.0, 5.0, 2.5]]);
+        mesh.faces.push(&[first, first + 1, first + 2]);
+        Weld::apply(&mut mesh).expect("most of its faces can be welded");
+        // Only the place of the two corners, where another face has one, is left as it is.
+        assert_eq!((mesh.positions.len(), mesh.faces.len()), (39, 26));
+        assert_eq!(Topology::new(&mesh).boundary_loops().len(), 2);
     }
 
     #[test]

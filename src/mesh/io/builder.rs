@@ -201,12 +201,15 @@ impl MeshBuilder {
             let vertices = words::count(count, "vertex lies", "vertices lie");
             let line = self.vertex_lines.get(first);
             let place = line.map_or_else(String::new, |line| format!(", first at line {line}"));
-            self.notes.push(format!("{vertices} exactly on an earlier one{place}"));
+            self.notes.push(format!("{vertices} {COINCIDENT}{place}"));
         }
         let problems = self.counts.problems(|line| excerpt(text, line));
         Ok(Read { mesh: self.mesh, problems, notes: self.notes })
     }
 }
+
+/// Of the note on coincident vertices, which is out of date once they are welded.
+pub(crate) const COINCIDENT: &str = "exactly on an earlier one";
 
 /// Returns the number of the last line if no line end follows it.
 fn unfinished_line(text: &str) -> Option<usize> {

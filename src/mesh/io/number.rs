@@ -15,8 +15,14 @@ pub(crate) fn coordinate(word: &str) -> (f64, Option<ProblemKind>) {
             Err(_) => return (f64::NAN, Some(ProblemKind::MalformedCoordinate)),
         },
     };
-    match value.is_finite() {
-        true => (value, problem),
+    let (value, fault) = of_number(value);
+    (value, fault.or(problem))
+}
+
+/// Returns a coordinate, and the problem if it is not finite; it is NaN then.
+pub(super) fn of_number(x: f64) -> (f64, Option<ProblemKind>) {
+    match x.is_finite() {
+        true => (x, None),
         false => (f64::NAN, Some(ProblemKind::NonFiniteCoordinate)),
     }
 }

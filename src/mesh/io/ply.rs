@@ -3,8 +3,7 @@
 
 use super::builder::{MeshBuilder, ReadFault};
 use super::lines::decode;
-use super::number::{Numbering, coordinate, whole};
-use super::stl::of_number;
+use super::number::{Numbering, coordinate, of_number, whole};
 use super::stream::Stream;
 use crate::mesh::{ElementKind, Mesh, Point, ProblemKind};
 use crate::words::count;

@@ -7,7 +7,7 @@
 use super::builder::{MeshBuilder, ReadFault};
 use super::groups::Groups;
 use super::lines::{decode, lines, words};
-use super::number::{Decimal, Numbering, coordinate};
+use super::number::{Decimal, Numbering, coordinate, of_number};
 use crate::math::{Vec3, polygon_sides, triangles_in_space};
 use crate::mesh::{ElementKind, GroupKeyword, Mesh, Point, ProblemKind};
 use crate::words::count;
@@ -72,14 +72,6 @@ fn read_binary(bytes: &[u8], corners: &mut Corners) -> Result<(), ReadFault> {
         corners.close(None);
     }
     Ok(())
-}
-
-/// A coordinate of a binary file.
-pub(super) fn of_number(x: f64) -> Coordinate {
-    match x.is_finite() {
-        true => (x, None),
-        false => (f64::NAN, Some(ProblemKind::NonFiniteCoordinate)),
-    }
 }
 
 fn read_text(text: &str, corners: &mut Corners) -> Result<(), ReadFault> {

@@ -1,4 +1,4 @@
-//! Word stream for the formats that give the number of rows: OFF and Medit.
+//! Word stream for the formats that give the number of rows: OFF, Medit and PLY in text.
 
 use super::builder::MeshBuilder;
 use super::builder::ReadFault;

@@ -35,12 +35,8 @@ impl Neighbours {
 
 /// Returns the unit normal of each face; zero for a face without area.
 fn unit_normals(faces: &Ragged, at: &[Point]) -> Vec<Vec3<f64>> {
-    let normal = |face: &[u32]| {
-        let area = twice_vector_area(face.iter().map(|&v| Vec3::from(at[v as usize])));
-        let length = area.length();
-        if length > 0.0 { area * (1.0 / length) } else { Vec3::zero() }
-    };
-    faces.iter().map(normal).collect()
+    let at = |&v: &u32| Vec3::from(at[v as usize]);
+    faces.iter().map(|face| twice_vector_area(face.iter().map(at)).direction_or_zero()).collect()
 }
 
 /// Returns the mean angle in degrees between the normals of neighbouring faces at the positions

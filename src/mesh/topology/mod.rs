@@ -4,11 +4,12 @@
 //! manifold: an edge may have any number of faces, a vertex any number of fans.
 
 mod boundary;
+mod components;
 mod edge_lines;
 mod local;
 mod strips;
 
-pub use boundary::components;
+pub use components::{components, orientation};
 pub use edge_lines::{Repeated, edge_lines, repeated};
 pub use local::{corners, hinges, stars};
 pub use strips::strips;

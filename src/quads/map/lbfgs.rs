@@ -28,7 +28,7 @@ pub(super) fn minimise(
         memory.apply(&mut direction);
         let mut slope = inner_product(&direction, &gradient);
         if slope >= 0.0 || !slope.is_finite() {
-            memory.forget();
+            memory.clear();
             direction = gradient.iter().map(|g| -g).collect();
             slope = -inner_product(&gradient, &gradient);
         }
@@ -56,7 +56,7 @@ pub(super) fn minimise(
         let moved: Vec<f64> = next.iter().zip(&*x).map(|(a, b)| a - b).collect();
         let changed: Vec<f64> = next_gradient.iter().zip(&gradient).map(|(a, b)| a - b).collect();
         if inner_product(&moved, &changed) > 1e-12 * inner_product(&changed, &changed) {
-            memory.learn(moved, changed);
+            memory.push(moved, changed);
         }
         let decrease = value - next_value;
         x.copy_from_slice(&next);

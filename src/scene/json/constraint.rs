@@ -2,7 +2,7 @@
 
 use crate::constraint::{KINDS, Kind, KindError, Selector};
 use crate::json::{
-    Apart, Either, JsonError, Object, from_text, indices, object, points, present, word_or,
+    Either, JsonError, Object, SplitKeys, from_text, indices, object, points, present, word_or,
 };
 use crate::mesh::Point;
 use crate::scene::{ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, Hold, SceneError};
@@ -66,7 +66,7 @@ impl<'de> Visitor<'de> for SpecVisitor {
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ConstraintSpec, A::Error> {
         let mut params = Map::new();
         let is_apart = |key: &str| !KEYS.contains(&key);
-        let common = MapAccessDeserializer::new(Apart { map, is_apart, apart: &mut params });
+        let common = MapAccessDeserializer::new(SplitKeys { map, is_apart, apart: &mut params });
         let Common { kind: id, on, weight, enabled, name, require, eased } =
             Common::deserialize(common)?;
         let kind = kind_of(&id, params).map_err(A::Error::custom)?;

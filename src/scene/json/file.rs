@@ -2,7 +2,7 @@
 
 use super::layout::laid_out;
 use crate::constraint::Set;
-use crate::json::{Apart, JsonError, from_text, object, present};
+use crate::json::{JsonError, SplitKeys, from_text, object, present};
 use crate::mesh::Mesh;
 use crate::scene::{MeshSource, Results, Scene, SceneError};
 use serde::de::value::MapAccessDeserializer;
@@ -153,7 +153,7 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for ContentVisitor<T> {
     }
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Content<T>, A::Error> {
         let apart = &mut Map::new();
-        let rest = Apart { map, is_apart: |key: &str| HEADER.contains(&key), apart };
+        let rest = SplitKeys { map, is_apart: |key: &str| HEADER.contains(&key), apart };
         T::deserialize(MapAccessDeserializer::new(rest)).map(Content)
     }
 }

@@ -247,7 +247,8 @@ fn diagonal(
     }
     let operation = MESH_OPERATIONS.iter().find(|operation| operation.id == "diagonal")?;
     let up = [0.0, 0.0, 1.0];
-    let task = Task { mesh, topology, up, sizes: &[], vertices: &[], faces: &[] };
+    let rest = &mesh.positions;
+    let task = Task { mesh, rest, topology, up, sizes: &[], vertices: &[], faces: &[] };
     let turned = operation.apply(&task).ok()?.mesh;
     let turned_topology = Topology::new(&turned);
     let edge = topology.mean_edge(&mesh.positions);

@@ -167,11 +167,11 @@ impl Bend {
 /// it is on at rest.
 fn boundary_distance(now: &[Point], rest: &RestMesh) -> f64 {
     let mut most = 0.0;
-    for BoundaryCurve { polyline, vertices, .. } in rest.boundary() {
+    for BoundaryCurve { curve, vertices, .. } in rest.boundary() {
         let mut hint = Surface::NO_HINT;
         for &v in vertices {
             let point = now[v as usize];
-            let to = polyline.closest(point, &mut hint);
+            let to = curve.closest(point, &mut hint);
             most = f64::max(most, (Vec3::from(to) - Vec3::from(point)).length());
         }
     }

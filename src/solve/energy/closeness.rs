@@ -106,7 +106,7 @@ impl CloseEnergy {
                 let vertices = curve.vertices.into_iter().filter(&mut take);
                 let vertices = vertices.map(on_surface).map(times);
                 let vertices = vertices.filter(|target| target.factor > 0.0).collect();
-                energy.surfaces.push(SurfaceTargets::new(Rc::new(curve.polyline), vertices));
+                energy.surfaces.push(SurfaceTargets::new(Rc::new(curve.curve), vertices));
             }
         }
         let others = (0..).zip(&elsewhere).filter(|(_, elsewhere)| !**elsewhere).map(|(v, _)| v);

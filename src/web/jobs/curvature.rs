@@ -1,14 +1,12 @@
 //! Curvature directions and lines for the page.
 
-use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, SurfacePoint, Topology};
+use crate::mesh::{CurvatureField, CurvatureLine, Family, Point, Topology};
 use crate::web::{log_panics, mesh_of, thrown};
 use wasm_bindgen::prelude::*;
 
 const FAMILIES: [Family; 2] = [Family::Larger, Family::Smaller];
 /// Maximum number of lines side by side across the surface; smaller distances are refused.
 const MOST_LINES: f64 = 200.0;
-/// Largest number of points that lines are drawn through.
-const MOST_THROUGH: usize = 300;
 
 /// Polylines over the surface, in the form that the view draws.
 #[wasm_bindgen(getter_with_clone)]
@@ -61,32 +59,6 @@ impl SurfaceCurvature {
             return Err(thrown(format!("expected a distance from {least:.3e}, found {distance}")));
         }
         Ok(drawing(FAMILIES.map(|family| polylines(&self.field.spaced_lines(family, distance)))))
-    }
-
-    /// Returns the lines of curvature through vertices and through the centres of faces.
-    ///
-    /// # Errors
-    /// So many that nobody could tell the lines apart, or wait for them.
-    #[wasm_bindgen(js_name = linesThrough)]
-    pub fn lines_through(
-        &self,
-        vertices: &[u32],
-        faces: &[u32],
-    ) -> Result<CurvatureDrawing, JsValue> {
-        let count = vertices.len() + faces.len();
-        if count > MOST_THROUGH {
-            let message = format!(
-                "expected at most {MOST_THROUGH} vertices or faces, found {count}: select fewer"
-            );
-            return Err(thrown(message));
-        }
-        let at_vertices = vertices.iter().filter_map(|&v| self.field.at_vertex(v));
-        let at_faces = faces.iter().filter_map(|&f| self.field.at_face(f));
-        let points: Vec<SurfacePoint> = at_vertices.chain(at_faces).collect();
-        Ok(drawing(FAMILIES.map(|family| {
-            let lines = points.iter().filter_map(|&point| self.field.line_through(point, family));
-            polylines(&lines.collect::<Vec<_>>())
-        })))
     }
 }
 

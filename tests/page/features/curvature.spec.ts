@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { openText, showStep, tool } from '../actions.ts';
-import { gridText, tube } from '../meshes.ts';
+import { gridText } from '../meshes.ts';
 import { expect, looks, openPage, pictureOf, test } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -51,8 +51,6 @@ test(
     await card.getByLabel('Distance between lines').fill('1.5');
     await card.getByLabel('Distance between lines').press('Enter');
     await expect(card.getByText('expected a distance from')).toBeHidden();
-    await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
-    await expect(card.getByText('Select vertices or faces')).toBeVisible();
     await page.getByRole('button', { name: 'Close curvature' }).click();
     await expect(card).toBeHidden();
     await expect(async () => {
@@ -95,16 +93,4 @@ test('the high end of a range around zero stays above zero', async ({ page }) =>
   await high.press('Home');
   await expect(high).toHaveAttribute('aria-valuenow', '51');
   await expect(page.getByLabel('Colours to')).not.toHaveValue(/^−/);
-});
-
-test('a tube has lines around and along it', async ({ page }) => {
-  await openPage(page);
-  await openText(page, 'tube.obj', tube(), 60);
-  const card = await openCurvature(page);
-  await card.getByLabel('Lines', { exact: true }).selectOption('Lines through the selection');
-  await showStep(page, 'Shape');
-  await page.evaluate(() => (document.querySelector('#viewport') as HTMLElement).focus());
-  await page.keyboard.press('3');
-  await page.keyboard.press('Control+A');
-  await expect(card.getByText('Select vertices or faces')).toBeHidden();
 });

@@ -9,7 +9,6 @@ import type { Lines, Question } from '../../../www/worker/jobs/curvature.ts';
 
 test('after a refusal the shape is sent again', async () => {
   const sent: Question[] = [];
-  const none = new Uint32Array(0);
   const found = { points: new Float64Array(0), offsets: Uint32Array.of(0), count: 0, distance: 1 };
   let answer = (): Lines => {
     throw new Error('The surface has no area.');
@@ -26,7 +25,7 @@ test('after a refusal the shape is sent again', async () => {
     viewport: { unmeasured() {}, on() {} },
   } as unknown as AppContext;
   const model = { vertices: 3 };
-  const how = { distance: null, vertices: none, faces: none };
+  const how = { distance: null };
   const lines = new CurvatureLines(app);
   await lines.draw({ ...how, draw: 'strokes' });
   assert.equal(lines.told.value.refused, 'The surface has no area.');
@@ -63,9 +62,8 @@ test('another shape is sent to the worker, even one with equal sums of its coord
     jobs: { ask: { surfaceLines: surfaceLinesOf } },
     viewport: { unmeasured() {}, on() {} },
   } as unknown as AppContext;
-  const none = new Uint32Array(0);
   const lines = new CurvatureLines(app);
-  const strokes: Request = { draw: 'strokes', distance: null, vertices: none, faces: none };
+  const strokes: Request = { draw: 'strokes', distance: null };
   await lines.draw(strokes);
   // The first and the eighth coordinate had the same weight in a check sum.
   solver.geometry = shape(2, 5, 0, 0, 0, 1, 0, 0, 1, 0);
@@ -90,17 +88,13 @@ test('the worker does not use a surface that it has freed', async () => {
       name.endsWith('pkg/engine/shape_up.js') ? { url, shortCircuit: true } : next(name, context);`;
   register(`data:text/javascript,${encodeURIComponent(hooks)}`);
   const { curvature } = await import('../../../www/worker/jobs/curvature.ts');
-  const none = new Uint32Array(0);
   const ask = (length: number) => {
     const shape = {
       positions: new Float64Array(length),
       offsets: new Uint32Array(1),
       indices: new Uint32Array(0),
     };
-    return curvature.surfaceLines({
-      ...{ shape, draw: 'strokes', distance: null },
-      ...{ vertices: none, faces: none },
-    });
+    return curvature.surfaceLines({ shape, draw: 'strokes', distance: null });
   };
   assert.equal(ask(9)?.count, 1);
   assert.throws(() => ask(0), /no vertices/);

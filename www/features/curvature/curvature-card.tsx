@@ -18,10 +18,8 @@ type Drawn = LinesQuestion['draw'] | '';
 const LINES: [Drawn, string][] = [
   ['strokes', 'Principal directions'],
   ['lines', 'Lines of curvature'],
-  ['through', 'Lines through the selection'],
   ['', 'No lines'],
 ];
-const NONE = new Uint32Array(0);
 const KEYS = ['Larger curvature', 'Smaller curvature'];
 
 export function Curvature() {
@@ -75,11 +73,8 @@ function Card() {
 function wordsOf(draw: Drawn, answer: Lines | null) {
   const found = (answer?.offsets.length ?? 1) - 1;
   if (found || draw === '' || !answer) return '';
-  if (draw === 'strokes')
-    return 'No directions: the surface is flat or equally curved in all directions.';
-  return draw === 'through'
-    ? 'Select vertices or faces to draw the lines through them.'
-    : 'No lines of curvature: the surface is flat or equally curved in all directions.';
+  const what = draw === 'strokes' ? 'directions' : 'lines of curvature';
+  return `No ${what}: the surface is flat or equally curved in all directions.`;
 }
 
 /** What the colours of the lines mean; they depend on the colours of the faces. */
@@ -106,25 +101,13 @@ function Consequences() {
   return <p hidden={!words}>{words}</p>;
 }
 
-/** Draws the lines of the current shape and selection. */
+/** Draws the lines of the current shape. */
 function useLines(draw: Drawn, distance: number | null) {
   const app = useApp();
-  const { mode, selection } = app.store.state;
   const lines = useMemo(() => new CurvatureLines(app), [app]);
   useEffect(() => lines.begin(), [lines]);
   useEffect(() => {
-    const isThrough = draw === 'through';
-    const hasFaces = mode === 'faces';
-    void lines.draw(
-      draw === ''
-        ? null
-        : {
-            ...{ draw, distance: draw === 'lines' ? distance : null },
-            vertices:
-              isThrough && !hasFaces ? Uint32Array.from(app.actions.selectedVertices()) : NONE,
-            faces: isThrough && hasFaces ? Uint32Array.from(selection.faces) : NONE,
-          },
-    );
-  }, [draw, distance, mode, selection]);
+    void lines.draw(draw === '' ? null : { draw, distance: draw === 'lines' ? distance : null });
+  }, [draw, distance]);
   return lines.told.value;
 }

@@ -59,7 +59,7 @@ export class CurvatureLines {
     if (running && model.vertices > MOST_LIVE_VERTICES) return;
     const { generation, positions, connectivity } = geometry;
     const { faceOffsets: offsets, faceIndices: indices } = connectivity;
-    const question = [generation, how.draw, how.distance, how.vertices, how.faces];
+    const question = [generation, how.draw, how.distance];
     if (question.every((part, i) => part === this.#asked[i])) return;
     this.#asked = question;
     const shape = { positions: positions.slice(), offsets, indices };

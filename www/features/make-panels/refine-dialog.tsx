@@ -15,7 +15,7 @@ import type { AppContext } from '../../app/context.ts';
 type Scheme = 'catmull-clark' | 'linear' | 'loop';
 const SCHEMES: [Scheme, string][] = [
   ['catmull-clark', 'Catmull-Clark, smooth'],
-  ['linear', 'Linear, same shape'],
+  ['linear', 'Linear, edges stay'],
 ];
 const FOR_TRIANGLES: [Scheme, string] = ['loop', 'Loop, smooth'];
 type Reference = 'solved' | 'original';

@@ -47,6 +47,8 @@ pub enum Picks {
 pub struct Task<'a> {
     /// The mesh at its current positions.
     pub mesh: &'a Mesh,
+    /// `#V by 3`: its rest positions, where what lies on each other is looked for.
+    pub rest: &'a [Point],
     /// The topology of the mesh.
     pub topology: &'a Topology,
     /// The direction that points up, a unit vector.
@@ -70,6 +72,8 @@ pub enum OperationError {
     Tetrahedra(usize),
     /// The mesh has no faces.
     NoFaces,
+    /// The mesh has no boundary.
+    NoBoundary,
     /// A picked element does not exist.
     NotThere {
         /// `face` or `vertex`.
@@ -102,6 +106,7 @@ impl fmt::Display for OperationError {
                 words::count(*count, "tetrahedron", "tetrahedra")
             ),
             OperationError::NoFaces => f.write_str("the mesh has no faces"),
+            OperationError::NoBoundary => f.write_str("the mesh is closed: it has no boundary"),
             OperationError::NotThere { element, index } => {
                 write!(f, "there is no {element} {index}")
             }

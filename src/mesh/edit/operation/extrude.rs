@@ -28,6 +28,9 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     if outward == 0.0 && up == 0.0 {
         return Err(OperationError::Expected("a length that is not zero"));
     }
+    if task.topology.boundary_loops().is_empty() {
+        return Err(OperationError::NoBoundary);
+    }
     let sides = open_sides(task);
     if sides.is_empty() {
         return Err(OperationError::Expected("an edge of the boundary, both ends selected"));

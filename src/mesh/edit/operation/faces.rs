@@ -1,9 +1,11 @@
-//! Deleting, merging and splitting faces, and filling holes with faces.
+//! Deleting, merging, splitting and flipping faces, and filling holes with faces.
 
 use super::declaration::{OperationError, Task};
-use crate::math::{Vec3, polygon_sides};
+use crate::math::{Vec3, is_diagonal_inside, polygon_sides};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
+use crate::mesh::{components, orientation};
+use std::collections::BTreeMap;
 
 pub(super) fn delete(task: &Task<'_>) -> Result<Edited, OperationError> {
     let is_picked = task.picked_faces();
@@ -65,14 +67,20 @@ fn outline(task: &Task<'_>, faces: &[u32]) -> Option<Vec<u32>> {
     (faces.len() > 1 && corners.len() == count && count > 2).then_some(corners)
 }
 
-/// Splits the face that has both picked vertices, which no edge of faces may connect.
+/// Splits the face that has both picked vertices, which no edge of faces may connect, and the line
+/// between them inside it.
 pub(super) fn split(task: &Task<'_>) -> Result<Edited, OperationError> {
-    let wrong =
-        OperationError::Expected("two selected corners of one face without an edge between them");
+    let wrong = OperationError::Expected(
+        "two selected corners of one face without an edge between them, and the line between them inside it",
+    );
     let &[a, b] = task.vertices else { return Err(wrong) };
     let is_cut = |corners: &[u32]| {
-        let is_open = a != b && task.topology.body_edge(a, b).is_none();
-        is_open && corners.contains(&a) && corners.contains(&b)
+        let ends = [a, b].map(|end| corners.iter().position(|&corner| corner == end));
+        let (true, [Some(a), Some(b)]) = (task.topology.body_edge(a, b).is_none(), ends) else {
+            return false;
+        };
+        let corners = corners.iter().map(|&v| Vec3::from(task.mesh.positions[v as usize]));
+        a != b && is_diagonal_inside(&corners.collect::<Vec<_>>(), [a, b])
     };
     let cut = task.all_faces().find(|&face| is_cut(task.mesh.faces.row(face as usize)));
     let cut = cut.ok_or(wrong)?;
@@ -94,10 +102,14 @@ pub(super) fn split(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Closes the boundary loops with a picked vertex; without one, all but the longest, the outline.
+/// Closes the boundary loops with a picked vertex; without one, all but the longest of each connected
+/// component, its outline.
 pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
     let Task { mesh, topology, .. } = task;
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    if topology.boundary_loops().is_empty() {
+        return Err(OperationError::NoBoundary);
+    }
     // An open chain, such as the rim of a wall on a floor, encloses no hole.
     let loops = topology.boundary_loops().iter().filter(|row| topology.is_closed_loop(row));
     let loops: Vec<&[u32]> = loops.collect();
@@ -105,17 +117,23 @@ pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
     let length = |corners: &[u32]| -> f64 {
         polygon_sides(corners).map(|[a, b]| (at(b) - at(a)).length()).sum()
     };
-    let outline = (0..loops.len())
-        .max_by(|&i, &j| length(loops[i]).total_cmp(&length(loops[j])))
-        .filter(|_| task.vertices.is_empty());
-    let is_meant = |(i, corners): &(usize, &[u32])| {
-        Some(*i) != outline && corners.iter().any(|&v| is_picked[v as usize])
+    let component = components(mesh.positions.len(), mesh.faces.iter());
+    let mut longest: BTreeMap<u32, (f64, usize)> = BTreeMap::new();
+    for (i, corners) in loops.iter().enumerate().filter(|_| task.vertices.is_empty()) {
+        let own = longest.entry(component[corners[0] as usize]).or_insert((0.0, i));
+        if length(corners) > own.0 {
+            *own = (length(corners), i);
+        }
+    }
+    let is_outline = |i: usize| longest.values().any(|(_, outline)| *outline == i);
+    let is_meant = |(i, corners): &(usize, &&[u32])| {
+        !is_outline(*i) && corners.iter().any(|&v| is_picked[v as usize])
     };
     let holes: Vec<&[u32]> =
-        loops.iter().copied().enumerate().filter(is_meant).map(|(_, corners)| corners).collect();
+        loops.iter().enumerate().filter(is_meant).map(|(_, corners)| *corners).collect();
     if holes.is_empty() {
         return Err(OperationError::Expected(if task.vertices.is_empty() {
-            "a hole other than the outline; to close the outline, select one of its vertices"
+            "a hole other than the outline of a piece; to close the outline, select one of its vertices"
         } else {
             "a selected vertex on a closed boundary"
         }));
@@ -128,4 +146,38 @@ pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
         rebuild.face(&closing, &[]);
     }
     Ok(rebuild.finish())
+}
+
+pub(super) fn flip(task: &Task<'_>) -> Result<Edited, OperationError> {
+    Ok(turned(task, &vec![true; task.mesh.faces.len()]))
+}
+
+/// Orients each component consistently, so that neighbours traverse their common edge in opposite
+/// directions, by flipping as few faces as possible.
+pub(super) fn unify(task: &Task<'_>) -> Result<Edited, OperationError> {
+    let (is_turned, contradiction) = orientation(&task.mesh.faces, task.topology);
+    if contradiction.is_some() {
+        return Err(OperationError::Expected(
+            "an orientable surface; this one is not, like a Moebius strip",
+        ));
+    }
+    if !is_turned.contains(&true) {
+        return Err(OperationError::Expected(
+            "faces with opposite orientations; all are already oriented consistently",
+        ));
+    }
+    Ok(turned(task, &is_turned))
+}
+
+/// Flips the given faces; a flipped face still begins at the same corner.
+fn turned(task: &Task<'_>, is_turned: &[bool]) -> Edited {
+    let mut rebuild = Rebuild::new(task.mesh);
+    for ((f, face), turned) in (0..).zip(task.mesh.faces.iter()).zip(is_turned) {
+        let mut corners = face.to_vec();
+        if *turned {
+            corners[1..].reverse();
+        }
+        rebuild.face(&corners, &[f]);
+    }
+    rebuild.finish()
 }

@@ -4,7 +4,6 @@ mod declaration;
 mod dual;
 mod extrude;
 mod faces;
-mod orientation;
 mod strips;
 mod triangles;
 mod vertices;
@@ -52,7 +51,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "triangles",
         label: "Faces to triangles",
-        summary: "Cuts quads along the shorter diagonal, and larger faces from a new vertex at their centre.",
+        summary: "Cuts quads along the shorter diagonal, and larger faces from a new vertex at their centre or, with a notch, along diagonals.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: triangles::from_faces,
@@ -87,7 +86,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "fill",
         label: "Fill holes",
-        summary: "Closes every boundary except the longest with a face, or only those with a selected vertex.",
+        summary: "Closes every boundary except the longest of each piece with a face, or only those with a selected vertex.",
         picks: Picks::AnyVertices,
         sizes: &[],
         apply: faces::fill_holes,
@@ -127,7 +126,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "join",
         label: "Join seams",
-        summary: "Merges boundary vertices that lie on each other without being joined, as between two patches.",
+        summary: "Merges boundary vertices that lie on each other without being joined, as between two patches. A seam that has opened since is closed.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: vertices::join,
@@ -154,7 +153,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         summary: "Flips as few faces as possible so that all have the same orientation.",
         picks: Picks::Nothing,
         sizes: &[],
-        apply: orientation::unify,
+        apply: faces::unify,
     },
     MeshOperation {
         id: "flip",
@@ -162,7 +161,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
         summary: "Flips all faces: front becomes back.",
         picks: Picks::Nothing,
         sizes: &[],
-        apply: orientation::flip,
+        apply: faces::flip,
     },
 ];
 

@@ -3,14 +3,16 @@
 
 use super::declaration::{OperationError, Task};
 use crate::math::{
-    Vec3, angle_between, argsort, key_of_number, polygon_corners, twice_vector_area,
+    Vec3, angle_between, argsort, ears_in_space, is_seen_from_mean, key_of_number, polygon_corners,
+    polygon_sides, twice_vector_area,
 };
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
 use std::collections::BTreeSet;
 
-/// Cuts quads along the shorter diagonal that lies inside and is not yet an edge. If there is none,
-/// and for faces with more corners, adds a fan around the centre.
+/// Cuts quads along the shorter diagonal that lies inside and is not yet an edge. If there is none, and
+/// for faces with more corners, adds a fan around the centre; or, where the centre does not see the
+/// whole face, cuts along diagonals, if none of them is an edge.
 pub(super) fn from_faces(task: &Task<'_>) -> Result<Edited, OperationError> {
     if task.mesh.faces.iter().all(|face| face.len() == 3) {
         return Err(OperationError::Expected("a face with more than three corners"));
@@ -19,7 +21,7 @@ pub(super) fn from_faces(task: &Task<'_>) -> Result<Edited, OperationError> {
     let mut rebuild = Rebuild::new(task.mesh);
     let mut diagonals = BTreeSet::new();
     for (f, face) in (0..).zip(task.mesh.faces.iter()) {
-        let cut = match *face {
+        let (cuts, centre) = match *face {
             [_, _, _] => {
                 rebuild.face(face, &[f]);
                 continue;
@@ -32,32 +34,48 @@ pub(super) fn from_faces(task: &Task<'_>) -> Result<Edited, OperationError> {
                     normals.iter().any(|n| n.dot(normal) < 0.0)
                 };
                 let [ac, bd] = [[a, c], [b, d]].map(|[p, q]| (at(q) - at(p)).length());
-                let first = match cuts.map(bends) {
-                    [true, false] => 1,
-                    [false, true] => 0,
-                    _ => usize::from(bd < ac),
-                };
-                // A second edge between the same vertices would join separate faces.
-                let is_free = |&cut: &usize| {
-                    let [p, q] = [[a, c], [b, d]][cut];
-                    task.topology.body_edge(p, q).is_none()
-                        && diagonals.insert([p.min(q), p.max(q)])
-                };
-                [first, 1 - first].into_iter().find(is_free).map(|cut| cuts[cut])
+                match cuts.map(bends) {
+                    [true, false] => (vec![cuts[1].to_vec()], vec![b, d]),
+                    [false, true] => (vec![cuts[0].to_vec()], vec![a, c]),
+                    _ if bd < ac => (vec![cuts[1].to_vec(), cuts[0].to_vec()], face.to_vec()),
+                    _ => (cuts.map(Vec::from).to_vec(), face.to_vec()),
+                }
             }
-            _ => None,
+            _ => {
+                let corners: Vec<Vec3<f64>> = face.iter().map(|&v| at(v)).collect();
+                let is_whole = is_seen_from_mean(&corners);
+                let ears = || ears_in_space(&corners).into_iter().map(|t| t.map(|k| face[k]));
+                (if is_whole { Vec::new() } else { vec![ears().collect()] }, face.to_vec())
+            }
         };
-        match cut {
-            Some(triangles) => triangles.iter().for_each(|t| rebuild.face(t, &[f])),
+        // A second edge between the same vertices would join separate faces.
+        let inner = |triangles: &[[u32; 3]]| -> BTreeSet<[u32; 2]> {
+            let all = triangles.iter().flat_map(|t| polygon_sides(t)).map(ascending);
+            let outer: BTreeSet<[u32; 2]> = polygon_sides(face).map(ascending).collect();
+            all.filter(|ends| !outer.contains(ends)).collect()
+        };
+        let is_free = |[p, q]: &[u32; 2]| {
+            task.topology.body_edge(*p, *q).is_none() && !diagonals.contains(&[*p, *q])
+        };
+        match cuts.into_iter().find(|cut| inner(cut).iter().all(is_free)) {
+            Some(triangles) => {
+                diagonals.extend(inner(&triangles));
+                triangles.iter().for_each(|t| rebuild.face(t, &[f]));
+            }
             None => {
-                let middle = rebuild.vertex(face);
-                for side in crate::math::polygon_sides(face) {
+                // Without a free diagonal a quad with a notch is seen whole from the middle of the inner one.
+                let middle = rebuild.vertex(&centre);
+                for side in polygon_sides(face) {
                     rebuild.face(&[side[0], side[1], middle], &[f]);
                 }
             }
         }
     }
     Ok(rebuild.finish())
+}
+
+fn ascending([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
 }
 
 /// Two triangles that can become one quad.

@@ -1,15 +1,16 @@
 //! Welding, joining, merging and snapping vertices.
 
 use super::declaration::{OperationError, Task};
-use crate::mesh::coincident::first_of_part;
+use crate::mesh::coincident::first_of_group;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::{Rebuild, Touching};
 use crate::mesh::seams;
+use std::collections::BTreeMap;
 
 /// Welds each picked vertex to the first picked vertex within the size.
 pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
     let is_picked = task.picked_vertices();
-    let first = first_of_part(task.mesh, |v| is_picked[v as usize].then_some(0), task.sizes[0]);
+    let first = first_of_group(task.mesh, |v| is_picked[v as usize].then_some(0), task.sizes[0]);
     let mut rebuild = Rebuild::new(task.mesh);
     let mut welds = 0;
     for (v, first) in (0..).zip(first) {
@@ -26,14 +27,18 @@ pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Merges each boundary vertex that lies on another one with it: see [`seams`].
+/// Merges the boundary vertices that lie on each other at rest, at the mean of where they are now, as
+/// far as a seam may have opened: see [`seams`].
 pub(super) fn join(task: &Task<'_>) -> Result<Edited, OperationError> {
-    let pairs = seams(task.mesh);
-    if pairs.is_empty() {
+    let mut at_place: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+    for [v, first] in seams(&task.mesh.at(task.rest)) {
+        at_place.entry(first).or_insert_with(|| vec![first]).push(v);
+    }
+    if at_place.is_empty() {
         return Err(OperationError::Expected("boundary vertices that lie on each other"));
     }
     let mut rebuild = Rebuild::new(task.mesh);
-    pairs.iter().for_each(|&[v, first]| rebuild.merge(&[v, first], &[first]));
+    at_place.values().for_each(|vertices| rebuild.merge(vertices, vertices));
     rebuild.keep(task.all_faces())?;
     Ok(rebuild.finish())
 }

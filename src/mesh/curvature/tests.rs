@@ -1,8 +1,10 @@
 //! Lines of curvature traced on meshes of surfaces with known lines.
 
-use crate::support::shared;
-use shape_up::math;
-use shape_up::mesh::{CurvatureField, CurvatureLine, Family, Mesh, Point, Topology};
+use super::field::SurfacePoint;
+use super::trace::{CurvatureLine, comes_back};
+use super::{CurvatureField, Family};
+use crate::math;
+use crate::mesh::{Mesh, Point, Topology};
 use std::collections::BTreeMap;
 
 const FAMILIES: [Family; 2] = [Family::Larger, Family::Smaller];
@@ -72,12 +74,21 @@ fn net([n, m]: [u32; 2], closed: [bool; 2], point: impl Fn(f64, f64) -> Point) -
     mesh
 }
 
+/// The line through a point until it comes within an edge of an earlier part of itself.
+fn line_through(
+    field: &CurvatureField,
+    point: SurfacePoint,
+    family: Family,
+) -> Option<CurvatureLine> {
+    field.line_until(point, family, |points| comes_back(points, field.mean_edge()))
+}
+
 /// The lines of both families through every `every`-th face.
 fn some_lines(mesh: &Mesh, every: usize) -> Vec<CurvatureLine> {
     let field = field(mesh);
     let points: Vec<_> = field.centres().step_by(every).collect();
     let lines = FAMILIES.map(|family| {
-        points.iter().filter_map(|&point| field.line_through(point, family)).collect::<Vec<_>>()
+        points.iter().filter_map(|&point| line_through(&field, point, family)).collect::<Vec<_>>()
     });
     lines.concat()
 }
@@ -175,13 +186,11 @@ fn on_a_cylinder_and_a_saddle_lines_of_curvature_are_as_known() {
         [x, y, x * x - y * y]
     });
     let field = field(&mesh);
-    let middle = (0..mesh.faces.len()).min_by(|&a, &b| {
-        let far = |f: usize| mesh.positions[mesh.faces.row(f)[0] as usize].map(f64::abs);
-        (far(a)[0] + far(a)[1]).total_cmp(&(far(b)[0] + far(b)[1]))
-    });
-    let point = field.at_face(middle.unwrap() as u32).unwrap();
+    let far = |point: &SurfacePoint| point.at.x.abs() + point.at.y.abs();
+    let middle = field.centres().min_by(|a, b| far(a).total_cmp(&far(b)));
+    let point = middle.expect("it has faces");
     let mut off = FAMILIES.map(|family| {
-        let line = field.line_through(point, family).unwrap();
+        let line = line_through(&field, point, family).expect("it has a direction");
         assert!(line.points.len() > 100);
         [0, 1].map(|k| line.positions().map(|point| point[k].abs()).fold(0.0, f64::max))
     });
@@ -218,7 +227,7 @@ fn spaced_lines_keep_their_distance_and_cover_the_surface() {
             }
         }
         for centre in field.centres() {
-            let at = Point::from(field.position(centre));
+            let at = Point::from(centre.at);
             let nearest = points.iter().flatten().map(|point| gap(&at, point));
             assert!(nearest.fold(f64::MAX, f64::min) < 1.6 * distance);
         }
@@ -277,40 +286,4 @@ fn strokes_lie_along_the_edges_of_a_net_that_follows_the_lines() {
             assert!(off < 1e-6, "{off}");
         }
     }
-}
-
-/// Every line ends, on known meshes.
-#[test]
-fn lines_of_known_meshes_are_finite_and_on_the_mesh() {
-    for file in ["compas_tubemesh.obj", "horse_quad.obj", "cmc1.obj", "M2_eq_quad2.obj"] {
-        let Some(mesh) = shared::mesh(file) else { return };
-        let size = mesh
-            .positions
-            .iter()
-            .fold(0.0, |size: f64, p| p.iter().fold(size, |s, x| s.max(x.abs())));
-        let field = field(&mesh);
-        let begun = std::time::Instant::now();
-        let lines = FAMILIES.map(|family| field.spaced_lines(family, 3.0 * field.mean_edge()));
-        println!("{file}: {} and {} lines, {:?}", lines[0].len(), lines[1].len(), begun.elapsed());
-        for line in lines.iter().flatten() {
-            assert!(line.positions().all(|point| point.iter().all(|x| x.abs() <= size + 1e-9)));
-        }
-        assert!(lines.iter().all(|lines| lines.len() > 2), "{file}");
-    }
-}
-
-#[test]
-fn a_vertex_is_found_in_a_triangle_with_area_if_its_first_one_has_none() {
-    let whole = net([6, 4], [false, false], |u, v| [6.0 * u, 4.0 * v, u * u]);
-    // The first face of vertex 9 is a triangle with three collinear corners.
-    let mut mesh = Mesh { positions: whole.positions.clone(), ..Mesh::default() };
-    mesh.faces.push(&[8, 9, 10]);
-    whole.faces.iter().for_each(|face| mesh.faces.push(face));
-    for v in [8, 10] {
-        mesh.positions[v][2] = mesh.positions[9][2];
-    }
-    let field = field(&mesh);
-    let point = field.at_vertex(9).expect("other triangles of the vertex have an area");
-    assert_eq!(Point::from(field.position(point)), mesh.positions[9]);
-    assert!(field.line_through(point, Family::Larger).is_some());
 }
