@@ -34,10 +34,9 @@ impl Projection for LineSegment {
         arity: Arity::Exactly(2),
         colour: [150, 105, 20],
         params: &Target::params("length", "Length", "Times the original length"),
+        default_for: &[TargetShape::Edges],
         ..Info::PLAIN
     };
-
-    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Edges];
 
     const READS_REST: bool = true;
 
