@@ -79,8 +79,8 @@ impl Parts {
         let before_system = clock::now();
         let mut terms = vec![shape_terms, smooth_part];
         terms.extend(added.terms);
-        let mut system =
-            System::with_order(n, terms, settings.factorization, cache.analysis.as_ref());
+        let (sizes, order) = ([n, n_vertices], cache.analysis.as_ref());
+        let mut system = System::with_order(sizes, terms, settings.factorization, order);
         let after_system = clock::now();
 
         let (centre, extent) = centre_and_extent(mesh);
