@@ -173,6 +173,21 @@ impl Parts {
         to_rows(positions, self.node_of(), self.held.len(), self.centre)
     }
 
+    /// Moves vertices to the points of their curves given by the unknowns after a step.
+    pub(super) fn put_on_curves(&mut self, x: &mut [Row]) {
+        if let Some(gliding) = &mut self.gliding {
+            gliding.put_on_curves(x);
+        }
+    }
+
+    /// Reduces a gradient to what fixed vertices and those on curves leave of it.
+    pub(super) fn constrain(&mut self, gradient: &mut [Row]) {
+        self.system.clear_fixed(gradient);
+        if let Some(gliding) = &mut self.gliding {
+            gliding.constrain(gradient);
+        }
+    }
+
     /// The node of each vertex.
     pub(super) fn node_of(&self) -> &[u32] {
         &self.system.node_of()[..self.n_vertices]

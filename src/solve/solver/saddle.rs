@@ -61,7 +61,7 @@ impl Solver {
     /// Returns a direction of negative curvature at `start`, of unit length; none if there is none.
     fn softest_direction(&mut self, start: &[Row]) -> Option<Vec<Row>> {
         let step = DIFFERENCE * self.parts.extent;
-        let gradient = self.gradient.clone();
+        let gradient = self.descent.gradient.clone();
         let mut image = random_rows(start.len());
         self.parts.system.clear_fixed(&mut image);
         // `A`-orthonormal directions, and their images by `A`.
@@ -82,7 +82,7 @@ impl Solver {
             self.x.copy_from_slice(start);
             add_scaled(&mut self.x, by, &direction);
             self.evaluate();
-            let mut next_image = self.gradient.clone();
+            let mut next_image = self.descent.gradient.clone();
             add_scaled(&mut next_image, -1.0, &gradient);
             scale(&mut next_image, 1.0 / by);
             self.parts.system.clear_fixed(&mut next_image);
