@@ -50,8 +50,10 @@ impl Solver {
         if self.converged {
             let is_near = |total: f64| (total - self.energy.total).abs() <= 10.0 * standing;
             let is_known = self.no_saddle.is_some_and(is_near);
-            if !is_known && self.leave_saddle(10.0 * standing) {
-                self.converged = false;
+            // The plain iteration is that of the paper, and stays where it stands.
+            let may_leave = self.descent.accelerator.learns() && !is_known;
+            if may_leave && self.leave_saddle(10.0 * standing) {
+                (self.converged, self.accelerated) = (false, true);
             } else {
                 self.no_saddle = Some(self.energy.total);
             }
@@ -82,7 +84,7 @@ impl Solver {
         }
     }
 
-    /// With approximate operators even the plain step can raise the total in a late digit.
+    /// With approximate operators even the plain step can raise the total.
     fn keep_best(&mut self, before: f64) {
         if self.energy.total > before && self.best.as_ref().is_none_or(|best| before < best.0) {
             self.best = Some((before, self.descent.previous.0.clone()));
