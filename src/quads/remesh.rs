@@ -140,15 +140,6 @@ impl Remesher {
             };
             match covered() {
                 Ok(part) => parts.push(part),
-                Err(RemeshError::NotFollowed { fault, .. }) => {
-                    let smaller = Asked { mesh, options, wanted: surface.area() / (size * size) };
-                    let half = Some(0.5 * size).filter(|half| *half >= SUGGESTED * least);
-                    let follows = match half {
-                        Some(half) => smaller.follows_at(half, surface, &mut of_part)?,
-                        None => None,
-                    };
-                    left.push(surface.left(RemeshError::NotFollowed { fault, follows }));
-                }
                 Err(error) if error.is_of_part() => left.push(surface.left(error)),
                 Err(error) => return Err(error),
             }
