@@ -39,9 +39,9 @@ const FAR: f64 = 1.0;
 const NEAR: f64 = 2.5;
 /// A panel follows a surface that turns by no more than this along it, in radians.
 const TURN: f64 = 1.0;
-/// The side of panels that leave an opening open, as a fraction of the length around it: less than a half
-/// by more than rounding takes.
-const SHORT: f64 = 0.33;
+/// The side of panels that leave an opening open, as a fraction of the length around it: less than a
+/// quarter by more than rounding takes.
+const SHORT: f64 = 0.2;
 
 /// One mesh of all parts, measured and described; the input is given with its surface. No size of
 /// panels below `least` is suggested.
@@ -178,11 +178,11 @@ fn covered(parts: &[Part], least: f64, units: &str) -> Option<RemeshNote> {
     let shortest = openings.iter().map(|opening| opening.length).reduce(f64::min)?;
     let takes = takes(SHORT * shortest, least, units);
     let words = match openings.len() {
-        1 => format!("1 opening is less than two panels around and covered: to keep it {takes}"),
+        1 => format!("1 opening is too small for these panels and covered: to keep it {takes}"),
         count => {
             let count = words::group_digits(count);
             format!(
-                "{count} openings are less than two panels around and covered: to keep them {takes}"
+                "{count} openings are too small for these panels and covered: to keep them {takes}"
             )
         }
     };

@@ -8,10 +8,7 @@ use super::slivers::remove_slivers;
 use crate::math::{Vec3, ears_in_space, mean};
 use crate::quads::{RemeshError, Side};
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 
-/// A boundary loop must be at least this many panels long.
-const SHORTEST_LOOP: f64 = 2.0;
 /// An opening is covered only if the area vectors of the triangles around it add up to at least this
 /// fraction of their areas: those around the end of a tube cancel.
 const FLAT: f64 = 0.5;
@@ -32,24 +29,26 @@ impl Opening {
 }
 
 impl InputSurface {
-    /// The surface with triangles over the openings that are less than two panels of the side `size`
-    /// around, and these openings.
+    /// The surface with triangles over the openings that are less than `shortest` around, and these
+    /// openings.
     ///
     /// # Errors
     /// If one cannot be covered: the end of a tube, or one around faces that stay.
     pub(super) fn without_openings(
         &self,
-        size: f64,
+        shortest: f64,
     ) -> Result<(Cow<'_, InputSurface>, Vec<Opening>), RemeshError> {
         let edges = Edges::new(&self.triangles);
-        let short = self.openings(&edges, SHORTEST_LOOP * size);
+        let short = self.openings(&edges, shortest);
         if short.is_empty() {
             return Ok((Cow::Borrowed(self), Vec::new()));
         }
+        let flat = self.flat_around(&short);
         let (mut triangles, mut faces) = (self.triangles.clone(), self.faces.clone());
         let mut covered = Vec::new();
-        for (opening, ring) in short {
-            let cover = self.cover(&edges, &ring).ok_or_else(|| opening.refused())?;
+        for ((opening, ring), flat) in short.into_iter().zip(flat) {
+            let cover = Some(&ring).filter(|_| flat).and_then(|ring| self.cover(&edges, ring));
+            let cover = cover.ok_or_else(|| opening.refused())?;
             faces.extend(cover.iter().map(|_| self.faces[0]));
             triangles.extend(cover);
             covered.push(opening);
@@ -57,7 +56,7 @@ impl InputSurface {
         remove_slivers(&self.positions, &mut triangles, &mut faces);
         let vertices = (&self.vertices[..], &self.beside[..]);
         let surface = InputSurface::of_part(&self.positions, triangles, faces, vertices);
-        let left = surface.openings(&Edges::new(&surface.triangles), SHORTEST_LOOP * size);
+        let left = surface.openings(&Edges::new(&surface.triangles), shortest);
         match left.first() {
             Some((opening, _)) => Err(opening.refused()),
             None => Ok((Cow::Owned(surface), covered)),
@@ -83,20 +82,27 @@ impl InputSurface {
         short.filter_map(opening).collect()
     }
 
-    /// Triangles over an opening; none if the surface is not flat around it, if faces that stay are in
-    /// it, or if they would need an edge that is there.
-    fn cover(&self, edges: &Edges, ring: &[usize]) -> Option<Vec<[usize; 3]>> {
-        if ring.iter().any(|&v| self.beside[v]) {
-            return None;
+    /// Whether the surface is flat around each opening.
+    fn flat_around(&self, openings: &[(Opening, Vec<usize>)]) -> Vec<bool> {
+        let mut of_vertex = vec![None; self.positions.len()];
+        for (k, (_, ring)) in openings.iter().enumerate() {
+            ring.iter().for_each(|&v| of_vertex[v] = Some(k));
         }
-        let own: BTreeSet<usize> = ring.iter().copied().collect();
-        let (mut sum, mut areas) = (Vec3::zero(), 0.0);
-        for triangle in self.triangles.iter().filter(|it| it.iter().any(|v| own.contains(v))) {
+        let mut sums = vec![(Vec3::zero(), 0.0); openings.len()];
+        for triangle in &self.triangles {
             let [a, b, c] = triangle.map(|v| self.positions[v]);
             let area = (b - a).cross(c - a);
-            (sum, areas) = (sum + area, areas + area.length());
+            for k in triangle.iter().filter_map(|&v| of_vertex[v]) {
+                sums[k] = (sums[k].0 + area, sums[k].1 + area.length());
+            }
         }
-        if sum.length() < FLAT * areas {
+        sums.into_iter().map(|(sum, areas)| sum.length() >= FLAT * areas).collect()
+    }
+
+    /// Triangles over an opening; none if faces that stay are in it, or if they would need an edge that is
+    /// there.
+    fn cover(&self, edges: &Edges, ring: &[usize]) -> Option<Vec<[usize; 3]>> {
+        if ring.iter().any(|&v| self.beside[v]) {
             return None;
         }
         // Seen from the side of the surface, the opening is on the right of its ring.

@@ -13,6 +13,8 @@ use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
 
 /// Connected creases shorter than this many panels are noise.
 const SHORTEST_CREASE: f64 = 6.0;
+/// A boundary loop must be at least this many panels long.
+const SHORTEST_LOOP: f64 = 2.0;
 /// More panels than this are refused.
 pub(in crate::quads) const MOST_PANELS: f64 = 100_000.0;
 
@@ -102,7 +104,7 @@ pub struct PrepareNotes {
     /// The middles of crease edges of the surface that are dropped, because they are nearer to each
     /// other than a panel.
     pub dropped: Vec<Vec3<f64>>,
-    /// Openings that are covered, because they are less than two panels around.
+    /// Openings that are covered, because they are too short for a line of panels around them.
     pub openings: Vec<Opening>,
 }
 
@@ -112,8 +114,18 @@ impl InputSurface {
     /// # Errors
     /// If the size is out of range for this surface.
     pub fn prepare(&self, size: f64, options: &MapOptions) -> Result<Prepared, RemeshError> {
+        self.prepare_over(SHORTEST_LOOP, size, options)
+    }
+
+    /// The same, with openings covered that are less than this many panels around.
+    pub(crate) fn prepare_over(
+        &self,
+        shortest_loop: f64,
+        size: f64,
+        options: &MapOptions,
+    ) -> Result<Prepared, RemeshError> {
         self.check(size)?;
-        let (covered, openings) = self.without_openings(size)?;
+        let (covered, openings) = self.without_openings(shortest_loop * size)?;
         let InputSurface { positions, triangles, vertices, tensors, .. } = covered.into_owned();
         let shortest = SHORTEST_CREASE * size;
         let lines = features::lines(&positions, &triangles, options.crease, shortest);
