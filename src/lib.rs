@@ -23,7 +23,7 @@
 //! | [`words`] | words for readers: numbers, units, lengths, counts, lists | nothing |
 //! | `json` | what `serde_json` lacks: errors with paths in our words, repeated keys, lists of indices | nothing |
 //! | [`mesh`] | polygon mesh, reading and writing of files, topology, Laplacian, closest point, error measures | math, words |
-//! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, json, mesh |
+//! | [`constraint`] | one projection operator per file, the list of kinds, selectors, batches | math, words, json, mesh |
 //! | [`sparse`] | `L D L^T` on the types of sprs: ordering, symbolic analysis, two numeric factors, triangular sweeps | math |
 //! | [`quads`] | quads along the lines of curvature: cross field, seamless map, exact extraction | math, words, mesh, sparse |
 //! | [`solve`] | energies, assembly, the two-step iteration, accelerators, conformal maps | math, mesh, constraint, sparse |

@@ -36,6 +36,9 @@ pub struct Info {
     pub colour: [u8; 3],
     /// The parameters of the scene file.
     pub params: &'static [Param],
+    /// The selections for which the kind is the usual choice; hosts preselect it there.
+    #[serde(skip)]
+    pub default_for: &'static [TargetShape],
 }
 
 impl Info {
@@ -54,6 +57,7 @@ impl Info {
         panels: None,
         colour: [0; 3],
         params: &[],
+        default_for: &[],
     };
 
     /// The number of vertices or edges, in words.
@@ -110,8 +114,7 @@ pub enum Centring {
     Placed,
 }
 
-/// The shape of a selection. A kind lists those for which it is the usual choice in
-/// [`Projection::DEFAULT_FOR`](super::Projection::DEFAULT_FOR); hosts preselect it there.
+/// The shape of a selection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TargetShape {
     /// Faces of four or more corners, one constraint each.

@@ -38,7 +38,7 @@ mod sketch;
 pub use batch::{Batch, LocalStep, Projected, batches};
 pub use declaration::TargetShape;
 pub use declaration::{Arity, Centring, Info};
-pub use kinds::{DEFAULT_FOR, KINDS, Kind, KindVisitor};
+pub use kinds::{KINDS, Kind, KindVisitor};
 pub use parameter::{Form, KindError, Param, ParamValue};
 pub use projection::Projection;
 pub use projection::{Fitted, Reference, Row};

@@ -1,6 +1,6 @@
 //! The trait of projection operators, and the projection of a chunk of constraints.
 
-use super::declaration::{Info, TargetShape};
+use super::declaration::Info;
 use crate::math::{Lane, Vec3};
 use crate::mesh::Surface;
 use std::rc::Rc;
@@ -27,9 +27,6 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     fn is_exact(&self) -> bool {
         Self::INFO.exact
     }
-
-    /// The selections for which this kind is the usual choice; hosts preselect it there.
-    const DEFAULT_FOR: &'static [TargetShape] = &[];
 
     /// Gives the operator the reference geometry. Called once, before anything else.
     fn bind(&mut self, reference: &Reference<'_>) {

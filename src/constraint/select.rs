@@ -1,6 +1,7 @@
 //! Selectors: the vertices that a constraint acts on, independent of its kind.
 
 use crate::json::indices;
+use crate::words::count;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -184,7 +185,6 @@ pub fn describe(selector: &Selector) -> String {
             }
         }
         Selector::Set(name) => format!("the vertices of {name}"),
-        Selector::Vertices(vertices) if vertices.len() == 1 => "1 vertex".to_string(),
-        Selector::Vertices(vertices) => format!("{} vertices", vertices.len()),
+        Selector::Vertices(vertices) => count(vertices.len(), "vertex", "vertices"),
     }
 }

@@ -35,11 +35,19 @@ pub enum RemeshError {
         /// The least size, in the unit of the mesh.
         least: f64,
     },
-    /// The panel size exceeds half the length of a boundary loop, or its square is more than a quarter of the surface.
+    /// The square of the panel size is more than a quarter of a part of the surface.
     SizeTooLarge {
         /// The greatest size, in the unit of the mesh.
         greatest: f64,
-        /// A point of the loop.
+        /// A point of the part.
+        at: Vec3<f64>,
+    },
+    /// An opening is less than two panels around, and cannot be covered: the end of a tube, or one
+    /// around faces that stay.
+    Opening {
+        /// The length around it, in the unit of the mesh.
+        length: f64,
+        /// The mean of its vertices.
         at: Vec3<f64>,
     },
     /// A matrix is not positive definite to working precision: coordinates are out of proportion.
@@ -53,8 +61,6 @@ pub enum RemeshError {
     NotFollowed {
         /// What was wrong with the first attempt.
         fault: ResultFault,
-        /// A smaller size of panels that was tried and follows the surface, in the unit of the mesh.
-        follows: Option<f64>,
     },
     /// The observer asked to stop.
     Cancelled,
@@ -67,6 +73,7 @@ impl RemeshError {
             RemeshError::TooFewTriangles { at }
             | RemeshError::BranchingEdge { at, .. }
             | RemeshError::OneSided { at }
+            | RemeshError::Opening { at, .. }
             | RemeshError::SizeTooLarge { at, .. } => Some(at),
             _ => None,
         }
@@ -131,12 +138,16 @@ impl RemeshError {
             RemeshError::OutOfRange => {
                 "the surface is too large for panels of this size".to_owned()
             }
-            RemeshError::NotFollowed { fault, follows } => {
-                let remedy = match follows {
-                    Some(size) => format!("expected sides of {}", side(*size)),
-                    None => "expected smaller panels".to_owned(),
-                };
-                format!("panels of this size cannot follow the surface ({fault}): {remedy}")
+            RemeshError::Opening { length, .. } => {
+                let length = words::limit(words::rounded(*length, 3), units);
+                format!(
+                    "an opening is {length} around, less than two panels: close it, or expected smaller panels"
+                )
+            }
+            RemeshError::NotFollowed { fault } => {
+                format!(
+                    "panels of this size cannot follow the surface ({fault}): expected smaller panels"
+                )
             }
             RemeshError::Cancelled => "cancelled".to_owned(),
         }

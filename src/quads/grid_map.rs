@@ -33,8 +33,6 @@ pub struct Triangulation {
     /// `#T by 3`: whether a side lies on a feature, along which the grid runs: the boundary where it
     /// is followed, and creases. The same on both sides.
     pub feature: Vec<[bool; 3]>,
-    /// `#T`: the face of the input that contains the triangle.
-    pub faces: Vec<u32>,
     /// `#V`: the vertex of the input; `None` of those that were added.
     pub vertices: Vec<Option<u32>>,
 }

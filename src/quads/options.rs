@@ -34,12 +34,12 @@ pub enum PanelSize {
     Count(usize),
 }
 
-/// Settings of the map. The defaults are those of the study, in the words of its section 4.
+/// Settings of the map. The defaults are those of `reference/quads.md`, in the words of its section 4.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapOptions {
     /// Size or number of panels.
     pub size: PanelSize,
-    /// Weight of alignment with curvature against few irregular vertices, lambda: 0, 5, 20 or 80.
+    /// Weight of alignment with curvature against few irregular vertices, lambda: 0 to 80.
     pub follow: f64,
     /// Weight of directions against even sizes where the surface is curved, D: 1 to 100.
     pub direction: f64,

@@ -7,7 +7,7 @@ use super::grid_map::{GridMap, Triangulation};
 use super::map::{GridMapper, MapNotes};
 use super::repair::{Repaired, repair, trim};
 use super::result::{Samples, Shape, verify};
-use super::surface::{InputSurface, Prepared};
+use super::surface::{PrepareNotes, Prepared};
 use super::{Boundary, MapOptions, RemeshError, RemeshObserver, RemeshStage};
 use crate::math::{Vec3, mean, twice_vector_area};
 use crate::mesh::{Measures, Mesh, Point, Ragged};
@@ -27,8 +27,8 @@ pub(super) struct Part {
     /// Where the surface turns by more than a right angle from one panel to the next, other than at a
     /// crease that they follow.
     pub(super) folds: Vec<Vec3<f64>>,
-    /// The middles of crease edges that are not followed, being nearer to each other than a panel.
-    pub(super) abandoned: Vec<Vec3<f64>>,
+    /// What the panels do not follow.
+    pub(super) notes: PrepareNotes,
 }
 
 /// Maps with flipped triangles are tried up to this level if one gives a surface like the input:
@@ -42,7 +42,7 @@ const NUMBERS: [f64; 2] = [0.96, 1.04];
 const MOST_INTEGERS: usize = 60;
 const MOST_PANELS: f64 = 3000.0;
 /// The number of panels may differ by this factor from the wanted one for the sake of circles.
-const OFF: f64 = 1.08;
+const MOST_CHANGED: f64 = 1.08;
 
 /// What is asked of a part.
 pub(super) struct Asked<'a> {
@@ -94,12 +94,9 @@ impl Asked<'_> {
             return Err(error);
         }
         let Some((mut best, notes)) = best else {
-            return Err(RemeshError::NotFollowed {
-                fault: fault.expect("a map failed"),
-                follows: None,
-            });
+            return Err(RemeshError::NotFollowed { fault: fault.expect("a map failed") });
         };
-        let abandoned = notes.abandoned_creases;
+        let dropped = notes.dropped_creases;
         let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS;
         if notes.level == 0 && notes.flipped.is_empty() && is_small {
             for (k, factor) in NUMBERS.into_iter().enumerate() {
@@ -109,9 +106,9 @@ impl Asked<'_> {
                 let mapped = mapper.maps(weights, &mut observed, &mut |prepared, map, notes, _| {
                     if let Ok(found) = self.result(prepared, &map, &notes) {
                         let count = found.faces.len() as f64 / self.wanted;
-                        let is_near = count.max(1.0 / count) < OFF;
+                        let is_near = count.max(1.0 / count) < MOST_CHANGED;
                         if notes.flipped.is_empty()
-                            && notes.abandoned_creases <= abandoned
+                            && notes.dropped_creases <= dropped
                             && is_near
                             && found.lost.len() <= best.lost.len()
                             && found.off_circles() < best.off_circles()
@@ -128,25 +125,6 @@ impl Asked<'_> {
             }
         }
         Ok(best)
-    }
-
-    /// Half the size of panels, if that follows the surface.
-    ///
-    /// # Errors
-    /// If the observer says no.
-    pub(super) fn follows_at(
-        &self,
-        half: f64,
-        surface: &InputSurface,
-        observer: &mut RemeshObserver<'_>,
-    ) -> Result<Option<f64>, RemeshError> {
-        let Ok(prepared) = surface.prepare(half, self.options) else { return Ok(None) };
-        let asked = Asked { wanted: 4.0 * self.wanted, ..*self };
-        match asked.part(&mut GridMapper::new(prepared), observer) {
-            Ok(_) => Ok(Some(half)),
-            Err(RemeshError::Cancelled) => Err(RemeshError::Cancelled),
-            Err(_) => Ok(None),
-        }
     }
 
     /// What comes of a map: without lines through flipped triangles if not with them.
@@ -240,7 +218,7 @@ fn finish(
         level: notes.level,
         lost,
         folds,
-        abandoned: prepared.notes.abandoned.clone(),
+        notes: prepared.notes.clone(),
     };
     (part, used.iter().map(|&node| nodes[node].boundary).collect())
 }

@@ -2,7 +2,7 @@
 //! be covered stays as it is.
 
 use super::map::GridMapper;
-use super::part::{Asked, Part};
+use super::part::Asked;
 use super::remeshed::{notes_on, together, without};
 use super::surface::{InputParts, InputSurface, LeftPart, MOST_PANELS};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
@@ -10,6 +10,9 @@ use crate::mesh::{Mesh, Surface};
 
 /// Sizes that are suggested exceed the least one by this factor: rounded for words, they are not less.
 const SUGGESTED: f64 = 1.25;
+/// Where panels cannot follow a part, openings less than this many panels around are covered: a crack as
+/// long as a panel has no panels of its own on either side.
+const LONGER_LOOP: f64 = 4.0;
 /// If parts with more than this fraction of the area cannot be covered, nothing is.
 const MOST_LEFT: f64 = 0.5;
 
@@ -128,27 +131,27 @@ impl Remesher {
             if !of_part(RemeshStage::Prepare, 0.0) {
                 return Err(RemeshError::Cancelled);
             }
-            let mut covered = || -> Result<Part, RemeshError> {
-                let mut mapper = match place.take() {
-                    Some(mapper) => mapper,
-                    None => GridMapper::new(surface.prepare(size, options)?),
-                };
-                let wanted = surface.area() / (size * size);
-                let part = Asked { mesh, options, wanted }.part(&mut mapper, &mut of_part)?;
+            let asked = Asked { mesh, options, wanted: surface.area() / (size * size) };
+            let mapper = match place.take() {
+                Some(mapper) => Ok(mapper),
+                None => surface.prepare(size, options).map(GridMapper::new),
+            };
+            let mut found = mapper.and_then(|mut mapper| {
+                let part = asked.part(&mut mapper, &mut of_part)?;
                 *place = Some(mapper);
                 Ok(part)
-            };
-            match covered() {
-                Ok(part) => parts.push(part),
-                Err(RemeshError::NotFollowed { fault, .. }) => {
-                    let smaller = Asked { mesh, options, wanted: surface.area() / (size * size) };
-                    let half = Some(0.5 * size).filter(|half| *half >= SUGGESTED * least);
-                    let follows = match half {
-                        Some(half) => smaller.follows_at(half, surface, &mut of_part)?,
-                        None => None,
-                    };
-                    left.push(surface.left(RemeshError::NotFollowed { fault, follows }));
+            });
+            if let Err(RemeshError::NotFollowed { .. }) = found
+                && let Ok(prepared) = surface.prepare_over(LONGER_LOOP, size, options)
+                && !prepared.notes.openings.is_empty()
+            {
+                let over = asked.part(&mut GridMapper::new(prepared), &mut of_part);
+                if matches!(over, Ok(_) | Err(RemeshError::Cancelled)) {
+                    found = over;
                 }
+            }
+            match found {
+                Ok(part) => parts.push(part),
                 Err(error) if error.is_of_part() => left.push(surface.left(error)),
                 Err(error) => return Err(error),
             }

@@ -3,7 +3,7 @@
 use super::RemeshError;
 use super::part::Part;
 use super::result::{Distances, RemeshMeasures, Tally, places, places_near};
-use super::surface::LeftPart;
+use super::surface::{LeftPart, Opening};
 use crate::math::{Vec3, marked};
 use crate::mesh::{Mesh, Point, Surface};
 use crate::words;
@@ -39,6 +39,9 @@ const FAR: f64 = 1.0;
 const NEAR: f64 = 2.5;
 /// A panel follows a surface that turns by no more than this along it, in radians.
 const TURN: f64 = 1.0;
+/// The side of panels that leave an opening open, as a fraction of the length around it: less than a
+/// quarter by more than rounding takes.
+const SHORT: f64 = 0.2;
 
 /// One mesh of all parts, measured and described; the input is given with its surface. No size of
 /// panels below `least` is suggested.
@@ -63,7 +66,8 @@ pub(super) fn together(
     let distances = Distances::between(&mesh, input, surface);
     let mut notes = Vec::new();
     notes.extend(not_followed(&parts, input, &distances, least, units));
-    notes.extend(abandoned(&parts));
+    notes.extend(dropped(&parts));
+    notes.extend(covered(&parts, least, units));
     let measures = tally.measures(
         distances.largest(),
         parts.iter().map(|part| part.shape.loops).sum(),
@@ -154,21 +158,41 @@ fn not_followed(
         1 => ("1 place is".to_owned(), "it"),
         count => (format!("{} places are", words::group_digits(count)), "them"),
     };
-    let how = match follows < least {
-        true => format!("to follow {them} would take nearly 100 000 panels, or more"),
-        false => {
-            let length = words::rough_length(follows, units);
-            format!("to follow {them} takes sides of {length} or less")
-        }
-    };
-    let words = format!("{count} smaller than a panel: {how}");
+    let takes = takes(follows, least, units);
+    let words = format!("{count} smaller than a panel: to follow {them} {takes}");
     Some(RemeshNote { words, places })
 }
 
+/// Says what panels of the side `size` take, unless it is below `least`.
+fn takes(size: f64, least: f64, units: &str) -> String {
+    if size < least {
+        return "would take nearly 100 000 panels, or more".to_owned();
+    }
+    format!("takes sides of {} or less", words::rough_length(size, units))
+}
+
+/// Names the openings over which panels run, and the size of panels that would leave them open.
+fn covered(parts: &[Part], least: f64, units: &str) -> Option<RemeshNote> {
+    let openings: Vec<Opening> =
+        parts.iter().flat_map(|part| part.notes.openings.clone()).collect();
+    let shortest = openings.iter().map(|opening| opening.length).reduce(f64::min)?;
+    let takes = takes(SHORT * shortest, least, units);
+    let words = match openings.len() {
+        1 => format!("1 opening is too small for these panels and covered: to keep it {takes}"),
+        count => {
+            let count = words::group_digits(count);
+            format!(
+                "{count} openings are too small for these panels and covered: to keep them {takes}"
+            )
+        }
+    };
+    Some(RemeshNote { words, places: openings.iter().map(|opening| opening.at).collect() })
+}
+
 /// Names the places with creases that are not followed.
-fn abandoned(parts: &[Part]) -> Option<RemeshNote> {
+fn dropped(parts: &[Part]) -> Option<RemeshNote> {
     let size = parts.first()?.size;
-    let edges: Vec<Vec3<f64>> = parts.iter().flat_map(|part| part.abandoned.clone()).collect();
+    let edges: Vec<Vec3<f64>> = parts.iter().flat_map(|part| part.notes.dropped.clone()).collect();
     let places = places(&edges, NEAR * size);
     let words = match places.len() {
         0 => return None,
@@ -200,6 +224,7 @@ fn follows(part: &Part, places: &[Vec3<f64>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quads::PrepareNotes;
     use crate::quads::result::{Samples, Shape};
 
     #[test]
@@ -213,7 +238,7 @@ mod tests {
             level: 0,
             lost: vec![Vec3::zero()],
             folds: Vec::new(),
-            abandoned: Vec::new(),
+            notes: PrepareNotes::default(),
         };
         let parts = [part];
         let distances = Distances { to_input: Vec::new(), from_input: Vec::new() };

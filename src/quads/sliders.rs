@@ -1,5 +1,5 @@
 //! The two choices that users have, from 0 to 1, and the weights of the map that they stand for
-//! (section 5 of the study has their effects).
+//! (section 5 of `reference/quads.md` has their effects).
 
 /// From few irregular vertices to a small move: the weights of alignment with curvature.
 const FOLLOW: [(f64, f64); 4] = [(0.0, 0.0), (1.0 / 3.0, 5.0), (2.0 / 3.0, 20.0), (1.0, 80.0)];
@@ -31,7 +31,7 @@ mod tests {
     use crate::quads::{MapOptions, PanelSize};
 
     #[test]
-    fn sliders_pass_through_the_values_of_the_study() {
+    fn sliders_pass_through_the_values_of_the_document() {
         let found = [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0, 2.0].map(follow_weight);
         assert_eq!(found, [0.0, 5.0, 20.0, 80.0, 80.0]);
         let found = [-1.0, 0.0, 0.25, 0.5, 1.0].map(direction_weight);

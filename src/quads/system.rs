@@ -6,7 +6,7 @@ use crate::sparse::{Factor, Factorization, Precision, SymbolicAnalysis, UpperTri
 use std::rc::Rc;
 
 /// Right-hand sides that one pair of triangular sweeps solves.
-pub(super) const TOGETHER: usize = 4;
+pub(super) const RIGHT_SIDES: usize = 4;
 
 /// A matrix with its factor. Unknowns are numbered as the caller does.
 pub(super) struct SymmetricSystem {

@@ -42,7 +42,7 @@ impl fmt::Display for SolveError {
             ),
             SolveError::TooLarge => write!(
                 f,
-                "the mesh, or one constraint, is too large for that: it would take more memory than there is"
+                "the mesh, or one constraint, is too large for that: it would take too much memory or time"
             ),
             SolveError::NotFinite { vertex } => {
                 write!(

@@ -13,6 +13,7 @@
 //! | `system` | the linear system of the global step: matrix, factor, and when each is computed |
 //! | `gliding` | boundary vertices that stay exactly on their curve |
 //! | `parts` | the components of a solver, built from a problem, and what the next solver can take over |
+//! | `descent` | the steps of the iteration and of the approach to hard constraints |
 //! | `solver` | the iteration |
 //! | `exact` | hard constraints: met exactly or within a tolerance |
 //! | `variation` | changes of a shape that keep its hard constraints met |
@@ -26,6 +27,7 @@ mod accelerate;
 mod assemble;
 pub mod clock;
 mod conformal;
+mod descent;
 mod energy;
 mod error;
 mod exact;

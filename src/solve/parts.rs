@@ -79,8 +79,8 @@ impl Parts {
         let before_system = clock::now();
         let mut terms = vec![shape_terms, smooth_part];
         terms.extend(added.terms);
-        let mut system =
-            System::with_order(n, terms, settings.factorization, cache.analysis.as_ref());
+        let (sizes, order) = ([n, n_vertices], cache.analysis.as_ref());
+        let mut system = System::with_order(sizes, terms, settings.factorization, order);
         let after_system = clock::now();
 
         let (centre, extent) = centre_and_extent(mesh);
@@ -171,6 +171,21 @@ impl Parts {
     /// Converts positions, `#V by 3`, to rows, one for each node.
     pub(super) fn to_rows(&self, positions: &[Point]) -> Vec<Row> {
         to_rows(positions, self.node_of(), self.held.len(), self.centre)
+    }
+
+    /// Moves vertices to the points of their curves given by the unknowns after a step.
+    pub(super) fn put_on_curves(&mut self, x: &mut [Row]) {
+        if let Some(gliding) = &mut self.gliding {
+            gliding.put_on_curves(x);
+        }
+    }
+
+    /// Reduces a gradient to what fixed vertices and those on curves leave of it.
+    pub(super) fn constrain(&mut self, gradient: &mut [Row]) {
+        self.system.clear_fixed(gradient);
+        if let Some(gliding) = &mut self.gliding {
+            gliding.constrain(gradient);
+        }
     }
 
     /// The node of each vertex.

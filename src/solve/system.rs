@@ -67,6 +67,8 @@ impl Matrix {
 /// elimination order. Everything that iterates is numbered by node, so that no step permutes.
 pub struct System {
     analysis: Rc<SymbolicAnalysis>,
+    /// Number of unknowns of vertices, the first ones; the others are extra unknowns.
+    own: usize,
     assembler: Assembler,
     factorization: Factorization,
     precision: Precision,
@@ -98,14 +100,15 @@ enum State {
 }
 
 impl System {
-    /// Orders the `n` nodes of the given terms.
+    /// Orders the `n` nodes of the given terms, all of which are unknowns of vertices.
     pub fn new(n: usize, energies: Vec<Terms>) -> System {
-        System::with_order(n, energies, Factorization::default(), None)
+        System::with_order([n, n], energies, Factorization::default(), None)
     }
 
-    /// The same, using the analysis `at_hand` if it has the same pattern.
+    /// The same for `n` nodes, of which the first `own` are unknowns of vertices, using the analysis
+    /// `at_hand` if it has the same pattern.
     pub(super) fn with_order(
-        n: usize,
+        [n, own]: [usize; 2],
         energies: Vec<Terms>,
         factorization: Factorization,
         at_hand: Option<&Rc<SymbolicAnalysis>>,
@@ -132,6 +135,7 @@ impl System {
         };
         System {
             analysis,
+            own,
             assembler,
             factorization,
             precision: Precision::Double,
@@ -257,13 +261,21 @@ impl System {
         self.assemble();
         let started = clock::now();
         self.factor.factor(&self.normal, &self.matrix.fixed, self.precision).map_err(
-            |singular| SolveError::NotPositiveDefinite {
-                vertex: self.analysis.unknown_at(singular.column),
-            },
+            |singular| SolveError::NotPositiveDefinite { vertex: self.vertex_at(singular.column) },
         )?;
         self.seconds.factor = clock::now() - started;
         self.state = State::Whole;
         Ok(())
+    }
+
+    /// The unknown of a vertex at a node: of an extra unknown, the first of those that it is coupled to.
+    fn vertex_at(&self, node: usize) -> u32 {
+        let unknown = |node: u32| self.analysis.unknown_at(node as usize);
+        let is_own = |unknown: &u32| (*unknown as usize) < self.own;
+        let above = &self.normal.indices()[self.normal.indptr().outer_inds_sz(node)];
+        let below = self.analysis.supernodes().lower(node).map(|(row, _)| row);
+        let coupled = above.iter().copied().chain(below).map(unknown).filter(is_own).min();
+        Some(unknown(node as u32)).filter(is_own).or(coupled).unwrap_or(0)
     }
 
     /// Computes the values of the matrix.

@@ -28,6 +28,7 @@ use super::panels::Panels;
 use super::rank_one::Update;
 use super::supernodal;
 use super::supernodes::Supernodes;
+use sprs::errors::LinalgError;
 use sprs::{PermOwnedI, SymmetryCheck};
 use sprs_ldl::{LdlNumeric, LdlSymbolic};
 use std::rc::Rc;
@@ -251,7 +252,10 @@ impl Simplicial {
         matrix: &UpperTriangle,
         smallest: f64,
     ) -> Result<&LdlNumeric<f64, u32>, Singular> {
-        let exact_zero = |_| Singular { column: 0 };
+        let exact_zero = |error| match error {
+            LinalgError::SingularMatrix(info) => Singular { column: info.index },
+            _ => Singular { column: 0 },
+        };
         let numeric = match self.numeric.take() {
             Some(mut numeric) => {
                 numeric.update(matrix.view()).map_err(exact_zero)?;

@@ -1,4 +1,4 @@
-//! Properties of integer-grid maps (the study's section 7: 1, 3, 5 and 7), on surfaces whose lines of
+//! Properties of integer-grid maps (`reference/quads.md`, section 7: 1, 3, 5 and 7), on surfaces whose lines of
 //! curvature are known and on foreign ones.
 
 use super::surfaces::{ellipsoid, hypar, parametric, plate, torus, tube, vault};
@@ -26,8 +26,7 @@ fn best(mapper: &mut GridMapper, asked: [f64; 3], go_on: bool) -> Result<Mapped,
         let is_whole = notes.flipped.is_empty();
         // Maps that follow more creases than the last one are of another surface.
         let is_better = best.as_ref().is_none_or(|Mapped { notes: best, .. }| {
-            notes.abandoned_creases > best.abandoned_creases
-                || notes.flipped.len() < best.flipped.len()
+            notes.dropped_creases > best.dropped_creases || notes.flipped.len() < best.flipped.len()
         });
         if is_better {
             best = Some(Mapped { prepared: prepared.clone(), map, notes });
@@ -39,7 +38,7 @@ fn best(mapper: &mut GridMapper, asked: [f64; 3], go_on: bool) -> Result<Mapped,
 
 fn mapped(mesh: &Mesh, options: &MapOptions) -> Vec<Mapped> {
     let PanelSize::Count(count) = options.size else { panic!("tests give a number") };
-    let parts = InputSurface::components(mesh).unwrap();
+    let parts = InputSurface::parts(mesh, &[]).unwrap().surfaces;
     let whole: f64 = parts.iter().map(InputSurface::area).sum();
     let of_part = |part: &InputSurface| {
         let prepared = part.prepare((whole / count as f64).sqrt(), options).unwrap();
@@ -239,7 +238,7 @@ fn the_order_of_vertices_and_faces_changes_no_singularity() {
 #[test]
 fn another_size_or_evenness_goes_on_from_what_is_kept() {
     let options = MapOptions::of_size(PanelSize::Count(300));
-    let part = &InputSurface::components(&bumpy()).unwrap()[0];
+    let part = &InputSurface::parts(&bumpy(), &[]).unwrap().surfaces[0];
     let prepared = part.prepare((part.area() / 300.0).sqrt(), &options).unwrap();
     let mut kept = GridMapper::new(prepared.clone());
     best(&mut kept, [20.0, 30.0, 300.0], true).unwrap();

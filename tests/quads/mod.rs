@@ -1,5 +1,5 @@
-//! Quads along the lines of curvature: properties of the result on surfaces of all kinds (the study's
-//! section 7), and refusals.
+//! Quads along the lines of curvature: properties of the result on surfaces of all kinds
+//! (`reference/quads.md`, section 7), and refusals.
 
 mod boundary;
 mod followed;

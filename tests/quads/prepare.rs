@@ -3,14 +3,24 @@
 use super::surfaces::{parametric, plate, torus, tube};
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
-use shape_up::quads::{Boundary, InputSurface, MapOptions, PanelSize, Prepared, RemeshError};
+use shape_up::quads::{
+    Boundary, InputParts, InputSurface, MapOptions, PanelSize, Prepared, RemeshError, Side,
+    Triangulation,
+};
 
 fn options() -> MapOptions {
     MapOptions::of_size(PanelSize::Count(100))
 }
 
+/// The parts that can be covered: all of them.
+fn surfaces(mesh: &Mesh) -> Vec<InputSurface> {
+    let InputParts { surfaces, left } = InputSurface::parts(mesh, &[]).unwrap();
+    assert!(left.is_empty(), "{left:?}");
+    surfaces
+}
+
 fn prepared(mesh: &Mesh, size: f64) -> Prepared {
-    let parts = InputSurface::components(mesh).unwrap();
+    let parts = surfaces(mesh);
     assert_eq!(parts.len(), 1);
     parts[0].prepare(size, &options()).unwrap()
 }
@@ -24,8 +34,7 @@ fn sheet(n: u32, at: impl Fn(f64, f64) -> [f64; 3]) -> Mesh {
 fn triangles_are_short_and_features_are_apart() {
     let roof = sheet(6, |u, v| [6.0 * u, 6.0 * v, 3.0 - (6.0 * u - 3.0).abs()]);
     for (mesh, size) in [(plate(), 0.3), (tube(), 0.4), (torus(), 0.5), (roof.clone(), 0.7)] {
-        let whole: f64 =
-            InputSurface::components(&mesh).unwrap().iter().map(InputSurface::area).sum();
+        let whole: f64 = surfaces(&mesh).iter().map(InputSurface::area).sum();
         let Prepared { surface, .. } = prepared(&mesh, size);
         assert!((surface.area() - whole).abs() < 1e-12 * whole, "nothing is lost");
         let mut on_feature = vec![false; surface.positions.len()];
@@ -44,37 +53,17 @@ fn triangles_are_short_and_features_are_apart() {
         }
         assert!(surface.feature.iter().all(|sides| sides.iter().filter(|&&is| is).count() < 2));
     }
-    let notes = prepared(&roof, 0.7).notes;
-    assert!(notes.creases > 0, "the ridge is a crease");
-    let parts = InputSurface::components(&roof).unwrap();
+    let creases = |surface: &Triangulation| {
+        let on_crease = |side: &Side| surface.is_feature(*side) && surface.across(*side).is_some();
+        surface.sides().filter(on_crease).count()
+    };
+    assert!(creases(&prepared(&roof, 0.7).surface) > 0, "the ridge is a crease");
+    let parts = surfaces(&roof);
     let smooth = parts[0].prepare(0.7, &MapOptions { crease: None, ..options() }).unwrap();
-    assert_eq!(smooth.notes.creases, 0);
+    assert_eq!(creases(&smooth.surface), 0);
     let cut = MapOptions { boundary: Boundary::Cut, crease: None, ..options() };
     let cut = parts[0].prepare(0.7, &cut).unwrap();
     assert!(cut.surface.feature.as_flattened().iter().all(|is| !is), "a cut boundary is none");
-}
-
-#[test]
-fn a_zigzag_boundary_has_no_more_corners_than_a_straight_one() {
-    let straight = sheet(40, |u, v| [6.0 * u, 6.0 * v, 0.0]);
-    let mut zigzag = straight.clone();
-    for (k, point) in zigzag.positions.iter_mut().enumerate() {
-        if point[1] == 0.0 && k % 2 == 1 {
-            point[1] = -0.1;
-        }
-    }
-    // Each edge turns by 67 degrees to the next.
-    assert_eq!(prepared(&straight, 0.6).notes.corners.len(), 4);
-    assert_eq!(prepared(&zigzag, 0.6).notes.corners.len(), 4);
-}
-
-#[test]
-fn a_sharp_corner_is_a_wedge() {
-    // A rhombus of 40 and 140 degrees.
-    let rhombus = sheet(12, |u, v| {
-        [5.0 * u + 5.0 * v * cosine(40.0 / 360.0), 5.0 * v * sine(40.0 / 360.0), 0.0]
-    });
-    assert_eq!(prepared(&rhombus, 0.4).notes.wedges, 2);
 }
 
 #[test]
@@ -88,7 +77,7 @@ fn touching_and_separate_parts_are_told_apart() {
         let name = |v: u32| if v == 0 { n - 1 } else { v + n };
         two.faces.push(&[name(face[0]), name(face[1]), name(face[2])]);
     }
-    let parts = InputSurface::components(&two).unwrap();
+    let parts = surfaces(&two);
     assert_eq!(parts.iter().map(InputSurface::area).collect::<Vec<_>>(), [1.0, 1.0]);
     // Polygons are triangulated, and faces that are turned over are turned back.
     let mut mixed = Mesh { positions: one.positions.clone(), ..Mesh::default() };
@@ -99,12 +88,15 @@ fn touching_and_separate_parts_are_told_apart() {
         }
         mixed.faces.push(&face);
     }
-    assert_eq!(InputSurface::components(&mixed).unwrap()[0].area(), 1.0);
+    assert_eq!(surfaces(&mixed)[0].area(), 1.0);
 }
 
 #[test]
 fn what_cannot_be_remeshed_is_refused_with_the_place() {
-    let error = |mesh: &Mesh| InputSurface::components(mesh).unwrap_err();
+    let error = |mesh: &Mesh| match InputSurface::parts(mesh, &[]) {
+        Ok(parts) => parts.left[0].error.clone(),
+        Err(error) => error,
+    };
     assert_eq!(error(&Mesh::default()), RemeshError::Empty);
     let flat = Mesh {
         positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]],
@@ -137,7 +129,7 @@ fn what_cannot_be_remeshed_is_refused_with_the_place() {
         strip.faces.push(&[a, d, b]);
     }
     assert!(matches!(error(&strip), RemeshError::OneSided { .. }));
-    let part = &InputSurface::components(&tube()).unwrap()[0];
+    let part = &surfaces(&tube())[0];
     let size = |size: f64| part.prepare(size, &options()).map(|_| ());
     assert!(
         matches!(size(1e-3), Err(RemeshError::SizeTooSmall { least }) if size(least) == Ok(()))

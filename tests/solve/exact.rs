@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use serde_json::json;
 use shape_up::constraint::{Arity, Centring, Element, Info, KINDS, Kind, Selector, Sets, resolve};
 use shape_up::math::{self, Vec3};
-use shape_up::mesh::{Mesh, Point};
+use shape_up::mesh::{Mesh, Point, Topology};
 use shape_up::solve::{ExactAnswer, Handle, Hold, Require, Requirements, Stage};
 
 /// A square of quads over bumps, with each vertex slightly displaced.
@@ -157,6 +157,23 @@ fn panels_are_exact_and_edges_keep_their_length() {
         assert!(answer.met && answer.max_distance <= 1e-12 * case.size());
         assert!(answer.shortest_edge.expect("there is a guard") >= 0.3 * (1.0 - 1e-9));
         assert!(answer.moved.max > 0.0 && answer.moved.mean <= answer.moved.max);
+    }
+}
+
+/// Edges with any hard constraint of their own were not guarded, and could collapse.
+#[test]
+fn an_upper_limit_of_the_length_of_edges_leaves_them_guarded() {
+    let edges = |mesh: &Mesh| Topology::new(mesh).edges().iter().map(Vec::from).collect::<Vec<_>>();
+    for (params, is_guarded) in [
+        (json!({ "strain": [null, 1.05] }), true),
+        (json!({ "strain": [null, 0.2] }), false),
+        (json!({}), false),
+    ] {
+        let case = Case::new(bumps(3)).on_faces("plane", Require::Exact);
+        let members = edges(&case.mesh);
+        let case = case.with("line-segment", params, members, Require::Exact);
+        let shortest = case.exact(&case.mesh.positions).answer().shortest_edge;
+        assert_eq!(shortest.is_some(), is_guarded, "{shortest:?}");
     }
 }
 
@@ -336,7 +353,7 @@ fn members(info: &Info) -> Option<(Mesh, Vec<Vec<u32>>)> {
         let triangles = mesh.faces.iter().flat_map(|f| [[f[0], f[1], f[2]], [f[0], f[2], f[3]]]);
         mesh.faces = triangles.collect();
     }
-    let topology = shape_up::mesh::Topology::new(&mesh);
+    let topology = Topology::new(&mesh);
     for &element in info.elements {
         let selector = Selector::Each { element, within: None, radius: 0 };
         let found = resolve(&selector, &mesh, &topology, &Sets::default()).expect("it resolves");

@@ -37,10 +37,9 @@ impl Projection for Circle {
         panels: Some("circular"),
         colour: [40, 115, 215],
         params: &[Param::RADIUS],
+        default_for: &[TargetShape::Panels, TargetShape::Loop],
         ..Info::PLAIN
     };
-
-    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Loop];
 
     // Inlined, so that the number of corners is a constant in the instance for four.
     #[inline(always)]

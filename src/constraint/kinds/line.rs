@@ -25,10 +25,9 @@ impl Projection for Line {
         arity: Arity::AtLeast(2),
         colour: [150, 90, 200],
         params: &[Param::direction("direction", "Direction")],
+        default_for: &[TargetShape::Chain],
         ..Info::PLAIN
     };
-
-    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Chain];
 
     fn closed_form<S: Lane>(
         &self,

@@ -34,10 +34,9 @@ impl Projection for LineSegment {
         arity: Arity::Exactly(2),
         colour: [150, 105, 20],
         params: &Target::params("length", "Length", "Times the original length"),
+        default_for: &[TargetShape::Edges],
         ..Info::PLAIN
     };
-
-    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Edges];
 
     const READS_REST: bool = true;
 
@@ -71,6 +70,14 @@ impl Projection for LineSegment {
 }
 
 impl LineSegment {
+    /// The least and the greatest length that are allowed, for the rest length `rest`.
+    pub(crate) fn lengths(&self, rest: f64) -> [f64; 2] {
+        match self.length {
+            Target::Rest => self.strain.ends().map(|strain| strain * rest),
+            Target::Within(limits) => limits.ends(),
+        }
+    }
+
     /// Returns half the allowed length nearest to twice `half`, for the rest length `rest`.
     #[inline(always)]
     fn clamped<S: Lane>(&self, half: S, rest: S) -> S {

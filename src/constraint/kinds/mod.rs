@@ -15,7 +15,6 @@ mod shared;
 pub use registry::KindVisitor;
 
 use super::declaration::Info;
-use super::declaration::TargetShape;
 use super::parameter::{self, KindError};
 use super::projection::Projection;
 use crate::math::Vec3;

@@ -63,7 +63,7 @@ impl Projection for OnCurve {
     const INFO: Info = Info {
         id: "on-curve",
         label: "On curve",
-        summary: "The vertices slide along the curve that they form now; its corners stay.",
+        summary: "The vertices slide along the curve that they form in the original; its corners stay.",
         arity: Arity::AtLeast(2),
         centring: Centring::Placed,
         elements: &[Element::Curve, Element::Polyline, Element::EdgeLine, Element::Boundary],

@@ -53,10 +53,9 @@ impl Projection for Plane {
         panels: Some("flat"),
         colour: [190, 120, 0],
         params: &[Param::direction("normal", "Normal"), Param::direction("along", "Along")],
+        default_for: &[TargetShape::Panels, TargetShape::Points],
         ..Info::PLAIN
     };
-
-    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Panels, TargetShape::Points];
 
     fn closed_form<S: Lane>(
         &self,

@@ -25,9 +25,6 @@ macro_rules! kinds {
         /// All kinds, in the order in which hosts list them.
         pub const KINDS: &[Info] = &[$($module::$Kind::INFO),*];
 
-        /// [`Projection::DEFAULT_FOR`] of each kind, `#KINDS` rows.
-        pub const DEFAULT_FOR: &[&[TargetShape]] = &[$($module::$Kind::DEFAULT_FOR),*];
-
         impl Kind {
             /// Returns the kind named `id` with the parameters `params`.
             ///
@@ -44,9 +41,7 @@ macro_rules! kinds {
 
             /// The declaration.
             pub fn info(&self) -> &'static Info {
-                const ALL: &[Info] = KINDS;
-                let id = match self { $(Kind::$Kind(_) => $module::$Kind::INFO.id),* };
-                ALL.iter().find(|info| info.id == id).expect("every kind is in the list of kinds")
+                match self { $(Kind::$Kind(_) => &$module::$Kind::INFO),* }
             }
 
             /// Whether its projection is the closest point of the set with these parameters.

@@ -27,10 +27,9 @@ impl Projection for RegularPolygon {
         paper: "3.3",
         arity: Arity::AtLeast(3),
         colour: [200, 60, 150],
+        default_for: &[TargetShape::Triangles],
         ..Info::PLAIN
     };
-
-    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Triangles];
 
     fn closed_form<S: Lane>(
         &self,

@@ -34,10 +34,9 @@ impl Projection for Sphere {
         exact: false,
         colour: [220, 50, 47],
         params: &[Param::RADIUS],
+        default_for: &[TargetShape::Patch],
         ..Info::PLAIN
     };
-
-    const DEFAULT_FOR: &'static [TargetShape] = &[TargetShape::Patch];
 
     fn closed_form<S: Lane>(
         &self,

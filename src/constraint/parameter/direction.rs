@@ -3,12 +3,11 @@
 //! In JSON an array of three numbers, not all zero, of any length.
 
 use crate::math::{Lane, Vec3};
-use serde::de::{self, Deserializer, SeqAccess, Visitor};
-use serde::{Deserialize, Serialize, Serializer};
-use std::fmt;
+use serde::{Deserialize, Serialize};
 
 /// A direction: the numbers of the file, and the unit vector.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "[f64; 3]", into = "[f64; 3]")]
 pub(crate) struct Direction {
     given: [f64; 3],
     unit: Vec3<f64>,
@@ -31,46 +30,19 @@ impl Direction {
     }
 }
 
-impl Serialize for Direction {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.given.serialize(serializer)
+impl TryFrom<[f64; 3]> for Direction {
+    type Error = String;
+
+    fn try_from(given: [f64; 3]) -> Result<Direction, String> {
+        let [x, y, z] = given;
+        let expected = "expected a direction [x, y, z], not all zero";
+        Direction::new(given).ok_or_else(|| format!("found [{x}, {y}, {z}], {expected}"))
     }
 }
 
-impl<'de> Deserialize<'de> for Direction {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_seq(DirectionVisitor)
-    }
-}
-
-struct DirectionVisitor;
-
-impl<'de> Visitor<'de> for DirectionVisitor {
-    type Value = Direction;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a direction [x, y, z], not all zero")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<Direction, A::Error> {
-        let mut given = [0.0; 3];
-        for (k, number) in given.iter_mut().enumerate() {
-            let next = array.next_element()?;
-            *number = next.ok_or_else(|| de::Error::invalid_length(k, &self))?;
-        }
-        if array.next_element::<de::IgnoredAny>()?.is_some() {
-            return Err(de::Error::custom(format_args!(
-                "found an array of more than three, expected {}",
-                &self as &dyn de::Expected
-            )));
-        }
-        Direction::new(given).ok_or_else(|| {
-            let [x, y, z] = given;
-            de::Error::custom(format_args!(
-                "found [{x}, {y}, {z}], expected {}",
-                &self as &dyn de::Expected
-            ))
-        })
+impl From<Direction> for [f64; 3] {
+    fn from(direction: Direction) -> [f64; 3] {
+        direction.given
     }
 }
 
@@ -100,11 +72,11 @@ mod tests {
         for (value, words) in [
             (json!([0, -0.0, 0]), "found [0, -0, 0]"),
             (json!([1, 2]), "length 2"),
-            (json!([1, 2, 3, 4]), "more than three"),
+            (json!([1, 2, 3, 4]), "length 4"),
             (json!([1, 2, "3"]), "\"3\""),
             (json!([1, null, 3]), "null"),
-            (json!("up"), "expected a direction [x, y, z]"),
-            (json!(1), "expected a direction [x, y, z]"),
+            (json!("up"), "expected an array of length 3"),
+            (json!(1), "expected an array of length 3"),
         ] {
             let message = read(value).unwrap_err();
             assert!(message.contains(words), "{message}: expected {words}");

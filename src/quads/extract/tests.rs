@@ -44,7 +44,6 @@ pub(in crate::quads) fn mapped(
         (0..triangles.len()).map(|t| [0, 1, 2].map(|side| transition(t, side))).collect();
     let feature = neighbours.iter().map(|n| n.map(|n| n.is_none() && follows_boundary)).collect();
     let surface = Triangulation {
-        faces: vec![0; triangles.len()],
         vertices: vec![None; positions.len()],
         positions,
         triangles,

@@ -230,7 +230,7 @@ mod tests {
             mesh.faces.push(&[a, a + 1, b + 1]);
             mesh.faces.push(&[a, b + 1, b]);
         }
-        let parts = InputSurface::components(&mesh).unwrap();
+        let parts = InputSurface::parts(&mesh, &[]).unwrap().surfaces;
         let options = MapOptions { boundary, ..MapOptions::of_size(PanelSize::Length(0.2)) };
         parts[0].prepare(0.2, &options).unwrap()
     }

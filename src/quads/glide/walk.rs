@@ -53,7 +53,6 @@ mod tests {
             triangles: vec![[0, 1, 2], [3, 2, 1]],
             neighbours: vec![[None, beside(1, 1), None], [None, beside(0, 1), None]],
             feature: vec![[true, crease, true]; 2],
-            faces: vec![0, 0],
             vertices: vec![None; 4],
         }
     }

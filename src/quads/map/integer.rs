@@ -8,7 +8,7 @@ use super::seams::Seams;
 use super::separation::Separation;
 use super::snap::snapped;
 use crate::quads::RemeshError;
-use crate::quads::system::TOGETHER;
+use crate::quads::system::RIGHT_SIDES;
 use nalgebra::DMatrix;
 
 /// Most integer unknowns: each is coupled with each, so that memory grows with the square of their
@@ -69,12 +69,12 @@ impl Integers {
         }
         let right = energy.right(seams, &seamless.weights);
         let mut matrix = DMatrix::zeros(m, m);
-        for first in (0..m).step_by(TOGETHER) {
+        for first in (0..m).step_by(RIGHT_SIDES) {
             if !proceed(1.0) {
                 return Err(RemeshError::Cancelled);
             }
-            let together = TOGETHER.min(m - first);
-            let mut x = vec![[0.0; TOGETHER]; right.len()];
+            let together = RIGHT_SIDES.min(m - first);
+            let mut x = vec![[0.0; RIGHT_SIDES]; right.len()];
             (0..together).for_each(|r| x[unknowns[first + r].1][r] = 1.0);
             energy.system.solve(&mut x);
             for (i, &(_, place)) in unknowns.iter().enumerate() {

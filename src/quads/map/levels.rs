@@ -1,5 +1,5 @@
 //! The whole way from a prepared surface to an integer-grid map, with retries (sections 4.3 to 4.8 of
-//! the study): creases nearer to each other than a panel are given up, and when triangles stay flipped
+//! `reference/quads.md`): creases nearer to each other than a panel are dropped, and when triangles stay flipped
 //! at all scales, the field follows less of the curvature.
 
 use super::relaxed::{Attempt, Field, Found, Relaxed};
@@ -13,11 +13,11 @@ const LEVELS: usize = 4;
 /// Factors of the scale, tried in turn: the integers fall differently.
 const SCALES: [f64; 3] = [1.0, 0.94, 1.06];
 /// A number of quads farther from the wanted one by this ratio is corrected.
-const OFF: f64 = 1.07;
+const MOST_MISSED: f64 = 1.07;
 /// Most corrections.
 const CORRECTIONS: usize = 3;
-/// How often creases are given up.
-const ABANDONINGS: usize = 3;
+/// How often creases are dropped.
+const MOST_DROPS: usize = 3;
 
 /// How a map came about.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -34,25 +34,25 @@ pub struct MapNotes {
     pub quads: f64,
     /// Number of integer unknowns that were rounded.
     pub integers: usize,
-    /// Crease edges given up because they are nearer to each other than a panel.
-    pub abandoned_creases: usize,
+    /// Crease edges dropped because they are nearer to each other than a panel.
+    pub dropped_creases: usize,
 }
 
 /// Maps of one prepared surface. Fields and seamless maps are kept, so that another number of quads
 /// takes a rounding only, and another weight of directions a map.
 pub struct GridMapper {
     frames: Frames,
-    /// The surface with all its creases, then each time that some are given up.
-    stages: Vec<Stage>,
-    /// The stage of the last map.
-    stage: usize,
+    /// The surface with all its creases, then each time that some are dropped.
+    sets: Vec<CreaseSet>,
+    /// The set of the last map.
+    current: usize,
 }
 
 /// A prepared surface with its fields and seamless maps.
-struct Stage {
+struct CreaseSet {
     prepared: Prepared,
-    /// The creases that the stage before gives up.
-    given_up: Vec<Side>,
+    /// The creases that the set before has and this one drops.
+    dropped: Vec<Side>,
     /// By level.
     fields: Vec<Field>,
     /// By level.
@@ -78,7 +78,7 @@ impl GridMapper {
     /// Maps of a surface.
     pub fn new(prepared: Prepared) -> GridMapper {
         let frames = Frames::new(&prepared.surface);
-        GridMapper { frames, stages: vec![Stage::new(prepared, Vec::new())], stage: 0 }
+        GridMapper { frames, sets: vec![CreaseSet::new(prepared, Vec::new())], current: 0 }
     }
 
     /// Computes map after map, for the weights of curvature and of directions (see
@@ -93,23 +93,23 @@ impl GridMapper {
         observer: &mut RemeshObserver<'_>,
         visit: &mut MapVisitor<'_>,
     ) -> Result<(), RemeshError> {
-        self.stage = 0;
+        self.current = 0;
         let mut level = 0;
         while level < LEVELS {
-            let GridMapper { stages, frames, stage } = self;
-            let may_abandon = *stage < ABANDONINGS;
-            let here = &mut stages[*stage];
+            let GridMapper { sets, frames, current } = self;
+            let may_drop = *current < MOST_DROPS;
+            let here = &mut sets[*current];
             here.relax(frames, level, [follow, direction], observer)?;
-            match here.round(frames, level, wanted, may_abandon, observer, visit)? {
+            match here.round(frames, level, wanted, may_drop, observer, visit)? {
                 Rounds::Enough => return Ok(()),
                 Rounds::Tried => level += 1,
                 Rounds::Creases(sides) => {
-                    *stage += 1;
+                    *current += 1;
                     level = 0;
-                    if stages.get(*stage).is_none_or(|next| next.given_up != sides) {
-                        stages.truncate(*stage);
-                        let prepared = stages[*stage - 1].prepared.without_creases(&sides);
-                        stages.push(Stage::new(prepared, sides));
+                    if sets.get(*current).is_none_or(|next| next.dropped != sides) {
+                        sets.truncate(*current);
+                        let prepared = sets[*current - 1].prepared.without_creases(&sides);
+                        sets.push(CreaseSet::new(prepared, sides));
                     }
                 }
             }
@@ -118,9 +118,9 @@ impl GridMapper {
     }
 }
 
-impl Stage {
-    fn new(prepared: Prepared, given_up: Vec<Side>) -> Stage {
-        Stage { prepared, given_up, fields: Vec::new(), relaxed: Vec::new() }
+impl CreaseSet {
+    fn new(prepared: Prepared, dropped: Vec<Side>) -> CreaseSet {
+        CreaseSet { prepared, dropped, fields: Vec::new(), relaxed: Vec::new() }
     }
 
     /// Makes sure that the field and the map without integers of a level are those of the weights.
@@ -132,7 +132,7 @@ impl Stage {
         observer: &mut RemeshObserver<'_>,
     ) -> Result<(), RemeshError> {
         let steering = steering(level, follow);
-        let Stage { prepared, fields, relaxed, .. } = self;
+        let CreaseSet { prepared, fields, relaxed, .. } = self;
         if fields.get(level).is_none_or(|field| field.steering != steering) {
             fields.truncate(level);
             relaxed.truncate(level);
@@ -152,17 +152,17 @@ impl Stage {
         frames: &Frames,
         level: usize,
         wanted: f64,
-        may_abandon: bool,
+        may_drop: bool,
         observer: &mut RemeshObserver<'_>,
         visit: &mut MapVisitor<'_>,
     ) -> Result<Rounds, RemeshError> {
-        let Stage { prepared, fields, relaxed, .. } = self;
+        let CreaseSet { prepared, fields, relaxed, .. } = self;
         let (field, relaxed) = (&fields[level], &mut relaxed[level]);
         for (k, factor) in SCALES.into_iter().enumerate() {
             let mut at = |factor: f64, part: f64| {
                 let mut proceed = || observer(RemeshStage::Round, part);
                 let asked = [wanted, factor];
-                relaxed.round(prepared, frames, field, asked, may_abandon, &mut proceed)
+                relaxed.round(prepared, frames, field, asked, may_drop, &mut proceed)
             };
             let mut best = match at(factor, k as f64 / SCALES.len() as f64)? {
                 Attempt::Map(found) => found,
@@ -171,7 +171,7 @@ impl Stage {
             let off = |found: &Found| (found.quads / wanted).max(wanted / found.quads);
             let mut factor = best.factor;
             for _ in 0..CORRECTIONS {
-                if !best.flipped.is_empty() || off(&best) <= OFF {
+                if !best.flipped.is_empty() || off(&best) <= MOST_MISSED {
                     break;
                 }
                 factor *= (wanted / best.quads).sqrt();
@@ -188,7 +188,7 @@ impl Stage {
                 singularities: field.combed.singularities(),
                 quads: best.quads,
                 integers: relaxed.integers.count(),
-                abandoned_creases: prepared.notes.abandoned.len(),
+                dropped_creases: prepared.notes.dropped.len(),
             };
             if !visit(prepared, map, notes, observer)? {
                 return Ok(Rounds::Enough);

@@ -99,7 +99,7 @@ impl Relaxed {
     }
 
     /// Rounds at the scale for `wanted` quads times `factor`; anew with separations as long as points
-    /// or lines are thrown together, then untangled. If creases are in the way, and may be given up,
+    /// or lines are thrown together, then untangled. If creases are in the way, and may be dropped,
     /// these are returned.
     ///
     /// # Errors
@@ -110,7 +110,7 @@ impl Relaxed {
         frames: &Frames,
         field: &Field,
         [wanted, factor]: [f64; 2],
-        may_abandon: bool,
+        may_drop: bool,
         proceed: &mut dyn FnMut() -> bool,
     ) -> Result<Attempt, RemeshError> {
         let seams = &field.seams;
@@ -126,7 +126,7 @@ impl Relaxed {
             let mut rounded = self.integers.solve(seams, &mut self.energy, scale, &integers);
             let more = separations(prepared, seams, &rounded.flipped(), &free, &rounded.values);
             let creases: Vec<Side> = more.iter().flat_map(|one| one.creases.clone()).collect();
-            if may_abandon && !creases.is_empty() {
+            if may_drop && !creases.is_empty() {
                 return Ok(Attempt::Creases(creases));
             }
             stuck = if more.iter().all(|one| given.contains(one)) { stuck + 1 } else { 0 };

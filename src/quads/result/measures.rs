@@ -63,7 +63,7 @@ pub struct RemeshMeasures {
 const CURVED: f64 = 0.05;
 /// A boundary vertex is irregular if its angle differs by more than this from the number of its
 /// panels, in right angles.
-const OFF: f64 = 0.75;
+const MOST_TURNED: f64 = 0.75;
 
 /// What is counted in each part of the surface.
 #[derive(Clone, Debug, Default)]
@@ -119,7 +119,7 @@ impl Tally {
         for v in (0..positions.len()).filter(|&v| valence[v] > 0) {
             if boundary[v] {
                 let difference: f64 = turns[v] - panels[v];
-                self.irregular.boundary += usize::from(!cuts && difference.abs() > OFF);
+                self.irregular.boundary += usize::from(!cuts && difference.abs() > MOST_TURNED);
             } else {
                 self.irregular.inside += usize::from(valence[v] != 4);
             }

@@ -10,7 +10,7 @@ use crate::math::{Vec3, angle_between};
 const REACH: f64 = 0.5;
 /// Turn of chords at a corner, in radians.
 const CORNER: f64 = std::f64::consts::FRAC_PI_4;
-/// Cosine of the angle to another chain below which the end of a crease is released.
+/// Cosine of the angle to another chain below which the end of a crease is dropped.
 const TOO_CLOSE: f64 = 0.5;
 
 /// A run of feature edges between branches, or a closed loop, which repeats its first vertex.
@@ -78,15 +78,9 @@ impl<'a> Chains<'a> {
         Chains { positions, chains }
     }
 
-    /// Sets the tangent of each feature edge, from its lower to its higher vertex, `#E`, and returns
-    /// the vertices at corners. `size` is the side of a panel.
-    pub(super) fn tangents(
-        &self,
-        edges: &Edges,
-        size: f64,
-        tangents: &mut [Vec3<f64>],
-    ) -> Vec<usize> {
-        let mut corners = Vec::new();
+    /// Sets the tangent of each feature edge, from its lower to its higher vertex, `#E`. `size` is the
+    /// side of a panel.
+    pub(super) fn tangents(&self, edges: &Edges, size: f64, tangents: &mut [Vec3<f64>]) {
         for chain in &self.chains {
             let reach = (REACH * size).min(0.25 * chain.total());
             let own = self.corners(chain, reach);
@@ -97,9 +91,7 @@ impl<'a> Chains<'a> {
                 let ascends = chain.vertices[k] == edges.ends[e][0];
                 tangents[e] = if ascends { tangent } else { -tangent };
             }
-            corners.extend(own.iter().map(|&k| chain.vertices[k]));
         }
-        corners
     }
 
     /// Returns the edges of creases that meet another chain at an acute angle, within the length
@@ -121,7 +113,7 @@ impl<'a> Chains<'a> {
             }
         }
         ends.sort_by_key(|&(vertex, c, at_end, _)| (vertex, c, at_end));
-        let mut released = Vec::new();
+        let mut dropped = Vec::new();
         for same in ends.chunk_by(|a, b| a.0 == b.0) {
             for &(_, c, at_end, direction) in same {
                 let others = same.iter().filter(|other| (other.1, other.2) != (c, at_end));
@@ -135,19 +127,20 @@ impl<'a> Chains<'a> {
                     let to =
                         if at_end { chain.total() - chain.length[k + 1] } else { chain.length[k] };
                     if to <= size {
-                        released.push(e);
+                        dropped.push(e);
                     }
                 }
             }
         }
-        released
+        dropped
     }
 
-    /// The length of the shortest chain, and a point of it.
-    pub(super) fn shortest(&self) -> Option<(f64, Vec3<f64>)> {
-        let lengths = self.chains.iter().map(|chain| (chain.total(), chain.vertices[0]));
-        let shortest = lengths.min_by(|a, b| a.0.total_cmp(&b.0));
-        shortest.map(|(length, v)| (length, self.positions[v]))
+    /// The length and the vertices of each chain; of a closed one the first vertex is once there.
+    pub(super) fn all(&self) -> impl Iterator<Item = (f64, &[usize])> {
+        self.chains.iter().map(|chain| {
+            let last = chain.vertices.len() - usize::from(chain.closed);
+            (chain.total(), &chain.vertices[..last])
+        })
     }
 
     /// The position at a length along a chain.

@@ -18,18 +18,16 @@ struct Wedge {
 }
 
 /// Returns the direction of the field in the triangles of sharp wedges within the length `size` of
-/// their vertex, `#T`, and the number of the wedges.
-pub(super) fn cones(surface: &Triangulation, size: f64) -> (Vec<Option<Vec3<f64>>>, usize) {
+/// their vertex, `#T`.
+pub(super) fn cones(surface: &Triangulation, size: f64) -> Vec<Option<Vec3<f64>>> {
     let mut directions = vec![None; surface.triangles.len()];
-    let mut count = 0;
     for side in surface.sides().filter(|&side| surface.is_feature(side)) {
         let Some(wedge) = wedge(surface, side) else { continue };
         if wedge.angle < SHARP && wedge.angle > 0.0 {
-            count += 1;
             open(surface, side, &wedge, size, &mut directions);
         }
     }
-    (directions, count)
+    directions
 }
 
 /// The wedge that begins at a feature side, around its first vertex; `None` if it does not end at a

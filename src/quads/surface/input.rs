@@ -2,14 +2,13 @@
 //! the size of panels.
 
 use super::edges::Edges;
+use super::slivers::remove_slivers;
 use crate::math::{Vec3, argsort, ears_in_space, marked, mean};
 use crate::mesh::{Mesh, Ragged, Topology, Weld, curvatures};
 use crate::quads::{RemeshError, Side};
 
 /// Fewer triangles have no curvature to speak of.
 const FEWEST: usize = 10;
-/// Triangles with at most this fraction of the largest area have none.
-const NO_AREA: f64 = 1e-14;
 
 /// A symmetric tensor in space: xx, yy, zz, xy, xz, yz.
 pub(crate) type Tensor = [f64; 6];
@@ -25,48 +24,42 @@ pub struct InputSurface {
     pub(super) faces: Vec<u32>,
     /// `#V`: vertices of the input; two where fans that touch in a vertex were split.
     pub(super) vertices: Vec<u32>,
+    /// `#V`: whether a face that stays has the vertex.
+    pub(super) beside: Vec<bool>,
     /// `#V`: the second fundamental form; zero where it is unknown.
     pub(super) tensors: Vec<Tensor>,
 }
 
 /// The connected parts of the input: those that can be covered, and the others.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct InputParts {
+pub struct InputParts {
     /// In the order of their first faces.
-    pub(crate) surfaces: Vec<InputSurface>,
+    pub surfaces: Vec<InputSurface>,
     /// The others, in this order too.
-    pub(crate) left: Vec<LeftPart>,
+    pub left: Vec<LeftPart>,
 }
 
 /// A part of the input that is not covered.
 #[derive(Clone, Debug)]
-pub(crate) struct LeftPart {
+pub struct LeftPart {
     /// Its faces, ascending.
-    pub(crate) faces: Vec<u32>,
+    pub faces: Vec<u32>,
     /// In the squared unit of the mesh.
-    pub(crate) area: f64,
+    pub area: f64,
     /// Why it is not covered.
-    pub(crate) error: RemeshError,
-    /// Its middle.
-    pub(crate) at: Vec3<f64>,
+    pub error: RemeshError,
+    /// Its middle, in the unit of the mesh.
+    pub at: Vec3<f64>,
 }
 
 impl InputSurface {
     /// Returns the connected parts of the faces of a mesh, in the order of their first faces. Faces
-    /// that share no vertices are welded first; faces without area are dropped.
-    ///
-    /// # Errors
-    /// See [`RemeshError`]: nothing to remesh, an edge of three faces, a surface with one side.
-    pub fn components(mesh: &Mesh) -> Result<Vec<InputSurface>, RemeshError> {
-        let InputParts { surfaces, left } = InputSurface::parts(mesh, &[])?;
-        left.into_iter().next().map_or(Ok(surfaces), |left| Err(left.error))
-    }
-
-    /// Returns the connected parts of the faces of a mesh other than the faces `stay`.
+    /// that share no vertices are welded first; triangles without area are removed. The faces `stay`
+    /// belong to no part.
     ///
     /// # Errors
     /// If there is nothing to remesh.
-    pub(crate) fn parts(mesh: &Mesh, stay: &[u32]) -> Result<InputParts, RemeshError> {
+    pub fn parts(mesh: &Mesh, stay: &[u32]) -> Result<InputParts, RemeshError> {
         let mut welded = mesh.clone();
         let weld = Weld::apply(&mut welded);
         // The original vertex of each welded one: the first that became it.
@@ -79,6 +72,9 @@ impl InputSurface {
         let positions: Vec<Vec3<f64>> = welded.positions.iter().map(|&p| Vec3::from(p)).collect();
         let stays = marked(mesh.faces.len(), stay);
         let (mut triangles, faces) = triangulate(&positions, &welded, &stays);
+        let mut beside = vec![false; positions.len()];
+        let staying = welded.faces.iter().zip(&stays).filter(|(_, stays)| **stays);
+        staying.flat_map(|(face, _)| face).for_each(|&v| beside[v as usize] = true);
         if triangles.is_empty() {
             return Err(RemeshError::Empty);
         }
@@ -94,7 +90,8 @@ impl InputSurface {
             let few = (own.len() < FEWEST).then_some(RemeshError::TooFewTriangles { at });
             match fault.or(few) {
                 None => {
-                    let surface = InputSurface::of_part(&positions, own, faces, &original);
+                    let vertices = (&original[..], &beside[..]);
+                    let surface = InputSurface::of_part(&positions, own, faces, vertices);
                     found.surfaces.push(surface);
                 }
                 Some(error) => {
@@ -121,12 +118,13 @@ impl InputSurface {
         area(&self.positions, &self.triangles)
     }
 
-    /// One part: its vertices are renumbered, one for each fan of triangles.
-    fn of_part(
+    /// One part: its vertices are renumbered, one for each fan of triangles. Of all positions are given
+    /// the vertices of the input, and whether faces that stay have them.
+    pub(super) fn of_part(
         positions: &[Vec3<f64>],
         mut triangles: Vec<[usize; 3]>,
         faces: Vec<u32>,
-        original: &[u32],
+        (original, beside): (&[u32], &[bool]),
     ) -> InputSurface {
         let neighbours = Edges::new(&triangles).neighbours();
         let fans = fans(&triangles, &neighbours);
@@ -148,8 +146,9 @@ impl InputSurface {
         triangles = renumbered;
         let positions: Vec<Vec3<f64>> = vertices.iter().map(|&v| positions[v]).collect();
         let tensors = tensors(&positions, &triangles);
+        let beside = vertices.iter().map(|&v| beside[v]).collect();
         let vertices = vertices.iter().map(|&v| original[v]).collect();
-        InputSurface { positions, triangles, faces, vertices, tensors }
+        InputSurface { positions, triangles, faces, vertices, beside, tensors }
     }
 }
 
@@ -173,8 +172,7 @@ fn triangulate(
     mesh: &Mesh,
     stays: &[bool],
 ) -> (Vec<[usize; 3]>, Vec<u32>) {
-    let at = |v: u32| positions[v as usize];
-    let mut found = Vec::new();
+    let mut found: Vec<([usize; 3], u32)> = Vec::new();
     let others = (0..).zip(mesh.faces.iter()).zip(stays).filter(|(_, stays)| !**stays);
     for ((f, face), _) in others {
         let mut face = face.to_vec();
@@ -183,15 +181,14 @@ fn triangulate(
             face.pop();
         }
         if face.len() >= 3 {
-            let corners: Vec<Vec3<f64>> = face.iter().map(|&v| at(v)).collect();
+            let corners: Vec<Vec3<f64>> = face.iter().map(|&v| positions[v as usize]).collect();
             let cut = ears_in_space(&corners).into_iter();
-            found.extend(cut.map(|triangle| (triangle.map(|k| face[k]), f)));
+            found.extend(cut.map(|triangle| (triangle.map(|k| face[k] as usize), f)));
         }
     }
-    let area = |[a, b, c]: [u32; 3]| (at(b) - at(a)).cross(at(c) - at(a)).length();
-    let largest = found.iter().fold(0.0, |most: f64, &(triangle, _)| most.max(area(triangle)));
-    found.retain(|&(triangle, _)| area(triangle) > NO_AREA * largest);
-    found.into_iter().map(|(triangle, f)| (triangle.map(|v| v as usize), f)).unzip()
+    let (mut triangles, mut faces) = found.into_iter().unzip();
+    remove_slivers(positions, &mut triangles, &mut faces);
+    (triangles, faces)
 }
 
 /// Orients the triangles of each part as its first one. Returns the part of each triangle, and for

@@ -3,7 +3,9 @@
 //! | file | holds |
 //! |---|---|
 //! | `edges` | edges and neighbours of triangles |
+//! | `slivers` | triangles without area, removed |
 //! | `input` | connected parts of the input, oriented, with curvature |
+//! | `openings` | openings too short for panels, covered |
 //! | `features` | creases |
 //! | `refine` | subdivision |
 //! | `chains` | feature chains, their corners and tangents |
@@ -15,11 +17,14 @@ mod cones;
 mod edges;
 mod features;
 mod input;
+mod openings;
 mod prepare;
 mod refine;
+mod slivers;
 
 pub(super) use edges::Edges;
-pub use input::InputSurface;
-pub(super) use input::{InputParts, LeftPart, Tensor};
+pub(super) use input::Tensor;
+pub use input::{InputParts, InputSurface, LeftPart};
+pub use openings::Opening;
 pub(super) use prepare::MOST_PANELS;
 pub use prepare::{PrepareNotes, Prepared};

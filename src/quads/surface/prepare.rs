@@ -1,11 +1,12 @@
 //! A part of the input prepared for panels of one size: refined, with features and their tangents
-//! (section 4.1 and 4.2 of the study).
+//! (sections 4.1 and 4.2 of `reference/quads.md`).
 
 use super::chains::Chains;
 use super::cones::cones;
 use super::edges::Edges;
 use super::features;
 use super::input::{InputSurface, Tensor};
+use super::openings::Opening;
 use super::refine::{Line, Refined};
 use crate::math::Vec3;
 use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
@@ -30,31 +31,34 @@ pub struct Prepared {
     pub(crate) tangents: Vec<[Vec3<f64>; 3]>,
     /// `#T`: a direction of the field given by a sharp wedge.
     pub(crate) cones: Vec<Option<Vec3<f64>>>,
-    /// What was found.
+    /// What the panels cannot follow.
     pub notes: PrepareNotes,
 }
 
 impl Prepared {
-    /// Follows the features that the surface marks: tangents, wedges, and creases that are released
+    /// Follows the features that the surface marks: tangents, wedges, and creases that are dropped
     /// beside other features.
-    fn with_features(mut surface: Triangulation, tensors: Vec<Tensor>, size: f64) -> Prepared {
+    fn with_features(
+        mut surface: Triangulation,
+        tensors: Vec<Tensor>,
+        size: f64,
+        notes: PrepareNotes,
+    ) -> Prepared {
         let edges = Edges::new(&surface.triangles);
         let mut is_feature: Vec<bool> =
             edges.sides.iter().map(|sides| surface.is_feature(sides[0])).collect();
         let is_crease = |e: usize| edges.sides[e].len() == 2;
         let mut tangents = vec![Vec3::zero(); edges.ends.len()];
         let chains = Chains::new(&surface.positions, &edges, &is_feature);
-        let corners = chains.tangents(&edges, size, &mut tangents);
-        let released = chains.too_close(size, is_crease);
+        chains.tangents(&edges, size, &mut tangents);
+        let dropped = chains.too_close(size, is_crease);
         drop(chains);
-        for &e in &released {
+        for &e in &dropped {
             is_feature[e] = false;
             edges.sides[e].iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
         }
-        // Beside a crease that is released there is no wedge.
-        let (cones, wedges) = cones(&surface, size);
-        let creases = (0..is_feature.len()).filter(|&e| is_feature[e] && is_crease(e)).count();
-        let notes = PrepareNotes { corners, creases, abandoned: Vec::new(), wedges };
+        // Beside a crease that is dropped there is no wedge.
+        let cones = cones(&surface, size);
         let of_side = |t: usize| {
             [0, 1, 2].map(|k| {
                 let e = edges.of_side[t][k];
@@ -79,35 +83,29 @@ impl Prepared {
         let mut surface = self.surface.clone();
         let mut queue: Vec<usize> =
             sides.iter().map(|side| edges.of_side[side.triangle][side.side]).collect();
-        let mut abandoned = self.notes.abandoned.clone();
+        let mut notes = self.notes.clone();
         while let Some(e) = queue.pop() {
             let own = &edges.sides[e];
             if !is_crease(e) || !surface.is_feature(own[0]) {
                 continue;
             }
             let [a, b] = edges.ends[e].map(|v| self.surface.positions[v]);
-            abandoned.push((a + b) * 0.5);
+            notes.dropped.push((a + b) * 0.5);
             own.iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
             queue.extend(edges.ends[e].iter().flat_map(|&v| &at_vertex[v]));
         }
-        let mut prepared = Prepared::with_features(surface, self.tensors.clone(), self.size);
-        prepared.notes.abandoned = abandoned;
-        prepared
+        Prepared::with_features(surface, self.tensors.clone(), self.size, notes)
     }
 }
 
-/// Counts of what was found in a surface.
+/// What panels of the size cannot follow.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PrepareNotes {
-    /// Vertices of the surface at corners of feature chains.
-    pub corners: Vec<usize>,
-    /// Crease edges of the surface that are followed.
-    pub creases: usize,
-    /// The middles of crease edges of the surface that are given up, because they are nearer to each
+    /// The middles of crease edges of the surface that are dropped, because they are nearer to each
     /// other than a panel.
-    pub abandoned: Vec<Vec3<f64>>,
-    /// Sharp wedges.
-    pub wedges: usize,
+    pub dropped: Vec<Vec3<f64>>,
+    /// Openings that are covered, because they are too short for a line of panels around them.
+    pub openings: Vec<Opening>,
 }
 
 impl InputSurface {
@@ -116,17 +114,23 @@ impl InputSurface {
     /// # Errors
     /// If the size is out of range for this surface.
     pub fn prepare(&self, size: f64, options: &MapOptions) -> Result<Prepared, RemeshError> {
+        self.prepare_over(SHORTEST_LOOP, size, options)
+    }
+
+    /// The same, with openings covered that are less than this many panels around.
+    pub(crate) fn prepare_over(
+        &self,
+        shortest_loop: f64,
+        size: f64,
+        options: &MapOptions,
+    ) -> Result<Prepared, RemeshError> {
         self.check(size)?;
+        let (covered, openings) = self.without_openings(shortest_loop * size)?;
+        let InputSurface { positions, triangles, vertices, tensors, .. } = covered.into_owned();
         let shortest = SHORTEST_CREASE * size;
-        let lines = features::lines(&self.positions, &self.triangles, options.crease, shortest);
-        let mut refined = Refined {
-            positions: self.positions.clone(),
-            tensors: self.tensors.clone(),
-            vertices: self.vertices.iter().map(|&v| Some(v)).collect(),
-            triangles: self.triangles.clone(),
-            lines,
-            faces: self.faces.clone(),
-        };
+        let lines = features::lines(&positions, &triangles, options.crease, shortest);
+        let vertices = vertices.into_iter().map(Some).collect();
+        let mut refined = Refined { positions, tensors, vertices, triangles, lines };
         let on_feature = |line: Line| match line {
             Line::None => false,
             Line::Crease => true,
@@ -134,32 +138,27 @@ impl InputSurface {
         };
         refined.split_long(size);
         refined.separate(on_feature);
-        let Refined { positions, tensors, vertices, triangles, lines, faces } = refined;
+        let Refined { positions, tensors, vertices, triangles, lines } = refined;
         let surface = Triangulation {
             neighbours: Edges::new(&triangles).neighbours(),
             feature: lines.iter().map(|sides| sides.map(on_feature)).collect(),
             positions,
             triangles,
-            faces,
             vertices,
         };
-        Ok(Prepared::with_features(surface, tensors, size))
+        let notes = PrepareNotes { dropped: Vec::new(), openings };
+        Ok(Prepared::with_features(surface, tensors, size, notes))
     }
 
-    /// Checks the size against the area and the boundary.
+    /// Checks the size against the area.
     fn check(&self, size: f64) -> Result<(), RemeshError> {
         let least = (self.area() / MOST_PANELS).sqrt();
         if !(size >= least && size.is_finite()) {
             return Err(RemeshError::SizeTooSmall { least });
         }
-        let edges = Edges::new(&self.triangles);
-        let is_boundary: Vec<bool> = edges.sides.iter().map(|sides| sides.len() == 1).collect();
-        let chains = Chains::new(&self.positions, &edges, &is_boundary);
-        let whole = 0.5 * self.area().sqrt();
-        let (length, at) = chains.shortest().unwrap_or((SHORTEST_LOOP * whole, self.positions[0]));
-        let greatest = (length / SHORTEST_LOOP).min(whole);
+        let greatest = 0.5 * self.area().sqrt();
         if size > greatest {
-            return Err(RemeshError::SizeTooLarge { greatest, at });
+            return Err(RemeshError::SizeTooLarge { greatest, at: self.positions[0] });
         }
         Ok(())
     }

@@ -26,7 +26,6 @@ pub(super) struct Refined {
     pub triangles: Vec<[usize; 3]>,
     /// `#T by 3`: what each side lies on.
     pub lines: Vec<[Line; 3]>,
-    pub faces: Vec<u32>,
 }
 
 /// A safeguard: each round halves the longest edges.
@@ -107,8 +106,7 @@ impl Refined {
         for t in 0..self.triangles.len() {
             split(self, t, &mut new);
         }
-        let Pieces { triangles, lines, faces } = new;
-        (self.triangles, self.lines, self.faces) = (triangles, lines, faces);
+        (self.triangles, self.lines) = (new.triangles, new.lines);
     }
 
     /// Splits a triangle into two, three or four.
@@ -127,7 +125,7 @@ impl Refined {
         let [a, b, c] = [0, 1, 2].map(|k| self.triangles[t][turned(k)]);
         let [ab, bc, ca] = [0, 1, 2].map(|k| self.lines[t][turned(k)]);
         let none = Line::None;
-        let mut add = |corners, lines| new.add(corners, lines, self.faces[t]);
+        let mut add = |corners, lines| new.add(corners, lines);
         match [0, 1, 2].map(|k| middle[turned(k)]) {
             [Some(mab), Some(mbc), Some(mca)] => {
                 add([a, mab, mca], [ab, none, ca]);
@@ -163,10 +161,10 @@ impl Refined {
             let (a, b, line) = (corners[k], corners[(k + 1) % 3], self.lines[t][k]);
             let none = Line::None;
             match middle[k] {
-                None => new.add([a, b, centre], [line, none, none], self.faces[t]),
+                None => new.add([a, b, centre], [line, none, none]),
                 Some(m) => {
-                    new.add([a, m, centre], [line, none, none], self.faces[t]);
-                    new.add([m, b, centre], [line, none, none], self.faces[t]);
+                    new.add([a, m, centre], [line, none, none]);
+                    new.add([m, b, centre], [line, none, none]);
                 }
             }
         }
@@ -178,17 +176,15 @@ impl Refined {
 struct Pieces {
     triangles: Vec<[usize; 3]>,
     lines: Vec<[Line; 3]>,
-    faces: Vec<u32>,
 }
 
 impl Pieces {
-    fn add(&mut self, corners: [usize; 3], lines: [Line; 3], face: u32) {
+    fn add(&mut self, corners: [usize; 3], lines: [Line; 3]) {
         self.triangles.push(corners);
         self.lines.push(lines);
-        self.faces.push(face);
     }
 
     fn keep(&mut self, refined: &Refined, t: usize) {
-        self.add(refined.triangles[t], refined.lines[t], refined.faces[t]);
+        self.add(refined.triangles[t], refined.lines[t]);
     }
 }

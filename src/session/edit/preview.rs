@@ -1,9 +1,7 @@
 //! The effect of adding constraints, for every kind and several targets at once.
 
 use super::constraint_target::{ConstraintTarget, target_shape};
-use crate::constraint::{
-    Centring, DEFAULT_FOR, Info, KINDS, Selector, Sets, TargetShape, resolve as select,
-};
+use crate::constraint::{Centring, Info, KINDS, Selector, Sets, TargetShape, resolve as select};
 use crate::mesh::{Ragged, Topology};
 use crate::scene::SceneError;
 use crate::session::state::{RestMesh, edges_among};
@@ -40,10 +38,8 @@ pub(crate) fn previews(
 ) -> Result<Vec<Vec<Option<Preview>>>, SceneError> {
     let places: Vec<_> =
         places.iter().map(|place| sizes(place, sets, rest)).collect::<Result<_, _>>()?;
-    let of = |(info, usual_for): (&Info, &&[TargetShape])| {
-        places.iter().map(|sizes| sizes.of(info, usual_for)).collect()
-    };
-    Ok(KINDS.iter().zip(DEFAULT_FOR).map(of).collect())
+    let of = |info: &Info| places.iter().map(|sizes| sizes.of(info)).collect();
+    Ok(KINDS.iter().map(of).collect())
 }
 
 fn sizes<'a>(
@@ -97,7 +93,7 @@ impl<'a> Sizes<'a> {
         }
     }
 
-    fn of(&self, info: &Info, usual_for: &[TargetShape]) -> Option<Preview> {
+    fn of(&self, info: &Info) -> Option<Preview> {
         let meant = |on: &Selector| match on {
             Selector::Each { element, .. } => {
                 info.elements.is_empty() || info.elements.contains(element)
@@ -111,7 +107,7 @@ impl<'a> Sizes<'a> {
             Centring::ByEdge => &self.ends,
             Centring::Together | Centring::Placed => &self.vertices,
         };
-        let usual = self.shape.is_some_and(|shape| usual_for.contains(&shape));
+        let usual = self.shape.is_some_and(|shape| info.default_for.contains(&shape));
         let mut preview = Preview { usual, ..Preview::default() };
         for (&size, &count) in sizes {
             if info.arity.fits(size) {

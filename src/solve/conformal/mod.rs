@@ -223,7 +223,8 @@ impl Part {
         }
         let n = 2 * unknowns;
         seconds.assemble += clock::now() - started;
-        let mut system = System::new(n, vec![terms]);
+        let sizes = [n, 2 * self.vertices.len()];
+        let mut system = System::with_order(sizes, vec![terms], Default::default(), None);
         let shift = SHIFT * diagonal / degrees.max(1.0);
         let node_of = system.node_of();
         let nodes: Vec<[u32; 2]> =
@@ -237,9 +238,7 @@ impl Part {
         }
         system.factor(&[1.0], &shifts, vec![false; n]).map_err(|error| match error {
             SolveError::NotPositiveDefinite { vertex } => {
-                // An extra unknown has no vertex: the first vertex of the part stands for it.
-                let vertex = self.vertices.get(vertex as usize / 2);
-                SolveError::NoArea { vertex: *vertex.unwrap_or(&self.vertices[0]) }
+                SolveError::NoArea { vertex: self.vertices[vertex as usize / 2] }
             }
             other => other,
         })?;

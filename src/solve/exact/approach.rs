@@ -4,9 +4,8 @@
 
 use super::model::Model;
 use super::requirement::Requirements;
-use crate::constraint::Row;
 use crate::math::Lane;
-use crate::solve::accelerate::{Acceleration, Iterate};
+use crate::solve::descent::Descent;
 use crate::solve::energy::IterateSeconds;
 use crate::solve::error::SolveError;
 use crate::solve::settings::{Accelerator, SolverSettings};
@@ -83,7 +82,7 @@ const SHORTENED: u32 = 8;
 
 /// The iteration of the first stage.
 pub(super) struct Approach {
-    accelerator: Acceleration,
+    descent: Descent,
     rho: f64,
     most: f64,
     schedule: &'static Schedule,
@@ -99,16 +98,11 @@ pub(super) struct Approach {
     pub rounds: u32,
     /// The objective at the current positions.
     merit: f64,
-    gradient: Vec<Row>,
-    previous: (Vec<Row>, Vec<Row>),
-    has_previous: bool,
-    next: Vec<Row>,
     seconds: IterateSeconds,
 }
 
 impl Approach {
     pub(super) fn new(model: &Model, settings: &SolverSettings) -> Approach {
-        let n = model.x.len();
         let quasi_newton = SolverSettings {
             accelerator: Accelerator::QuasiNewton,
             window: settings.window.max(5),
@@ -121,9 +115,8 @@ impl Approach {
             false if model.put.len() <= SMALL => &INTO_BANDS_OF_SMALL,
             false => &INTO_BANDS,
         };
-        let zeros = || vec![[0.0; 4]; n];
         Approach {
-            accelerator: Acceleration::new(&quasi_newton),
+            descent: Descent::new(&quasi_newton, model.x.len()),
             // The start may be a soft solution with a greater weight, which a much smaller one
             // cannot undo.
             rho: Lane::max(START * unit, 0.05 * model.parts.energies.weights.shape),
@@ -137,10 +130,6 @@ impl Approach {
             iterations: 0,
             rounds: 0,
             merit: 0.0,
-            gradient: zeros(),
-            previous: (zeros(), zeros()),
-            has_previous: false,
-            next: zeros(),
             seconds: IterateSeconds::default(),
         }
     }
@@ -160,7 +149,6 @@ impl Approach {
         let gains = self.step(model) || {
             // The memory misleads: takes the plain step, in single precision.
             self.restore(model);
-            self.forget();
             self.step(model)
         };
         let gains = gains || self.shorten_step(model, before);
@@ -190,7 +178,7 @@ impl Approach {
             system.prepare()?;
         }
         (self.left, self.in_round, self.rounds) = (self.round.most, 0, self.rounds + 1);
-        self.forget();
+        self.descent.forget();
         // A polish that failed may have left them elsewhere.
         if let Some(gliding) = &mut model.parts.gliding {
             gliding.follow(&mut model.x);
@@ -227,20 +215,7 @@ impl Approach {
 
     /// Steps and evaluates; returns false if the objective did not fall.
     fn step(&mut self, model: &mut Model) -> bool {
-        if let Some(gliding) = &model.parts.gliding {
-            gliding.to_unknowns(&mut model.x, &mut self.gradient);
-        }
-        let now = Iterate { x: &model.x, gradient: &self.gradient };
-        let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
-        let previous = self.has_previous.then_some(previous);
-        self.accelerator.propose(now, previous, &mut model.parts.system, &mut self.next);
-        std::mem::swap(&mut self.previous.0, &mut model.x);
-        std::mem::swap(&mut self.previous.1, &mut self.gradient);
-        std::mem::swap(&mut model.x, &mut self.next);
-        self.has_previous = true;
-        if let Some(gliding) = &mut model.parts.gliding {
-            gliding.put_on_curves(&mut model.x);
-        }
+        self.descent.step(&mut model.parts, &mut model.x);
         let before = self.merit;
         self.evaluate(model);
         self.merit < before
@@ -249,11 +224,9 @@ impl Approach {
     /// With vertices on curves, halves a step until the objective falls: even the plain step need not
     /// lower it. Returns whether it fell.
     fn shorten_step(&mut self, model: &mut Model, before: f64) -> bool {
-        for _ in 0..SHORTENED {
-            let Some(gliding) = &mut model.parts.gliding else { return false };
-            let (x, gradient) = &self.previous;
-            gliding.shorten((x, gradient), &mut model.x, 0.5);
-            gliding.put_on_curves(&mut model.x);
+        let most = if model.parts.gliding.is_some() { SHORTENED } else { 0 };
+        for _ in 0..most {
+            self.descent.shorten(&mut model.parts, &mut model.x, 0.5);
             self.evaluate(model);
             if self.merit < before {
                 return true;
@@ -264,26 +237,16 @@ impl Approach {
 
     /// Returns to the positions before the last step.
     fn restore(&mut self, model: &mut Model) {
-        model.x.copy_from_slice(&self.previous.0);
-        if let Some(gliding) = &mut model.parts.gliding {
-            gliding.put_on_curves(&mut model.x);
-        }
+        self.descent.restore(&mut model.parts, &mut model.x);
         self.evaluate(model);
-    }
-
-    fn forget(&mut self) {
-        self.accelerator.forget();
-        self.has_previous = false;
     }
 
     fn evaluate(&mut self, model: &mut Model) {
         let Model { parts, hard, x, .. } = model;
-        let energy = parts.energies.evaluate(x, &mut self.gradient, &mut self.seconds);
-        let hard = hard.local_step(x, &mut self.gradient, self.rho);
-        parts.system.clear_fixed(&mut self.gradient);
-        if let Some(gliding) = &mut parts.gliding {
-            gliding.constrain(&mut self.gradient);
-        }
+        let gradient = &mut self.descent.gradient;
+        let energy = parts.energies.evaluate(x, gradient, &mut self.seconds);
+        let hard = hard.local_step(x, gradient, self.rho);
+        parts.constrain(gradient);
         self.merit = energy.total + self.rho * hard;
     }
 }

@@ -76,8 +76,8 @@ impl BlockSystem {
         let terms = vec![soft, smooth, hard];
         let parts = &model.parts;
         let n = parts.n_vertices.max(2);
-        let system =
-            System::with_order(n, terms, Default::default(), Some(parts.system.analysis()));
+        let order = Some(parts.system.analysis());
+        let system = System::with_order([n, n], terms, Default::default(), order);
         let node_of = system.node_of()[..parts.n_vertices].to_vec();
         let (mut fixed, mut diagonal) = (vec![true; n], vec![0.0; n]);
         let [metric, hard] = model.stiffness;

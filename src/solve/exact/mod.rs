@@ -47,7 +47,7 @@ use polish::{Polish, Polished};
 const NEAR: f64 = 1e-5;
 const NEAR_ENOUGH: f64 = 1e-4;
 
-/// See [`Polish::new`].
+/// What is added to the metric of each node, as a fraction of the mean, for nodes that nothing else holds.
 const HELD: f64 = 1e-3;
 
 /// If the polish fails, the approach goes on to this fraction of the last distance, but not below

@@ -71,8 +71,8 @@ impl Guard {
     /// Guards the edges of the `hard` constraints, which stay at least `ratio` times as long as at
     /// rest; `None` if there are no such edges.
     ///
-    /// An edge with a hard constraint of its own is not guarded: that constraint requires its
-    /// length. Nor is one whose ends are both `fixed` vertices: nothing could be done about it.
+    /// Not guarded are an edge with a hard line segment of its own that keeps it as long, or requires
+    /// it to be shorter, and one whose ends are both `fixed` vertices: nothing could be done about it.
     pub(super) fn new(
         hard: &[Constraints],
         problem: &Problem<'_>,
@@ -81,10 +81,18 @@ impl Guard {
         all_within: bool,
     ) -> Option<Guard> {
         let Problem { mesh, topology, .. } = *problem;
-        let is_pair = |members: &&[u32]| members.len() == 2;
-        let pairs = hard.iter().flat_map(|row| row.members.iter()).filter(is_pair);
-        let own: BTreeSet<[u32; 2]> =
-            pairs.map(|ends| [ends[0].min(ends[1]), ends[0].max(ends[1])]).collect();
+        let aim = if all_within { Lane::min((1.0 + GUARD_MARGIN) * ratio, 1.0) } else { ratio };
+        let mut own: BTreeSet<[u32; 2]> = BTreeSet::new();
+        for row in hard {
+            let Kind::LineSegment(segment) = &row.kind else { continue };
+            for ends in row.members.iter() {
+                let rest = length(mesh, ends);
+                let [least, greatest] = segment.lengths(rest);
+                if least >= aim * rest || greatest < aim * rest {
+                    own.insert([ends[0].min(ends[1]), ends[0].max(ends[1])]);
+                }
+            }
+        }
         let of_hard = hard.iter().flat_map(|row| row.members.indices());
         let is_hard = marked(topology.vertex_faces().len(), of_hard);
         let edges = topology.edges().iter().zip(topology.edge_faces().iter());
@@ -93,7 +101,6 @@ impl Guard {
             !faces.is_empty() && is_asked && !ends.iter().all(|v| fixed.contains(v))
         });
         let members: Ragged = guarded.map(|(ends, _)| ends).collect();
-        let aim = if all_within { Lane::min((1.0 + GUARD_MARGIN) * ratio, 1.0) } else { ratio };
         let lengths = members.iter().map(|ends| length(mesh, ends)).filter(|length| *length > 0.0);
         let shortest = lengths.fold(f64::INFINITY, Lane::min);
         // Each end may be this far from positions at which the edge is long enough.

@@ -52,7 +52,7 @@ impl Solver {
         let Holding { fixed, diagonal, pinned } = self.parts.holding(&handles);
         self.pinned = pinned;
         let weights = self.parts.energies.weights;
-        let precision = self.accelerator.precision(&self.parts.system);
+        let precision = self.descent.accelerator.precision(&self.parts.system);
         self.factored = false;
         self.parts.system.set_matrix(
             precision,
@@ -160,10 +160,10 @@ impl Solver {
             self.put[handle.vertex as usize] = handle.target;
         }
         let energy = PositionalConstraints::new(added, node_of, self.parts.centre)
-            .step(&self.x, &mut self.gradient);
+            .step(&self.x, &mut self.descent.gradient);
         self.energy.handles += energy;
         self.energy.total += energy;
-        self.parts.system.clear_fixed(&mut self.gradient);
+        self.parts.system.clear_fixed(&mut self.descent.gradient);
         self.parts.energies.handles =
             PositionalConstraints::new(&self.handles, node_of, self.parts.centre);
         self.start_anew();

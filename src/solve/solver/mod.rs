@@ -9,7 +9,7 @@ mod handles;
 mod saddle;
 mod step;
 
-use super::accelerate::Acceleration;
+use super::descent::Descent;
 use super::energy::{Energy, Handle, HandleIndex, IterateSeconds};
 use super::error::SolveError;
 use super::local_frame::{relative, rest_surface};
@@ -31,20 +31,12 @@ pub struct Solver {
     /// Whether the factor is that of the current handles.
     factored: bool,
     pinned: Vec<u32>,
-    accelerator: Acceleration,
+    descent: Descent,
     x: Vec<Row>,
     /// The positions at which vertices were last put, `#V by 3`: a vertex that is still there keeps
     /// every bit of its coordinates.
     put: Vec<Point>,
-    /// Half the gradient of the total at `x`; zero where fixed.
-    gradient: Vec<Row>,
     energy: Energy,
-    /// Positions and half gradient before the last step.
-    previous: (Vec<Row>, Vec<Row>),
-    /// Whether there was a step since the problem changed.
-    has_previous: bool,
-    /// Storage for the next positions.
-    next: Vec<Row>,
     /// The lowest total of an accelerated run, and its positions.
     best: Option<(f64, Vec<Row>)>,
     /// Changes of the total below this are rounding error: positions have no more digits.
@@ -80,11 +72,7 @@ impl Solver {
             handle_index: HandleIndex::new(n_vertices, &[]),
             factored: false,
             pinned: Vec::new(),
-            accelerator: Acceleration::new(&settings),
-            gradient: vec![[0.0; 4]; n],
-            previous: (vec![[0.0; 4]; n], vec![[0.0; 4]; n]),
-            has_previous: false,
-            next: vec![[0.0; 4]; n],
+            descent: Descent::new(&settings, n),
             x,
             put: start.to_vec(),
             energy: Energy::default(),
@@ -116,18 +104,15 @@ impl Solver {
 
     /// Forgets the steps so far, and that their end was no saddle.
     fn forget(&mut self) {
-        self.accelerator.forget();
-        self.has_previous = false;
+        self.descent.forget();
         self.no_saddle = None;
     }
 
     /// Step I at `x`.
     fn evaluate(&mut self) {
-        self.energy = self.parts.energies.evaluate(&self.x, &mut self.gradient, &mut self.seconds);
-        self.parts.system.clear_fixed(&mut self.gradient);
-        if let Some(gliding) = &mut self.parts.gliding {
-            gliding.constrain(&mut self.gradient);
-        }
+        let gradient = &mut self.descent.gradient;
+        self.energy = self.parts.energies.evaluate(&self.x, gradient, &mut self.seconds);
+        self.parts.constrain(gradient);
     }
 
     /// Current positions, `#V by 3`.
@@ -152,7 +137,7 @@ impl Solver {
     /// The gradient of the total energy at the current positions (Appendix A), `#V by 3`; zero at
     /// fixed vertices, and along the curve at vertices that stay exactly on the boundary.
     pub fn gradient(&self) -> impl ExactSizeIterator<Item = Point> {
-        let half = |&node: &u32| self.gradient[node as usize];
+        let half = |&node: &u32| self.descent.gradient[node as usize];
         self.parts.node_of().iter().map(half).map(|[x, y, z, _]| [x + x, y + y, z + z])
     }
     /// Whether the last step changed the total by no more than the tolerance.

@@ -37,7 +37,8 @@ impl Solver {
     /// Moves down from a saddle, if the positions are at one; returns whether they were. The total
     /// has then fallen by more than `least`.
     pub(super) fn leave_saddle(&mut self, least: f64) -> bool {
-        // Along curves the gradient is another one, and a guarded projection depends on the last one.
+        // Along curves the gradient is another one, and with `monotone` all projections depend on the last
+        // ones.
         let is_plain = self.parts.gliding.is_none() && !self.settings.monotone;
         // What nothing but handles holds has no original to come near: a flat sheet that is stretched
         // is to stay flat.
@@ -61,7 +62,7 @@ impl Solver {
     /// Returns a direction of negative curvature at `start`, of unit length; none if there is none.
     fn softest_direction(&mut self, start: &[Row]) -> Option<Vec<Row>> {
         let step = DIFFERENCE * self.parts.extent;
-        let gradient = self.gradient.clone();
+        let gradient = self.descent.gradient.clone();
         let mut image = random_rows(start.len());
         self.parts.system.clear_fixed(&mut image);
         // `A`-orthonormal directions, and their images by `A`.
@@ -82,7 +83,7 @@ impl Solver {
             self.x.copy_from_slice(start);
             add_scaled(&mut self.x, by, &direction);
             self.evaluate();
-            let mut next_image = self.gradient.clone();
+            let mut next_image = self.descent.gradient.clone();
             add_scaled(&mut next_image, -1.0, &gradient);
             scale(&mut next_image, 1.0 / by);
             self.parts.system.clear_fixed(&mut next_image);

@@ -3,7 +3,6 @@
 
 use super::Solver;
 use crate::constraint::Row;
-use crate::solve::accelerate::Iterate;
 use crate::solve::clock;
 use crate::solve::energy::Energy;
 use crate::solve::error::SolveError;
@@ -26,20 +25,7 @@ impl Solver {
         self.parts.system.prepare()?;
         let before = self.energy;
         let started = clock::now();
-        if let Some(gliding) = &self.parts.gliding {
-            gliding.to_unknowns(&mut self.x, &mut self.gradient);
-        }
-        let now = Iterate { x: &self.x, gradient: &self.gradient };
-        let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
-        let learned = self.has_previous && self.accelerator.learns();
-        let previous = learned.then_some(previous);
-        let rounded =
-            self.accelerator.propose(now, previous, &mut self.parts.system, &mut self.next);
-        std::mem::swap(&mut self.previous.0, &mut self.x);
-        std::mem::swap(&mut self.previous.1, &mut self.gradient);
-        std::mem::swap(&mut self.x, &mut self.next);
-        self.has_previous = true;
-        self.glide();
+        let [rounded, learned] = self.descent.step(&mut self.parts, &mut self.x);
         self.seconds.global += clock::now() - started;
         self.evaluate();
         // Without a previous step, a proposal is the plain step in fewer digits.
@@ -53,7 +39,7 @@ impl Solver {
         if self.parts.gliding.is_some() && !falls(self.energy) {
             self.shorten_step(before.total);
         }
-        if self.accelerator.learns() {
+        if self.descent.accelerator.learns() {
             self.keep_best(before.total);
         }
         self.stop_non_finite()?;
@@ -64,8 +50,10 @@ impl Solver {
         if self.converged {
             let is_near = |total: f64| (total - self.energy.total).abs() <= 10.0 * standing;
             let is_known = self.no_saddle.is_some_and(is_near);
-            if !is_known && self.leave_saddle(10.0 * standing) {
-                self.converged = false;
+            // The plain iteration is that of the paper, and stays where it stands.
+            let may_leave = self.descent.accelerator.learns() && !is_known;
+            if may_leave && self.leave_saddle(10.0 * standing) {
+                (self.converged, self.accelerated) = (false, true);
             } else {
                 self.no_saddle = Some(self.energy.total);
             }
@@ -76,30 +64,18 @@ impl Solver {
     /// Takes the step of the plain iteration from the previous positions.
     fn take_plain_step(&mut self) {
         let started = clock::now();
-        let previous = Iterate { x: &self.previous.0, gradient: &self.previous.1 };
-        previous.plain_step(&mut self.parts.system, &mut self.x);
-        self.glide();
+        self.descent.plain_step(&mut self.parts, &mut self.x);
         self.seconds.global += clock::now() - started;
         self.parts.energies.shape.undo_step();
         self.evaluate();
-    }
-
-    /// Moves vertices to the points of their curves given by the unknowns after a step.
-    fn glide(&mut self) {
-        if let Some(gliding) = &mut self.parts.gliding {
-            gliding.put_on_curves(&mut self.x);
-        }
     }
 
     /// Halves a step until the total falls: with vertices on curves, the plain step need not lower
     /// it.
     fn shorten_step(&mut self, before: f64) {
         for k in (0..SHORTENED).rev() {
-            if let Some(gliding) = &self.parts.gliding {
-                let (x, gradient) = &self.previous;
-                gliding.shorten((x, gradient), &mut self.x, if k == 0 { 0.0 } else { 0.5 });
-            }
-            self.glide();
+            let part = if k == 0 { 0.0 } else { 0.5 };
+            self.descent.shorten(&mut self.parts, &mut self.x, part);
             self.parts.energies.shape.undo_step();
             self.evaluate();
             if self.energy.total < before {
@@ -108,10 +84,10 @@ impl Solver {
         }
     }
 
-    /// With approximate operators even the plain step can raise the total in a late digit.
+    /// With approximate operators even the plain step can raise the total.
     fn keep_best(&mut self, before: f64) {
         if self.energy.total > before && self.best.as_ref().is_none_or(|best| before < best.0) {
-            self.best = Some((before, self.previous.0.clone()));
+            self.best = Some((before, self.descent.previous.0.clone()));
         }
     }
 
@@ -121,7 +97,7 @@ impl Solver {
             && total < self.energy.total
         {
             self.x = x;
-            self.glide();
+            self.parts.put_on_curves(&mut self.x);
             self.forget();
             self.evaluate();
         }
@@ -137,9 +113,8 @@ impl Solver {
         }
         let node = self.x.iter().position(|row| !finite(row)).unwrap_or(0) as u32;
         let vertex = self.parts.node_of().iter().position(|&of| of == node);
-        self.x.copy_from_slice(&self.previous.0);
-        self.glide();
-        self.forget();
+        self.descent.restore(&mut self.parts, &mut self.x);
+        self.no_saddle = None;
         self.evaluate();
         Err(SolveError::NotFinite { vertex: vertex.unwrap_or(0) as u32 })
     }

@@ -28,7 +28,8 @@ use modes::{Mirror, goes_outwards, modes};
 use std::collections::VecDeque;
 use subspace::{Subspace, kept_motions};
 
-/// See [`Polish::new`]: small, so that soft modes differ.
+/// What is added to the metric of each node, as a fraction of the mean, for nodes that nothing else holds:
+/// small, so that soft modes differ.
 const HELD: f64 = 1e-5;
 
 /// Greatest number of factors of a step, and of one that is only tried to find the range of a mode.

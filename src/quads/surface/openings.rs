@@ -1,0 +1,121 @@
+//! Openings too short for a line of panels around them, such as cracks and bolt holes: triangles are put
+//! over them, and panels run across.
+
+use super::chains::Chains;
+use super::edges::Edges;
+use super::input::InputSurface;
+use super::slivers::remove_slivers;
+use crate::math::{Vec3, ears_in_space, mean};
+use crate::quads::{RemeshError, Side};
+use std::borrow::Cow;
+
+/// An opening is covered only if the area vectors of the triangles around it add up to at least this
+/// fraction of their areas: those around the end of a tube cancel.
+const FLAT: f64 = 0.5;
+
+/// An opening, by its boundary loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opening {
+    /// Length around it, in the unit of the mesh.
+    pub length: f64,
+    /// The mean of its vertices.
+    pub at: Vec3<f64>,
+}
+
+impl Opening {
+    fn refused(self) -> RemeshError {
+        RemeshError::Opening { length: self.length, at: self.at }
+    }
+}
+
+impl InputSurface {
+    /// The surface with triangles over the openings that are less than `shortest` around, and these
+    /// openings.
+    ///
+    /// # Errors
+    /// If one cannot be covered: the end of a tube, or one around faces that stay.
+    pub(super) fn without_openings(
+        &self,
+        shortest: f64,
+    ) -> Result<(Cow<'_, InputSurface>, Vec<Opening>), RemeshError> {
+        let edges = Edges::new(&self.triangles);
+        let short = self.openings(&edges, shortest);
+        if short.is_empty() {
+            return Ok((Cow::Borrowed(self), Vec::new()));
+        }
+        let flat = self.flat_around(&short);
+        let (mut triangles, mut faces) = (self.triangles.clone(), self.faces.clone());
+        let mut covered = Vec::new();
+        for ((opening, ring), flat) in short.into_iter().zip(flat) {
+            let cover = Some(&ring).filter(|_| flat).and_then(|ring| self.cover(&edges, ring));
+            let cover = cover.ok_or_else(|| opening.refused())?;
+            faces.extend(cover.iter().map(|_| self.faces[0]));
+            triangles.extend(cover);
+            covered.push(opening);
+        }
+        remove_slivers(&self.positions, &mut triangles, &mut faces);
+        let vertices = (&self.vertices[..], &self.beside[..]);
+        let surface = InputSurface::of_part(&self.positions, triangles, faces, vertices);
+        let left = surface.openings(&Edges::new(&surface.triangles), shortest);
+        match left.first() {
+            Some((opening, _)) => Err(opening.refused()),
+            None => Ok((Cow::Owned(surface), covered)),
+        }
+    }
+
+    /// The openings that are less than `shortest` around, with their vertices: the surface is on the
+    /// left of them in this order.
+    fn openings(&self, edges: &Edges, shortest: f64) -> Vec<(Opening, Vec<usize>)> {
+        let is_boundary: Vec<bool> = edges.sides.iter().map(|sides| sides.len() == 1).collect();
+        let chains = Chains::new(&self.positions, edges, &is_boundary);
+        let short = chains.all().filter(|(length, _)| *length < shortest);
+        let opening = |(length, vertices): (f64, &[usize])| {
+            let at = mean(vertices.iter().map(|&v| self.positions[v]));
+            let mut ring = vertices.to_vec();
+            let ends = [ring[0].min(ring[1]), ring[0].max(ring[1])];
+            let Side { triangle, side } = edges.sides[edges.ends.binary_search(&ends).ok()?][0];
+            if self.triangles[triangle][side] != ring[0] {
+                ring.reverse();
+            }
+            Some((Opening { length, at }, ring))
+        };
+        short.filter_map(opening).collect()
+    }
+
+    /// Whether the surface is flat around each opening.
+    fn flat_around(&self, openings: &[(Opening, Vec<usize>)]) -> Vec<bool> {
+        let mut of_vertex = vec![None; self.positions.len()];
+        for (k, (_, ring)) in openings.iter().enumerate() {
+            ring.iter().for_each(|&v| of_vertex[v] = Some(k));
+        }
+        let mut sums = vec![(Vec3::zero(), 0.0); openings.len()];
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.map(|v| self.positions[v]);
+            let area = (b - a).cross(c - a);
+            for k in triangle.iter().filter_map(|&v| of_vertex[v]) {
+                sums[k] = (sums[k].0 + area, sums[k].1 + area.length());
+            }
+        }
+        sums.into_iter().map(|(sum, areas)| sum.length() >= FLAT * areas).collect()
+    }
+
+    /// Triangles over an opening; none if faces that stay are in it, or if they would need an edge that is
+    /// there.
+    fn cover(&self, edges: &Edges, ring: &[usize]) -> Option<Vec<[usize; 3]>> {
+        if ring.iter().any(|&v| self.beside[v]) {
+            return None;
+        }
+        // Seen from the side of the surface, the opening is on the right of its ring.
+        let turned: Vec<usize> = ring.iter().rev().copied().collect();
+        let corners: Vec<Vec3<f64>> = turned.iter().map(|&v| self.positions[v]).collect();
+        let n = ring.len();
+        let ears = ears_in_space(&corners);
+        let is_new = |&[i, j]: &[usize; 2]| {
+            let ends = [turned[i].min(turned[j]), turned[i].max(turned[j])];
+            (i + 1) % n == j || (j + 1) % n == i || edges.ends.binary_search(&ends).is_err()
+        };
+        let sides = ears.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let fits = n >= 3 && sides.into_iter().all(|side| is_new(&side));
+        fits.then(|| ears.iter().map(|ear| ear.map(|k| turned[k])).collect())
+    }
+}
