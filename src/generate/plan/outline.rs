@@ -35,8 +35,8 @@ pub(super) struct Ground {
     pub(super) mesh: Mesh,
     /// The vertices on the outline.
     pub(super) outline: Vec<u32>,
-    /// The vertices at marked corners; none at a tip so narrow that it has no face.
-    pub(super) corners: Vec<Option<u32>>,
+    /// The vertices at marked corners; at a tip so narrow that it has no face, the nearest one on the loop.
+    pub(super) corners: Vec<u32>,
 }
 
 /// `a + t b`.
@@ -167,7 +167,7 @@ impl Loop {
     }
 
     /// Fails if loops (the outline first) cross themselves or each other, or a hole is outside the
-    /// outline.
+    /// outline or inside another.
     pub(super) fn check_disjoint(loops: &[&Loop]) -> Result<(), PlanError> {
         let size = loops[0].sides.iter().map(Side::length).sum::<f64>();
         let mut segments = Vec::new();
@@ -190,11 +190,19 @@ impl Loop {
                 }
             }
         }
+        let polygon = |one: &Loop| -> Vec<Point2> {
+            one.flattened(1e-4 * size).into_iter().map(|(place, _)| place).collect()
+        };
+        let polygons: Vec<Vec<Point2>> = loops.iter().map(|one| polygon(one)).collect();
         for (hole, inner) in loops[1..].iter().enumerate() {
-            let outer: Vec<Point2> =
-                loops[0].flattened(1e-4 * size).into_iter().map(|(place, _)| place).collect();
-            if !is_inside(&outer, inner.sides[0].from) {
+            // No sides cross: a loop is inside another where its first point is.
+            let is_in = |outer: &[Point2]| is_inside(outer, inner.sides[0].from);
+            if !is_in(&polygons[0]) {
                 return Err(PlanError::Outside(hole));
+            }
+            let mut others = (0..).zip(&polygons[1..]).filter(|(other, _)| *other != hole);
+            if let Some((outer, _)) = others.find(|(_, polygon)| is_in(polygon)) {
+                return Err(PlanError::Nested([hole, outer]));
             }
         }
         Ok(())
