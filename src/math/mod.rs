@@ -16,6 +16,7 @@
 //! | `polygon`, `unit_polygon` | sides and corners of polygons, regular polygons |
 //! | `plane` | points and vectors of the plane, area of a polygon |
 //! | `ears` | polygons as triangles |
+//! | `round_number` | round numbers for scales, grids and the ends of ranges |
 //! | `elementary` | angles, sine and cosine, cube root |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `indices` | sorting by integer keys, marked elements, lists of lists |
@@ -40,6 +41,7 @@ mod principal;
 mod product;
 mod register;
 mod round;
+mod round_number;
 mod round_within;
 mod singular;
 mod symmetric3;
@@ -64,6 +66,7 @@ pub use product::{
     pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,
 };
 pub use round::Round;
+pub use round_number::{grid_step, round_down, round_up};
 pub use round_within::{PrincipalRound, RoundWithin};
 pub use singular::SingularValues;
 pub use symmetric3::{Scatter, Symmetric3};

@@ -10,8 +10,7 @@ mod outline;
 
 pub use declaration::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, Support};
 pub use drawing::{
-    DrawnSide, PlanDrawing, PlanLoops, bulge_of, bulge_through, end_of_side, grid_step,
-    loop_through,
+    DrawnSide, PlanDrawing, PlanLoops, bulge_of, bulge_through, end_of_side, loop_through,
 };
 
 use crate::math::{Vec3, marked, twice_vector_area};

@@ -17,12 +17,23 @@ pub fn round_down(most: f64) -> f64 {
 /// Returns the next round number from `least` on, for the end of a range, which then changes seldom;
 /// zero unless `least` is positive and finite.
 pub fn round_up(least: f64) -> f64 {
+    next(least, &ENDS)
+}
+
+/// Returns the step of a grid with about `count` steps over a length: the smallest of 1, 2 or 5 times
+/// a power of ten with no more steps; zero unless the length is positive and finite.
+pub fn grid_step(length: f64, count: f64) -> f64 {
+    next(length / count, &[10, 20, 50, 100])
+}
+
+/// The smallest of these factors, in tenths, of the power of ten below a number that is not less.
+fn next(least: f64, tenths: &[u32]) -> f64 {
     let Some(exponent) = exponent(least) else { return 0.0 };
-    let rounded = |tenths: u32| times_power(tenths, exponent - 1.0);
+    let rounded = |&tenths: &u32| times_power(tenths, exponent - 1.0);
     // A number that was computed may be slightly more than the round one that is meant.
-    let found = ENDS.into_iter().map(rounded).find(|&round| round >= least * (1.0 - 1e-9));
+    let found = tenths.iter().map(rounded).find(|&round| round >= least * (1.0 - 1e-9));
     // The logarithm may have been rounded down.
-    found.unwrap_or_else(|| rounded(100))
+    found.unwrap_or_else(|| rounded(&100))
 }
 
 /// The exponent of the power of ten below a number; none unless it is positive and finite.
@@ -71,5 +82,12 @@ mod tests {
         for nothing in [0.0, f64::NAN, f64::INFINITY] {
             assert_eq!(round_up(nothing), 0.0);
         }
+    }
+
+    #[test]
+    fn grid_steps_are_one_two_or_five_times_a_power_of_ten() {
+        let steps = [24.0, 25.0, 100.0, 30_000.0].map(|length| grid_step(length, 24.0));
+        assert_eq!(steps, [1.0, 2.0, 5.0, 2000.0]);
+        assert_eq!(grid_step(0.0, 24.0), 0.0);
     }
 }
