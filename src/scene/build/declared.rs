@@ -1,6 +1,7 @@
 //! What is declared of a setting of Build, and the checks that follow from it.
 
 use super::choice::Product;
+use super::declarations::BUILD_SETTINGS;
 use super::settings::BuildSettings;
 use crate::json::from_value;
 use serde::Serialize;
@@ -61,9 +62,6 @@ pub enum BuildForm {
         unit: BuildUnit,
         /// The least and the greatest; a range on both sides of 0 excludes 0.
         range: [f64; 2],
-        /// Returns it; none if it is absent.
-        #[serde(skip)]
-        value: fn(&BuildSettings) -> Option<f64>,
     },
     /// One of several words.
     Choice {
@@ -113,6 +111,11 @@ impl BuildSetting {
         (!self.id.contains('[')).then(|| format!("--{}", self.id.replace(['.', '_'], "-")))
     }
 
+    /// Its value in settings as in a scene, or null.
+    pub(super) fn value_in(&self, settings: &Value) -> Value {
+        settings.pointer(&pointer(self.id)).cloned().unwrap_or_default()
+    }
+
     /// What it accepts, in words: `a number from 0`, `corner or face or edge`.
     pub fn expected(&self) -> String {
         match self.form {
@@ -154,8 +157,27 @@ impl BuildSetting {
 impl BuildSettings {
     /// Returns the value of a setting, as in a scene.
     pub fn value(&self, setting: &BuildSetting) -> Value {
+        setting.value_in(&serde_json::to_value(self).unwrap_or_default())
+    }
+
+    /// Checks that every number is finite and in its declared range.
+    pub(super) fn check_numbers(&self) -> Result<(), (&'static str, String)> {
         let own = serde_json::to_value(self).unwrap_or_default();
-        own.pointer(&pointer(setting.id)).cloned().unwrap_or_default()
+        let is_number = |it: &&BuildSetting| matches!(it.form, BuildForm::Number { .. });
+        for setting in BUILD_SETTINGS.iter().filter(is_number) {
+            // In JSON a number that is not finite is null, as an absent one.
+            let null = || match setting.id {
+                "disc" => self.disc,
+                "distance" => self.distance,
+                "beam_width" => self.beam_width,
+                _ => Some(f64::NAN),
+            };
+            let number = setting.value_in(&own).as_f64().or_else(null);
+            if let Some(fault) = number.and_then(|number| setting.fault(number)) {
+                return Err((setting.id, fault));
+            }
+        }
+        Ok(())
     }
 
     /// Returns the settings with another value of one, as in a scene.
