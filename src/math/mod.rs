@@ -16,8 +16,7 @@
 //! | `polygon`, `unit_polygon` | sides and corners of polygons, regular polygons |
 //! | `plane` | points and vectors of the plane, area of a polygon |
 //! | `ears` | polygons as triangles |
-//! | `round_number` | round numbers for scales, grids and the ends of ranges |
-//! | `elementary` | angles, sine and cosine, cube root |
+//! | `elementary` | angles, sine and cosine, cube root, round numbers |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `indices` | sorting by integer keys, marked elements, lists of lists |
 //! | `limited_memory` | the inverse of a Hessian from the last steps of a descent |
@@ -41,7 +40,6 @@ mod principal;
 mod product;
 mod register;
 mod round;
-mod round_number;
 mod round_within;
 mod singular;
 mod symmetric3;
@@ -54,7 +52,10 @@ pub use cubic::Cubic;
 pub use dense::{orthonormalise, symmetric_eigen};
 pub use ears::{ears, ears_in_space, triangles_in_space, turn};
 pub use eigenvector::Eigenvector;
-pub use elementary::{angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, sine};
+pub use elementary::{
+    angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, grid_step, round_down,
+    round_up, sine,
+};
 pub use indices::{Ragged, argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use limited_memory::{LimitedMemory, inner_product};
@@ -66,7 +67,6 @@ pub use product::{
     pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,
 };
 pub use round::Round;
-pub use round_number::{grid_step, round_down, round_up};
 pub use round_within::{PrincipalRound, RoundWithin};
 pub use singular::SingularValues;
 pub use symmetric3::{Scatter, Symmetric3};
