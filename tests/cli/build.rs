@@ -179,7 +179,6 @@ fn a_mesh_without_a_unit_has_the_one_of_its_size_or_of_the_command_line() {
         &["solve", "large.obj", "--out", "b.obj"][..],
         &["refine", "large.obj", "--out", "b.obj"],
         &["edit", "large.obj", "triangles", "--out", "b.obj"],
-        &["remesh", "large.obj", "--size", "500", "--out", "b.obj"],
     ] {
         folder.run(asked).done();
         assert!(!folder.read("b.obj").contains("units"), "{asked:?}");

@@ -89,4 +89,6 @@ fn nothing_that_is_watched_is_overwritten_and_what_is_not_there_is_said() {
 fn a_file_to_write_is_needed() {
     let folder = Folder::new("watch-nothing");
     folder.write("roof.obj", ROOF).run(&["watch", "roof.obj"]).misused("watch needs --out");
+    let both = ["watch", "roof.obj", "--exact", "--within", "1", "--out", "o.obj"];
+    folder.run(&both).misused("watch takes --exact or --within, not both");
 }

@@ -1,9 +1,10 @@
 //! The declaration of every setting of Build. Forms, options of the command line, ranges, and the
 //! list in `summary.csv` follow from this table: a new setting is a line here, its field in
-//! [`super::BuildSettings`], and its use.
+//! [`BuildSettings`], and its use.
 
 use super::choice::Product::{self, Fins, Panels, Paper};
 use super::declared::{ABOVE_0, BuildForm, BuildGroup, BuildOption, BuildSetting, BuildUnit};
+use super::settings::BuildSettings;
 use BuildGroup::{Cutting, Files, Limits, Offset, Parts, Types};
 use BuildUnit::{Degrees, Mesh, Mm, Plain};
 
@@ -310,10 +311,31 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     ),
 ];
 
+impl BuildSettings {
+    /// Checks that every number is finite and in its declared range.
+    pub(super) fn check_numbers(&self) -> Result<(), (&'static str, String)> {
+        let own = serde_json::to_value(self).unwrap_or_default();
+        let is_number = |it: &&BuildSetting| matches!(it.form, BuildForm::Number { .. });
+        for setting in BUILD_SETTINGS.iter().filter(is_number) {
+            // In JSON a number that is not finite is null, as an absent one.
+            let null = || match setting.id {
+                "disc" => self.disc,
+                "distance" => self.distance,
+                "beam_width" => self.beam_width,
+                _ => Some(f64::NAN),
+            };
+            let number = setting.value_in(&own).as_f64().or_else(null);
+            if let Some(fault) = number.and_then(|number| setting.fault(number)) {
+                return Err((setting.id, fault));
+            }
+        }
+        Ok(())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::BuildSettings;
     use serde_json::{Value, json};
 
     /// A value of a setting other than its default.

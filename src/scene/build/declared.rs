@@ -1,7 +1,6 @@
 //! What is declared of a setting of Build, and the checks that follow from it.
 
 use super::choice::Product;
-use super::declarations::BUILD_SETTINGS;
 use super::settings::BuildSettings;
 use crate::json::from_value;
 use serde::Serialize;
@@ -158,26 +157,6 @@ impl BuildSettings {
     /// Returns the value of a setting, as in a scene.
     pub fn value(&self, setting: &BuildSetting) -> Value {
         setting.value_in(&serde_json::to_value(self).unwrap_or_default())
-    }
-
-    /// Checks that every number is finite and in its declared range.
-    pub(super) fn check_numbers(&self) -> Result<(), (&'static str, String)> {
-        let own = serde_json::to_value(self).unwrap_or_default();
-        let is_number = |it: &&BuildSetting| matches!(it.form, BuildForm::Number { .. });
-        for setting in BUILD_SETTINGS.iter().filter(is_number) {
-            // In JSON a number that is not finite is null, as an absent one.
-            let null = || match setting.id {
-                "disc" => self.disc,
-                "distance" => self.distance,
-                "beam_width" => self.beam_width,
-                _ => Some(f64::NAN),
-            };
-            let number = setting.value_in(&own).as_f64().or_else(null);
-            if let Some(fault) = number.and_then(|number| setting.fault(number)) {
-                return Err((setting.id, fault));
-            }
-        }
-        Ok(())
     }
 
     /// Returns the settings with another value of one, as in a scene.
