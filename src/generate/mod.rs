@@ -1,7 +1,7 @@
 //! New meshes to start from: a few kinds defined by sizes, from a plan, or between curves; and the
 //! examples, with the models that they show. `z` points up, except between curves; every new mesh
-//! stands or lies on the ground. Only `+ - * / sqrt` are used, so that every machine computes the
-//! same bits.
+//! stands or lies on the ground. Only `+ - * / sqrt`, and `libm` for angles, are used, so that every
+//! machine computes the same bits.
 //!
 //! | file or folder | holds |
 //! |---|---|
@@ -26,7 +26,7 @@ mod span;
 pub use kind::{NEW_KINDS, NewKind, NewMeshError};
 pub use plan::{
     DrawnSide, Plan, PlanDrawing, PlanError, PlanLayout, PlanLoops, PlanPoint, PlanSide,
-    PlanSurface, Support, bulge_of, bulge_through, end_of_side, grid_step, loop_through,
+    PlanSurface, Support, bulge_of, bulge_through, end_of_side, loop_through,
 };
 pub use quads::TooManyFaces;
 pub use span::{CurveLabel, SpanCurve, SpanError, fill, loft};

@@ -1,5 +1,5 @@
-//! Angles, sines and cosines, and the cube root. All platforms give the same bits, which their own
-//! functions do not: these use `+ - * / sqrt`, which round correctly, or `libm`.
+//! Angles, sines and cosines, the cube root, and round numbers. All platforms give the same bits, which
+//! their own functions do not: these use `+ - * / sqrt`, which round correctly, or `libm`.
 
 use crate::math::Vec3;
 
@@ -51,6 +51,41 @@ pub fn cube_root(x: f64) -> f64 {
     // Fixed-point iteration r <- (r x)^(1/4): each step divides the error of the logarithm by four.
     let start = (0..28).fold(1.0f64, |root, _| (root.sqrt() * x.sqrt()).sqrt());
     start - (start - x / start / start) / 3.0
+}
+
+/// The factors of a power of ten at the ends of ranges, in tenths.
+const ENDS: [u32; 9] = [10, 15, 20, 30, 40, 50, 60, 80, 100];
+
+/// Returns the largest number up to `most` that is one, two or five times a power of ten; zero unless
+/// `most` is positive and finite.
+pub fn round_down(most: f64) -> f64 {
+    let powers = powers_below(most, &[50, 20, 10]);
+    powers.and_then(|mut powers| powers.find(|&round| round <= most)).unwrap_or(0.0)
+}
+
+/// Returns the next round number from `least` on, for the end of a range, which then changes seldom;
+/// zero unless `least` is positive and finite.
+pub fn round_up(least: f64) -> f64 {
+    // A number that was computed may be slightly more than the round one that is meant.
+    let is_enough = |&round: &f64| round >= least * (1.0 - 1e-9);
+    powers_below(least, &ENDS).and_then(|mut powers| powers.find(is_enough)).unwrap_or(0.0)
+}
+
+/// Returns the step of a grid with about `count` steps over a length: the smallest of 1, 2 or 5 times
+/// a power of ten with no more steps; zero unless the length is positive and finite.
+pub fn grid_step(length: f64, count: f64) -> f64 {
+    let powers = powers_below(length / count, &[10, 20, 50, 100]);
+    powers.and_then(|mut powers| powers.find(|&step| step * count >= length)).unwrap_or(0.0)
+}
+
+/// The power of ten below a number, times each of these tenths; none unless the number is positive and
+/// finite.
+fn powers_below(number: f64, tenths: &[u32]) -> Option<impl Iterator<Item = f64>> {
+    let text = format!("{number:e}");
+    let exponent: i32 = text.split_once('e')?.1.parse().ok().filter(|_| number > 0.0)?;
+    // A parsed literal is the nearest number: 0.005, not 5 times an inexact 0.001.
+    let times = move |tenths: &u32| format!("{tenths}e{}", exponent - 1).parse().ok();
+    Some(tenths.iter().filter_map(times))
 }
 
 #[cfg(test)]
@@ -118,5 +153,45 @@ mod tests {
         assert_eq!(cube_root(0.0), 0.0);
         assert!(cube_root(5e-324) > 0.0);
         assert_eq!(cube_root(f64::INFINITY), f64::INFINITY);
+    }
+
+    #[test]
+    fn round_numbers_are_one_two_and_five_of_any_size() {
+        for (most, round) in [
+            (1.0, 1.0),
+            (1.99, 1.0),
+            (2.0, 2.0),
+            (4.7, 2.0),
+            (5.0, 5.0),
+            (9.999, 5.0),
+            (0.0069, 0.005),
+            (0.001, 0.001),
+            (12_345.0, 10_000.0),
+            (3e-9, 2e-9),
+        ] {
+            assert_eq!(round_down(most), round, "{most}");
+        }
+        for nothing in [0.0, -3.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(round_down(nothing), 0.0);
+        }
+    }
+
+    #[test]
+    fn ends_are_rounded_up() {
+        for (least, round) in
+            [(0.9, 1.0), (1.2, 1.5), (7.3, 8.0), (10.0, 10.0), (1e-300, 1e-300), (0.1 + 0.2, 0.3)]
+        {
+            assert_eq!(round_up(least), round, "{least}");
+        }
+        for nothing in [0.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(round_up(nothing), 0.0);
+        }
+    }
+
+    #[test]
+    fn grid_steps_are_one_two_or_five_times_a_power_of_ten() {
+        let steps = [24.0, 25.0, 100.0, 30_000.0].map(|length| grid_step(length, 24.0));
+        assert_eq!(steps, [1.0, 2.0, 5.0, 2000.0]);
+        assert_eq!(grid_step(0.0, 24.0), 0.0);
     }
 }

@@ -16,7 +16,7 @@
 //! | `polygon`, `unit_polygon` | sides and corners of polygons, regular polygons |
 //! | `plane` | points and vectors of the plane, area of a polygon |
 //! | `ears` | polygons as triangles |
-//! | `elementary` | angles, sine and cosine, cube root |
+//! | `elementary` | angles, sine and cosine, cube root, round numbers |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `indices` | sorting by integer keys, marked elements, lists of lists |
 //! | `limited_memory` | the inverse of a Hessian from the last steps of a descent |
@@ -54,7 +54,10 @@ pub use ears::{
     ears, ears_in_space, is_diagonal_inside, is_seen_from_mean, triangles_in_space, turn,
 };
 pub use eigenvector::Eigenvector;
-pub use elementary::{angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, sine};
+pub use elementary::{
+    angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, grid_step, round_down,
+    round_up, sine,
+};
 pub use indices::{Ragged, argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use limited_memory::{LimitedMemory, inner_product};

@@ -43,8 +43,8 @@ impl Variants {
     }
 }
 
-/// One step of a presentation: text, view, and changes of the shape. Settings that a step leaves
-/// out stay as they were.
+/// One step of a presentation: text, view, and changes of the shape. Camera, shape and weights that a
+/// step leaves out stay as they were; projection and measure are those of the step.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]

@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::state::grouped;
-use crate::mesh::{Mesh, Point, Weld, write_obj_with_uv, write_with_ending};
+use crate::mesh::{Mesh, Weld, write_obj_with_uv, write_with_ending};
 use crate::scene::{MeshSource, Scene, UnitsAndUp};
 
 impl Session {
@@ -15,19 +15,26 @@ impl Session {
     /// the vertices and faces of the file before it was welded, if it was, and with its unit and axis,
     /// if known and if the format has comments.
     pub fn mesh_file(&self, ending: &str, weld: Option<&Weld>) -> Vec<u8> {
-        let moved =
-            |weld: &Weld| weld.original_positions(self.rest.positions(), self.scene.positions());
-        let positions = weld.map_or_else(|| self.scene.positions().to_vec(), moved);
-        let mesh = weld.map_or(self.mesh(), |weld| &weld.original);
-        write_with_ending(ending, mesh, &positions, &self.comments(mesh, &positions))
+        let shape = self.shape(weld);
+        write_with_ending(ending, &shape, &shape.positions, &self.comments(&shape))
     }
 
-    /// The comments of a file with the mesh at other positions.
-    fn comments(&self, mesh: &Mesh, positions: &[Point]) -> Vec<String> {
+    /// Returns the mesh in its current shape, with the vertices and faces of the file before it was
+    /// welded, if it was.
+    pub fn shape(&self, weld: Option<&Weld>) -> Mesh {
+        match weld {
+            None => self.current_shape(),
+            Some(weld) => {
+                let moved = weld.original_positions(self.rest.positions(), self.scene.positions());
+                weld.original.at(&moved)
+            }
+        }
+    }
+
+    /// The comments of a file with this shape, of which its reader guesses what they do not say.
+    fn comments(&self, shape: &Mesh) -> Vec<String> {
         let document = self.document();
-        // What will be guessed of the file is guessed of this shape.
-        let shape = mesh.at(positions);
-        UnitsAndUp::comments(&document.units, Some(document.up), &shape)
+        UnitsAndUp::comments(&document.units, Some(document.up), shape)
     }
 
     /// The current shape as OBJ with the texture coordinates `uv` of each vertex, `#V by 2`, and with
@@ -41,8 +48,8 @@ impl Session {
             let found = 2 * uv.len();
             return Err(format!("{found} texture coordinates, expected {}", 2 * vertices));
         }
-        let (mesh, positions) = (self.mesh(), self.scene.positions());
-        Ok(write_obj_with_uv(mesh, positions, uv, &self.comments(mesh, positions)))
+        let shape = self.current_shape();
+        Ok(write_obj_with_uv(&shape, &shape.positions, uv, &self.comments(&shape)))
     }
 
     /// Returns the scene file with the mesh inline, as text.

@@ -141,7 +141,7 @@ struct Lines {
 
 /// The visibility of a part of a line.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Seen {
+enum Visibility {
     Hidden,
     OnSurface,
     Outline,
@@ -170,9 +170,9 @@ impl Sight {
         let [a, b] = ends.map(|point| self.eye.project(point));
         let count = ((b.0 - a.0).length() * self.samples).ceil().clamp(1.0, MOST_SAMPLES) as usize;
         let part = |k: usize, to_middle: f32| (k as f32 + to_middle) / count as f32;
-        let mut seen: Vec<Seen> = (0..count)
+        let mut seen: Vec<Visibility> = (0..count)
             .map(|k| match self.sees([a, b], part(k, 0.5), faces) {
-                Seen::OnSurface if is_outline => Seen::Outline,
+                Visibility::OnSurface if is_outline => Visibility::Outline,
                 seen => seen,
             })
             .collect();
@@ -182,12 +182,13 @@ impl Sight {
         for run in seen.chunk_by(|a, b| a == b) {
             let last = first + run.len();
             let path = match run[0] {
-                Seen::OnSurface => Some(&mut to.on_surface),
-                Seen::Outline => Some(&mut to.outlines),
-                Seen::Hidden => None,
+                Visibility::OnSurface => Some(&mut to.on_surface),
+                Visibility::Outline => Some(&mut to.outlines),
+                Visibility::Hidden => None,
             };
-            let joins = [first.checked_sub(1), Some(last)]
-                .map(|k| k.and_then(|k| seen.get(k)).is_some_and(|&beside| beside != Seen::Hidden));
+            let joins = [first.checked_sub(1), Some(last)].map(|k| {
+                k.and_then(|k| seen.get(k)).is_some_and(|&beside| beside != Visibility::Hidden)
+            });
             if let Some(path) = path.filter(|_| run.len() >= speck || joins.contains(&true)) {
                 let places = [first, last].map(|k| a.0.lerp(b.0, part(k, 0.0)));
                 *path += &line(places.map(|at| ((at - self.frame[0]) * self.scale).round()));
@@ -214,7 +215,7 @@ impl Sight {
         [(a, depth_a), (b, depth_b)]: [(Vec2, f32); 2],
         part: f32,
         faces: &[u32],
-    ) -> Seen {
+    ) -> Visibility {
         let place = a.lerp(b, part);
         let depth = match self.eye.parallel {
             // 1 / depth is linear on the screen.
@@ -224,20 +225,20 @@ impl Sight {
         let [low, high] = self.frame;
         let is_inside = place.cmpge(low).all() && place.cmple(high).all();
         if !is_inside || !self.map.shows_line(place, depth, faces) {
-            Seen::Hidden
+            Visibility::Hidden
         } else if !faces.is_empty() && self.map.ends_at(place, depth, faces) {
-            Seen::Outline
+            Visibility::Outline
         } else {
-            Seen::OnSurface
+            Visibility::OnSurface
         }
     }
 }
 
 /// Turns short runs of outline, which appear beside a vertex of an outline, into plain line.
-fn forget_specks(seen: &mut [Seen], speck: usize) {
+fn forget_specks(seen: &mut [Visibility], speck: usize) {
     for run in seen.chunk_by_mut(|a, b| a == b) {
-        if run[0] == Seen::Outline && run.len() < speck {
-            run.fill(Seen::OnSurface);
+        if run[0] == Visibility::Outline && run.len() < speck {
+            run.fill(Visibility::OnSurface);
         }
     }
 }

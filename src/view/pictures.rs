@@ -2,7 +2,6 @@
 
 use super::flat_map::{Region, flat_map, follow, show_flipped};
 use crate::view::appearance::ColourScale;
-use crate::view::camera::{Camera, Flight};
 use crate::view::model::ViewError;
 use crate::view::state::ViewState;
 use glam::Vec2;
@@ -12,9 +11,6 @@ use glam::Vec2;
 pub struct Pictures {
     model: ViewState,
     map: Option<ViewState>,
-    flight: Option<Flight>,
-    /// The start of the next flight.
-    take_off_from: Option<Camera>,
     /// Size of the canvas in CSS pixels.
     canvas: Vec2,
 }
@@ -22,13 +18,7 @@ pub struct Pictures {
 impl Default for Pictures {
     fn default() -> Self {
         let model = ViewState::default();
-        Pictures {
-            canvas: model.camera().canvas,
-            model,
-            map: None,
-            flight: None,
-            take_off_from: None,
-        }
+        Pictures { canvas: model.camera().canvas, model, map: None }
     }
 }
 
@@ -144,42 +134,7 @@ impl Pictures {
         }
     }
 
-    /// Selects parallel or perspective projection.
-    pub fn set_parallel(&mut self, parallel: bool) {
-        self.arrive();
-        self.model.set_parallel(parallel);
-    }
-
-    /// Records the current camera as the start of a flight; [`Pictures::take_off`] records its end.
-    pub fn plan_flight(&mut self) {
-        self.arrive();
-        self.take_off_from = Some(self.model.camera());
-    }
-
-    /// Creates the flight to the current camera, and returns the camera to its start.
-    pub fn take_off(&mut self) {
-        let from = self.take_off_from.take();
-        self.flight = from.map(|from| self.model.flight_from(from));
-    }
-
-    /// Moves the camera to a fraction `part` of the flight, from 0 to 1. Returns whether the flight
-    /// continues: it ends on arrival, or when the camera is moved by other means.
-    pub fn fly(&mut self, part: f32) -> bool {
-        let Some(flight) = &mut self.flight else { return false };
-        let goes_on = self.model.move_camera(|camera| flight.go(camera, part));
-        if !goes_on {
-            self.flight = None;
-        }
-        goes_on
-    }
-
-    /// Ends a flight at its destination.
-    pub fn arrive(&mut self) {
-        self.fly(1.0);
-    }
-
     fn arrange(&mut self) {
-        self.arrive();
         let whole = Region::whole(self.canvas);
         let [model, map] = match &self.map {
             Some(_) => Region::halves(self.canvas),
@@ -241,7 +196,7 @@ mod tests {
             |p| p.model_mut().set_dark(true),
             |p| p.model_mut().select(vec![1], vec![0]).unwrap(),
             |p| p.model_mut().set_tint(vec![], vec![0], [1.0, 0.0, 0.0]).unwrap(),
-            |p| p.set_parallel(true),
+            |p| p.model_mut().set_parallel(true),
         ];
         for (place, change) in changes.into_iter().enumerate() {
             change(&mut pictures);
@@ -252,31 +207,5 @@ mod tests {
         pictures.model_mut().set_dark(true);
         pictures.clear_map();
         assert!(!pictures.has_changes(), "all of it was so before");
-    }
-
-    #[test]
-    fn a_flight_ends_where_it_leads() {
-        let mut pictures = quad();
-        let from = pictures.model().camera();
-        let prepare = |pictures: &mut Pictures, side: &str| {
-            pictures.plan_flight();
-            pictures.model_mut().preset(side).unwrap();
-            pictures.take_off();
-        };
-        prepare(&mut pictures, "top");
-        assert_eq!(pictures.model().camera(), from);
-        assert!(pictures.fly(0.5));
-        assert!(!pictures.fly(1.0));
-        let mut there = quad();
-        there.model_mut().preset("top").unwrap();
-        let forward = |pictures: &Pictures| pictures.model().camera().eye().forward;
-        assert!((forward(&pictures) - forward(&there)).length() < 1e-5);
-        assert!(!pictures.fly(0.5), "it has ended");
-        // The next flight starts at the destination of the one before.
-        prepare(&mut pictures, "front");
-        assert!(pictures.fly(0.1));
-        let front = forward(&pictures);
-        prepare(&mut pictures, "top");
-        assert!((forward(&pictures) - front).length() > 1e-3);
     }
 }

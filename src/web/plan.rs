@@ -6,8 +6,9 @@ use super::thrown;
 use super::values::{Js, plain, plains, read};
 use crate::generate::{
     Plan, PlanDrawing, PlanError, PlanLoops, PlanPoint, bulge_of, bulge_through, end_of_side,
-    grid_step, loop_through,
+    loop_through,
 };
+use crate::math::grid_step;
 use crate::scene::Up;
 use serde::Serialize;
 use tsify::Tsify;

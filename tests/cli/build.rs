@@ -172,7 +172,17 @@ fn a_mesh_without_a_unit_has_the_one_of_its_size_or_of_the_command_line() {
     let words = folder.run(&["solve", "standing.obj", "--out", "b.obj"]).done();
     assert!(words.contains("note: the file has no up axis: taken as y by its shape"), "{words}");
     assert!(folder.read("b.obj").contains("# up: y"));
-    assert_eq!(built(&["--units", "cm"]).1, "cm");
+    let (words, unit) = built(&["--units", "cm"]);
+    assert!(unit == "cm" && !words.contains("the file has no unit"), "{words}");
+    // A guess is not stated in a file: whoever reads that one guesses as well.
+    for asked in [
+        &["solve", "large.obj", "--out", "b.obj"][..],
+        &["refine", "large.obj", "--out", "b.obj"],
+        &["edit", "large.obj", "triangles", "--out", "b.obj"],
+    ] {
+        folder.run(asked).done();
+        assert!(!folder.read("b.obj").contains("units"), "{asked:?}");
+    }
     folder.run(&["build", "large.obj", "--units", "yd"]).misused("m or cm or mm or ft or in");
 }
 

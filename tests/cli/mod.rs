@@ -384,9 +384,10 @@ fn a_mesh_is_refined_and_solved_at_every_level() {
     let moved = |file: &str| folder.json(file)["levels"][2]["verdict"]["moved"]["max"].as_f64();
     assert!(2.0 * moved("adopt.json").unwrap() < moved("r.json").unwrap());
     folder.run(&["refine", "roof.obj", "--levels", "9"]).refused(&["1 to 6"]);
-    for levels in ["0", "9"] {
-        let asked = ["refine", "roof.obj", "--panels", "plane", "--levels", levels];
-        folder.run(&asked).refused(&["1 to 6"]);
+    let levels = |levels| ["refine", "roof.obj", "--panels", "plane", "--levels", levels];
+    folder.run(&levels("9")).refused(&["1 to 6"]);
+    for wrong in ["0", "x"] {
+        folder.run(&levels(wrong)).misused("--levels takes a whole number from 1, found `");
     }
 }
 

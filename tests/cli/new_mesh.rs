@@ -23,6 +23,8 @@ fn a_new_mesh_is_written_with_its_unit_and_can_be_checked() {
     assert_eq!(out.done(), "b.obj: 20 vertices, 12 faces\n");
     assert!(String::from_utf8_lossy(folder.read("b.obj").as_bytes()).contains("units: m"));
     folder.run(&["check", "b.obj"]).done();
+    folder.run(&["new", "tube", "--units", "metres"]).misused("--units takes m or cm");
+    folder.run(&["new", "tube", "--wide", "1"]).misused(", --units, --out, found `--wide`");
     let printed = folder.run(&["new", "tube", "--units", "mm"]).done();
     assert!(printed.contains("units: mm") && printed.contains("\nf "), "{printed}");
     folder.run(&["new", "barrel", "--out", "b.ply"]).done();

@@ -80,7 +80,7 @@ fn nothing_that_is_watched_is_overwritten_and_what_is_not_there_is_said() {
     folder.write("roof.obj", ROOF).write("roof.json", scene(PLANES));
     folder
         .run(&["watch", "roof.json", "--out", "roof.obj"])
-        .misused("--out would replace the input");
+        .misused("roof.obj would replace a file that is read");
     folder.run(&["watch", "none.obj", "--out", "out.obj"]).refused(&["none.obj"]);
     assert_eq!(folder.read("roof.obj"), ROOF);
 }
@@ -89,4 +89,6 @@ fn nothing_that_is_watched_is_overwritten_and_what_is_not_there_is_said() {
 fn a_file_to_write_is_needed() {
     let folder = Folder::new("watch-nothing");
     folder.write("roof.obj", ROOF).run(&["watch", "roof.obj"]).misused("watch needs --out");
+    let both = ["watch", "roof.obj", "--exact", "--within", "1", "--out", "o.obj"];
+    folder.run(&both).misused("watch takes --exact or --within, not both");
 }

@@ -7,7 +7,7 @@ mod statements;
 
 use shape_up::generate::example::EXAMPLES;
 use shape_up::generate::example::{example_file, example_files};
-use shape_up::generate::model::{Canopy, Creature, Dome, Hall, Lantern, Mounds};
+use shape_up::generate::model::{Canopy, Dome, Mounds};
 use shape_up::mesh::{Mesh, Point, Topology, components, diagnose, read, write_medit, write_obj};
 use shape_up::scene::Scene;
 
@@ -51,10 +51,7 @@ fn meshes() -> Vec<(&'static str, Mesh, usize)> {
     let small = [
         ("small canopy", Canopy { panels: [1, 2], ..Canopy::default() }.mesh(), 1),
         ("small dome", Dome { meridians: 4, rows: [0, 0] }.mesh(), 2),
-        ("small hall", Hall { panels: [3, 4] }.mesh(), 1),
-        ("small lantern", Lantern { meridians: 3, rows: 1 }.mesh(), 2),
         ("small mounds", Mounds { rows: 4, ..Mounds::default() }.mesh(), 1),
-        ("coarse creature", Creature { spacing: 0.4 }.mesh(), 0),
     ];
     examples.chain(small).collect()
 }

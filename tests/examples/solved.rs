@@ -181,7 +181,7 @@ impl Run {
 
     /// Longest edge of the rim of the court divided by the shortest, before and after.
     pub(super) fn rim_unevenness(&self) -> [f64; 2] {
-        let rim = Court::default().ring(0);
+        let rim = Court::ring(0);
         [&self.mesh.positions, &self.positions].map(|positions| {
             let at = |v: u32| Vec3::from(positions[v as usize]);
             let next = |v: u32| if v + 1 == rim.end { rim.start } else { v + 1 };
@@ -192,7 +192,7 @@ impl Run {
 
     /// Distance of the rim of the court from its original edges.
     pub(super) fn off_the_first_rim(&self) -> f64 {
-        let rim = Court::default().ring(0);
+        let rim = Court::ring(0);
         let around = Ragged::from_iter([rim.clone().chain([rim.start]).collect::<Vec<_>>()]);
         let edges = Mesh { curves: around, ..Mesh::default() };
         let edges = Surface::new(&self.mesh.positions, &edges);

@@ -46,10 +46,9 @@ fn check_unrolled(mesh: &Mesh, closed: usize) {
 #[test]
 fn strips_of_flat_quads_are_laid_without_stretch() {
     check_unrolled(&cone(), 0);
-    let court = Court { swing: 0.0, crowding: 0.0, ..Court::default() };
-    let mut level = court.mesh();
+    let mut level = Court::mesh();
     level.positions.iter_mut().for_each(|p| p[2] = 0.0);
-    check_unrolled(&level, court.rows as usize);
+    check_unrolled(&level, Court::ROWS as usize);
 }
 
 #[test]

@@ -4,8 +4,8 @@
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Topology};
 use shape_up::scene::{
-    ConstraintSpec, MeshSuggestion, Scene, UnitsAndUp, Up, offers_new_panels, panel_offers,
-    panel_suggestion,
+    ClosenessTo, ConstraintSpec, MeshSuggestion, Scene, UnitsAndUp, Up, offers_new_panels,
+    panel_offers, panel_suggestion,
 };
 use shape_up::session::{Edit, PanelStart, Remeshing, Session};
 use shape_up::solve::Require;
@@ -108,12 +108,17 @@ fn a_scene_that_would_not_keep_its_mesh_whole_gets_the_weights_that_do() {
     let mesh = crate::support::grid::bumpy(4);
     scene.request_panels("circle", Require::Soft, &mesh).unwrap();
     assert_eq!(scene.weights, opened.weights);
-    assert_eq!((scene.closeness, scene.smoothness), (opened.closeness, opened.smoothness));
+    assert_eq!((&scene.closeness, scene.smoothness), (&opened.closeness, opened.smoothness));
     // Weights that the user chose stay.
     let mut own = Scene::opened("own.obj");
     own.weights.close = 10.0;
     own.request_panels("circle", Require::Soft, &mesh).unwrap();
     assert_eq!(own.weights.close, 10.0);
+    // A weight of closeness to nothing holds nothing.
+    own.closeness.to = ClosenessTo::None;
+    own.weights.smooth = 0.0;
+    own.request_panels("circle", Require::Soft, &mesh).unwrap();
+    assert_eq!((own.weights, own.closeness), (opened.weights, opened.closeness));
 }
 
 #[test]

@@ -185,6 +185,15 @@ fn the_ground_lies_below_and_goes_with_another_mesh() {
     let floor = -2.0;
     assert!(state.surrounding_points().all(|point| point.z < floor));
     assert!(state.surrounding_lines().iter().all(|line| line[2] == LineKind::Ground as u32));
+    // The shadow lay below the shape that had moved, and the grid below the one at rest.
+    let lowered: Vec<f64> =
+        floors().chunks(3).flat_map(|p| [p[0], p[1], 3.0 * p[2] - 1.0]).collect();
+    state.set_positions(&lowered).unwrap();
+    let floor = state.floor();
+    assert!(floor < state.mesh().positions.iter().map(|point| point.z).fold(0.0, f32::min));
+    assert!(state.surrounding_points().all(|point| (point.z - floor).abs() < 1e-5));
+    state.set_positions(&floors()).unwrap();
+    assert!(state.surrounding_points().all(|point| point.z > floor));
     let one = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &one).unwrap();
     assert_eq!(state.around().grid_step(), None);

@@ -116,7 +116,7 @@ export function scriptApi(store: Store, solver: SolverClient, viewport: Viewport
      */
     screen(vertex: number) {
       const at = viewport.with((view) => {
-        view.arrive();
+        viewport.arrive();
         return view.screen(vertex);
       });
       return onPage(at);

@@ -1,5 +1,6 @@
 /** Where the camera looks: flights, elements that cover the view, and elements to reveal. */
 
+import { between, isMoved } from './flight.ts';
 import { cornersOf, verticesOf } from '../store/selection.ts';
 import type { Viewport } from './viewport.ts';
 import type { View } from './layers.ts';
@@ -13,16 +14,27 @@ const still = matchMedia('(prefers-reduced-motion: reduce)');
 export function fly(viewport: Viewport, change: (view: View) => void) {
   if (still.matches) return void viewport.with(change);
   viewport.with((view) => {
-    view.planFlight();
+    viewport.arrive();
+    const from = view.camera();
     change(view);
-    view.takeOff();
+    const to = view.camera();
+    viewport.destination = to;
+    const started = performance.now();
+    let at = to;
+    const on = () =>
+      viewport.unmeasured((view) => {
+        if (viewport.destination !== to) return;
+        if (isMoved(view.camera(), at)) return void (viewport.destination = null);
+        const part = (performance.now() - started) / FLIGHT_MS;
+        if (part >= 1) return viewport.arrive();
+        view.placeCamera(between(from, to, part));
+        at = view.camera();
+        requestAnimationFrame(on);
+      });
+    view.placeCamera(between(from, to, 0));
+    at = view.camera();
+    requestAnimationFrame(on);
   });
-  const started = performance.now();
-  const on = () => {
-    const part = Math.min(1, (performance.now() - started) / FLIGHT_MS);
-    if (viewport.unmeasured((view) => view.fly(part))) requestAnimationFrame(on);
-  };
-  requestAnimationFrame(on);
 }
 
 /** Windows in which messages and cards lie below the model. */

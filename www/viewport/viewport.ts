@@ -33,6 +33,8 @@ export class Viewport extends Emitter<ViewportEvents> {
   element: HTMLElement;
   /** Null during start-up and if nothing can draw. */
   view: View | null = null;
+  /** Where a flight of the camera ends; null while there is none. */
+  destination: Float64Array | null = null;
   /** Returns the labels over the picture, for saved pictures. */
   labels: () => Label[] = () => [];
 
@@ -99,6 +101,14 @@ export class Viewport extends Emitter<ViewportEvents> {
     return action(this.view);
   }
 
+  /** Ends a flight at its destination. */
+  arrive() {
+    this.unmeasured((view) => {
+      if (this.destination) view.placeCamera(this.destination);
+      this.destination = null;
+    });
+  }
+
   /**
    * Animates from the current shape to the next shapes of the solver.
    * @returns resolves at the end
@@ -149,10 +159,10 @@ export class Viewport extends Emitter<ViewportEvents> {
     const [shownWidth, shownHeight] = [canvas.width, canvas.height];
     const { dark } = this.#store.get();
     try {
-      view.arrive();
+      this.arrive();
       if (ground !== undefined) view.setTheme(false);
       view.setGizmo(false, false);
-      view.setGround(ground);
+      view.setBackground(ground);
       view.setOcclusion(1);
       for (let top = 0; top < height; top += TILE)
         for (let left = 0; left < width; left += TILE) {
@@ -167,7 +177,7 @@ export class Viewport extends Emitter<ViewportEvents> {
       return false;
     } finally {
       if (this.view === view) {
-        view.setGround(undefined);
+        view.setBackground(undefined);
         view.setTheme(dark);
         showDisplay(view, this.#store.get());
         view.resize(shownWidth, shownHeight, shownWidth / this.#size[0]);
@@ -298,6 +308,7 @@ export class Viewport extends Emitter<ViewportEvents> {
     }
     subscribe(['camera'], ({ camera }) => {
       if (!camera || camera === this.#camera || this.#newMesh) return;
+      this.destination = null;
       this.unmeasured((view) => view.placeCamera(Float64Array.from(camera)));
     });
   }
@@ -321,6 +332,7 @@ export class Viewport extends Emitter<ViewportEvents> {
     if (!view || !geometry || !(this.#newMesh || this.#newFrame)) return;
     const state = this.#store.get();
     if (this.#newMesh) {
+      this.destination = null;
       const { faceOffsets, faceIndices, curveOffsets, curveIndices } = geometry.connectivity;
       view.setUp(frameOf(state).up);
       view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);

@@ -10,10 +10,10 @@ use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryCloseness, BuildSetti
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use shape_up::words::UNITS;
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// A command with its arguments.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 pub(super) enum Command {
     Solve(Solve),
     /// `shape-up watch`.
@@ -141,6 +141,12 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
         return Ok(Command::Help);
     }
     let mut words = Words::new(arguments);
+    let command = command(&mut words)?;
+    words.check_outputs()?;
+    Ok(command)
+}
+
+fn command(words: &mut Words) -> Result<Command, String> {
     let command = match words.next()?.ok_or("expected a command")? {
         Word::File(command) => command.to_string_lossy().into_owned(),
         Word::Option(name) => name,
@@ -165,7 +171,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
             let mut out = None;
             while let Some(word) = words.next()? {
                 match word {
-                    Word::Option(name) if name == "--out" => out = Some(words.file(&name)?),
+                    Word::Option(name) if name == "--out" => out = Some(words.output(&name)?),
                     word => return Err(unknown(&word, "examples")),
                 }
             }
@@ -184,12 +190,12 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
     }
 }
 
-fn check(mut words: Words) -> Result<Command, String> {
+fn check(words: &mut Words) -> Result<Command, String> {
     let (mut mesh, mut report, mut scene, mut csv) = (None, None, None, None);
     while let Some(name) = words.option(&mut mesh)? {
         match name.as_str() {
-            "--report" => report = Some(words.file(&name)?),
-            "--csv" => csv = Some(words.file(&name)?),
+            "--report" => report = Some(words.output(&name)?),
+            "--csv" => csv = Some(words.output(&name)?),
             "--scene" => scene = Some(words.file(&name)?),
             _ => return Err(unknown(&Word::Option(name), "check")),
         }
@@ -206,7 +212,6 @@ fn check(mut words: Words) -> Result<Command, String> {
     if csv.is_some() {
         return Err("--csv needs a folder of results".to_owned());
     }
-    apart(&file, &[("--report", &report)])?;
     match (scene, report) {
         (None, report) => Ok(Command::Check { mesh: file, report }),
         (Some(scene), None) => Ok(Command::CheckResults { results: file, scene }),
@@ -214,20 +219,17 @@ fn check(mut words: Words) -> Result<Command, String> {
     }
 }
 
-fn experiment(mut words: Words) -> Result<Command, String> {
+fn experiment(words: &mut Words) -> Result<Command, String> {
     let (mut experiment, mut on) = (Experiment::default(), None);
     while let Some(name) = words.option(&mut on)? {
         match name.as_str() {
-            "--iterations" => experiment.iterations = Some(words.iterations(&name)?),
+            "--iterations" => experiment.iterations = Some(words.whole(&name, 0)?),
             "--seconds" => experiment.seconds = Some(words.not_negative(&name)?),
-            "--csv" => experiment.csv = Some(words.file(&name)?),
-            "--svg" => experiment.svg = Some(words.file(&name)?),
+            "--csv" => experiment.csv = Some(words.output(&name)?),
+            "--svg" => experiment.svg = Some(words.output(&name)?),
             _ => return Err(unknown(&Word::Option(name), "experiment")),
         }
     }
-    let Experiment { csv, svg, .. } = &experiment;
-    // The input may be the name of an example.
-    apart(Path::new(""), &[("--csv", csv), ("--svg", svg)])?;
     match on {
         Some(on) => Ok(Command::Experiment(Experiment { on, ..experiment })),
         None if experiment == Experiment::default() => Ok(Command::Experiments),
@@ -235,19 +237,20 @@ fn experiment(mut words: Words) -> Result<Command, String> {
     }
 }
 
-fn solve(mut words: Words, command: &str) -> Result<Solve, String> {
+fn solve(words: &mut Words, command: &str) -> Result<Solve, String> {
     let (mut solve, mut input) = (Solve::default(), None);
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
             "--panels" => solve.panels = Some(words.kind(&name)?),
             "--exact" => {
                 words.flag(&name)?;
-                require(&mut solve, Required::Is(Require::Exact))?;
+                require(&mut solve, command, Required::Is(Require::Exact))?;
             }
             "--within" => {
                 let within = words.positive_or_auto(&name)?;
                 require(
                     &mut solve,
+                    command,
                     within.map_or(Required::Auto, |length| Required::Is(Require::Within(length))),
                 )?;
             }
@@ -255,8 +258,8 @@ fn solve(mut words: Words, command: &str) -> Result<Solve, String> {
             "--boundary" => solve.boundary = Some(words.boundary(&name)?),
             "--trace" => solve.trace = words.flag(&name)?,
             "--out" => solve.out = Some(words.mesh(&name, MESHES)?),
-            "--report" => solve.report = Some(words.file(&name)?),
-            "--iterations" => solve.iterations = Some(words.iterations(&name)?),
+            "--report" => solve.report = Some(words.output(&name)?),
+            "--iterations" => solve.iterations = Some(words.whole(&name, 0)?),
             "--tolerance" => solve.tolerance = Some(words.not_negative(&name)?),
             "--accelerator" => {
                 solve.accelerator = Some(words.one_of(&name)?);
@@ -270,11 +273,10 @@ fn solve(mut words: Words, command: &str) -> Result<Solve, String> {
             "{command} takes --improve with --exact or --within LENGTH, not with auto"
         ));
     }
-    apart(&solve.input, &[("--out", &solve.out), ("--report", &solve.report)])?;
     Ok(solve)
 }
 
-fn build(mut words: Words) -> Result<Command, String> {
+fn build(words: &mut Words) -> Result<Command, String> {
     let (mut build, mut input) = (Build::default(), None);
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
@@ -285,8 +287,8 @@ fn build(mut words: Words) -> Result<Command, String> {
             "--machine" => build.presets.extend(words.preset(&name, PresetOf::Machine)?),
             "--sheet" => build.presets.extend(words.sheet(&name)?),
             "--material" => build.presets.extend(words.material(&name)?),
-            "--out" => build.out = Some(words.file(&name)?),
-            "--report" => build.report = Some(words.file(&name)?),
+            "--out" => build.out = Some(words.output(&name)?),
+            "--report" => build.report = Some(words.output(&name)?),
             "--report-page" => build.report_page = Some(words.page(&name)?),
             "--link" => build.link = Some(words.text(&name)?),
             _ => {
@@ -300,44 +302,41 @@ fn build(mut words: Words) -> Result<Command, String> {
         }
     }
     build.input = input.ok_or("build needs a scene or a mesh file")?;
-    let Build { input, out, report, report_page, .. } = &build;
-    apart(input, &[("--out", out), ("--report", report), ("--report-page", report_page)])?;
     if build.link.is_some() && build.report_page.is_none() {
         return Err("--link needs --report-page, which shows the link".to_owned());
     }
     Ok(Command::Build(build))
 }
 
-fn refine(mut words: Words) -> Result<Command, String> {
+fn refine(words: &mut Words) -> Result<Command, String> {
     let (mut panels, mut out, mut report, mut input) = (None, None, None, None);
     let mut adopt = false;
     let mut subdivision = Subdivision { scheme: Scheme::CatmullClark, levels: 1, keep: KEPT_TURN };
     while let Some(name) = words.option(&mut input)? {
         match name.as_str() {
             "--scheme" => subdivision.scheme = words.one_of(&name)?,
-            "--levels" => subdivision.levels = words.iterations(&name)?,
+            "--levels" => subdivision.levels = words.whole(&name, 1)?,
             "--keep" => subdivision.keep = words.not_negative(&name)?,
             "--panels" => panels = Some(words.kind(&name)?),
             "--adopt" => adopt = words.flag(&name)?,
             "--out" => out = Some(words.mesh(&name, MESHES_AND_SCENE)?),
-            "--report" => report = Some(words.file(&name)?),
+            "--report" => report = Some(words.output(&name)?),
             _ => return Err(unknown(&Word::Option(name), "refine")),
         }
     }
     let input = input.ok_or("refine needs a scene or a mesh file")?;
-    apart(&input, &[("--out", &out), ("--report", &report)])?;
     Ok(Command::Refine(Refine { input, subdivision, panels, adopt, out, report }))
 }
 
 /// Sets the requirement of all constraints, at most once.
-fn require(solve: &mut Solve, require: Required) -> Result<(), String> {
+fn require(solve: &mut Solve, command: &str, require: Required) -> Result<(), String> {
     match solve.require.replace(require) {
         None => Ok(()),
-        _ => Err("solve takes --exact or --within, not both".to_owned()),
+        _ => Err(format!("{command} takes --exact or --within, not both")),
     }
 }
 
-fn parametrize(mut words: Words) -> Result<Command, String> {
+fn parametrize(words: &mut Words) -> Result<Command, String> {
     let (mut parametrize, mut mesh) = (Parametrize::default(), None);
     while let Some(name) = words.option(&mut mesh)? {
         match name.as_str() {
@@ -346,41 +345,12 @@ fn parametrize(mut words: Words) -> Result<Command, String> {
             }
             "--norm" => parametrize.norm = words.one_of(&name)?,
             "--out" => parametrize.out = Some(words.mesh(&name, &["obj"])?),
-            "--report" => parametrize.report = Some(words.file(&name)?),
+            "--report" => parametrize.report = Some(words.output(&name)?),
             _ => return Err(unknown(&Word::Option(name), "parametrize")),
         }
     }
     parametrize.mesh = mesh.ok_or("parametrize needs a mesh file")?;
-    let Parametrize { mesh, out, report, .. } = &parametrize;
-    apart(mesh, &[("--out", out), ("--report", report)])?;
     Ok(Command::Parametrize(parametrize))
-}
-
-/// Checks that the outputs of a command, each with its option, neither replace `input` nor each
-/// other.
-pub(super) fn apart(input: &Path, outputs: &[(&str, &Option<PathBuf>)]) -> Result<(), String> {
-    let given = outputs.iter().filter_map(|(name, path)| Some((*name, place(path.as_ref()?))));
-    let given: Vec<(&str, PathBuf)> = given.collect();
-    for (i, (name, path)) in given.iter().enumerate() {
-        if input.is_file() && *path == place(input) {
-            let input = input.display();
-            return Err(format!("{name} would replace the input {input}, expected another file"));
-        }
-        if let Some((earlier, _)) = given[..i].iter().find(|(_, other)| other == path) {
-            return Err(format!("{earlier} and {name} name the same file"));
-        }
-    }
-    Ok(())
-}
-
-/// Returns the absolute path of a file that may not exist yet, with links resolved.
-pub(super) fn place(path: &Path) -> PathBuf {
-    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    let of_folder = || {
-        let folder = absolute.parent()?.canonicalize().ok()?;
-        Some(folder.join(absolute.file_name()?))
-    };
-    absolute.canonicalize().ok().or_else(of_folder).unwrap_or(absolute)
 }
 
 pub(super) fn unknown(word: &Word, command: &str) -> String {

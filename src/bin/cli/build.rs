@@ -13,8 +13,7 @@ use shape_up::words::UNITS;
 use std::path::{Path, PathBuf};
 
 pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
-    let input::Input { mut scene, mesh, mut remarks, .. } = input::read(&asked.input)?;
-    scene.units = asked.units.map_or(scene.units, str::to_owned);
+    let input::Input { scene, mesh, mut remarks, .. } = input::read_in(asked.units, &asked.input)?;
     let at = |message: String| Failure::Input(format!("{}: {message}", asked.input.display()));
     scene.validate(&mesh).map_err(|error| at(error.to_string()))?;
     let settings = settings(asked, &scene).map_err(at)?;

@@ -1,6 +1,5 @@
 //! `shape-up edit`: applies a mesh operation to a scene or a mesh.
 
-use crate::cli::arguments::apart;
 use crate::cli::words::{MESHES_AND_SCENE, Word, Words};
 use crate::cli::{Failure, input, output};
 use serde_json::{Map, Value, json};
@@ -23,11 +22,12 @@ pub(in crate::cli) struct Remesh {
 }
 
 /// Parses the arguments: input, operation, then the options, which depend on the operation.
-pub(in crate::cli) fn parse(mut words: Words) -> Result<Remesh, String> {
+pub(in crate::cli) fn parse(words: &mut Words) -> Result<Remesh, String> {
     let known = || MESH_OPERATIONS.iter().map(|it| it.id).collect::<Vec<_>>().join(", ");
     let Some(Word::File(input)) = words.next()? else {
         return Err("edit needs a scene or a mesh file first".to_owned());
     };
+    let input = words.input(input)?;
     let Some(Word::File(id)) = words.next()? else {
         return Err(format!("edit needs an operation after the file: {}", known()));
     };
@@ -59,14 +59,12 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<Remesh, String> {
             }
         }
     }
-    let input = PathBuf::from(input);
-    apart(&input, &[("--out", &out)])?;
     Ok(Remesh { input, operation: operation.id, sizes, picked, out })
 }
 
 /// Applies the operation and prints the result.
 pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
-    let input::Input { scene, mesh, mut remarks, .. } = input::read(&command.input)?;
+    let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&command.input)?;
     let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
     let offered = session.operations();
@@ -92,7 +90,7 @@ pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
     remarks.extend_from_slice(session.lost());
     let mut files = Vec::new();
     if let Some(path) = &command.out {
-        remarks.extend(output::write_changed(path, &session, &mut files));
+        remarks.extend(output::write_changed(path, &session, &frame, &mut files));
     }
     text += &output::notes(&remarks);
     output::write(&files)?;

@@ -38,7 +38,8 @@ fn problem(on: &Path) -> Result<(&'static Experiment, Input), Failure> {
     let id = on.to_string_lossy();
     if let Some(example) = EXAMPLES.iter().find(|example| example.id == id) {
         let (scene, mesh) = example.build();
-        let input = Input { scene, mesh, weld: None, remarks: Vec::new() };
+        let (frame, remarks) = Default::default();
+        let input = Input { scene, mesh, weld: None, frame, remarks };
         return Ok((Experiment::of(&id).unwrap_or(&COMPARISON), input));
     }
     if !on.exists() {

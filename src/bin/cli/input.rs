@@ -19,6 +19,8 @@ pub(super) struct Input {
     pub(super) mesh: Mesh,
     /// How the mesh file was welded.
     pub(super) weld: Option<Weld>,
+    /// Unit and axis for files of the mesh: they do not state a unit that was guessed from a size.
+    pub(super) frame: UnitsAndUp,
     /// Tolerated problems of the mesh file, and notes about it.
     pub(super) remarks: Vec<String>,
 }
@@ -30,12 +32,20 @@ pub(super) fn is_scene(path: &Path) -> bool {
 
 /// Reads a scene and its mesh, or a mesh with the default scene of an opened mesh.
 pub(super) fn read(path: &Path) -> Result<Input, Failure> {
+    read_in(None, path)
+}
+
+/// As [`read`], with another unit than that of the file, or a guessed one.
+pub(super) fn read_in(units: Option<&str>, path: &Path) -> Result<Input, Failure> {
+    let asked = UnitsAndUp { units: units.map(str::to_owned), up: None };
     if !is_scene(path) {
         let bytes = bytes(path)?;
         let source = mesh::read(&path.to_string_lossy(), &bytes)
             .map_err(|error| Failure::Input(error.to_string()))?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let opened = OpenedFile::of_mesh(&name, source, UnitsAndUp::stated(&bytes), false);
+        let stated = asked.or(UnitsAndUp::stated(&bytes));
+        let units = stated.units.clone();
+        let opened = OpenedFile::of_mesh(&name, source, stated, false);
         let OpenedFile { scene, mesh, weld, diagnostics, guessed } = opened;
         let mut remarks = remarks(&diagnostics);
         if guessed.units && !scene.units.is_empty() {
@@ -44,7 +54,8 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
         if guessed.up && scene.up != Up::default() {
             remarks.push("the file has no up axis: taken as y by its shape".to_owned());
         }
-        return Ok(Input { scene, mesh, weld, remarks });
+        let frame = UnitsAndUp { units, up: Some(scene.up) };
+        return Ok(Input { scene, mesh, weld, frame, remarks });
     }
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
     let text = String::from_utf8(bytes(path)?)
@@ -63,12 +74,14 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
         }
     };
     stated.complete(&mut scene);
+    scene.units = asked.units.unwrap_or(scene.units);
     if let Some(Pose::File(file)) = &scene.pose {
         let (posed, _) = named_mesh(path, "pose.file", file)?;
         let pose = Pose::of(file, posed, &mesh).map_err(|error| at(error.to_string()))?;
         scene.pose = Some(pose);
     }
-    Ok(Input { scene, mesh, weld: None, remarks })
+    let frame = UnitsAndUp { units: Some(scene.units.clone()), up: Some(scene.up) };
+    Ok(Input { scene, mesh, weld: None, frame, remarks })
 }
 
 /// Reads the mesh file named in a scene at the JSON path `place`, and what it states.

@@ -6,21 +6,22 @@ use shape_up::generate::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{UnitsAndUp, Up};
 use shape_up::words;
+use shape_up::words::UNITS;
 use std::path::{Path, PathBuf};
 
 /// `shape-up new`.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 pub(in crate::cli) struct New {
     from: From,
-    units: Option<String>,
+    units: Option<&'static str>,
     out: Option<PathBuf>,
 }
 
 /// The source of the mesh.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 enum From {
-    /// The id of a kind, and its sizes in order.
-    Kind(&'static str, Vec<f64>),
+    /// A kind, and its sizes in order.
+    Kind(&'static NewKind, Vec<f64>),
     /// The file of a plan.
     Plan(PathBuf),
     /// Curves of a file.
@@ -28,7 +29,7 @@ enum From {
 }
 
 /// `new loft` and `new fill`.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 struct Span {
     file: PathBuf,
     /// The number of curves.
@@ -42,8 +43,8 @@ struct Span {
 /// The default size of a panel, relative to the length of the first curve.
 const PANEL: f64 = 0.05;
 
-/// Parses the arguments: the kind, then the options, which depend on the kind.
-pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
+/// Parses the arguments: the kind, then a file or the sizes, and the options, which depend on the kind.
+pub(in crate::cli) fn parse(words: &mut Words) -> Result<New, String> {
     let known = || {
         NEW_KINDS.iter().map(|kind| kind.id).collect::<Vec<_>>().join(", ")
             + " or plan, loft, fill FILE"
@@ -52,81 +53,60 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<New, String> {
         return Err(format!("new needs a kind first: {}", known()));
     };
     let id = id.to_string_lossy();
-    match &*id {
-        "plan" => return parse_plan(words),
-        "loft" => return parse_span(words, "new loft", 2),
-        "fill" => return parse_span(words, "new fill", 1),
-        _ => {}
-    }
-    let kind = NewKind::of(&id).ok_or_else(|| format!("new makes {}, found `{id}`", known()))?;
-    let mut sizes = kind.defaults();
-    let (mut units, mut out) = (None, None);
-    while let Some(word) = words.next()? {
-        let name = match word {
-            Word::Option(name) => name,
-            Word::File(file) => {
-                return Err(format!("new does not take `{}`", file.to_string_lossy()));
-            }
-        };
-        let size = kind.sizes.iter().position(|size| name.strip_prefix("--") == Some(size.id));
-        match (name.as_str(), size) {
-            ("--units", _) => units = Some(words.text(&name)?),
-            ("--out", _) => out = Some(words.mesh(&name, MESHES)?),
-            (_, Some(size)) => sizes[size] = words.not_negative(&name)?,
-            (_, None) => {
-                let sizes: Vec<_> = kind.sizes.iter().map(|s| format!("--{}", s.id)).collect();
-                let sizes = sizes.join(", ");
-                return Err(format!("new {} takes {sizes}, found `{name}`", kind.id));
-            }
-        }
-    }
-    Ok(New { from: From::Kind(kind.id, sizes), units, out })
-}
-
-fn parse_plan(mut words: Words) -> Result<New, String> {
-    let (mut units, mut out, mut file) = (None, None, None);
+    let unknown = || format!("new makes {}, found `{id}`", known());
+    // The kind, or the number of curves.
+    let (kind, count) = match &*id {
+        "plan" => (None, None),
+        "loft" => (None, Some(2)),
+        "fill" => (None, Some(1)),
+        _ => (Some(NewKind::of(&id).ok_or_else(unknown)?), None),
+    };
+    let mut sizes = kind.map_or_else(Vec::new, NewKind::defaults);
+    let mut own: Vec<String> =
+        kind.iter().flat_map(|kind| kind.sizes).map(|size| format!("--{}", size.id)).collect();
+    own.extend(count.iter().flat_map(|_| ["--curves", "--size"].map(str::to_owned)));
+    let (mut units, mut out, mut file, mut curves, mut size) = (None, None, None, None, None);
     while let Some(name) = words.option(&mut file)? {
-        match name.as_str() {
-            "--units" => units = Some(words.text(&name)?),
-            "--out" => out = Some(words.mesh(&name, MESHES)?),
-            _ => return Err(format!("new plan takes --units, --out, found `{name}`")),
+        match (own.iter().position(|own| *own == name), count, name.as_str()) {
+            (Some(k), None, _) => sizes[k] = words.not_negative(&name)?,
+            (Some(0), Some(count), _) => curves = Some(numbers(&words.text(&name)?, count)?),
+            (Some(_), Some(_), _) => size = Some(words.positive(&name)?),
+            (None, _, "--units") => {
+                units = Some(words.word_of(&name, &UNITS, |unit| unit.symbol)?.symbol);
+            }
+            (None, _, "--out") => out = Some(words.mesh(&name, MESHES)?),
+            (None, ..) => {
+                own.extend(["--units", "--out"].map(str::to_owned));
+                return Err(format!("new {id} takes {}, found `{name}`", own.join(", ")));
+            }
         }
     }
-    let file = file.ok_or("new plan needs the file of a plan")?;
-    Ok(New { from: From::Plan(file), units, out })
+    let from = match (kind, count, file) {
+        (Some(_), _, Some(file)) => {
+            return Err(format!("new does not take `{}`", file.display()));
+        }
+        (Some(kind), _, None) => From::Kind(kind, sizes),
+        (None, Some(count), Some(file)) => From::Span(Span { file, count, curves, size }),
+        (None, None, Some(file)) => From::Plan(file),
+        (None, Some(_), None) => return Err(format!("new {id} needs a file with curves or faces")),
+        (None, None, None) => return Err(format!("new {id} needs the file of a plan")),
+    };
+    Ok(New { from, units, out })
 }
 
-fn parse_span(mut words: Words, name: &str, count: usize) -> Result<New, String> {
-    let (mut units, mut out, mut file) = (None, None, None);
-    let (mut curves, mut size) = (None, None);
-    while let Some(option) = words.option(&mut file)? {
-        match option.as_str() {
-            "--units" => units = Some(words.text(&option)?),
-            "--out" => out = Some(words.mesh(&option, MESHES)?),
-            "--size" => size = Some(words.positive(&option)?),
-            "--curves" => {
-                let list = words.text(&option)?;
-                let numbers: Result<Vec<usize>, _> = list.split(',').map(str::parse).collect();
-                let numbers = numbers.ok().filter(|numbers| numbers.len() == count);
-                curves = Some(numbers.ok_or_else(|| {
-                    let count = words::count(count, "number", "numbers");
-                    format!("--curves needs {count}, found `{list}`")
-                })?);
-            }
-            _ => {
-                let takes = "--curves, --size, --units, --out";
-                return Err(format!("{name} takes {takes}, found `{option}`"));
-            }
-        }
-    }
-    let file = file.ok_or_else(|| format!("{name} needs a file with curves or faces"))?;
-    Ok(New { from: From::Span(Span { file, count, curves, size }), units, out })
+/// The numbers of as many curves.
+fn numbers(list: &str, count: usize) -> Result<Vec<usize>, String> {
+    let numbers: Result<Vec<usize>, _> = list.split(',').map(str::parse).collect();
+    numbers.ok().filter(|numbers| numbers.len() == count).ok_or_else(|| {
+        let count = words::count(count, "number", "numbers");
+        format!("--curves needs {count}, found `{list}`")
+    })
 }
 
 /// Makes the mesh and writes it to the file, or to standard output.
 pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
     let (mesh, frame) = mesh(&command.from)?;
-    let frame = UnitsAndUp { units: command.units.clone(), up: None }.or(frame);
+    let frame = UnitsAndUp { units: command.units.map(str::to_owned), up: None }.or(frame);
     let path = command.out.as_deref();
     let (file, remark) = output::mesh_file(path.unwrap_or(Path::new("")), &mesh, &frame);
     let Some(path) = path else {
@@ -143,11 +123,9 @@ pub(in crate::cli) fn make(command: &New) -> Result<(), Failure> {
 fn mesh(from: &From) -> Result<(Mesh, UnitsAndUp), Failure> {
     let metres = UnitsAndUp { units: Some("m".to_owned()), up: Some(Up::Z) };
     match from {
-        From::Kind(id, sizes) => {
-            let kind = NewKind::of(id).expect("it was found when it was read");
-            let mesh = kind.mesh(sizes);
-            let mesh = mesh.map_err(|error| Failure::Input(format!("new {id}: {error}")))?;
-            Ok((mesh, metres))
+        From::Kind(kind, sizes) => {
+            let fault = |error| Failure::Input(format!("new {}: {error}", kind.id));
+            Ok((kind.mesh(sizes).map_err(fault)?, metres))
         }
         From::Plan(file) => {
             let text = String::from_utf8_lossy(&input::bytes(file)?).into_owned();

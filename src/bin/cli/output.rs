@@ -1,10 +1,11 @@
 //! Output: atomic writing of files, mesh files with the format by extension and what it cannot store, an
 //! output folder that is removed if it stays empty, text on standard output, and the form of tables.
 
-use super::{Failure, arguments};
+use super::Failure;
 use crate::cli::input;
+use crate::cli::words::place as place_of;
 use serde::Serialize;
-use shape_up::mesh::{Circularity, FileFormat, Mesh, Planarity, Weld, write_with_ending};
+use shape_up::mesh::{Circularity, FileFormat, Mesh, Planarity, write_with_ending};
 use shape_up::scene::{NamedEnum, UnitsAndUp};
 use shape_up::session::Session;
 use shape_up::words;
@@ -25,7 +26,7 @@ pub(super) fn write(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> Result<()
         if let Place::File { place, .. } = Place::of(path.as_ref())? {
             let what = match input::was_read(&place) {
                 true => "a file that is read",
-                false if places.insert(arguments::place(&place)) => continue,
+                false if places.insert(place_of(&place)) => continue,
                 false => "another file that is written",
             };
             let path = path.as_ref().display();
@@ -186,7 +187,7 @@ pub(super) fn circularity(circularity: &Circularity, units: &str, tolerance: f64
 /// A mesh file to be written, and a remark on what its format cannot store, if anything.
 pub(super) type MeshFile = (Vec<u8>, Option<String>);
 
-/// Returns the file `path` of a mesh with this unit and axis.
+/// Returns the file `path` of a mesh with this unit and axis, as far as they are known.
 pub(super) fn mesh_file(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> MeshFile {
     let units = frame.units.as_deref().unwrap_or_default();
     let comments = UnitsAndUp::comments(units, frame.up, mesh);
@@ -194,38 +195,31 @@ pub(super) fn mesh_file(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> MeshFil
     (bytes, left_out(path, mesh, frame))
 }
 
-/// Returns the file `path` of the shape of a session, with the original vertices and faces of a welded
-/// mesh.
-pub(super) fn session_file(path: &Path, session: &Session, weld: Option<&Weld>) -> MeshFile {
-    let document = session.document();
-    let frame = UnitsAndUp { units: Some(document.units.clone()), up: Some(document.up) };
-    (session.mesh_file(&ending(path), weld), left_out(path, session.mesh(), &frame))
-}
-
 /// The ending of a name in lower case; empty without one.
 pub(super) fn ending(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 
-/// Adds to `files` the changed mesh of a session or, if the name ends in .json, the scene with the
-/// mesh. Returns a remark on parts that the format cannot represent.
+/// Adds to `files` the changed mesh of a session, with this unit and axis, or, if the name ends in
+/// .json, the scene with the mesh. Returns a remark on parts that the format cannot represent.
 pub(super) fn write_changed<'a>(
     path: &'a Path,
     session: &Session,
+    frame: &UnitsAndUp,
     files: &mut Vec<(&'a Path, Vec<u8>)>,
 ) -> Option<String> {
     if input::is_scene(path) {
         files.push((path, session.scene_with_mesh().into_bytes()));
         return None;
     }
-    let (bytes, remark) = session_file(path, session, None);
+    let (bytes, remark) = mesh_file(path, &session.shape(None), frame);
     files.push((path, bytes));
     remark
 }
 
 /// Returns a remark on what the format of `path` cannot store of the mesh, or of its unit and axis.
 pub(super) fn left_out(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> Option<String> {
-    // What has another ending is written as OBJ.
+    // A name without an ending is that of an OBJ file.
     let written = FileFormat::of_name(&path.to_string_lossy()).filter(|it| !it.writes.is_empty());
     let format = written.filter(|it| it.is_mesh()).or_else(|| FileFormat::of_name("a.obj"))?;
     let mut parts = format.cannot_store(mesh);

@@ -33,7 +33,7 @@ struct Level {
 }
 
 pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
-    let input::Input { mut scene, mesh, mut remarks, .. } = input::read(&command.input)?;
+    let input::Input { mut scene, mesh, frame, mut remarks, .. } = input::read(&command.input)?;
     let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
     let subdivision = command.subdivision;
     if let Some(kind) = command.panels {
@@ -76,7 +76,7 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     remarks.extend(lost.iter().cloned());
     let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(path) = &command.out {
-        remarks.extend(output::write_changed(path, &session, &mut files));
+        remarks.extend(output::write_changed(path, &session, &frame, &mut files));
     }
     text += &output::notes(&remarks);
     levels.iter().for_each(|level| text += &line(level));

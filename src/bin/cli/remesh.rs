@@ -1,6 +1,6 @@
 //! `shape-up remesh`: covers a surface with quads along its lines of curvature.
 
-use crate::cli::arguments::{apart, unknown};
+use crate::cli::arguments::unknown;
 use crate::cli::words::{MESHES, Word, Words};
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
@@ -9,7 +9,6 @@ use shape_up::quads::{
     Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, RemeshStage, Remeshed,
     direction_weight, follow_weight, remesh,
 };
-use shape_up::scene::UnitsAndUp;
 use shape_up::solve::clock;
 use shape_up::words;
 use std::path::{Path, PathBuf};
@@ -60,7 +59,7 @@ struct Seconds {
 }
 
 /// Parses the arguments.
-pub(in crate::cli) fn parse(mut words: Words) -> Result<Quads, String> {
+pub(in crate::cli) fn parse(words: &mut Words) -> Result<Quads, String> {
     let mut options = MapOptions::of_size(PanelSize::Count(QUADS));
     let (mut out, mut report, mut input, mut sized) = (None, None, None, None);
     while let Some(name) = words.option(&mut input)? {
@@ -70,7 +69,7 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<Quads, String> {
                     return Err(format!("remesh takes {first} or {name}, not both"));
                 }
                 options.size = match name.as_str() {
-                    "--quads" => PanelSize::Count(words.iterations(&name)? as usize),
+                    "--quads" => PanelSize::Count(words.whole(&name, 1)? as usize),
                     _ => PanelSize::Length(words.positive(&name)?),
                 };
             }
@@ -85,15 +84,11 @@ pub(in crate::cli) fn parse(mut words: Words) -> Result<Quads, String> {
                 options.boundary = *words.word_of(&name, &all, |boundary| boundary.word())?;
             }
             "--out" => out = Some(words.mesh(&name, MESHES)?),
-            "--report" => report = Some(words.file(&name)?),
+            "--report" => report = Some(words.output(&name)?),
             _ => return Err(unknown(&Word::Option(name), "remesh")),
         }
     }
-    if options.size == PanelSize::Count(0) {
-        return Err("--quads takes a whole number from 1, found `0`".to_owned());
-    }
     let input = input.ok_or("remesh needs a mesh file")?;
-    apart(&input, &[("--out", &out), ("--report", &report)])?;
     Ok(Quads { input, options, out, report })
 }
 
@@ -104,7 +99,7 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
     if input::is_scene(&asked.input) {
         return Err(Failure::Usage(format!("remesh takes a mesh file, found `{path}`")));
     }
-    let input::Input { scene, mesh, mut remarks, .. } = input::read(&asked.input)?;
+    let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&asked.input)?;
     let at_input = |error: String| Failure::Input(format!("{path}: {error}"));
     scene.validate(&mesh).map_err(|error| at_input(error.to_string()))?;
     let loaded = clock::now();
@@ -127,7 +122,6 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
         // With the groups, curves and faces with holes of the input, as in the page.
         let Edited { mesh: mut made, origins } = Edited::covering(&mesh, &found.mesh);
         origins.carry(&mesh, &mut made);
-        let frame = UnitsAndUp { units: Some(scene.units.clone()), up: Some(scene.up) };
         let (file, remark) = output::mesh_file(out, &made, &frame);
         files.push((out, file));
         remarks.extend(remark);

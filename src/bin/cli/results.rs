@@ -1,7 +1,7 @@
 //! `shape-up check` of the results of a lesson: of one student (`RESULTS --scene SCENE`), against
 //! the goals; or of a class (`FOLDER [--scene SCENE] [--csv FILE.csv]`), as a table.
 
-use crate::cli::arguments::place;
+use crate::cli::words::place;
 use crate::cli::{Failure, input, output};
 use shape_up::fabricate::file::not_a_formula;
 use shape_up::scene::{GoalOf, GoalResult, NamedEnum, Results, SceneError};
@@ -29,6 +29,15 @@ const HEAD: [&str; 9] = [
 const NOT_RESULTS: &str = "unreadable";
 const OTHER: &str = "another mesh or lesson";
 
+/// What a student handed in.
+struct Row {
+    file: String,
+    /// None if the file is unreadable.
+    results: Option<Results>,
+    /// The measures, or why there are none.
+    checked: Result<Checked, String>,
+}
+
 /// Checks all results files in `folder`, sorted by student. The default scene is the one in it.
 pub(crate) fn check_class(
     folder: &Path,
@@ -52,12 +61,15 @@ pub(crate) fn check_class(
         match read(path) {
             Ok(results) => {
                 let checked = check_results(&results, input.scene.clone(), input.mesh.clone());
-                rows.push(row(path, &results, checked));
+                let checked = checked.map_err(|error| match error {
+                    Error::Scene(SceneError { path, .. }) if path == "scene" => OTHER.to_owned(),
+                    error => error.to_string(),
+                });
+                rows.push(Row { file: name(path), results: Some(results), checked });
             }
             Err(failure) => {
-                let mut row = [""; 9].map(str::to_owned);
-                (row[6], row[8]) = (NOT_RESULTS.to_owned(), name(path));
-                rows.push(row);
+                let checked = Err(NOT_RESULTS.to_owned());
+                rows.push(Row { file: name(path), results: None, checked });
                 unreadable.push(failure);
             }
         }
@@ -65,10 +77,11 @@ pub(crate) fn check_class(
     if rows.is_empty() {
         return Err(at("no results, expected files *.results.json".to_owned()));
     }
-    rows.sort_by_key(|row| (row[0].to_lowercase(), row[8].clone()));
+    let student = |row: &Row| row.results.as_ref().map(|results| results.student.to_lowercase());
+    rows.sort_by_key(|row| (student(row), row.file.clone()));
     if let Some(csv) = csv {
-        let lines = std::iter::once(HEAD.map(str::to_owned).to_vec());
-        let lines = lines.chain(rows.iter().map(|row| row.to_vec()));
+        let lines = std::iter::once(HEAD.map(str::to_owned))
+            .chain(rows.iter().map(|row| row.cells(|number| number.to_string())));
         let text: String = lines.map(|row| comma_separated(&row)).collect();
         output::write(&[(csv, text)])?;
     }
@@ -95,63 +108,53 @@ fn name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-fn row(path: &Path, results: &Results, checked: Result<Checked, Error>) -> [String; 9] {
-    let student = results.student.clone();
-    let iterations = results.iterations.to_string();
-    let checked = match checked {
-        Ok(checked) => checked,
-        Err(error) => {
-            let altered = match error {
-                Error::Scene(SceneError { path, .. }) if path == "scene" => OTHER.to_owned(),
-                error => error.to_string(),
-            };
-            let [met, of, distance, moved, changed] = [""; 5].map(str::to_owned);
-            let file = name(path);
-            return [student, met, of, distance, moved, iterations, altered, changed, file];
-        }
-    };
-    let met = checked.goals.iter().filter(|goal| goal.met).count();
-    let altered: Vec<_> = checked.altered.iter().map(|lock| lock.word()).collect();
-    [
-        student,
-        met.to_string(),
-        checked.goals.len().to_string(),
-        checked.distance.to_string(),
-        checked.moved.to_string(),
-        iterations,
-        altered.join(" "),
-        checked.changed.join("; "),
-        name(path),
-    ]
+impl Row {
+    /// The entries of the columns [`HEAD`].
+    fn cells(&self, number: fn(f64) -> String) -> [String; 9] {
+        let of = |entry: &dyn Fn(&Checked) -> String| {
+            self.checked.as_ref().map_or_else(|_| String::new(), entry)
+        };
+        let said =
+            |entry: fn(&Results) -> String| self.results.as_ref().map_or_else(String::new, entry);
+        let words = |it: &Checked| it.altered.iter().map(|lock| lock.word()).collect::<Vec<_>>();
+        [
+            said(|results| results.student.clone()),
+            of(&|checked| met(checked).to_string()),
+            of(&|checked| checked.goals.len().to_string()),
+            of(&|checked| number(checked.distance)),
+            of(&|checked| number(checked.moved)),
+            said(|results| results.iterations.to_string()),
+            self.checked.as_ref().map_or_else(String::clone, |checked| words(checked).join(" ")),
+            of(&|checked| checked.changed.join("; ")),
+            self.file.clone(),
+        ]
+    }
+}
+
+/// The number of goals met.
+fn met(checked: &Checked) -> usize {
+    checked.goals.iter().filter(|goal| goal.met).count()
 }
 
 /// Formats the table in aligned columns, without the column `changed`, which is long, and with
 /// three digits of the numbers.
-fn aligned(rows: &[[String; 9]], units: &str) -> String {
-    let shown = |row: &[String; 9]| {
-        let [student, met, of, distance, moved, iterations, altered, _, file] = row.clone();
+fn aligned(rows: &[Row], units: &str) -> String {
+    let shown = |row: &Row| {
+        let [student, met, of, distance, moved, iterations, altered, _, file] =
+            row.cells(words::number);
         let goals = if of.is_empty() { "-".to_owned() } else { format!("{met} of {of}") };
-        let short = |number: String| number.parse().map_or(number, words::number);
-        let (distance, moved) = (short(distance), short(moved));
         let altered = if altered.is_empty() { "no".to_owned() } else { altered };
         [student, goals, distance, moved, iterations, altered, file]
     };
     let unit = if units.is_empty() { String::new() } else { format!(" ({units})") };
-    let head = [
-        "student".to_owned(),
-        "goals met".to_owned(),
-        format!("worst distance{unit}"),
-        format!("moved{unit}"),
-        "iterations".to_owned(),
-        "altered".to_owned(),
-        "file".to_owned(),
-    ];
-    let lines: Vec<[String; 7]> = std::iter::once(head).chain(rows.iter().map(shown)).collect();
-    let passed =
-        rows.iter().filter(|row| !row[2].is_empty() && row[1] == row[2] && row[6].is_empty());
-    let sum =
-        format!("{} passed, of {}\n", passed.count(), words::count(rows.len(), "file", "files"));
-    output::table(&lines) + &sum
+    let [distance, moved] = ["worst distance", "moved"].map(|head| format!("{head}{unit}"));
+    let head = ["student", "goals met", &distance, &moved, "iterations", "altered", "file"];
+    let lines: Vec<[String; 7]> =
+        std::iter::once(head.map(str::to_owned)).chain(rows.iter().map(shown)).collect();
+    let is_passed = |it: &Checked| met(it) == it.goals.len() && it.altered.is_empty();
+    let passed = rows.iter().filter(|row| row.checked.as_ref().is_ok_and(is_passed)).count();
+    let files = words::count(rows.len(), "file", "files");
+    output::table(&lines) + &format!("{passed} passed, of {files}\n")
 }
 
 /// Formats a line of CSV with fields that are no formulas: students' names are untrusted.
@@ -168,7 +171,7 @@ pub(crate) fn check(path: &Path, scene: &Path) -> Result<(), Failure> {
     let checked = check_results(&results, input.scene, input.mesh);
     let checked = checked.map_err(|error| at(error.to_string()))?;
     output::print(&(words(&results, &checked, &units) + &output::notes(&input.remarks)))?;
-    let missed = checked.goals.iter().filter(|goal| !goal.met).count();
+    let missed = checked.goals.len() - met(&checked);
     if missed > 0 {
         return Err(at(format!("{missed} of {} goals not met, expected all", checked.goals.len())));
     }

@@ -19,7 +19,7 @@ const NAMED_PINS: usize = 8;
 
 pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     let start = Instant::now();
-    let input::Input { mut scene, mesh, mut remarks, weld } = input::read(&command.input)?;
+    let input::Input { mut scene, mesh, mut remarks, weld, frame } = input::read(&command.input)?;
     let at_input = |error: Error| {
         let message = match error {
             Error::Scene(error) if error.path == "panels" => format!("--panels: {}", error.message),
@@ -91,7 +91,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
 
     let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(path) = &command.out {
-        let (file, remark) = output::session_file(path, &session, weld.as_ref());
+        let (file, remark) = output::mesh_file(path, &session.shape(weld.as_ref()), &frame);
         files.push((path, file));
         remarks.extend(remark);
     }

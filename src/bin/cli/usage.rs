@@ -58,7 +58,7 @@ too.
 a WEIGHT keeps them near it.
 A MESH is solved with settings that preserve its shape, a scene with its own.
 --iterations, --tolerance (0 never stops early) and --accelerator replace the settings of the scene.
---out writes the format that the name ends in, else OBJ; only Medit can store tetrahedra.
+--out writes the format that the name ends in, OBJ without an ending; only Medit can store tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
 watch solves again whenever the file is saved, until it is stopped: the program that reads --out then has
 the shape of what it saved.

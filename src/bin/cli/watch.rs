@@ -1,6 +1,6 @@
 //! `shape-up watch`: solves a file again whenever another program saves it.
 
-use super::arguments::{Solve, apart};
+use super::arguments::Solve;
 use super::{Failure, input, one_line, solve};
 use shape_up::scene::Scene;
 use shape_up::session::named_files;
@@ -18,11 +18,6 @@ type Stamp = Option<(SystemTime, u64)>;
 
 /// Solves until the program is stopped. What is wrong with the input is said, and waited for.
 pub(super) fn watch(command: &Solve) -> Result<(), Failure> {
-    // An output in the place of an input would be solved again and again.
-    for file in inputs(&command.input) {
-        apart(&file, &[("--out", &command.out), ("--report", &command.report)])
-            .map_err(Failure::Usage)?;
-    }
     let mut inputs = Inputs::of(&command.input);
     // Before it is solved: it may be saved meanwhile.
     let mut solved = inputs.stamps();

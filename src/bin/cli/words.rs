@@ -8,7 +8,7 @@ use shape_up::scene::{
     NamedEnum, PresetOf,
 };
 use std::ffi::{OsStr, OsString};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The word for the absent value of a setting.
 const AUTO: &str = "auto";
@@ -21,6 +21,10 @@ pub(super) struct Words {
     parser: lexopt::Parser,
     /// The options so far, to reject repetitions.
     seen: Vec<String>,
+    /// The places of the files that are read,
+    read: Vec<PathBuf>,
+    /// and those of the files that are written, with their options.
+    written: Vec<(String, PathBuf)>,
 }
 
 pub(super) enum Word {
@@ -29,14 +33,15 @@ pub(super) enum Word {
     Option(String),
 }
 
-/// Endings of the mesh files that are written,
+/// Endings of the mesh files that are written.
 pub(super) const MESHES: &[&str] = &["obj", "ply", "stl", "mesh"];
-/// and with that of a scene.
+/// Endings of the mesh files that are written, and of scenes.
 pub(super) const MESHES_AND_SCENE: &[&str] = &["obj", "ply", "stl", "mesh", "json"];
 
 impl Words {
     pub(super) fn new(arguments: Vec<OsString>) -> Words {
-        Words { parser: lexopt::Parser::from_args(arguments), seen: Vec::new() }
+        let (seen, read, written) = Default::default();
+        Words { parser: lexopt::Parser::from_args(arguments), seen, read, written }
     }
 
     /// Returns the next file or option; none at the end.
@@ -60,9 +65,42 @@ impl Words {
             match self.next()? {
                 None => return Ok(None),
                 Some(Word::Option(name)) => return Ok(Some(name)),
-                Some(Word::File(file)) => one(place, file)?,
+                Some(Word::File(file)) => {
+                    let file = self.input(file)?;
+                    if let Some(first) = place.replace(file) {
+                        let first = first.display();
+                        return Err(format!("expected one file, found a second after `{first}`"));
+                    }
+                }
             }
         }
+    }
+
+    /// Returns the name of a file that is read.
+    pub(super) fn input(&mut self, file: OsString) -> Result<PathBuf, String> {
+        if file.is_empty() {
+            return Err("the name of a file is empty".to_owned());
+        }
+        let file = PathBuf::from(file);
+        // It may be the name of an example.
+        self.read.extend(file.is_file().then(|| place(&file)));
+        Ok(file)
+    }
+
+    /// Checks that the files to be written replace neither one that is read nor each other.
+    pub(super) fn check_outputs(&self) -> Result<(), String> {
+        for (i, (name, path)) in self.written.iter().enumerate() {
+            if self.read.contains(path) {
+                let path = path.display();
+                return Err(format!(
+                    "{name} would replace the input {path}, expected another file"
+                ));
+            }
+            if let Some((earlier, _)) = self.written[..i].iter().find(|(_, other)| other == path) {
+                return Err(format!("{earlier} and {name} name the same file"));
+            }
+        }
+        Ok(())
     }
 
     /// Returns true for an option that takes no value.
@@ -82,15 +120,23 @@ impl Words {
         value.ok_or_else(|| format!("{name} needs a value"))
     }
 
-    /// Returns the value of an option that takes the name of a file.
+    /// Returns the value of an option that takes the name of a file to read.
     pub(super) fn file(&mut self, name: &str) -> Result<PathBuf, String> {
-        self.value(name).map(PathBuf::from)
+        let file = self.value(name)?;
+        self.input(file)
+    }
+
+    /// Returns the value of an option that takes the name of a file or folder to write.
+    pub(super) fn output(&mut self, name: &str) -> Result<PathBuf, String> {
+        let path = PathBuf::from(self.value(name)?);
+        self.written.push((name.to_owned(), place(&path)));
+        Ok(path)
     }
 
     /// Returns the value of an option that takes the name of a mesh file to write, in one of the
     /// `formats`: by its ending, or without one.
     pub(super) fn mesh(&mut self, name: &str, formats: &[&str]) -> Result<PathBuf, String> {
-        let path = self.file(name)?;
+        let path = self.output(name)?;
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         if ending.is_some_and(|ending| !formats.contains(&&*ending)) {
             let formats: Vec<_> = formats.iter().map(|format| format!(".{format}")).collect();
@@ -107,17 +153,18 @@ impl Words {
 
     /// Returns the value of an option that takes the name of an HTML file to write.
     pub(super) fn page(&mut self, name: &str) -> Result<PathBuf, String> {
-        let path = self.file(name)?;
+        let path = self.output(name)?;
         match path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html")) {
             true => Ok(path),
             false => Err(format!("{name} writes .html, found `{}`", path.display())),
         }
     }
 
-    /// Returns the value of an option that takes a whole number.
-    pub(super) fn iterations(&mut self, name: &str) -> Result<u32, String> {
+    /// Returns the value of an option that takes a whole number from `least` on.
+    pub(super) fn whole(&mut self, name: &str, least: u32) -> Result<u32, String> {
         let value = self.text(name)?;
-        value.parse().map_err(|_| format!("{name} takes a whole number from 0, found `{value}`"))
+        let number = value.parse().ok().filter(|&number| number >= least);
+        number.ok_or_else(|| format!("{name} takes a whole number from {least}, found `{value}`"))
     }
 
     /// Returns the value of an option that takes an `expected` number, which `fits`.
@@ -299,14 +346,12 @@ fn finite(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
-fn one(place: &mut Option<PathBuf>, file: OsString) -> Result<(), String> {
-    if file.is_empty() {
-        return Err("the name of a file is empty".to_owned());
-    }
-    match place.replace(file.into()) {
-        None => Ok(()),
-        Some(first) => {
-            Err(format!("expected one file, found a second after `{}`", first.display()))
-        }
-    }
+/// Returns the absolute path of a file that may not exist yet, with links resolved.
+pub(super) fn place(path: &Path) -> PathBuf {
+    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let of_folder = || {
+        let folder = absolute.parent()?.canonicalize().ok()?;
+        Some(folder.join(absolute.file_name()?))
+    };
+    absolute.canonicalize().ok().or_else(of_folder).unwrap_or(absolute)
 }

@@ -5,31 +5,19 @@ use super::lattice::Lattice;
 use crate::math::Vec3;
 use crate::mesh::{Mesh, Point};
 
-/// An animal on four legs, with a long neck and a tail that bends to one side. It faces along x.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Creature {
-    /// Width of the cubes of the lattice: about the size of the triangles.
-    pub spacing: f64,
-}
+/// Width of the cubes of the lattice: about the size of the triangles.
+const SPACING: f64 = 0.25;
 
-impl Default for Creature {
-    fn default() -> Self {
-        Creature { spacing: 0.25 }
-    }
-}
-
-impl Creature {
-    /// The surface: closed, connected, of triangles.
-    pub fn mesh(&self) -> Mesh {
-        let parts = parts();
-        let field = |p: Point| blend(&parts, p);
-        let (lowest, highest) = ([-3.6, -1.3, -0.5], [3.0, 1.3, 3.8]);
-        let cells =
-            std::array::from_fn(|i| ((highest[i] - lowest[i]) / self.spacing).ceil() as u32);
-        let mut mesh = Lattice { lowest, cells, spacing: self.spacing }.polygonise(field);
-        slide(&mut mesh, field, 0.1 * self.spacing, 12);
-        rounded(mesh)
-    }
+/// An animal on four legs, with a long neck and a tail that bends to one side. It faces along x. The
+/// surface is closed, connected, of triangles.
+pub fn creature() -> Mesh {
+    let parts = parts();
+    let field = |p: Point| blend(&parts, p);
+    let (lowest, highest) = ([-3.6, -1.3, -0.5], [3.0, 1.3, 3.8]);
+    let cells = std::array::from_fn(|i| ((highest[i] - lowest[i]) / SPACING).ceil() as u32);
+    let mut mesh = Lattice { lowest, cells, spacing: SPACING }.polygonise(field);
+    slide(&mut mesh, field, 0.1 * SPACING, 12);
+    rounded(mesh)
 }
 
 /// A round part: the union of balls whose centres run along a segment and whose radii change

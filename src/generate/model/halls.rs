@@ -9,17 +9,7 @@ use crate::mesh::{Mesh, Point};
 /// A hall whose roof comes down to the ground on both long sides. Its spine swings in plan. Its
 /// sections are flattened arcs: wide and more than a half circle at the swelling, narrow at the
 /// waist; the open ends lean out. The lines of panels run askew, so that no panel is flat.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hall {
-    /// Panels along the spine and across.
-    pub panels: [usize; 2],
-}
-
-impl Default for Hall {
-    fn default() -> Self {
-        Hall { panels: [60, 34] }
-    }
-}
+pub struct Hall;
 
 /// Amplitude of the spine of the hall in plan.
 const SWING: f64 = 5.0;
@@ -30,10 +20,9 @@ impl Hall {
     /// Length of the spine in plan.
     pub const LENGTH: f64 = 64.0;
 
-    /// The mesh of `(panels[0] + 1) * (panels[1] + 1)` vertices. Vertex `(i, j)` along the spine
-    /// and across has index `j * (panels[0] + 1) + i`.
-    pub fn mesh(&self) -> Mesh {
-        rounded(grid(self.panels, |u, v| {
+    /// The mesh of 61 by 35 vertices. Vertex `(i, j)` along the spine and across has index `61 j + i`.
+    pub fn mesh() -> Mesh {
+        rounded(grid([60, 34], |u, v| {
             let [u, v] = Hall::askew(u, v);
             Hall::point(u, v)
         }))

@@ -16,7 +16,7 @@ mod vault;
 
 pub use archway::archway;
 pub use blocks::Blocks;
-pub use creature::Creature;
+pub use creature::creature;
 pub(super) use finish::Noise;
 pub use finish::{opened, soften};
 pub use free_form::FreeForm;
@@ -26,4 +26,4 @@ pub use pavilion::pavilion;
 pub use roofs::{Canopy, Court, Dome};
 pub use sheets::{Hypar, Net, Patch, Strip};
 pub use towers::{Lantern, Tower, Vase};
-pub use vault::Vault;
+pub use vault::vault;

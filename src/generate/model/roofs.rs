@@ -129,48 +129,31 @@ impl Canopy {
 }
 
 /// A ring-shaped roof with an egg-shaped inner rim that rises and falls. Panels crowd on one side.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Court {
-    /// Panels around the ring.
-    pub meridians: u32,
-    /// Rows of panels from the rim to the eaves.
-    pub rows: u32,
-    /// Amplitude of the rim's height.
-    pub swing: f64,
-    /// How unevenly the panels are spaced around: at 1 some would have no width.
-    pub crowding: f64,
-}
-
-impl Default for Court {
-    fn default() -> Self {
-        Court { meridians: 28, rows: 9, swing: 1.2, crowding: 0.55 }
-    }
-}
+pub struct Court;
 
 impl Court {
-    /// The mesh. Vertex `i` of ring `k`, from 0 at the rim to `rows` at the eaves, has index
-    /// `k * meridians + i`.
-    pub fn mesh(&self) -> Mesh {
-        let Court { swing, crowding, .. } = *self;
-        let positions = self.rings().positions(|_, out, turn| {
-            let turn = turn + crowding * sine(turn) / std::f64::consts::TAU;
+    /// Rows of panels from the rim to the eaves.
+    pub const ROWS: u32 = 9;
+    const RINGS: Rings = Rings { meridians: 28, rows: Court::ROWS };
+
+    /// The mesh. Vertex `i` of ring `k`, from 0 at the rim to [`Court::ROWS`] at the eaves, has index
+    /// `28 k + i`.
+    pub fn mesh() -> Mesh {
+        let positions = Court::RINGS.positions(|_, out, turn| {
+            let turn = turn + 0.55 * sine(turn) / std::f64::consts::TAU;
             let inner = 6.0 * (1.0 + 0.25 * cosine(turn) - 0.1 * cosine(2.0 * turn));
             let radius = inner + (15.0 - inner) * out;
-            let height = 4.0 + swing * cosine(2.0 * turn) * (1.0 - out) - 2.5 * out * out;
+            let height = 4.0 + 1.2 * cosine(2.0 * turn) * (1.0 - out) - 2.5 * out * out;
             [radius * cosine(turn), radius * sine(turn), height]
         });
         // Counterclockwise seen from above.
-        let faces = self.rings().quads().map(|[a, b, c, d]| [a, d, c, b]);
+        let faces = Court::RINGS.quads().map(|[a, b, c, d]| [a, d, c, b]);
         rounded(Mesh { positions, faces: Ragged::from_iter(faces), ..Mesh::default() })
     }
 
     /// The vertices of ring `k`.
-    pub fn ring(&self, k: u32) -> Range<u32> {
-        self.rings().ring(k)
-    }
-
-    fn rings(&self) -> Rings {
-        Rings { meridians: self.meridians, rows: self.rows }
+    pub fn ring(k: u32) -> Range<u32> {
+        Court::RINGS.ring(k)
     }
 }
 

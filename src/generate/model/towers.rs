@@ -94,25 +94,17 @@ impl Tower {
 }
 
 /// A lantern, open at the bottom and the top, whose profile swells and narrows.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lantern {
-    /// Panels around it.
-    pub meridians: u32,
-    /// Panels from the ground up.
-    pub rows: u32,
-}
-
-impl Default for Lantern {
-    fn default() -> Self {
-        Lantern { meridians: 48, rows: 26 }
-    }
-}
+pub struct Lantern;
 
 impl Lantern {
+    /// Panels from the ground up.
+    pub const ROWS: u32 = 26;
+    const RINGS: Rings = Rings { meridians: 48, rows: Lantern::ROWS };
+
     /// The mesh. Vertex `i` of ring `k`, counted from the x axis towards the y axis and from the
-    /// ground up, has index `k * meridians + i`.
-    pub fn mesh(&self) -> Mesh {
-        let rings = self.rings();
+    /// ground up, has index `48 k + i`.
+    pub fn mesh() -> Mesh {
+        let rings = Lantern::RINGS;
         let positions = rings.positions(|_, up, turn| {
             // Widest at a third of the height, narrowest below the rim, which flares.
             let radius = 8.0 + 2.6 * sine(0.95 * up - 0.08) - up * up;
@@ -121,12 +113,8 @@ impl Lantern {
         rounded(Mesh { positions, faces: rings.faces(), ..Mesh::default() })
     }
 
-    /// The vertices of ring `k`, from 0 on the ground to `rows` at the rim.
-    pub fn ring(&self, k: u32) -> Range<u32> {
-        self.rings().ring(k)
-    }
-
-    fn rings(&self) -> Rings {
-        Rings { meridians: self.meridians, rows: self.rows }
+    /// The vertices of ring `k`, from 0 on the ground to [`Lantern::ROWS`] at the rim.
+    pub fn ring(k: u32) -> Range<u32> {
+        Lantern::RINGS.ring(k)
     }
 }

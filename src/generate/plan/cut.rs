@@ -4,11 +4,11 @@
 //! that a loop still crosses gets a vertex at the crossing. The part of each cell inside the
 //! outline is a face: whole cells stay squares, and no face is a sliver.
 
-use super::declaration::PlanError;
+use super::declaration::{PlanError, entry};
 use super::kept::{boundary, is_kept};
 use super::outline::{Ground, Loop, along, closest};
 use crate::generate::quads::check_face_count;
-use crate::math::plane::{Point2, area, bounds, cross, dot, is_inside, minus, rotated};
+use crate::math::plane::{Point2, area, bounds, cross, distance, dot, is_inside, minus, rotated};
 use crate::math::{cosine_and_sine_of_degrees, polygon_sides};
 use crate::mesh::{Mesh, Ragged};
 use std::collections::BTreeMap;
@@ -19,6 +19,9 @@ const NEAR: f64 = 0.3;
 const SLIVER: f64 = 0.02;
 /// Tolerance of the polylines that replace arcs, in sides of a cell.
 const FLAT: f64 = 1e-3;
+
+/// Limit of the cells of the grid, most of which a narrow plan leaves empty: they are all in memory.
+const MOST_CELLS: f64 = 1e6;
 
 /// Position relative to the loops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,9 +53,19 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     let [low, high] = bounds(flattened[0].iter().map(|&(place, _)| rotated(place, [c, -s])));
     let extent = minus(high, low);
     let count = extent.map(|length| (length / size).round().max(1.0));
-    check_face_count(count[0] * count[1]).map_err(PlanError::TooManyFaces)?;
     // Stretched a little, so that a whole number of cells fits.
     let step = [extent[0] / count[0], extent[1] / count[1]];
+    let areas = flattened.iter().map(|places| {
+        let places: Vec<Point2> = places.iter().map(|&(place, _)| place).collect();
+        area(&places)
+    });
+    let inside = areas.reduce(|outline, hole| outline - hole).unwrap_or(0.0);
+    check_face_count((inside / (step[0] * step[1])).round()).map_err(PlanError::TooManyFaces)?;
+    let all = count[0] * count[1];
+    if all > MOST_CELLS {
+        let expected = format!("expected at most {MOST_CELLS} panels over the extent of the plan");
+        return Err(entry("size", format!("{expected}, found {all}")));
+    }
     let to_grid = |place: Point2| {
         let place = minus(rotated(place, [c, -s]), low);
         [place[0] / step[0], place[1] / step[1]]
@@ -283,12 +296,19 @@ impl Cells {
         }
         let mut named = Ragged::from_iter(faces);
         named.rename(&name);
-        let on_outline = (0..).zip(&self.lies).filter(|(_, lies)| **lies == Lies::On(0));
-        let is_used = |v: &u32| *v != u32::MAX;
-        let outline = on_outline.map(|(v, _): (usize, _)| name[v]).filter(is_used);
+        let used_on = |on: Lies| {
+            (0..name.len()).filter(move |&v| self.lies[v] == on).filter(|&v| name[v] != u32::MAX)
+        };
+        // A tip without a face is cut off: its foot is where the rest of the loop is nearest.
+        let foot = |&corner: &u32| {
+            let corner = corner as usize;
+            let away = |v: &usize| distance(self.places[*v], self.places[corner]);
+            let nearest = used_on(self.lies[corner]).min_by(|a, b| away(a).total_cmp(&away(b)));
+            nearest.map(|v| name[v])
+        };
         Ground {
-            outline: outline.collect(),
-            corners: corners.iter().map(|&v| Some(name[v as usize]).filter(is_used)).collect(),
+            outline: used_on(Lies::On(0)).map(|v| name[v]).collect(),
+            corners: corners.iter().filter_map(foot).collect(),
             mesh: Mesh { positions, faces: named, ..Mesh::default() },
         }
     }

@@ -113,10 +113,12 @@ pub enum PlanError {
     Crossing([PlanSide; 2]),
     /// A hole lies outside the outline.
     Outside(usize),
+    /// A hole lies inside another, the second.
+    Nested([usize; 2]),
     /// A grid that follows the outline needs four corners; holds the number marked.
     FourCorners(usize),
     /// A surface that stands on its corners needs three; holds the number marked.
-    NoCorners(usize),
+    TooFewCorners(usize),
     /// A grid that follows the outline has no holes.
     Holes,
     /// Panels of a grid that follows the outline overlap.
@@ -154,11 +156,16 @@ impl fmt::Display for PlanError {
                 write_hole(f, *hole)?;
                 f.write_str(" lies outside the outline")
             }
+            PlanError::Nested([inner, outer]) => {
+                write_hole(f, *inner)?;
+                f.write_str(" lies inside ")?;
+                write_hole(f, *outer)
+            }
             PlanError::FourCorners(marked) => write!(
                 f,
                 "expected four corners for panels along the outline, found {marked}: mark four points as {corner}, or choose {cut}"
             ),
-            PlanError::NoCorners(marked) => write!(
+            PlanError::TooFewCorners(marked) => write!(
                 f,
                 "expected at least three corners to stand on, found {marked}: mark more points as {corner}, or choose {outline}"
             ),

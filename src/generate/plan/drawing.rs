@@ -2,12 +2,11 @@
 //! dragging or typing.
 
 use super::declaration::{Plan, PlanLayout, PlanPoint, Support};
+use super::outline::{Side, along};
 use crate::math::cosine_and_sine_of_degrees;
-use crate::math::plane::{Point2, area, bounds, cross, dot, length, minus};
+use crate::math::plane::{Point2, area, bounds, cross, dot, minus};
 use serde::{Deserialize, Serialize};
 
-/// Sides with a smaller bulge are drawn straight.
-const STRAIGHT: f64 = 1e-6;
 /// The smallest turn at a corner of a drawn loop, in degrees.
 const SHARP: f64 = 20.0;
 /// The roof of the first plan in metres: the corners, each with the bulge of the side that begins
@@ -48,49 +47,30 @@ pub struct DrawnSide {
     pub clockwise: bool,
 }
 
-/// A side with what its arc is measured by.
-struct Chord {
-    from: Point2,
-    along: Point2,
-    length: f64,
-    outward: Point2,
-    bulge: f64,
-    /// Whether its loop is clockwise.
-    is_clockwise: bool,
-}
-
 /// Whether the points run clockwise. Two points, joined by arcs only, do not.
 fn is_clockwise(points: &[PlanPoint]) -> bool {
     let places: Vec<Point2> = points.iter().map(|point| point.at).collect();
     area(&places) < 0.0
 }
 
-impl Chord {
-    /// The side of a loop that begins at point `k`; none if there is no such point.
-    fn of(points: &[PlanPoint], k: usize, is_clockwise: bool) -> Option<Chord> {
-        let PlanPoint { at: from, bulge, .. } = *points.get(k)?;
-        let along = minus(points[(k + 1) % points.len()].at, from);
-        let length = Some(length(along)).filter(|&length| length > 0.0).unwrap_or(1.0);
-        let sign = if is_clockwise { -1.0 } else { 1.0 };
-        let outward = [sign * along[1] / length, -sign * along[0] / length];
-        Some(Chord { from, along, length, outward, bulge, is_clockwise })
-    }
+/// The side of a loop that begins at point `k`, with the loop on its left; none if there is no such
+/// point.
+fn side(points: &[PlanPoint], k: usize, is_clockwise: bool) -> Option<Side> {
+    let PlanPoint { at, bulge, corner: is_corner } = *points.get(k)?;
+    let next = points[(k + 1) % points.len()].at;
+    let [from, to] = if is_clockwise { [next, at] } else { [at, next] };
+    Some(Side { from, to, bulge, point: k, is_corner })
+}
 
-    /// The point outside the middle of the chord by `rise`.
-    fn outside(&self, rise: f64) -> Point2 {
-        [0, 1].map(|i| self.from[i] + 0.5 * self.along[i] + rise * self.outward[i])
-    }
-
-    fn drawn(&self) -> DrawnSide {
-        let Chord { length: chord, bulge, is_clockwise, .. } = *self;
-        let rise = 0.5 * bulge * chord;
-        let radius = chord * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
+impl DrawnSide {
+    fn of(side: &Side, is_clockwise: bool) -> DrawnSide {
+        let rise = 0.5 * side.bulge * side.chord();
         DrawnSide {
-            chord,
+            chord: side.chord(),
             rise,
-            middle: self.outside(rise),
-            radius: (bulge.abs() >= STRAIGHT).then_some(radius),
-            clockwise: (bulge > 0.0) == is_clockwise,
+            middle: side.beside(rise),
+            radius: (!side.is_straight()).then(|| side.radius().abs()),
+            clockwise: (side.bulge > 0.0) == is_clockwise,
         }
     }
 }
@@ -100,8 +80,8 @@ impl PlanDrawing {
     pub fn of(PlanLoops(loops): &PlanLoops) -> PlanDrawing {
         let sides = |points: &Vec<PlanPoint>| -> Vec<DrawnSide> {
             let is_clockwise = is_clockwise(points);
-            let side = |k| Chord::of(points, k, is_clockwise).map(|side| side.drawn());
-            (0..points.len()).filter_map(side).collect()
+            let sides = (0..points.len()).filter_map(|k| side(points, k, is_clockwise));
+            sides.map(|side| DrawnSide::of(&side, is_clockwise)).collect()
         };
         let drawn: Vec<Vec<DrawnSide>> = loops.iter().map(sides).collect();
         let middles = drawn.iter().flatten().map(|side| side.middle);
@@ -113,9 +93,9 @@ impl PlanDrawing {
 /// Returns the bulge of the side of a loop that begins at point `k` if its middle is pulled to the
 /// place nearest to `through`; none if there is no such point.
 pub fn bulge_through(points: &[PlanPoint], k: usize, through: Point2) -> Option<f64> {
-    let side = Chord::of(points, k, is_clockwise(points))?;
-    let rise = dot(minus(through, side.outside(0.0)), side.outward);
-    Some(bulge_of(rise, side.length))
+    let side = side(points, k, is_clockwise(points))?;
+    let rise = dot(minus(through, side.beside(0.0)), side.outward());
+    Some(bulge_of(rise, side.chord()))
 }
 
 /// Returns the bulge of a side by its rise, limited to a half circle.
@@ -126,9 +106,9 @@ pub fn bulge_of(rise: f64, chord: f64) -> f64 {
 /// Returns where the side that begins at point `k` ends if its chord gets another `length` in the same
 /// direction; none if there is no such point, or for no length above 0.
 pub fn end_of_side(points: &[PlanPoint], k: usize, length: f64) -> Option<Point2> {
-    let side = Chord::of(points, k, false)?;
-    let share = length / side.length;
-    (share > 0.0).then(|| [0, 1].map(|i| side.from[i] + share * side.along[i]))
+    let side = side(points, k, false)?;
+    let share = length / side.chord();
+    (share > 0.0).then(|| along(side.from, share, minus(side.to, side.from)))
 }
 
 /// Returns a drawn loop, made counterclockwise, with straight sides. With `has_corners`, its sharp
@@ -150,19 +130,6 @@ pub fn loop_through(places: &[Point2], has_corners: bool) -> Vec<PlanPoint> {
     (0..n)
         .map(|k| PlanPoint { at: around[k], bulge: 0.0, corner: has_corners && is_sharp(k) })
         .collect()
-}
-
-/// Returns the step of a grid with about `count` steps over a length: the smallest of 1, 2 or 5 times
-/// a power of ten with no more steps.
-pub fn grid_step(length: f64, count: f64) -> f64 {
-    let text = format!("{:e}", length / count);
-    let exponent = text.split_once('e').map_or("0", |(_, exponent)| exponent);
-    let times_power = |digit: u32| {
-        let step = format!("{digit}e{exponent}").parse::<f64>();
-        step.expect("digits with a whole exponent are a number")
-    };
-    let mut steps = [1, 2, 5].map(times_power).into_iter();
-    steps.find(|&step| step * count >= length).unwrap_or_else(|| times_power(10))
 }
 
 impl Plan {
@@ -263,12 +230,6 @@ mod tests {
             assert_eq!(end_of_side(&points, 0, nothing), None);
         }
         assert_eq!([bulge_of(1.0, 4.0), bulge_of(-9.0, 4.0)], [0.5, -1.0]);
-    }
-
-    #[test]
-    fn grid_steps_are_one_two_or_five_times_a_power_of_ten() {
-        let steps = [24.0, 25.0, 100.0, 30_000.0].map(|length| grid_step(length, 24.0));
-        assert_eq!(steps, [1.0, 2.0, 5.0, 2000.0]);
     }
 
     #[test]

@@ -10,8 +10,7 @@ mod outline;
 
 pub use declaration::{Plan, PlanError, PlanLayout, PlanPoint, PlanSide, Support};
 pub use drawing::{
-    DrawnSide, PlanDrawing, PlanLoops, bulge_of, bulge_through, end_of_side, grid_step,
-    loop_through,
+    DrawnSide, PlanDrawing, PlanLoops, bulge_of, bulge_through, end_of_side, loop_through,
 };
 
 use crate::math::{Vec3, marked, twice_vector_area};
@@ -19,6 +18,7 @@ use crate::mesh::{Mesh, Topology};
 use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 use declaration::entry;
 use outline::{Ground, Loop};
+use std::collections::BTreeSet;
 
 /// Force density of free edges relative to edges between panels: they are arches that carry the
 /// rest.
@@ -75,12 +75,14 @@ impl Plan {
 fn raised(ground: Ground, support: Support, height: f64) -> Result<PlanSurface, PlanError> {
     let Ground { mut mesh, outline, corners } = ground;
     let (held, feet) = match support {
-        Support::Corners if corners.len() < 3 => return Err(PlanError::NoCorners(corners.len())),
-        Support::Corners => {
-            let feet: Option<Vec<u32>> = corners.into_iter().collect();
-            let feet = feet.ok_or(PlanError::TooCoarse(None))?;
-            (feet.clone(), feet)
+        Support::Corners if corners.len() < 3 => {
+            return Err(PlanError::TooFewCorners(corners.len()));
         }
+        // Tips close to each other can have one foot, until panels are smaller.
+        Support::Corners if corners.iter().collect::<BTreeSet<_>>().len() < corners.len() => {
+            return Err(PlanError::TooCoarse(None));
+        }
+        Support::Corners => (corners.clone(), corners),
         Support::Outline => (outline, Vec::new()),
     };
     let n = mesh.positions.len();

@@ -7,16 +7,16 @@ use crate::mesh::Mesh;
 use std::f64::consts::TAU;
 
 /// Sides with a smaller bulge are straight.
-const STRAIGHT: f64 = 1e-9;
+const STRAIGHT: f64 = 1e-6;
 /// Cosine of the smallest turn at a sharp corner: 20 degrees.
 const SHARP: f64 = 0.939_692_620_785_908_4;
 
 /// A side: straight, or an arc.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
-    from: Point2,
-    to: Point2,
-    bulge: f64,
+    pub(super) from: Point2,
+    pub(super) to: Point2,
+    pub(super) bulge: f64,
     /// The index of its first point in the given order.
     pub(super) point: usize,
     /// Whether its first point is marked as a corner.
@@ -35,8 +35,8 @@ pub(super) struct Ground {
     pub(super) mesh: Mesh,
     /// The vertices on the outline.
     pub(super) outline: Vec<u32>,
-    /// The vertices at marked corners; none at a tip so narrow that it has no face.
-    pub(super) corners: Vec<Option<u32>>,
+    /// The vertices at marked corners; at a tip so narrow that it has no face, the nearest one on the loop.
+    pub(super) corners: Vec<u32>,
 }
 
 /// `a + t b`.
@@ -57,18 +57,36 @@ impl Side {
         4.0 * self.bulge.signum() * angle(1.0, self.bulge.abs()).unwrap_or(0.0) / TAU
     }
 
-    fn is_straight(&self) -> bool {
+    pub(super) fn is_straight(&self) -> bool {
         self.bulge.abs() < STRAIGHT
     }
 
+    /// The length of its chord; 1 if its ends are at one place, as while it is drawn.
+    pub(super) fn chord(&self) -> f64 {
+        let chord = length(minus(self.to, self.from));
+        if chord > 0.0 { chord } else { 1.0 }
+    }
+
     /// The radius of the arc; negative if it bulges inwards.
-    fn radius(&self) -> f64 {
-        length(minus(self.to, self.from)) * (1.0 + self.bulge * self.bulge) / (4.0 * self.bulge)
+    pub(super) fn radius(&self) -> f64 {
+        self.chord() * (1.0 + self.bulge * self.bulge) / (4.0 * self.bulge)
+    }
+
+    /// The unit vector across its chord, to the right.
+    pub(super) fn outward(&self) -> Point2 {
+        let [x, y] = minus(self.to, self.from).map(|c| c / self.chord());
+        [y, -x]
+    }
+
+    /// The point to the right of the middle of its chord by `rise`.
+    pub(super) fn beside(&self, rise: f64) -> Point2 {
+        let middle = along(self.from, 0.5, minus(self.to, self.from));
+        along(middle, rise, self.outward())
     }
 
     pub(super) fn length(&self) -> f64 {
         if self.is_straight() {
-            return length(minus(self.to, self.from));
+            return self.chord();
         }
         self.radius() * self.turns() * TAU
     }
@@ -88,22 +106,18 @@ impl Side {
         if self.is_straight() || t == 0.0 || t == 1.0 {
             return if t == 1.0 { self.to } else { along(self.from, t, chord) };
         }
-        let size = length(chord);
-        let direction = [chord[0] / size, chord[1] / size];
-        let outward = [direction[1], -direction[0]];
         let (radius, turns) = (self.radius(), (t - 0.5) * self.turns());
-        let middle = along(self.from, 0.5, chord);
-        let centre = along(middle, 0.5 * self.bulge * size - radius, outward);
-        let place = along(centre, radius * sine(turns), direction);
+        let outward = self.outward();
+        let centre = self.beside(0.5 * self.bulge * self.chord() - radius);
+        let place = along(centre, radius * sine(turns), [-outward[1], outward[0]]);
         along(place, radius * cosine(turns), outward)
     }
 
     /// The unit tangents at its start and its end.
     fn ends(&self) -> [Point2; 2] {
-        let chord = minus(self.to, self.from);
-        let direction = chord.map(|c| c / length(chord));
+        let [x, y] = self.outward();
         let half = if self.is_straight() { 0.0 } else { 0.5 * self.turns() };
-        [-half, half].map(|by| rotated(direction, [cosine(by), sine(by)]))
+        [-half, half].map(|by| rotated([-y, x], [cosine(by), sine(by)]))
     }
 
     /// Points of a polyline within `tolerance` of the side, without its end.
@@ -167,7 +181,7 @@ impl Loop {
     }
 
     /// Fails if loops (the outline first) cross themselves or each other, or a hole is outside the
-    /// outline.
+    /// outline or inside another.
     pub(super) fn check_disjoint(loops: &[&Loop]) -> Result<(), PlanError> {
         let size = loops[0].sides.iter().map(Side::length).sum::<f64>();
         let mut segments = Vec::new();
@@ -190,11 +204,19 @@ impl Loop {
                 }
             }
         }
+        let polygon = |one: &Loop| -> Vec<Point2> {
+            one.flattened(1e-4 * size).into_iter().map(|(place, _)| place).collect()
+        };
+        let polygons: Vec<Vec<Point2>> = loops.iter().map(|one| polygon(one)).collect();
         for (hole, inner) in loops[1..].iter().enumerate() {
-            let outer: Vec<Point2> =
-                loops[0].flattened(1e-4 * size).into_iter().map(|(place, _)| place).collect();
-            if !is_inside(&outer, inner.sides[0].from) {
+            // No sides cross: a loop is inside another where its first point is.
+            let is_in = |outer: &[Point2]| is_inside(outer, inner.sides[0].from);
+            if !is_in(&polygons[0]) {
                 return Err(PlanError::Outside(hole));
+            }
+            let mut others = (0..).zip(&polygons[1..]).filter(|(other, _)| *other != hole);
+            if let Some((outer, _)) = others.find(|(_, polygon)| is_in(polygon)) {
+                return Err(PlanError::Nested([hole, outer]));
             }
         }
         Ok(())

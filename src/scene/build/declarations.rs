@@ -33,12 +33,8 @@ const fn setting(
     BuildSetting { id, label, summary, group, products: &Product::ALL, form, absent: "" }
 }
 
-const fn number(
-    unit: BuildUnit,
-    range: [f64; 2],
-    value: fn(&BuildSettings) -> Option<f64>,
-) -> BuildForm {
-    BuildForm::Number { unit, range, value }
+const fn number(unit: BuildUnit, range: [f64; 2]) -> BuildForm {
+    BuildForm::Number { unit, range }
 }
 
 const fn choice(options: &'static [BuildOption]) -> BuildForm {
@@ -107,14 +103,8 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "How folds are made; all but creases allow for the thickness, no tabs.",
     )
     .of(&[Paper]),
-    setting(
-        Parts,
-        "tab",
-        "Tabs",
-        number(Mm, ON_SHEET, |own| Some(own.tab)),
-        "Height of the tabs for glue; 0 for none.",
-    )
-    .of(&[Paper]),
+    setting(Parts, "tab", "Tabs", number(Mm, ON_SHEET), "Height of the tabs for glue; 0 for none.")
+        .of(&[Paper]),
     setting(
         Parts,
         "print_inside",
@@ -127,35 +117,29 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Parts,
         "scale",
         "Scale 1 :",
-        number(Plain, [LEAST_SCALE, LARGEST], |own| Some(own.scale)),
+        number(Plain, [LEAST_SCALE, LARGEST]),
         "The building is this many times as large as the model.",
     ),
-    setting(
-        Parts,
-        "thickness",
-        "Thickness",
-        number(Mm, ON_SHEET, |own| Some(own.thickness)),
-        "Thickness of the material.",
-    ),
+    setting(Parts, "thickness", "Thickness", number(Mm, ON_SHEET), "Thickness of the material."),
     setting(
         Parts,
         "sheet[0]",
         "Sheet width",
-        number(Mm, [ABOVE_0, LONGEST], |own| Some(own.sheet[0])),
+        number(Mm, [ABOVE_0, LONGEST]),
         "Width of a sheet of the material.",
     ),
     setting(
         Parts,
         "sheet[1]",
         "Sheet height",
-        number(Mm, [ABOVE_0, LONGEST], |own| Some(own.sheet[1])),
+        number(Mm, [ABOVE_0, LONGEST]),
         "Height of a sheet of the material.",
     ),
     setting(
         Parts,
         "joint",
         "Joint",
-        number(Mesh, FROM_0, |own| Some(own.joint)),
+        number(Mesh, FROM_0),
         "Gap between neighbouring panels, in the unit of the mesh.",
     )
     .of(&[Panels]),
@@ -163,7 +147,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Parts,
         "hole",
         "Holes",
-        number(Mm, ON_SHEET, |own| Some(own.hole)),
+        number(Mm, ON_SHEET),
         "Diameter of holes along edges and at the ends of fins; 0 for none.",
     )
     .of(FLAT),
@@ -171,7 +155,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Parts,
         "splice",
         "Splice plates",
-        number(Mm, ON_SHEET, |own| Some(own.splice)),
+        number(Mm, ON_SHEET),
         "Width of the plates that join the pieces of panels too large; 0: none.",
     )
     .of(&[Panels]),
@@ -179,7 +163,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Parts,
         "disc",
         "Node discs",
-        number(Mm, ON_SHEET, |own| own.disc),
+        number(Mm, ON_SHEET),
         "Diameter of the discs that join the fins of a node; 0 for none.",
     )
     .of(&[Fins])
@@ -188,7 +172,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Parts,
         "clearance",
         "Clearance",
-        number(Mm, ON_SHEET, |own| Some(own.clearance)),
+        number(Mm, ON_SHEET),
         "Play between a node disc and a fin, on each side.",
     )
     .of(&[Fins]),
@@ -198,7 +182,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Offset,
         "distance",
         "Distance",
-        number(Mesh, [-LARGEST, LARGEST], |own| own.distance),
+        number(Mesh, [-LARGEST, LARGEST]),
         "Distance of the offset and depth of beams, negative inwards.",
     )
     .or("a fifth of the mean edge"),
@@ -206,14 +190,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Offset,
         "follow",
         "Upright axes",
-        number(Plain, POSITIVE, |own| Some(own.follow)),
+        number(Plain, POSITIVE),
         "More: axes are more upright. Less: beams are flatter.",
     ),
     setting(
         Cutting,
         "kerf",
         "Kerf",
-        number(Mm, ON_SHEET, |own| Some(own.kerf)),
+        number(Mm, ON_SHEET),
         "Width of the cut: outlines are moved outwards by half of it.",
     )
     .of(FLAT),
@@ -221,22 +205,16 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Cutting,
         "tool",
         "Tool",
-        number(Mm, ON_SHEET, |own| Some(own.tool)),
+        number(Mm, ON_SHEET),
         "Diameter of a milling tool, for reliefs in inner corners; 0 for none.",
     )
     .of(FLAT),
-    setting(
-        Cutting,
-        "gap",
-        "Gap",
-        number(Mm, ON_SHEET, |own| Some(own.gap)),
-        "Least space between parts on a sheet.",
-    ),
+    setting(Cutting, "gap", "Gap", number(Mm, ON_SHEET), "Least space between parts on a sheet."),
     setting(
         Cutting,
         "margin",
         "Margin",
-        number(Mm, ON_SHEET, |own| Some(own.margin)),
+        number(Mm, ON_SHEET),
         "Margin without parts at the edges of a sheet.",
     ),
     setting(Cutting, "order", "Order", ORDERS, "The order of parts on the sheets."),
@@ -244,7 +222,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Cutting,
         "beam_width",
         "Beam width",
-        number(Mesh, POSITIVE, |own| own.beam_width),
+        number(Mesh, POSITIVE),
         "Width of the beams as solids, for 3D programs.",
     )
     .of(&[Fins])
@@ -253,7 +231,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Types,
         "alike",
         "Lengths within",
-        number(Mm, FROM_0, |own| Some(own.alike)),
+        number(Mm, FROM_0),
         "Panels and edges of one type differ by at most this, at full size.",
     )
     .of(FLAT),
@@ -261,7 +239,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Types,
         "alike_deg",
         "Angles within",
-        number(Degrees, FROM_0, |own| Some(own.alike_deg)),
+        number(Degrees, FROM_0),
         "Nodes of one type differ by at most this.",
     )
     .of(&[Fins]),
@@ -307,28 +285,28 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         Limits,
         "limits.warp",
         "Beam warp",
-        number(Mm, FROM_0, |own| Some(own.limits.warp)),
+        number(Mm, FROM_0),
         "Corners of a beam from its plane, at full size.",
     ),
     setting(
         Limits,
         "limits.distance",
         "Offset error",
-        number(Mm, FROM_0, |own| Some(own.limits.distance)),
+        number(Mm, FROM_0),
         "Offset from its distance, at full size.",
     ),
     setting(
         Limits,
         "limits.lean",
         "Axis lean",
-        number(Degrees, FROM_0, |own| Some(own.limits.lean)),
+        number(Degrees, FROM_0),
         "Axis of a node from the normal of the surface.",
     ),
     setting(
         Limits,
         "limits.flatness",
         "Flatness",
-        number(Mm, FROM_0, |own| Some(own.limits.flatness)),
+        number(Mm, FROM_0),
         "Corners of a panel from its plane, at full size.",
     ),
 ];
@@ -336,9 +314,18 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
 impl BuildSettings {
     /// Checks that every number is finite and in its declared range.
     pub(super) fn check_numbers(&self) -> Result<(), (&'static str, String)> {
-        for setting in BUILD_SETTINGS {
-            let BuildForm::Number { value, .. } = setting.form else { continue };
-            if let Some(fault) = value(self).and_then(|number| setting.fault(number)) {
+        let own = serde_json::to_value(self).unwrap_or_default();
+        let is_number = |it: &&BuildSetting| matches!(it.form, BuildForm::Number { .. });
+        for setting in BUILD_SETTINGS.iter().filter(is_number) {
+            // In JSON a number that is not finite is null, as an absent one.
+            let null = || match setting.id {
+                "disc" => self.disc,
+                "distance" => self.distance,
+                "beam_width" => self.beam_width,
+                _ => Some(f64::NAN),
+            };
+            let number = setting.value_in(&own).as_f64().or_else(null);
+            if let Some(fault) = number.and_then(|number| setting.fault(number)) {
                 return Err((setting.id, fault));
             }
         }
@@ -399,9 +386,6 @@ mod tests {
             assert_ne!(changed, BuildSettings::default(), "{}", setting.id);
             let read = changed.value(setting);
             assert_eq!((read.as_f64(), read.as_str()), (value.as_f64(), value.as_str()));
-            if let BuildForm::Number { value: own, .. } = setting.form {
-                assert_eq!(own(&changed), value.as_f64(), "{}", setting.id);
-            }
             let text = serde_json::to_string(&changed).expect("it is plain");
             assert_eq!(serde_json::from_str::<BuildSettings>(&text).expect("it is ours"), changed);
         }

@@ -61,9 +61,6 @@ pub enum BuildForm {
         unit: BuildUnit,
         /// The least and the greatest; a range on both sides of 0 excludes 0.
         range: [f64; 2],
-        /// Returns it; none if it is absent.
-        #[serde(skip)]
-        value: fn(&BuildSettings) -> Option<f64>,
     },
     /// One of several words.
     Choice {
@@ -113,6 +110,11 @@ impl BuildSetting {
         (!self.id.contains('[')).then(|| format!("--{}", self.id.replace(['.', '_'], "-")))
     }
 
+    /// Its value in settings as in a scene, or null.
+    pub(super) fn value_in(&self, settings: &Value) -> Value {
+        settings.pointer(&pointer(self.id)).cloned().unwrap_or_default()
+    }
+
     /// What it accepts, in words: `a number from 0`, `corner or face or edge`.
     pub fn expected(&self) -> String {
         match self.form {
@@ -154,8 +156,7 @@ impl BuildSetting {
 impl BuildSettings {
     /// Returns the value of a setting, as in a scene.
     pub fn value(&self, setting: &BuildSetting) -> Value {
-        let own = serde_json::to_value(self).unwrap_or_default();
-        own.pointer(&pointer(setting.id)).cloned().unwrap_or_default()
+        setting.value_in(&serde_json::to_value(self).unwrap_or_default())
     }
 
     /// Returns the settings with another value of one, as in a scene.

@@ -1,5 +1,6 @@
 //! Common materials, machines and sheets: values of several settings of a build at once.
 
+use super::declarations::BUILD_SETTINGS;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -57,18 +58,9 @@ impl BuildPreset {
 
     /// The values of the declared settings that it sets, by their paths.
     pub fn settings(&self) -> Vec<(&'static str, Value)> {
-        let PresetValues { material, thickness, kerf, tool, gap, sheet } = self.values;
-        let [width, height] = [0, 1].map(|side| sheet.map(|size| size[side]));
-        let numbers = [
-            ("thickness", thickness),
-            ("kerf", kerf),
-            ("tool", tool),
-            ("gap", gap),
-            ("sheet[0]", width),
-            ("sheet[1]", height),
-        ];
-        let numbers = numbers.into_iter().filter_map(|(path, value)| Some((path, value?.into())));
-        material.map(|name| ("material", name.into())).into_iter().chain(numbers).collect()
+        let own = serde_json::to_value(self.values).unwrap_or_default();
+        let all = BUILD_SETTINGS.iter().map(|setting| (setting.id, setting.value_in(&own)));
+        all.filter(|(_, value)| !value.is_null()).collect()
     }
 }
 
@@ -143,7 +135,7 @@ pub const BUILD_PRESETS: [BuildPreset; 25] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{BUILD_SETTINGS, BuildSettings};
+    use crate::scene::BuildSettings;
 
     #[test]
     fn presets_have_valid_values_and_ids_of_their_own_and_the_defaults_are_among_them() {

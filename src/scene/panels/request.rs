@@ -4,7 +4,7 @@ use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selecto
 use crate::mesh::{
     MESH_OPERATIONS, Mesh, ProblemKind, Topology, mean_dihedral_angle, untouched_words,
 };
-use crate::scene::{ConstraintSpec, Scene, SceneError};
+use crate::scene::{ClosenessTo, ConstraintSpec, Scene, SceneError};
 use crate::solve::Require;
 use serde::Serialize;
 
@@ -124,7 +124,8 @@ impl Scene {
                 eased: None,
             }),
         }
-        let held = self.weights.close > 0.0 || self.weights.smooth > 0.0;
+        let is_close = self.weights.close > 0.0 && self.closeness.to != ClosenessTo::None;
+        let held = is_close || self.weights.smooth > 0.0;
         if !held || self.weights.shape == 0.0 {
             self.set_opened_defaults();
         }

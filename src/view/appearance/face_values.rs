@@ -4,8 +4,8 @@
 
 use super::bands::Bands;
 use super::colour_map::{ColourMap, texel};
-use super::colour_scale::ColourScale;
 use super::row_colours::RowColours;
+use super::value_axis::ColourScale;
 use crate::view::model::{ViewError, check_indices, check_length};
 
 /// The meaning of the colour of a face.
@@ -109,7 +109,7 @@ impl Appearance {
 
     fn update_bands(&mut self) {
         let range = self.values.as_ref().filter(|_| self.in_bands);
-        self.bands = range.and_then(|&(_, scale)| Bands::new(scale));
+        self.bands = range.and_then(|&(_, scale)| Bands::new(scale.axis));
     }
 
     /// Returns the bands of the values, if they are shown in bands.
@@ -135,7 +135,7 @@ impl Appearance {
     /// Returns the value of a vertex in the steps of [`Appearance::corner_steps`], or zero.
     pub fn corner_in_steps(&self, vertex: usize) -> f32 {
         match (&self.bands, &self.corners) {
-            (Some(bands), Some(corners)) => bands.in_steps(corners[vertex]),
+            (Some(bands), Some(corners)) => bands.in_steps(f64::from(corners[vertex])),
             _ => 0.0,
         }
     }
@@ -145,7 +145,7 @@ impl Appearance {
         let scale = self.values.as_ref().map(|(_, scale)| scale);
         let tolerance = scale.and_then(|scale| scale.tolerance);
         match (self.corner_steps(), &self.bands, tolerance) {
-            (Some(_), Some(bands), Some(tolerance)) => bands.in_steps(tolerance),
+            (Some(_), Some(bands), Some(tolerance)) => bands.in_steps(f64::from(tolerance)),
             _ => 0.0,
         }
     }
@@ -168,7 +168,7 @@ impl Appearance {
             values => {
                 let ColourMap::Diverging(_) = self.map else { return self.map };
                 let scale = values.as_ref().map(|(_, scale)| scale);
-                let part = scale.and_then(|scale| scale.part(self.middle?));
+                let part = scale.and_then(|scale| Some(scale.axis.part(f64::from(self.middle?))));
                 part.map_or(ColourMap::Viridis, ColourMap::Diverging)
             }
         }
@@ -229,8 +229,9 @@ impl Appearance {
         if let Some((values, scale)) = &self.values {
             let value = values[face];
             let texel = match &self.bands {
+                _ if value.is_nan() => None,
                 Some(bands) => bands.band(value).map(|band| bands.texels[band]),
-                None => scale.part(value).map(texel),
+                None => Some(texel(scale.axis.part(f64::from(value)))),
             };
             return match texel {
                 None => FaceColour::NoValue,
@@ -264,14 +265,17 @@ impl Appearance {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::view::appearance::ValueAxis;
 
-    const UNIT: ColourScale =
-        ColourScale { low: 0.0, high: 1.0, tolerance: None, logarithmic: false };
+    const UNIT: ColourScale = ColourScale {
+        axis: ValueAxis { low: 0.0, high: 1.0, logarithmic: false },
+        tolerance: None,
+    };
 
     #[test]
     fn within_the_tolerance_faces_keep_the_material() {
         let mut appearance = Appearance::default();
-        let scale = ColourScale { low: 0.2, tolerance: Some(0.2), ..UNIT };
+        let scale = ColourScale { tolerance: Some(0.2), ..ColourScale::linear(0.2, 1.0) };
         appearance.set_values(Some(vec![0.1, 0.2, 0.21, 1.0, f32::NAN]), scale, 5).unwrap();
         let colours = [0, 1, 2, 3, 4].map(|face| appearance.colour_of(face));
         assert_eq!(colours[..2], [FaceColour::Plain, FaceColour::Plain]);

@@ -5,8 +5,8 @@
 //! worst face exceeds. It is therefore constant during a run that improves the shape, and colours are
 //! comparable between pictures. The user can set either end instead.
 
-use super::round_number::round_up;
 use super::value_axis::ValueAxis;
+use crate::math::round_up;
 
 /// The number of bars of a histogram.
 pub const BARS: usize = 36;

@@ -1,11 +1,9 @@
 //! The camera.
 
-pub mod flight;
 pub mod framing;
 pub mod orbit_camera;
 pub mod section;
 
-pub use flight::Flight;
 pub use framing::{depth_range, frame};
 pub use orbit_camera::{Camera, CameraProjection, Eye, UpAxis};
 pub use section::Section;

@@ -18,7 +18,7 @@ use glam::{Vec2, Vec3};
 /// from the second on; likewise a square, by the cosine of the angle of its normal.
 const FADING: [f32; 2] = [0.2, 0.38];
 /// A part fainter than this cannot be picked.
-const TAKEN_FROM: f32 = 0.5;
+const LEAST_PICKABLE: f32 = 0.5;
 
 /// Sizes in CSS pixels, seen from the front.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -111,7 +111,7 @@ impl Gizmo {
             return None;
         }
         let mut nearest: Option<(f32, DragDirection)> = None;
-        for part in self.parts.iter().filter(|part| part.strength >= TAKEN_FROM) {
+        for part in self.parts.iter().filter(|part| part.strength >= LEAST_PICKABLE) {
             if let Some(apart) = part.apart(at, self.sizes.reach)
                 && nearest.is_none_or(|(least, _)| apart < least)
             {
@@ -128,7 +128,7 @@ impl Gizmo {
             [start, tip] => start.lerp(tip, 0.75),
             _ => part.middle(),
         };
-        (part.strength >= TAKEN_FROM).then_some(at)
+        (part.strength >= LEAST_PICKABLE).then_some(at)
     }
 }
 

@@ -15,11 +15,11 @@ const LETTER: f32 = 1.7;
 /// Width of the casing on each side.
 const CASING: f32 = 1.3;
 /// Factor of the width of a highlighted part.
-const LIT: f32 = 1.6;
+const HIGHLIGHT: f32 = 1.6;
 /// Opacity of the inside of a square, plain and highlighted.
 const FILL: [f32; 2] = [0.32, 0.72];
 /// Factor of the opacity of parts that are not dragged.
-const STEPPED_BACK: f32 = 0.22;
+const FADED: f32 = 0.22;
 /// Length and half width of an arrow's head.
 const HEAD: Vec2 = Vec2::new(13.0, 5.0);
 /// Distance from the tip to the centre of the letter.
@@ -42,9 +42,9 @@ pub fn triangles(gizmo: &Gizmo, wanted: &GizmoState, palette: &Palette) -> Vec<C
     let mut drawing = Drawing::default();
     for part in parts {
         let highlighted = wanted.highlighted == Some(part.direction);
-        let back = if wanted.held && !highlighted { STEPPED_BACK } else { 1.0 };
+        let back = if wanted.held && !highlighted { FADED } else { 1.0 };
         drawing.opacity = part.strength * back;
-        let width = if highlighted { LIT } else { 1.0 };
+        let width = if highlighted { HIGHLIGHT } else { 1.0 };
         match part.direction {
             DragDirection::Axis(axis) => {
                 drawing.arrow(part, axis, width, [palette.axis_casing, palette.axes[axis]]);

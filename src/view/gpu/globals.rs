@@ -55,7 +55,7 @@ pub fn numbers(state: &ViewState, veil: Colour, placement: Placement) -> Vec<f32
     let tolerance = state.appearance().tolerance_in_steps();
     numbers.extend([state.checks().per_length, begins, ends, tolerance]);
     let behind = state.background();
-    let above = if state.is_on_plain_ground() { behind } else { palette.backdrop };
+    let above = if state.has_plain_background() { behind } else { palette.backdrop };
     for colour in [above, behind, palette.shadow, palette.back] {
         numbers.extend(colour);
     }

@@ -23,11 +23,11 @@ pub struct Renderer {
     /// The tables of the model.
     tables: GpuTables,
     /// The tables of the flat map.
-    map_store: GpuTables,
+    map_tables: GpuTables,
     backdrop: Backdrop,
     occlusion: Occlusion,
     /// Camera, depths and size for which the occlusion was last computed.
-    occlusion_of: Option<Seen>,
+    occlusion_of: Option<OcclusionInputs>,
     /// The section with which the shadow on the ground was computed.
     shadow_of: Option<Section>,
     faces: Faces,
@@ -43,7 +43,7 @@ pub struct Renderer {
 }
 
 /// The inputs of the occlusion beside the shape: camera, near and far depth, size of the picture.
-type Seen = (Camera, (f32, f32), (u32, u32));
+type OcclusionInputs = (Camera, (f32, f32), (u32, u32));
 
 impl Renderer {
     /// Creates the pipelines.
@@ -68,7 +68,7 @@ impl Renderer {
             circles: of(&instances::OF_CIRCLES),
             spheres: of(&instances::OF_SPHERES),
             gizmo: of(&instances::OF_GIZMO),
-            map_store: tables.beside(gpu, &device.queue),
+            map_tables: tables.beside(gpu, &device.queue),
             tables,
             device,
         }
@@ -109,7 +109,7 @@ impl Renderer {
         state.take_changes();
         if let (Some(map), Some([_, part])) = (&mut map, parts) {
             let (device, queue) = (&self.device.device, &self.device.queue);
-            self.map_store.update(device, queue, map, part);
+            self.map_tables.update(device, queue, map, part);
             if map.changes().mesh || map.changes().marks {
                 self.lines.update_map(device, queue, map);
             }
@@ -133,7 +133,7 @@ impl Renderer {
         if let Some([_, part]) = parts
             && confine(&mut pass, part)
         {
-            pass.set_bind_group(0, self.map_store.group(), &[]);
+            pass.set_bind_group(0, self.map_tables.group(), &[]);
             self.faces.draw(&mut pass);
             self.lines.draw_map(&mut pass, state.display().edges);
         }
@@ -175,12 +175,14 @@ impl Renderer {
         let gizmo = gizmo.map(|own| triangles(&own, state.gizmo_state(), state.palette()));
         self.gizmo.write(device, queue, &gizmo.unwrap_or_default());
         let Camera { section, up, .. } = state.camera();
-        if changes.mesh || changes.positions || section != self.shadow_of {
+        let is_moved = changes.mesh || changes.positions || changes.around;
+        if is_moved || section != self.shadow_of {
             self.shadow_of = section;
             let RenderMesh { positions, triangles, .. } = state.mesh();
+            let floor = state.floor();
             let shadow = match section.map(|section| section.kept(positions, triangles)) {
-                Some((points, left)) => GroundShadow::new(&points, &left, up),
-                None => GroundShadow::new(positions, triangles, up),
+                Some((points, left)) => GroundShadow::new(&points, &left, floor, up),
+                None => GroundShadow::new(positions, triangles, floor, up),
             };
             self.backdrop.update(device, queue, &shadow);
         }

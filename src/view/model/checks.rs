@@ -1,7 +1,8 @@
 //! The checkerboard of a flat map: squares of the plane, mapped to the surface. Where they are
 //! squares on the surface too, the map preserves angles.
 
-use super::lists::{ViewError, check_length};
+use super::error::ViewError;
+use super::lists::check_length;
 use glam::{DVec2, Vec2};
 
 /// A checkerboard on a surface.

@@ -5,13 +5,15 @@
 //! the vertex only bends it slightly across the panel.
 
 pub mod checks;
+pub mod error;
 pub mod lists;
 pub mod projected_faces;
 pub mod projections;
 pub mod triangulate;
 
 pub use checks::Checks;
-pub use lists::{ViewError, check_indices, check_length, rows};
+pub use error::ViewError;
+pub use lists::{check_indices, check_length, rows};
 pub use projected_faces::ProjectedFaces;
 pub use projections::ProjectionMarks;
 

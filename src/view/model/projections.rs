@@ -1,6 +1,7 @@
 //! The projections of constraints: points near vertices, outlines between points, and arrows.
 
-use super::lists::{ViewError, check_indices, check_length};
+use super::error::ViewError;
+use super::lists::{check_indices, check_length};
 use glam::Vec3;
 
 /// Maximum number of points drawn: the table that the shaders read has no room for more.

@@ -1,7 +1,7 @@
 //! A grid on the ground below the mesh. Its lines are at round coordinates of the file, a round
 //! length apart, and so show the size of things.
 
-use crate::view::appearance::round_down;
+use crate::math::round_down;
 use crate::view::camera::UpAxis;
 use glam::{DVec3, Vec3};
 
@@ -9,8 +9,6 @@ use glam::{DVec3, Vec3};
 const LEAST: f64 = 6.0;
 /// Margin of the grid around the mesh, as a fraction of the longer side of the mesh.
 const BEYOND: f64 = 0.22;
-/// Distance of the grid below the mesh, as a fraction of its size; a flat mesh does not touch it.
-const BELOW: f64 = 0.004;
 
 /// The lines of a grid.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,9 +20,9 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// Creates the grid below the box from `low` to `high`, in file coordinates; `centre` is that
-    /// of the view. It has no lines if the box has no size.
-    pub fn new(low: DVec3, high: DVec3, up: UpAxis, centre: DVec3) -> Ground {
+    /// Creates the grid at the height `floor` around the box from `low` to `high`, in file coordinates;
+    /// `centre` is that of the view. It has no lines if the box has no size.
+    pub fn new([low, high]: [DVec3; 2], floor: f64, up: UpAxis, centre: DVec3) -> Ground {
         let [right, away, sky] = up.axes().map(|axis| axis.as_dvec3());
         let size = high - low;
         let longer = size.dot(right.abs()).max(size.dot(away.abs()));
@@ -32,7 +30,6 @@ impl Ground {
         if step == 0.0 {
             return Ground::default();
         }
-        let floor = low.dot(sky) - BELOW * size.length();
         let span = |axis: DVec3| {
             let axis = axis.abs();
             let from = ((low.dot(axis) - BEYOND * longer) / step).floor();
@@ -63,12 +60,12 @@ mod tests {
             high[sky] = 4.0;
             let low = DVec3::splat(0.3);
             let centre = DVec3::new(10.0, 7.0, 3.0);
-            let ground = Ground::new(low, high, up, centre);
+            let ground = Ground::new([low, high], 0.1, up, centre);
             assert_eq!(ground.step, 2.0);
             let ends: Vec<DVec3> =
                 ground.lines.iter().flatten().map(|end| end.as_dvec3() + centre).collect();
             for end in &ends {
-                assert!(end[sky] < 0.3 && end[sky] > 0.0);
+                assert!((end[sky] - 0.1).abs() < 1e-6);
                 for axis in flat {
                     assert!((end[axis] / 2.0 - (end[axis] / 2.0).round()).abs() < 1e-6);
                 }
@@ -84,6 +81,6 @@ mod tests {
     #[test]
     fn one_point_has_no_ground() {
         let point = DVec3::splat(2.0);
-        assert_eq!(Ground::new(point, point, UpAxis::Z, point), Ground::default());
+        assert_eq!(Ground::new([point; 2], 0.0, UpAxis::Z, point), Ground::default());
     }
 }

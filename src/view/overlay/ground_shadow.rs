@@ -37,9 +37,9 @@ pub struct GroundShadow {
 }
 
 impl GroundShadow {
-    /// Computes the shadow of a mesh with `positions` (#V), `triangles` (#T) and the given up axis.
-    /// It has no cells if the mesh has no horizontal extent.
-    pub fn new(positions: &[Vec3], triangles: &[[u32; 3]], up: UpAxis) -> GroundShadow {
+    /// Computes the shadow of a mesh with `positions` (#V), `triangles` (#T) and the given up axis on
+    /// the ground at the height `floor`. It has no cells if the mesh has no horizontal extent.
+    pub fn new(positions: &[Vec3], triangles: &[[u32; 3]], floor: f32, up: UpAxis) -> GroundShadow {
         let corners = || triangles.iter().flatten().map(|&vertex| positions[vertex as usize]);
         let (Some(low), Some(high)) = (corners().reduce(Vec3::min), corners().reduce(Vec3::max))
         else {
@@ -62,7 +62,6 @@ impl GroundShadow {
         let side = (longer + 2.0 * margin) / CELLS;
         let count = ((to + margin - from) / side).ceil() + 1.0;
         let (width, rows) = (count.x as usize, count.y as usize);
-        let floor = low.dot(sky);
         let size = (high - low).length();
 
         let mut layers = [vec![0.0_f32; width * rows], vec![0.0_f32; width * rows]];
@@ -188,7 +187,7 @@ mod tests {
     #[test]
     fn it_is_below_the_mesh_pale_around_it_and_gone_at_the_end_of_the_grid() {
         let (points, triangles) = plate(4.0, 0.02);
-        let shadow = GroundShadow::new(&points, &triangles, UpAxis::Z);
+        let shadow = GroundShadow::new(&points, &triangles, 0.0, UpAxis::Z);
         let middle = Vec3::new(2.0, 2.0, 0.0);
         let dark_at = |place: Vec3| {
             let near = |(at, _): &(Vec3, [f32; 4])| {
@@ -208,7 +207,7 @@ mod tests {
     fn what_is_higher_has_a_paler_shadow() {
         let darkness = [0.02, 0.5, 2.0, 6.0].map(|height| {
             let (points, triangles) = plate(4.0, height);
-            darkest(&GroundShadow::new(&points, &triangles, UpAxis::Z))
+            darkest(&GroundShadow::new(&points, &triangles, 0.0, UpAxis::Z))
         });
         assert!(darkness.windows(2).all(|pair| pair[1] < pair[0]), "{darkness:?}");
         assert!(darkness[3] > 0.02);
@@ -217,7 +216,7 @@ mod tests {
     #[test]
     fn it_does_not_depend_on_how_finely_a_plate_is_divided() {
         let (points, triangles) = plate(4.0, 0.3);
-        let whole = GroundShadow::new(&points, &triangles, UpAxis::Z);
+        let whole = GroundShadow::new(&points, &triangles, 0.0, UpAxis::Z);
         let mut fine = points.clone();
         let mut pieces = vec![[4, 5, 6]];
         for (x, y) in (0..20).flat_map(|x| (0..20).map(move |y| (x, y))) {
@@ -227,7 +226,7 @@ mod tests {
             }
             pieces.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
         }
-        let divided = GroundShadow::new(&fine, &pieces, UpAxis::Z);
+        let divided = GroundShadow::new(&fine, &pieces, 0.0, UpAxis::Z);
         assert_eq!(whole.dark.len(), divided.dark.len());
         for (a, b) in whole.dark.iter().zip(&divided.dark) {
             assert!((a - b).abs() < 0.05, "{a} {b}");
@@ -239,15 +238,15 @@ mod tests {
         let (points, triangles) = plate(4.0, 0.5);
         let turned: Vec<Vec3> = points.iter().map(|p| Vec3::new(p.x, p.z, p.y)).collect();
         let [z, y] = [(&points, UpAxis::Z), (&turned, UpAxis::Y)]
-            .map(|(points, up)| GroundShadow::new(points, &triangles, up));
+            .map(|(points, up)| GroundShadow::new(points, &triangles, 0.0, up));
         assert_eq!(z.dark, y.dark);
         assert!(y.cells().all(|(at, _)| at.y == 0.0));
     }
 
     #[test]
     fn without_faces_or_extent_there_is_none() {
-        assert_eq!(GroundShadow::new(&[], &[], UpAxis::Z), GroundShadow::default());
+        assert_eq!(GroundShadow::new(&[], &[], 0.0, UpAxis::Z), GroundShadow::default());
         let point = [Vec3::ONE; 3];
-        assert_eq!(GroundShadow::new(&point, &[[0, 1, 2]], UpAxis::Z).cells().count(), 0);
+        assert_eq!(GroundShadow::new(&point, &[[0, 1, 2]], 0.0, UpAxis::Z).cells().count(), 0);
     }
 }

@@ -1,6 +1,6 @@
 //! A scale bar of round length: exact in parallel projection, and at the pivot in perspective.
 
-use crate::view::appearance::round_down;
+use crate::math::round_down;
 use crate::view::camera::Camera;
 
 /// A length and its size on the screen.

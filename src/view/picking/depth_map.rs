@@ -1,5 +1,5 @@
-//! A small depth buffer made on the CPU, with the nearest depth and its face per pixel. It decides
-//! visibility for box selections, for which a ray per candidate would be too slow.
+//! A depth buffer made on the CPU, with the nearest depth and its face per pixel. It decides
+//! visibility for box selections and line drawings, for which a ray per point would be too slow.
 
 use crate::view::camera::section::clipped;
 use crate::view::camera::{Camera, Eye};

@@ -102,6 +102,7 @@ impl ViewState {
         self.changes.mesh |= self.content.mesh.set_positions(coordinates)?;
         self.changes.positions = true;
         self.viewpoint.forget_depth();
+        self.keep_ground();
         self.keep_reach();
         Ok(())
     }

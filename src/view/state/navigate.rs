@@ -2,7 +2,7 @@
 //! restored, also in a window of another size.
 
 use super::ViewState;
-use crate::view::camera::{Camera, Flight, UpAxis, frame};
+use crate::view::camera::{Camera, UpAxis, frame};
 use crate::view::model::{ViewError, check_indices};
 use crate::view::picking;
 use glam::{DVec3, Vec2, Vec3};
@@ -18,13 +18,6 @@ impl ViewState {
         let done = to(&mut self.viewpoint.camera);
         self.view_changed();
         done
-    }
-
-    /// Returns the flight from the camera `from` to the current one, and sets the camera to `from`.
-    pub fn flight_from(&mut self, from: Camera) -> Flight {
-        let to = std::mem::replace(&mut self.viewpoint.camera, from);
-        self.view_changed();
-        Flight::new(from, to)
     }
 
     /// Sets the size of the canvas in CSS pixels.

@@ -33,7 +33,7 @@ pub(super) struct Look {
     pub(super) display: Display,
     pub(super) dark: bool,
     /// A grey background for figures, instead of that of the theme.
-    pub(super) ground: Option<f32>,
+    pub(super) background: Option<f32>,
     /// Strength of the ambient occlusion, from 0 to 1.
     pub(super) occlusion: f32,
 }
@@ -45,7 +45,7 @@ impl Default for Look {
             tint: [0.2, 0.7, 0.3],
             display: Display { edges: true, ..Display::default() },
             dark: false,
-            ground: None,
+            background: None,
             occlusion: 0.0,
         }
     }

@@ -99,7 +99,7 @@ impl ViewState {
 
     /// Returns the visible edge nearest to a screen position, within a radius.
     pub fn pick_edge(&mut self, at: Vec2, radius: f32) -> Option<u32> {
-        let seen = Seen::new(self, false);
+        let seen = SeenMesh::new(self, false);
         let is_parallel = seen.camera.projection != CameraProjection::Perspective;
         let mut near: Vec<(f32, f32, u32, f32)> = Vec::new();
         for (&ends, edge) in seen.edges.iter().zip(0..) {
@@ -125,7 +125,7 @@ impl ViewState {
 
     /// Returns the vertices inside, in ascending order.
     pub fn vertices_in(&mut self, outline: &Outline, through: bool) -> Vec<u32> {
-        let seen = Seen::new(self, through);
+        let seen = SeenMesh::new(self, through);
         let count = seen.mesh.positions.len() as u32;
         let inside = |&vertex: &u32| {
             let point = seen.mesh.positions[vertex as usize];
@@ -138,7 +138,7 @@ impl ViewState {
     /// Returns the edges inside, in the order of [`ViewState::set_edges`]. An edge is visible if
     /// its midpoint is.
     pub fn edges_in(&mut self, outline: &Outline, mode: RegionMode) -> Vec<u32> {
-        let seen = Seen::new(self, mode.through);
+        let seen = SeenMesh::new(self, mode.through);
         let inside = |&edge: &u32| {
             let Some([a, b]) = seen.on_screen(seen.edges[edge as usize]) else { return false };
             let within = if mode.touching {
@@ -153,7 +153,7 @@ impl ViewState {
 
     /// Returns the faces inside, in ascending order.
     pub fn faces_in(&mut self, outline: &Outline, mode: RegionMode) -> Vec<u32> {
-        let seen = Seen::new(self, mode.through);
+        let seen = SeenMesh::new(self, mode.through);
         let shown = seen.faces();
         let inside = |&face: &u32| {
             let corners = seen.mesh.faces.row(face as usize);
@@ -181,7 +181,7 @@ impl ViewState {
 }
 
 /// The mesh as the camera sees it, with the depths to test visibility.
-struct Seen<'a> {
+struct SeenMesh<'a> {
     mesh: &'a RenderMesh,
     edges: &'a [[u32; 2]],
     camera: Camera,
@@ -190,8 +190,8 @@ struct Seen<'a> {
     map: Option<&'a DepthMap>,
 }
 
-impl<'a> Seen<'a> {
-    fn new(state: &'a mut ViewState, through: bool) -> Seen<'a> {
+impl<'a> SeenMesh<'a> {
+    fn new(state: &'a mut ViewState, through: bool) -> SeenMesh<'a> {
         if !through {
             state.ensure_depth_map();
         }
@@ -199,7 +199,7 @@ impl<'a> Seen<'a> {
         let camera = state.camera();
         let eye = camera.eye();
         let map = if through { None } else { state.depth_map() };
-        Seen { mesh: &state.content.mesh, edges: &state.content.edges, camera, eye, map }
+        SeenMesh { mesh: &state.content.mesh, edges: &state.content.edges, camera, eye, map }
     }
 
     fn project(&self, point: Vec3) -> (Vec2, f32) {

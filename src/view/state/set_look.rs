@@ -35,15 +35,15 @@ impl ViewState {
 
     /// Returns the background colour.
     pub fn background(&self) -> Colour {
-        match self.look.ground {
+        match self.look.background {
             Some(grey) => [grey, grey, grey, 1.0],
             None => self.palette().background,
         }
     }
 
     /// Returns whether the background is plain grey, as for a picture that is cut out.
-    pub fn is_on_plain_ground(&self) -> bool {
-        self.look.ground.is_some()
+    pub fn has_plain_background(&self) -> bool {
+        self.look.background.is_some()
     }
 
     /// Selects the light or the dark theme.
@@ -53,9 +53,9 @@ impl ViewState {
     }
 
     /// Sets a grey background, from 0 (black) to 1 (white), or the background of the theme.
-    pub fn set_ground(&mut self, grey: Option<f32>) {
-        self.changes.view |= grey != self.look.ground;
-        self.look.ground = grey;
+    pub fn set_background(&mut self, grey: Option<f32>) {
+        self.changes.view |= grey != self.look.background;
+        self.look.background = grey;
     }
 
     /// Returns the strength of the ambient occlusion, from 0 (none) to 1.

@@ -7,6 +7,9 @@ use crate::view::model::{ViewError, check_length, read_points};
 use crate::view::overlay::Ground;
 use glam::{DVec3, Vec3};
 
+/// Distance of the ground below the mesh, as a fraction of its size; a flat mesh does not touch it.
+const BELOW: f32 = 0.008;
+
 impl ViewState {
     /// Sets the positions of the mesh as it was opened: #V by 3 in file coordinates.
     ///
@@ -34,17 +37,41 @@ impl ViewState {
         self.surround();
     }
 
+    /// Returns the height of the ground, relative to the view's centre: slightly below the mesh, now
+    /// and as it was opened, so that neither passes through it.
+    pub fn floor(&self) -> f32 {
+        let [_, _, sky] = self.viewpoint.camera.up.axes();
+        let mesh = &self.content.mesh;
+        let rest = mesh.used_of(&self.around.rest).map(|point| mesh.relative(point));
+        let [low, _] = self.bounds();
+        let lowest = rest.map(|point| point.dot(sky)).fold(low.dot(sky), f32::min);
+        lowest - BELOW * self.size()
+    }
+
+    /// Returns the grid around the mesh as it was opened, if it is shown.
+    fn ground(&self) -> Ground {
+        let mesh = &self.content.mesh;
+        let rest = mesh.used_of(&self.around.rest);
+        let (low, high) = (rest.clone().reduce(DVec3::min), rest.reduce(DVec3::max));
+        let (Some(low), Some(high), true) = (low, high, self.around.ground) else {
+            return Ground::default();
+        };
+        let up = self.viewpoint.camera.up;
+        let [_, _, sky] = up.axes();
+        let floor = f64::from(self.floor()) + mesh.centre.dot(sky.as_dvec3());
+        Ground::new([low, high], floor, up, mesh.centre)
+    }
+
+    /// Lowers or lifts the grid after the mesh has moved.
+    pub(crate) fn keep_ground(&mut self) {
+        if self.around.ground && self.ground() != self.around.grid {
+            self.surround();
+        }
+    }
+
     /// Recomputes the grid, and extends the depth range to include it.
     pub(crate) fn surround(&mut self) {
-        let around = &mut self.around;
-        let rest = self.content.mesh.used_of(&around.rest);
-        let (low, high) = (rest.clone().reduce(DVec3::min), rest.reduce(DVec3::max));
-        around.grid = match (around.ground, low, high) {
-            (true, Some(low), Some(high)) => {
-                Ground::new(low, high, self.viewpoint.camera.up, self.content.mesh.centre)
-            }
-            _ => Ground::default(),
-        };
+        self.around.grid = self.ground();
         self.changes.around = true;
         self.keep_reach();
         self.view_changed();

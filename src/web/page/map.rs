@@ -37,8 +37,8 @@ impl View {
         on_model: bool,
         on_map: bool,
         values: Option<Vec<f32>>,
-        low: f32,
-        high: f32,
+        low: f64,
+        high: f64,
     ) -> Result<(), JsValue> {
         let scale = ColourScale::linear(low, high);
         let looks = self.pictures.set_map_looks(squares, [on_model, on_map], values, scale);

@@ -1,4 +1,4 @@
-//! Display options: projection, flights, occlusion, section, ghost, ground, layer, bands, tape.
+//! Display options: projection, occlusion, section, ghost, ground, layer, bands, tape.
 
 use super::view::View;
 use crate::view::appearance::{Bands, LineKind};
@@ -15,7 +15,7 @@ impl View {
     /// Selects parallel or perspective projection.
     #[wasm_bindgen(js_name = setParallel)]
     pub fn set_parallel(&mut self, parallel: bool) {
-        self.pictures.set_parallel(parallel);
+        self.model().set_parallel(parallel);
     }
 
     /// Returns the visible lines of the model as an SVG file for print.
@@ -58,29 +58,6 @@ impl View {
     #[wasm_bindgen(js_name = setColourMap)]
     pub fn set_colour_map(&mut self, name: &str, middle: Option<f32>) -> Result<(), JsValue> {
         self.model().set_colour_map(name, middle).map_err(thrown)
-    }
-
-    /// Records the current camera as the start of a flight.
-    #[wasm_bindgen(js_name = planFlight)]
-    pub fn plan_flight(&mut self) {
-        self.pictures.plan_flight();
-    }
-
-    /// Records the current camera as the end of the flight, and returns the camera to the start.
-    #[wasm_bindgen(js_name = takeOff)]
-    pub fn take_off(&mut self) {
-        self.pictures.take_off();
-    }
-
-    /// Ends a flight at its destination.
-    pub fn arrive(&mut self) {
-        self.pictures.arrive();
-    }
-
-    /// Moves the camera to a fraction `part` of the flight, from 0 to 1. Returns whether the flight
-    /// continues: it ends on arrival, or when the camera is moved by other means.
-    pub fn fly(&mut self, part: f32) -> bool {
-        self.pictures.fly(part)
     }
 
     /// Sets the positions of the mesh as it was opened, #V by 3, for ghost, ground and tape.

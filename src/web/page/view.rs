@@ -3,7 +3,7 @@
 //! Screen positions are CSS pixels from the upper left corner of the canvas. Coordinates are those
 //! of the file. Exceptions are an `Error` whose message is one complete line.
 
-use crate::view::appearance::{ColourMap, ColourScale, RowColours};
+use crate::view::appearance::{ColourMap, ColourScale, RowColours, ValueAxis};
 use crate::view::gpu::{Device, DeviceError, Loss, Placement, Renderer};
 use crate::view::model::ProjectionMarks;
 use crate::view::pictures::Pictures;
@@ -171,13 +171,13 @@ impl View {
     pub fn set_face_values(
         &mut self,
         values: Option<Vec<f32>>,
-        low: f32,
-        high: f32,
+        low: f64,
+        high: f64,
         tolerance: Option<f32>,
         logarithmic: Option<bool>,
     ) -> Result<(), JsValue> {
-        let logarithmic = logarithmic.unwrap_or_default();
-        let scale = ColourScale { low, high, tolerance, logarithmic };
+        let axis = ValueAxis::new(low, high, logarithmic.unwrap_or_default());
+        let scale = ColourScale { axis, tolerance };
         self.model().set_face_values(values, scale).map_err(thrown)
     }
 
@@ -194,9 +194,9 @@ impl View {
     }
 
     /// Sets a grey background, from 0 (black) to 1 (white), or the background of the theme.
-    #[wasm_bindgen(js_name = setGround)]
-    pub fn set_ground(&mut self, grey: Option<f32>) {
-        self.model().set_ground(grey);
+    #[wasm_bindgen(js_name = setBackground)]
+    pub fn set_background(&mut self, grey: Option<f32>) {
+        self.model().set_background(grey);
     }
 
     /// Switches edges, vertex dots, fitted shapes, projected outlines, and arrows on or off.

@@ -33,7 +33,7 @@ export async function turntableVideo(
     recorder.onerror = () => failed(new Error('The browser could not record the video.'));
   });
   const camera = viewport.with((view) => {
-    view.arrive();
+    viewport.arrive();
     return view.camera();
   });
   recorder.start();

@@ -85,7 +85,7 @@ function KeptViews() {
 
   function keepView() {
     const camera = viewport.with((view) => {
-      view.arrive();
+      viewport.arrive();
       return [...view.camera()];
     });
     if (!camera) return;

@@ -130,8 +130,7 @@ fn transfer(scene: &mut Scene) -> Mesh {
 }
 
 fn spline(scene: &mut Scene) -> Mesh {
-    let court = Court::default();
-    let rim = || Selector::Vertices(court.ring(0).collect());
+    let rim = || Selector::Vertices(Court::ring(0).collect());
     let glides = Kind::new("on-curve", serde_json::json!({ "closed": "yes", "between": "spline" }));
     let glides = glides.expect("the kind is in the list of kinds");
     scene.constraints = vec![
@@ -139,12 +138,12 @@ fn spline(scene: &mut Scene) -> Mesh {
         // Weighted higher, so that the rim stays on the curve.
         ConstraintSpec { kind: glides, ..constraint("on-curve", rim(), 5.0) },
     ];
-    scene.handles = vec![fixed(court.ring(court.rows).collect())];
+    scene.handles = vec![fixed(Court::ring(Court::ROWS).collect())];
     scene.weights = Weights { shape: 100.0, close: 0.0, smooth: 0.1 };
     scene.closeness.to = ClosenessTo::None;
     scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
     scene.solver.iterations = 500;
-    court.mesh()
+    Court::mesh()
 }
 
 fn strips(scene: &mut Scene) -> Mesh {

@@ -25,8 +25,7 @@ pub(super) const WEB: Example = Example {
 };
 
 fn lantern(scene: &mut Scene) -> Mesh {
-    let lantern = Lantern::default();
-    let mesh = lantern.mesh();
+    let mesh = Lantern::mesh();
     // With circles alone the few panels near a handle would absorb all of its displacement. Similar
     // rings at a small weight spread it.
     let rings = Selector::Each { element: Element::Ring, within: None, radius: 2 };
@@ -35,8 +34,8 @@ fn lantern(scene: &mut Scene) -> Mesh {
     scene.closeness.to = ClosenessTo::None;
     // The ground is fixed; the rim is lifted, widened, tilted and moved aside.
     scene.handles = vec![
-        fixed(lantern.ring(0).collect()),
-        moved(&mesh, lantern.ring(lantern.rows).collect(), |[x, y, z]| {
+        fixed(Lantern::ring(0).collect()),
+        moved(&mesh, Lantern::ring(Lantern::ROWS).collect(), |[x, y, z]| {
             [1.25 * x + 1.5, 1.25 * y, z + 0.25 * x + 3.0]
         }),
     ];

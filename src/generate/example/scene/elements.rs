@@ -4,7 +4,7 @@
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::{Element, Selector};
 use crate::generate::example::Example;
-use crate::generate::model::{Blocks, Creature, Noise, Patch, soften};
+use crate::generate::model::{Blocks, Noise, Patch, creature, soften};
 use crate::math::{cosine, sine};
 use crate::mesh::{Group, GroupKeyword, Mesh, Point};
 use crate::scene::{ClosenessTo, ConstraintSpec, Scene};
@@ -213,5 +213,5 @@ fn rings(scene: &mut Scene, radius: u32) -> Mesh {
     scene.solver.iterations = 500;
     scene.constraints = vec![constraint("rigid", rings, 1.0)];
     scene.closeness.to = ClosenessTo::None;
-    Creature::default().mesh()
+    creature()
 }

@@ -3,7 +3,7 @@
 use super::parts::{constraint, each};
 use crate::constraint::Element;
 use crate::generate::example::Example;
-use crate::generate::model::{FreeForm, Vault};
+use crate::generate::model::{FreeForm, vault};
 use crate::mesh::Mesh;
 use crate::quads::{MapOptions, PanelSize, remesh};
 use crate::scene::{ConstraintSpec, Require, Scene};
@@ -17,7 +17,7 @@ pub(super) const VAULT: Example = Example {
     statement: "The 480 panels, up to 13 mm from circular, become exactly circular; their corners stay within 16 cm of the triangles.",
     make: |scene| {
         static PANELS: OnceLock<Mesh> = OnceLock::new();
-        laid_out(scene, Vault::default().mesh(), 500, "circle", &PANELS)
+        laid_out(scene, vault(), 500, "circle", &PANELS)
     },
 };
 

@@ -33,7 +33,7 @@ pub(super) const MIXED: Example = Example {
 
 fn quads(scene: &mut Scene, kind: &str) -> Mesh {
     shaped(scene, kind);
-    Hall::default().mesh()
+    Hall::mesh()
 }
 
 fn mixed(scene: &mut Scene) -> Mesh {
