@@ -144,7 +144,7 @@ fn settings_act_on_the_solver_and_are_undone() {
 #[test]
 fn the_boundary_stays_on_its_curve_when_it_is_told_to() {
     let mut session = session();
-    for (id, value) in [("corners", json!(60)), ("boundary", json!("exactly"))] {
+    for (id, value) in [("corners", json!(60)), ("boundary", json!("exact"))] {
         session.edit(Edit::Set { id: id.to_owned(), value }).expect("it is declared");
     }
     run(&mut session);

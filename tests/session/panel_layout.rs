@@ -6,7 +6,7 @@ use serde_json::json;
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Surface};
 use shape_up::quads::{Boundary, RemeshStage};
-use shape_up::scene::{MeshSource, Scene, Target};
+use shape_up::scene::{BoundaryCloseness, MeshSource, Scene, Target};
 use shape_up::session::{Edit, Flaw, LayoutSettings, Level, PanelLayout, PanelStart, Session};
 
 const USUAL: LayoutSettings =
@@ -133,7 +133,7 @@ fn circular_panels_after_them_stay_near_the_surface_before_them() {
     // Circular panels an edge away from the surface are circular, but not the roof that was asked for.
     let mut scene = Scene::from_json(&session.scene_with_mesh()).expect("a scene");
     // Its corners would be held at the original.
-    scene.closeness.boundary = None;
+    scene.closeness.boundary = BoundaryCloseness::default();
     let pose = scene.current.as_mut().expect("it is solved");
     pose.iter_mut().for_each(|point| point[2] += layout.size);
     let MeshSource::Inline(mesh) = scene.mesh.clone() else { panic!("the mesh is in the scene") };

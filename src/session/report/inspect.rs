@@ -105,15 +105,19 @@ impl Session {
             act_on(self.topology().edges().as_flattened());
         }
         let closeness = &document.closeness;
-        let exact = closeness.boundary.is_some_and(|it| it.require == BoundaryRequire::Exact);
-        if weights.close > 0.0 || exact {
+        let on_curve = match closeness.boundary.require {
+            BoundaryRequire::Off => false,
+            BoundaryRequire::Soft => weights.close > 0.0,
+            BoundaryRequire::Exact => true,
+        };
+        if weights.close > 0.0 || on_curve {
             let factors = self.closeness_factors();
             let mut hold = |vertex: u32| {
                 acted_on[vertex as usize] |= factors[vertex as usize] > 0.0;
             };
             if closeness.to != ClosenessTo::None && weights.close > 0.0 {
                 (0..count as u32).for_each(&mut hold);
-            } else if closeness.boundary.is_some() {
+            } else if on_curve {
                 let loops = self.topology().boundary_loops();
                 loops.indices().iter().copied().for_each(&mut hold);
             }
