@@ -76,7 +76,7 @@ pub use composition::Session;
 pub use dragging::DragPhase;
 pub use edit::{
     ConstraintOffer, ConstraintOffers, ConstraintTarget, Edit, NewConstraint, OfferedKind,
-    OfferedOperation, OfferedPlace, OfferedStart, PanelStart, Preview, Refinement, Remeshing,
+    OfferedOperation, OfferedPlace, OfferedStart, PanelStart, Refinement, Remeshing,
     RemeshingPreview, SETTINGS, Setting, SomeWeights, settings_of,
 };
 pub use error::Error;
