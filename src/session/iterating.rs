@@ -83,6 +83,10 @@ impl Session {
             self.progress.begin_half();
             return Ok(HalfStep::Local { fitted: fitted(self.scene.rows()) });
         }
+        if self.is_met() {
+            self.progress.leave_half();
+            return Ok(HalfStep::Satisfied);
+        }
         let Step { converged, .. } = self.single_step()?;
         Ok(HalfStep::Global { converged, accelerated: self.scene.solver().accelerated() })
     }

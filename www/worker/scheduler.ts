@@ -147,8 +147,8 @@ export class Scheduler {
   halfStep(): Half {
     const wasDragging = this.#endDrag();
     const done = this.#solver.halfStep();
-    if (done.half === 'global') {
-      this.#isSettled = done.converged;
+    if (done.half !== 'local') {
+      this.#isSettled = done.half === 'satisfied' || done.converged;
       this.#activityDue = true;
       this.changed();
     } else if (wasDragging) {
