@@ -242,6 +242,12 @@ fn vertices_that_nothing_acts_on_are_found() {
     assert_eq!(find(&mut session), 32);
     session.edit(Edit::AddHandles { vertices: vec![35], fixed: true }).expect("it is there");
     assert_eq!(find(&mut session), 31);
+    // What is required is met without a weight too: its vertices were said to stand still.
+    for (change, free) in [(r#""weight": 0"#, 35), (r#""require": "exact""#, 31)] {
+        let edit = format!(r#"{{ "setConstraint": {{ "index": 0, {change} }} }}"#);
+        session.edit(Edit::from_json(&edit).expect("it is an edit")).expect("it can be met");
+        assert_eq!(find(&mut session), free, "{change}");
+    }
     // An opened mesh has none.
     session.edit(Edit::Preset { id: "opened".to_owned() }).expect("it is declared");
     assert_eq!((find(&mut session), session.free().len()), (0, 0));

@@ -4,6 +4,7 @@
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Kind, Selector};
 use crate::scene::{BoundaryRequire, ClosenessTo, Scene};
+use crate::session::state::acts;
 use crate::session::{ResolvedRow, Session};
 
 /// Returns the id of the measure that row `index` makes zero on single faces, which is that of its
@@ -96,9 +97,10 @@ impl Session {
             vertices.iter().for_each(|&vertex| acted_on[vertex as usize] = true);
         };
         let weights = document.weights;
-        let acting = |row: &&ResolvedRow| row.enabled && row.constraints.weight > 0.0;
-        for row in self.rows().iter().filter(acting).filter(|_| weights.shape > 0.0) {
-            act_on(row.constraints.members.indices());
+        for (spec, row) in document.constraints.iter().zip(self.rows()) {
+            if acts(spec, document) {
+                act_on(row.constraints.members.indices());
+            }
         }
         self.scene.handles().iter().for_each(|handle| act_on(&[handle.vertex]));
         if weights.smooth > 0.0 {
