@@ -129,9 +129,8 @@ fn a_model_of_flat_panels_fits_on_two_sheets_at_the_right_scale() {
     session.solve(false).expect("positions stay finite");
     build(&mut session);
     assert_eq!(met(&mut session), [true, false]);
-    let mut settings = session.document().build.clone().expect("the lesson has settings");
-    settings.scale = 100.0;
-    session.edit(Edit::SetBuild { build: settings }).expect("settings are not locked");
+    let edit = Edit::from_json(r#"{ "setBuild": { "values": { "scale": 100 } } }"#);
+    session.edit(edit.expect("an edit")).expect("settings are not locked");
     build(&mut session);
     assert_eq!(met(&mut session), [true, true]);
 }

@@ -243,12 +243,9 @@ pub(crate) fn apply(
             draft.put(Part::Tolerance(tolerance));
             "Change tolerance".to_owned()
         }
-        Edit::SetBuild { build } => {
-            build.check().map_err(|(key, message)| {
-                let path = format!("build.{key}");
-                SceneError { path, message }
-            })?;
-            draft.put(Part::Build(Some(build)));
+        Edit::SetBuild { values } => {
+            let own = draft.document().build.clone().unwrap_or_default();
+            draft.put(Part::Build(Some(Box::new(own.with_all(values)?))));
             "Change build settings".to_owned()
         }
         Edit::SetSteps { steps } => set_steps(steps, draft)?,

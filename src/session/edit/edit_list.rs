@@ -4,9 +4,8 @@ use super::constraint_target::ConstraintTarget;
 use super::remeshing::Remeshing;
 use crate::constraint::Set;
 use crate::json::indices::{self, Indices};
-use crate::json::{JsonError, from_text, object, objects};
+use crate::json::{JsonError, from_text, objects};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
-use crate::scene::BuildSettings;
 use crate::scene::{ConstraintSpec, Lesson, SceneError, Slide, Up, Weights, kind_of};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -161,9 +160,9 @@ pub enum Edit {
     },
     /// Sets how parts are built from the shape.
     SetBuild {
-        /// All settings; omitted ones get their defaults.
-        #[serde(deserialize_with = "object")]
-        build: Box<BuildSettings>,
+        /// Values by the paths of settings: see [`crate::scene::BuildSettings::with_all`]. The others stay.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, unknown>"))]
+        values: Map<String, Value>,
     },
     /// Replaces the steps of the presentation.
     SetSteps {
