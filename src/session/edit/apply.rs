@@ -153,6 +153,10 @@ pub(crate) fn apply(
             draft.set(|document| {
                 document.closeness.to = ClosenessTo::Target;
                 document.closeness.target = Some(Target::Mesh(read.mesh.into()));
+                // Without a weight nothing would be drawn to it.
+                if document.weights.close == 0.0 {
+                    document.weights.close = 1.0;
+                }
                 Ok(())
             })?;
             format!("Fit to {name}")

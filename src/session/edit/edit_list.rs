@@ -102,7 +102,8 @@ pub enum Edit {
     /// Goes back to where iterating began, if the shape has collapsed since, and holds all vertices
     /// closer to their rest positions.
     HoldCloser,
-    /// Keeps vertices close to the surface of a mesh file instead of the original.
+    /// Keeps vertices close to the surface of a mesh file instead of the original, with a weight of 1 if
+    /// closeness has none.
     FitTo {
         /// The name of the file.
         name: String,
