@@ -31,7 +31,7 @@ pub fn length(value: f64, units: &str) -> String {
 pub fn length_like(value: f64, units: &str, like: f64) -> String {
     let (unit, factor) = unit_of(like, units);
     match (unit, in_mm(value, units)) {
-        ("m" | "mm", Some(size)) if size < LEAST_MM => format!("0 {unit}"),
+        (_, Some(size)) if size < LEAST_MM => format!("0 {unit}"),
         ("m" | "mm", Some(size)) if size < 1.0 => signed(value, &decimal(size, 3)) + " mm",
         _ => with_unit(&number(value * factor), unit),
     }
