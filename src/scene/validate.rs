@@ -129,9 +129,10 @@ impl Scene {
     fn check_target(&self) -> Result<(), SceneError> {
         let at_mesh = |message: String| error("closeness.to.mesh", message);
         match (self.closeness.to, &self.closeness.target) {
-            (ClosenessTo::Target, None) => {
-                error("closeness.to", "there is no target surface, expected { \"mesh\": ... }")
-            }
+            (ClosenessTo::Target, None) => error(
+                "closeness.to",
+                "there is no other surface yet: first read one (Fit to another surface)",
+            ),
             (ClosenessTo::Target, Some(Target::File(path))) => at_mesh(format!(
                 "the mesh file {path} was not read, expected the mesh itself in the scene"
             )),

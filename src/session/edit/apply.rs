@@ -186,7 +186,7 @@ pub(crate) fn apply(
                 draft.put_positions(Rc::clone(start.positions()));
                 state.iteration = start.iteration();
             }
-            "Increase closeness".to_owned()
+            "Hold near original positions".to_owned()
         }
         Edit::WeighHandles { vertices, weight } => {
             if !(weight.is_finite() && weight > 0.0) {

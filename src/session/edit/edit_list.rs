@@ -159,7 +159,7 @@ pub enum Edit {
         /// In the unit of the mesh, above zero; null for that of the constraints or the mesh.
         tolerance: Option<f64>,
     },
-    /// Sets how parts are built from the shape.
+    /// Changes how parts are built from the shape.
     SetBuild {
         /// Values by the paths of settings: see [`crate::scene::BuildSettings::with_all`]. The others stay.
         #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, unknown>"))]

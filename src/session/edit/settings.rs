@@ -145,7 +145,7 @@ pub(crate) fn is_of_solver(id: &str) -> bool {
 pub fn settings_of(scene: &Scene) -> Map<String, Value> {
     let boundary = scene.closeness.boundary;
     let solver = scene.solver;
-    let values = [
+    [
         ("closeness", json!(scene.closeness.to.word())),
         ("boundary", json!(boundary.require.word())),
         ("boundary-weight", json!(boundary.weight)),
@@ -158,11 +158,10 @@ pub fn settings_of(scene: &Scene) -> Map<String, Value> {
         ("mean-centring", json!(solver.mean_centring.word())),
         ("monotone", json!(solver.monotone.word())),
         ("shortest-edge", solver.shortest_edge.map_or(json!("off"), |ratio| json!(ratio))),
-    ];
-    let mut settings = Map::new();
-    // `collect` would pull in a sort.
-    settings.extend(values.map(|(id, value)| (id.to_owned(), value)));
-    settings
+    ]
+    .map(|(id, value)| (id.to_owned(), value))
+    .into_iter()
+    .collect()
 }
 
 /// Changes a setting of `scene`, and returns its label.
@@ -175,11 +174,12 @@ pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
         .iter()
         .find(|setting| setting.param.id == id)
         .ok_or_else(|| error(format!("there is no setting `{id}`")))?;
-    let [least, greatest] = setting.param.range;
+    let param = setting.param;
     let number = || {
-        value.as_f64().filter(|number| (least..=greatest).contains(number)).ok_or_else(|| {
-            error(format!("found {value}, expected a number from {least} to {greatest}"))
-        })
+        value
+            .as_f64()
+            .filter(|&number| param.allows(number))
+            .ok_or_else(|| error(format!("found {value}, expected {}", param.range_in_words())))
     };
     match id {
         "closeness" => scene.closeness.to = choice(id, value)?,

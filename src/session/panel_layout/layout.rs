@@ -126,8 +126,12 @@ impl Layout {
     /// What this choice at the boundary comes to: "483 panels, will move about 20 mm".
     pub(super) fn forecast(&self, units: &str) -> BoundaryForecast {
         let count = words::count(self.count(), "panel", "panels");
-        let far = words::rough_length(self.move_length(), units);
-        let words = format!("{count}, will move about {far}");
+        let mut kinds = self.forecast.iter().flat_map(|forecast| &forecast.kinds);
+        let moves = match kinds.any(|kind| kind.how_far != HowFar::Nothing) {
+            true => format!("move about {}", words::rough_length(self.move_length(), units)),
+            false => "not move".to_owned(),
+        };
+        let words = format!("{count}, will {moves}");
         BoundaryForecast { boundary: self.boundary, words }
     }
 
