@@ -51,7 +51,7 @@ impl Session {
         let ended = self.scene.solver().converged() || collapsed || (meets && self.is_run_long());
         // A soft solution that collapses is no reason not to look for a shape that does not.
         if meets && ended && self.is_running() && self.begin_meeting()? {
-            self.guard.forgive();
+            self.guard.clear_collapse();
             return Ok(Step { converged: false, ended: false });
         }
         Ok(Step { converged: self.converged(), ended })

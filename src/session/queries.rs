@@ -122,8 +122,9 @@ impl Session {
         is_quick.then(|| Forecast::of(self.mesh(), self.topology())).flatten()
     }
 
-    /// Returns the largest value of the scene's measure, up to `seconds` old; rounding errors are 0,
-    /// and so is the value without a measure.
+    /// Returns the largest distance by the scene's measure, of a face or, if that is the distance to the
+    /// constraints, of any vertex. It is up to `seconds` old; rounding errors are 0, and so is the
+    /// distance without a measure.
     pub fn worst_by_scene_measure(&self, seconds: f64) -> f64 {
         let measures = || self.recent_measures(seconds);
         let worst = match self.scene_measure() {

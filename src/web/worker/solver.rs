@@ -38,7 +38,8 @@ impl Solver {
         Ok(step.ended)
     }
 
-    /// Does one iteration as a run, without meeting hard constraints; returns whether it converged.
+    /// Does one iteration as a run, without meeting hard constraints; returns whether there is
+    /// no reason to continue: it converged, or the shape collapsed.
     #[wasm_bindgen(js_name = singleStep)]
     pub fn single_step(&mut self) -> Result<bool, JsValue> {
         Ok(self.open_mut()?.single_step().map_err(thrown)?.ended)
