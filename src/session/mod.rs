@@ -83,8 +83,7 @@ pub use error::Error;
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use panel_layout::{
-    BoundaryForecast, LayoutNote, LayoutSettings, LayoutWords, MarkedPlace, PanelLayout,
-    PanelLayouts,
+    BoundaryForecast, LayoutNote, LayoutSettings, MarkedPlace, PanelLayout, PanelLayouts,
 };
 pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,

@@ -30,12 +30,6 @@ impl Session {
         constraint_offers(vertices, faces, &self.document().sets, &self.rest)
     }
 
-    /// Returns the residual of each face, `#F`, in the unit of the mesh: the largest distance of a
-    /// corner to its projection in any enabled constraint.
-    pub fn residuals(&mut self) -> Vec<f64> {
-        self.face_values("residual").unwrap_or_default()
-    }
-
     /// Returns the largest distance of a vertex to its projection over all enabled rows, as found
     /// by the last local step, in the unit of the mesh.
     pub fn worst_distance(&self) -> f64 {

@@ -5,7 +5,7 @@ use crate::support::grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::constraint::Form;
-use shape_up::mesh::{KEPT_TURN, Mesh, Point, Scheme};
+use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
 use shape_up::scene::{Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
 use shape_up::session::{Edit, SETTINGS, Session};
 use shape_up::solve::Require;
