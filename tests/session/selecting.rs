@@ -270,14 +270,16 @@ fn elements_are_found_by_their_numbers_and_their_errors() {
     assert!(find("error", Mode::Faces, json!({ "tolerance": 1.0 })).is_empty());
     let circular = json!({ "measure": "circularity", "tolerance": 0.05 });
     assert_eq!(find("error", Mode::Faces, circular), [0]);
-    let bad = ask(
-        &mut session,
-        "error",
-        Mode::Faces,
-        &Selection::default(),
-        json!({ "measure": "beauty" }),
-    );
-    assert!(bad.expect_err("it is no measure").contains("beauty"));
+    let none = Selection::default();
+    for (params, words) in [
+        (json!({ "measure": "beauty" }), "beauty"),
+        // It said "from 0 to inf".
+        (json!({ "tolerance": -1 }), "expected a number from 0"),
+    ] {
+        let refused = ask(&mut session, "error", Mode::Faces, &none, params);
+        let message = refused.expect_err("it does not fit");
+        assert!(message.contains(words) && !message.contains("inf"), "{message}");
+    }
 }
 
 #[test]

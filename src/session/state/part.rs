@@ -138,7 +138,7 @@ impl Settings {
         if chosen.holds_boundary {
             self.boundary.require = BoundaryRequire::Off;
         } else if chosen.hardens_boundary {
-            self.boundary.require = BoundaryRequire::Soft;
+            self.boundary.require = self.boundary.require.min(BoundaryRequire::Soft);
         }
         self
     }
