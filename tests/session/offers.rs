@@ -162,19 +162,20 @@ fn kinds_that_fit_nowhere_are_named_with_what_they_are_for() {
 fn an_offer_is_said_in_words() {
     let mut mesh = bumpy(4);
     mesh.faces.push(&[0, 1, 6]);
-    let found = offers(&session(mesh), &[0, 1, 2]);
-    let words = |kind: &str, id: &str| {
+    let words = |found: &ConstraintOffers, kind: &str, id: &str| {
         let of_kind = found.kinds.iter().find(|one| one.kind == kind).expect("it is offered");
         let offer = of_kind.offers.iter().find(|offer| offer.place == id).expect("it fits");
         offer.words.clone()
     };
-    assert_eq!(words("line", "selection"), "1 constraint of 3 vertices.");
-    assert_eq!(words("plane", "each-face"), "17 constraints of 3.9 vertices on average.");
+    let found = offers(&session(mesh), &[0, 1, 2]);
+    let even = offers(&session(bumpy(4)), &[]);
+    assert_eq!(words(&found, "line", "selection"), "1 constraint of 3 vertices.");
+    assert_eq!(words(&found, "plane", "each-face"), "17 constraints of 3.9 vertices on average.");
     let skipped = "16 constraints of 4 vertices. 1 skipped: their number of vertices does not fit.";
-    assert_eq!(words("square", "each-face"), skipped);
+    assert_eq!(words(&found, "square", "each-face"), skipped);
     // Kinds on edges counted the two ends of each: "16 constraints of 8 vertices".
-    assert_eq!(words("equal-length", "each-face"), "17 constraints of 3.9 edges on average.");
-    assert_eq!(words("equal-length", "each-boundary"), "1 constraint of 16 edges.");
+    assert_eq!(words(&even, "equal-length", "each-face"), "16 constraints of 4 edges.");
+    assert_eq!(words(&even, "equal-length", "each-boundary"), "1 constraint of 16 edges.");
 }
 
 #[test]

@@ -3,8 +3,7 @@
 use super::solver::Solver;
 use crate::constraint::describe;
 use crate::scene::{
-    ClosenessTo, Hold, Lesson, Lock, NamedEnum, PRESETS, Preset, PresetOffer, Slide, SmoothnessOf,
-    Up,
+    ClosenessTo, Hold, Lesson, Lock, PRESETS, Preset, PresetOffer, Slide, SmoothnessOf, Up,
 };
 use crate::session::{EasedPanels, GoalWords, Session, goals_in_words, settings_of};
 use crate::solve::Require;
