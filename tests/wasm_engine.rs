@@ -359,7 +359,7 @@ fn a_model_is_flattened_and_exported_with_its_map() {
     assert_eq!(number(&fewer, "flipped"), 0.0);
     let histogram = get(&map, "histogram").unchecked_into::<Uint32Array>().to_vec();
     assert_eq!(histogram.iter().sum::<u32>(), 2);
-    assert!(number(&map, "seconds") >= number(&map, "secondsOf.factor"));
+    assert!(number(&map, "seconds") > 0.0);
 
     let obj = solver.obj_with_uv(&uv).expect("there is a place for each vertex");
     assert_eq!(obj.lines().filter(|line| line.starts_with("vt ")).count(), 6);

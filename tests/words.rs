@@ -23,7 +23,6 @@ fn numbers_lengths_and_counts_are_worded_as_in_the_table_of_cases() {
             "brief" => words::brief(number),
             "length" => words::length_like(number, text(1), other(2)),
             "limit" => words::limit(number, text(1)),
-            "roughLength" => words::rough_length(number, text(1)),
             "displacement" => {
                 let by = [0, 1, 2].map(|axis| given[0][axis].as_f64().unwrap());
                 words::displacement(by, text(1), other(2))
@@ -160,6 +159,7 @@ fn what_moved_by_rounding_errors_did_not_move() {
 #[test]
 fn angles_have_as_many_digits_as_they_are_read_with() {
     assert_eq!([3.64, 49.2, 9.96, 0.0].map(words::rough_degrees), ["3.6°", "49°", "10°", "0.0°"]);
+    assert_eq!(words::rough_length(0.0142, "m"), "14 mm");
     assert_eq!([3.64, 49.2, 1e-9].map(words::degrees), ["3.64°", "49.2°", "0°"]);
 }
 

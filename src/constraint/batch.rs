@@ -161,7 +161,7 @@ impl<P: Projection> Operator for P {
             5 if const { matches!(P::INFO.arity, Arity::Exactly(5)) } => closed_form_of_few::<P, 5>,
             4 if const { P::INFO.panels.is_some() } => closed_form_of_few::<P, 4>,
             _ if const { matches!(P::INFO.arity, Arity::AtLeast(_)) } => closed_form_of_many::<P>,
-            n => unreachable!("{} takes {}, not {n}", P::INFO.id, P::INFO.arity),
+            n => unreachable!("{} takes {}, not {n}", P::INFO.id, P::INFO.arity_in_words()),
         };
         project_with(
             |rest, v, projected| closed_form(self, rest, v, projected),

@@ -60,12 +60,21 @@ impl Info {
         default_for: &[],
     };
 
+    /// What the points of a constraint are counted as, in singular and plural, and how many of them one
+    /// of these is: an edge is two, its ends.
+    pub(crate) fn counted_as(&self) -> ([&'static str; 2], usize) {
+        match self.centring {
+            Centring::ByEdge => (["edge", "edges"], 2),
+            Centring::Together | Centring::Placed => (["vertex", "vertices"], 1),
+        }
+    }
+
     /// The number of vertices or edges, in words.
     pub fn arity_in_words(&self) -> String {
-        match (self.centring, self.arity) {
-            (Centring::ByEdge, Arity::AtLeast(ends)) => format!("{} or more edges", ends / 2),
-            (Centring::ByEdge, Arity::Exactly(ends)) => format!("exactly {} edges", ends / 2),
-            (_, arity) => arity.to_string(),
+        let ([_, many], each) = self.counted_as();
+        match self.arity {
+            Arity::AtLeast(least) => format!("{} or more {many}", least / each),
+            Arity::Exactly(exactly) => format!("exactly {} {many}", exactly / each),
         }
     }
 }
@@ -87,15 +96,6 @@ impl Arity {
         match self {
             Arity::AtLeast(least) => n >= least,
             Arity::Exactly(exactly) => n == exactly,
-        }
-    }
-}
-
-impl std::fmt::Display for Arity {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Arity::AtLeast(least) => write!(f, "{least} or more vertices"),
-            Arity::Exactly(exactly) => write!(f, "exactly {exactly} vertices"),
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::SceneError;
 use crate::constraint::{Selector, Sets, resolve};
 use crate::mesh::{Mesh, Topology};
-use crate::solve::{BoundaryCloseness, ClosenessTo};
+use crate::solve::{BoundaryCloseness, BoundaryRequire, ClosenessTo};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
@@ -17,8 +17,8 @@ pub struct Closeness {
     pub target: Option<Target>,
     /// Factors `k_v` other than 1; if several entries select a vertex, the last applies.
     pub weights: Vec<ClosenessWeight>,
-    /// If given, boundary vertices are kept close to the boundary curves, whatever `to` is.
-    pub boundary: Option<BoundaryCloseness>,
+    /// Whether boundary vertices are kept close to the boundary curves, whatever `to` is.
+    pub boundary: BoundaryCloseness,
 }
 
 /// A surface other than the mesh of the scene, in the same coordinates.
@@ -71,7 +71,7 @@ impl Closeness {
         if matches!(self.to, ClosenessTo::Rest | ClosenessTo::Surface) {
             self.to = ClosenessTo::Target;
             self.target = Some(Target::Mesh(Rc::clone(original)));
-            self.boundary.get_or_insert_default();
+            self.boundary.require = self.boundary.require.max(BoundaryRequire::Soft);
         }
     }
 

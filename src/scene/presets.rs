@@ -26,7 +26,7 @@ pub struct Preset {
     needs: Needs,
     weights: Weights,
     to: ClosenessTo,
-    boundary: Option<BoundaryCloseness>,
+    boundary: BoundaryRequire,
     smoothness: Smoothness,
 }
 
@@ -57,8 +57,6 @@ pub struct PresetOffer {
 const OF_DISPLACEMENT: Smoothness =
     Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
 const OF_SURFACE: Smoothness = Smoothness { of: SmoothnessOf::Surface, weighting: Weighting::Auto };
-const ON_ITS_CURVE: Option<BoundaryCloseness> =
-    Some(BoundaryCloseness { corners: 45.0, require: BoundaryRequire::Exact, weight: 1.0 });
 
 /// All presets; the first is the one for opened mesh files.
 pub const PRESETS: &[Preset] = &[
@@ -69,7 +67,7 @@ pub const PRESETS: &[Preset] = &[
         needs: Needs::Nothing,
         weights: Weights { shape: 1000.0, close: 1.0, smooth: 1.0 },
         to: ClosenessTo::Rest,
-        boundary: None,
+        boundary: BoundaryRequire::Off,
         smoothness: OF_DISPLACEMENT,
     },
     Preset {
@@ -79,7 +77,7 @@ pub const PRESETS: &[Preset] = &[
         needs: Needs::Boundary,
         weights: Weights { shape: 5.0, close: 10.0, smooth: 2.0 },
         to: ClosenessTo::Surface,
-        boundary: ON_ITS_CURVE,
+        boundary: BoundaryRequire::Exact,
         smoothness: OF_SURFACE,
     },
     Preset {
@@ -89,7 +87,7 @@ pub const PRESETS: &[Preset] = &[
         needs: Needs::Nothing,
         weights: Weights { shape: 5.0, close: 1.0, smooth: 0.0 },
         to: ClosenessTo::Surface,
-        boundary: ON_ITS_CURVE,
+        boundary: BoundaryRequire::Exact,
         smoothness: OF_SURFACE,
     },
     Preset {
@@ -99,7 +97,7 @@ pub const PRESETS: &[Preset] = &[
         needs: Needs::Handles,
         weights: Weights { shape: 1.0, close: 0.0, smooth: 0.0 },
         to: ClosenessTo::None,
-        boundary: None,
+        boundary: BoundaryRequire::Off,
         smoothness: OF_SURFACE,
     },
 ];
@@ -109,7 +107,8 @@ impl Preset {
     pub fn set(&self, scene: &mut Scene) {
         scene.weights = self.weights;
         scene.closeness.to = self.to;
-        scene.closeness.boundary = self.boundary;
+        scene.closeness.boundary =
+            BoundaryCloseness { require: self.boundary, ..BoundaryCloseness::default() };
         scene.smoothness = self.smoothness;
     }
 
@@ -119,9 +118,17 @@ impl Preset {
         PRESETS.iter().find(|preset| {
             preset.weights == scene.weights
                 && preset.to == closeness.to
-                && preset.boundary == closeness.boundary
+                && preset.holds_boundary_as(closeness.boundary)
                 && preset.smoothness == scene.smoothness
         })
+    }
+
+    /// Whether a boundary is held as by the preset: corners count where it is held, and the weight only
+    /// where it is held softly, as by no preset.
+    fn holds_boundary_as(&self, held: BoundaryCloseness) -> bool {
+        let is_free = held.require == BoundaryRequire::Off;
+        self.boundary == held.require
+            && (is_free || held.corners == BoundaryCloseness::default().corners)
     }
 
     /// Returns the offer for a mesh with this topology and this number of handles.

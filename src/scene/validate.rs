@@ -129,9 +129,10 @@ impl Scene {
     fn check_target(&self) -> Result<(), SceneError> {
         let at_mesh = |message: String| error("closeness.to.mesh", message);
         match (self.closeness.to, &self.closeness.target) {
-            (ClosenessTo::Target, None) => {
-                error("closeness.to", "there is no target surface, expected { \"mesh\": ... }")
-            }
+            (ClosenessTo::Target, None) => error(
+                "closeness.to",
+                "there is no other surface yet: first read one (Fit to another surface)",
+            ),
             (ClosenessTo::Target, Some(Target::File(path))) => at_mesh(format!(
                 "the mesh file {path} was not read, expected the mesh itself in the scene"
             )),
@@ -178,17 +179,14 @@ impl Scene {
         for (i, entry) in self.closeness.weights.iter().enumerate() {
             from_zero(&format!("closeness.weights[{i}].weight"), entry.weight)?;
         }
-        if let Some(boundary) = self.closeness.boundary
-            && !(0.0..=180.0).contains(&boundary.corners)
-        {
+        let boundary = self.closeness.boundary;
+        if !(0.0..=180.0).contains(&boundary.corners) {
             return error(
                 "closeness.boundary.corners",
                 format!("found {}, expected an angle in degrees from 0 to 180", boundary.corners),
             );
         }
-        if let Some(boundary) = self.closeness.boundary {
-            from_zero("closeness.boundary.weight", boundary.weight)?;
-        }
+        from_zero("closeness.boundary.weight", boundary.weight)?;
         check_tolerance(self.tolerance)?;
         from_zero("weights.shape", self.weights.shape)?;
         from_zero("weights.close", self.weights.close)?;

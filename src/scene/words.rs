@@ -93,8 +93,11 @@ impl NamedEnum for ClosenessTo {
 }
 
 impl NamedEnum for BoundaryRequire {
-    const WORDS: &'static [(&'static str, BoundaryRequire)] =
-        &[("soft", BoundaryRequire::Soft), ("exact", BoundaryRequire::Exact)];
+    const WORDS: &'static [(&'static str, BoundaryRequire)] = &[
+        ("off", BoundaryRequire::Off),
+        ("exact", BoundaryRequire::Exact),
+        ("soft", BoundaryRequire::Soft),
+    ];
 }
 
 impl NamedEnum for SmoothnessOf {

@@ -51,7 +51,7 @@ impl Session {
         let ended = self.scene.solver().converged() || collapsed || (meets && self.is_run_long());
         // A soft solution that collapses is no reason not to look for a shape that does not.
         if meets && ended && self.is_running() && self.begin_meeting()? {
-            self.guard.forgive();
+            self.guard.clear_collapse();
             return Ok(Step { converged: false, ended: false });
         }
         Ok(Step { converged: self.converged(), ended })
@@ -82,6 +82,10 @@ impl Session {
             self.end_transaction();
             self.progress.begin_half();
             return Ok(HalfStep::Local { fitted: fitted(self.scene.rows()) });
+        }
+        if self.is_met() {
+            self.progress.leave_half();
+            return Ok(HalfStep::Satisfied);
         }
         let Step { converged, .. } = self.single_step()?;
         Ok(HalfStep::Global { converged, accelerated: self.scene.solver().accelerated() })

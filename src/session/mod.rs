@@ -76,15 +76,14 @@ pub use composition::Session;
 pub use dragging::DragPhase;
 pub use edit::{
     ConstraintOffer, ConstraintOffers, ConstraintTarget, Edit, NewConstraint, OfferedKind,
-    OfferedOperation, OfferedPlace, OfferedStart, PanelStart, Preview, Refinement, Remeshing,
+    OfferedOperation, OfferedPlace, OfferedStart, PanelStart, Refinement, Remeshing,
     RemeshingPreview, SETTINGS, Setting, SomeWeights, settings_of,
 };
 pub use error::Error;
 pub use handed_in::{Checked, check_results};
 pub use opened_file::{FileReader, Guessed, OpenedFile, is_scene, named_files};
 pub use panel_layout::{
-    BoundaryForecast, LayoutNote, LayoutSettings, LayoutWords, MarkedPlace, PanelLayout,
-    PanelLayouts,
+    BoundaryForecast, LayoutNote, LayoutSettings, MarkedPlace, PanelLayout, PanelLayouts,
 };
 pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,

@@ -30,12 +30,6 @@ impl Session {
         constraint_offers(vertices, faces, &self.document().sets, &self.rest)
     }
 
-    /// Returns the residual of each face, `#F`, in the unit of the mesh: the largest distance of a
-    /// corner to its projection in any enabled constraint.
-    pub fn residuals(&mut self) -> Vec<f64> {
-        self.face_values("residual").unwrap_or_default()
-    }
-
     /// Returns the largest distance of a vertex to its projection over all enabled rows, as found
     /// by the last local step, in the unit of the mesh.
     pub fn worst_distance(&self) -> f64 {
@@ -122,8 +116,9 @@ impl Session {
         is_quick.then(|| Forecast::of(self.mesh(), self.topology())).flatten()
     }
 
-    /// Returns the largest value of the scene's measure, up to `seconds` old; rounding errors are 0,
-    /// and so is the value without a measure.
+    /// Returns the largest distance by the scene's measure, of a face or, if that is the distance to the
+    /// constraints, of any vertex. It is up to `seconds` old; rounding errors are 0, and so is the
+    /// distance without a measure.
     pub fn worst_by_scene_measure(&self, seconds: f64) -> f64 {
         let measures = || self.recent_measures(seconds);
         let worst = match self.scene_measure() {

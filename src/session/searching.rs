@@ -10,7 +10,8 @@ use crate::constraint::{Element, Selector};
 use crate::math::Vec3;
 use crate::mesh::Point;
 use crate::scene::{
-    AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, Lock, SmoothnessOf, all_faces,
+    AttemptStart, BoundaryRequire, ClosenessTo, ConstraintSpec, EasedFaces, Lock, SmoothnessOf,
+    all_faces,
 };
 use crate::session::Error;
 use crate::solve::{Exact, ExactAnswer, Require, Solver, farthest};
@@ -36,7 +37,8 @@ impl Session {
         let is_smooth =
             document.weights.smooth > 0.0 && document.smoothness.of == SmoothnessOf::Displacement;
         let closeness = &document.closeness;
-        let is_held = closeness.to == ClosenessTo::Rest && closeness.boundary.is_none();
+        let is_held =
+            closeness.to == ClosenessTo::Rest && closeness.boundary.require == BoundaryRequire::Off;
         let is_locked = check_lock(Lock::Weights, document).is_err();
         let can_slide = is_held && document.weights.close > 0.0 && !is_locked;
         let can = [!self.is_pulled(), is_smooth && !is_locked, can_slide];

@@ -94,15 +94,14 @@ impl Parts {
         let surface = || Rc::clone(made.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
         let pose = problem.pose.map(|pose| to_rows(pose, node_of, n, centre));
         let reference = Reference { surface: &surface, pose: pose.as_deref() };
-        let (mut boundary, mut factors) =
-            (problem.boundary_closeness, Cow::Borrowed(problem.closeness_factors));
-        let exact = boundary.take_if(|boundary| boundary.require == BoundaryRequire::Exact);
-        let gliding = exact.map(|exact| {
+        let boundary = problem.boundary_closeness;
+        let mut factors = Cow::Borrowed(problem.closeness_factors);
+        let gliding = (boundary.require == BoundaryRequire::Exact).then(|| {
             let around_centre = |p: &Point| std::array::from_fn(|i| p[i] - centre[i]);
             let positions: Vec<Point> = mesh.positions.iter().map(around_centre).collect();
             let released = |v: u32| problem.closeness_factors[v as usize] == 0.0;
             let (gliding, corners) =
-                Gliding::new((&positions, centre), problem.topology, exact, released, node_of);
+                Gliding::new((&positions, centre), problem.topology, boundary, released, node_of);
             let factors = factors.to_mut();
             let on_curves = gliding.vertices().map(|(v, _)| v).chain(corners.iter().copied());
             on_curves.for_each(|v| factors[v as usize] = 0.0);

@@ -27,8 +27,8 @@ pub struct Problem<'a> {
     pub closeness_to: ClosenessTo,
     /// The surface of [`ClosenessTo::Target`].
     pub closeness_target: Option<&'a Rc<Mesh>>,
-    /// If given, the `c(v)` of boundary vertices are on the boundary curves.
-    pub boundary_closeness: Option<BoundaryCloseness>,
+    /// Whether the `c(v)` of boundary vertices are on the boundary curves.
+    pub boundary_closeness: BoundaryCloseness,
     /// `k_v` of each vertex, `#V`: factors of the closeness weight.
     pub closeness_factors: &'a [f64],
     /// `l_i` and `w_ij` of Eq. 12.

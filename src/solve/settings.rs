@@ -137,12 +137,21 @@ pub struct BoundaryCloseness {
     /// A vertex is a corner if the boundary turns there by more than this, in degrees from 0 to
     /// 180.
     pub corners: f64,
-    /// Whether vertices stay on the curve or close to it.
-    #[serde(skip_serializing_if = "BoundaryRequire::is_soft")]
+    /// Whether vertices stay on the curve, or close to it, or neither.
+    #[serde(default = "soft", skip_serializing_if = "is_soft")]
     pub require: BoundaryRequire,
     /// With a soft requirement, a factor of `k_v` for boundary vertices, not negative.
     #[serde(skip_serializing_if = "is_one")]
     pub weight: f64,
+}
+
+/// What scene files mean that say where the corners are, and not how the boundary is held.
+fn soft() -> BoundaryRequire {
+    BoundaryRequire::Soft
+}
+
+fn is_soft(require: &BoundaryRequire) -> bool {
+    *require == soft()
 }
 
 fn is_one(weight: &f64) -> bool {
@@ -151,23 +160,18 @@ fn is_one(weight: &f64) -> bool {
 
 impl Default for BoundaryCloseness {
     fn default() -> Self {
-        BoundaryCloseness { corners: 45.0, require: BoundaryRequire::Soft, weight: 1.0 }
+        BoundaryCloseness { corners: 45.0, require: BoundaryRequire::Off, weight: 1.0 }
     }
 }
 
-/// The requirement on boundary vertices.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// The requirement on boundary vertices, in order of strength.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum BoundaryRequire {
+    /// None: they are vertices like all others.
+    Off,
     /// They are kept close to their curve, weighed against all other energies.
-    #[default]
     Soft,
     /// They glide on their curve only; corners are fixed. A soft handle pulls a vertex along its
     /// curve, and has no effect on a corner. A fixed handle puts its vertex at the target.
     Exact,
-}
-
-impl BoundaryRequire {
-    fn is_soft(&self) -> bool {
-        *self == BoundaryRequire::Soft
-    }
 }

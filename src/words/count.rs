@@ -6,6 +6,10 @@ pub fn count(count: usize, one: &str, many: &str) -> String {
 }
 
 /// Formats a whole number, from five digits on with thin spaces between thousands.
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(js_name = groupDigits)
+)]
 pub fn group_digits(number: usize) -> String {
     let digits = number.to_string();
     if digits.len() < 5 {

@@ -31,7 +31,7 @@ pub fn length(value: f64, units: &str) -> String {
 pub fn length_like(value: f64, units: &str, like: f64) -> String {
     let (unit, factor) = unit_of(like, units);
     match (unit, in_mm(value, units)) {
-        ("m" | "mm", Some(size)) if size < LEAST_MM => format!("0 {unit}"),
+        (_, Some(size)) if size < LEAST_MM => format!("0 {unit}"),
         ("m" | "mm", Some(size)) if size < 1.0 => signed(value, &decimal(size, 3)) + " mm",
         _ => with_unit(&number(value * factor), unit),
     }
@@ -45,6 +45,7 @@ pub fn rough_length(value: f64, units: &str) -> String {
 }
 
 /// Formats a length that was entered, such as a tolerance: `5 mm`. As [`length`] otherwise.
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn limit(value: f64, units: &str) -> String {
     limit_like(value, units, value)
 }
@@ -70,6 +71,10 @@ pub struct ComparedLengths {
 
 /// Formats lengths that are compared in a table: all in one unit and with as many decimals, so that
 /// the longest has at least five digits.
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(js_name = comparedLengths)
+)]
 pub fn compared_lengths(lengths: &[f64], units: &str) -> ComparedLengths {
     let longest = lengths.iter().fold(0.0_f64, |longest, length| longest.max(length.abs()));
     let (unit, factor) = unit_of(longest, units);
@@ -97,6 +102,10 @@ pub fn displacement(by: [f64; 3], units: &str, size: f64) -> String {
 
 /// Returns the number of decimals for coordinates of a model of this `size`: millimetres for a building
 /// of some 100 m. Three without a size.
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(js_name = decimalsFor)
+)]
 pub fn decimals_for(size: f64) -> usize {
     if size.is_nan() || size <= 0.0 {
         return 3;
@@ -105,6 +114,7 @@ pub fn decimals_for(size: f64) -> usize {
 }
 
 /// Formats a coordinate, which may be edited: with a hyphen for a minus sign, and no negative zero.
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn coordinate(value: f64, decimals: usize) -> String {
     fixed(value, decimals, "-")
 }
@@ -136,6 +146,10 @@ pub fn area(square_mm: f64) -> String {
 /// Formats the area of a surface: in square metres, or in the squared unit of a mesh in feet or
 /// inches; without a unit if that is not known.
 /// `area` is in the squared unit of the mesh, whose symbol is `units`.
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(js_name = areaOf)
+)]
 pub fn area_of(area: f64, units: &str) -> String {
     match (units, LengthUnit::of(units)) {
         ("m" | "cm" | "mm", Some(unit)) => number_in(area * unit.metres * unit.metres, "m²"),
@@ -145,12 +159,20 @@ pub fn area_of(area: f64, units: &str) -> String {
 }
 
 /// Formats a measured number with a unit, which is written after it.
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(js_name = numberIn)
+)]
 pub fn number_in(value: f64, unit: &str) -> String {
     with_unit(&number(value), unit)
 }
 
 /// Formats a range of numbers with their unit, of which each end may be missing: `up to 5.00 m`,
 /// `from 3.00 m`, `3.00 to 5.00 m`, `any`.
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(js_name = rangeIn)
+)]
 pub fn range_in(from: Option<f64>, to: Option<f64>, unit: &str) -> String {
     match (from, to) {
         (None, None) => "any".to_owned(),

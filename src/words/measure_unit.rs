@@ -115,6 +115,10 @@ impl MeasureUnit {
 }
 
 /// Returns an energy, or zero if it is a rounding error on a mesh of this `size`.
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(js_name = energyOrZero)
+)]
 pub fn energy_or_zero(energy: f64, size: f64) -> f64 {
     if energy < (ROUNDING * size) * (ROUNDING * size) { 0.0 } else { energy }
 }

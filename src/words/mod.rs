@@ -2,8 +2,8 @@
 //! line. Values in files are written elsewhere.
 //!
 //! Measured values have three significant digits and a true minus sign. What somebody has entered,
-//! such as a tolerance, has the digits that were entered. Lengths without meaning for a building
-//! are 0.
+//! such as a tolerance, has the digits that were entered. Lengths below a
+//! thousandth of a millimetre are 0, where the unit is known: they mean nothing for a building.
 //!
 //! The page calls it by a small module of its own (`web/words`), since what follows the hand is
 //! written on its thread at once, where the engine is not.

@@ -8,12 +8,14 @@ const MOST_DIGITS: usize = 6;
 const PLAIN: std::ops::Range<f64> = 1e-3..1e6;
 
 /// Rounds to this many significant digits, in decimal, for numbers that somebody reads and may edit.
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn rounded(value: f64, digits: usize) -> f64 {
     let size = format!("{:.*e}", digits.saturating_sub(1), half_up(value.abs()));
     size.parse().map_or(value, |size: f64| size.copysign(value))
 }
 
 /// Formats a measured number: `1.23`, `−0.500`, `12345`, `2.50e−7`; `–` if it is not finite.
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn number(value: f64) -> String {
     let size = value.abs();
     let text = match size {
@@ -26,6 +28,7 @@ pub fn number(value: f64) -> String {
 }
 
 /// Formats an entered number as briefly as possible: `5`, `0.25`, `5e−6`.
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn brief(value: f64) -> String {
     let text = format!("{:.*e}", MOST_DIGITS - 1, half_up(value.abs()));
     let size: f64 = text.parse().unwrap_or(value);
@@ -34,6 +37,7 @@ pub fn brief(value: f64) -> String {
 }
 
 /// Formats a fraction, from 0 to 1, in per cent: `0 %`, `< 1 %`, `50 %`.
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn part(share: f64) -> String {
     let percent = 100.0 * share;
     if percent > 0.0 && percent < 1.0 {
@@ -44,6 +48,10 @@ pub fn part(share: f64) -> String {
 }
 
 /// Formats a signed fraction in per cent: `+12.5 %`, `−3.0 %`, `0.0 %`.
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(js_name = signedPart)
+)]
 pub fn signed_part(share: f64) -> String {
     let size = decimal(100.0 * share.abs(), 1);
     // What is written as zero has no sign.
@@ -53,12 +61,14 @@ pub fn signed_part(share: f64) -> String {
 }
 
 /// Formats a time in milliseconds: `0.50 ms`, `12 ms`, `1234 ms`.
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn duration(milliseconds: f64) -> String {
     let is_long = milliseconds >= 99.5;
     format!("{} ms", if is_long { decimal(milliseconds, 0) } else { significant(milliseconds, 2) })
 }
 
 /// Formats a ratio that is ideally 1: `1.0034`, `250`; `∞` if it has no bound.
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn ratio(value: f64) -> String {
     match value {
         _ if value.is_infinite() => "∞".to_owned(),
@@ -68,11 +78,16 @@ pub fn ratio(value: f64) -> String {
 }
 
 /// Formats a power of ten, as at the ticks of a logarithmic axis: `1e−5`.
+#[cfg_attr(
+    all(target_arch = "wasm32", feature = "words"),
+    wasm_bindgen::prelude::wasm_bindgen(js_name = powerOfTen)
+)]
 pub fn power_of_ten(value: f64) -> String {
     format!("{value:.0e}").replace('-', "−")
 }
 
 /// Formats a number of bytes in megabytes, without the unit: `1.2`.
+#[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn megabytes(bytes: f64) -> String {
     decimal(1e-6 * bytes, 1)
 }

@@ -16,7 +16,10 @@ fn exact_panels_are_still_exact_when_their_file_is_read_again() {
     assert!(words.contains("hard constraints met: "), "{words}");
     // The verdict of the page.
     assert!(words.contains("\nAll 4 panels are circular within 1 mm. Worst "), "{words}");
-    assert!(words.contains("\nAll are exact. The largest error is "), "{words}");
+    assert!(
+        words.contains("\nAll required constraints are exact. The largest error is "),
+        "{words}"
+    );
     let exact = &folder.json("r.json")["exact"];
     assert_eq!((&exact["met"], &exact["unmet"]), (&true.into(), &Value::Array(vec![])));
     assert!(number(&exact["max_distance"]) <= number(&exact["tolerance"]), "{exact}");

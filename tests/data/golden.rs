@@ -190,7 +190,8 @@ fn layout_digest(boundary: Boundary) -> u64 {
     let (follow, even) = (2.0 / 3.0, 0.25);
     let settings =
         LayoutSettings { count: Some(60), size: None, follow, even, boundary: Some(boundary) };
-    let layout = session.lay_out_panels(&settings, &mut |_, _| true);
+    let mut layouts = session.panel_layouts(&[]).expect("no face is kept");
+    let layout = layouts.lay_out(&settings, &mut |_, _| true);
     digest(&layout.expect("the surface can be covered").mesh.positions)
 }
 

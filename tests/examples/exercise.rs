@@ -130,9 +130,8 @@ fn a_model_of_flat_panels_fits_on_two_sheets_at_the_right_scale() {
     session.solve(false).expect("positions stay finite");
     build(&mut session);
     assert_eq!(met(&mut session), [true, false]);
-    let mut settings = session.document().build.clone().expect("the lesson has settings");
-    settings.scale = 100.0;
-    session.edit(Edit::SetBuild { build: settings }).expect("settings are not locked");
+    let edit = Edit::from_json(r#"{ "setBuild": { "values": { "scale": 100 } } }"#);
+    session.edit(edit.expect("an edit")).expect("settings are not locked");
     build(&mut session);
     assert_eq!(met(&mut session), [true, true]);
 }
@@ -171,7 +170,8 @@ fn panels_along_the_lines_of_curvature_stay_on_a_surface_that_those_across_leave
 
     let mut along = opened(id);
     let wished = LayoutSettings { count: None, size: None, follow: 0.5, even: 0.5, boundary: None };
-    let layout = along.lay_out_panels(&wished, &mut |_, _| true).expect("it is a surface");
+    let mut layouts = along.panel_layouts(&[]).expect("no face is kept");
+    let layout = layouts.lay_out(&wished, &mut |_, _| true).expect("it is a surface");
     assert!(along.take_panels(along.generation(), &layout.mesh).expect("nothing is locked"));
     along.arm_guard();
     along.solve_as_pressed(Some("circle"), along.tolerance(), false).expect("there are quads");

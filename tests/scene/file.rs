@@ -106,11 +106,11 @@ fn everything_the_format_has_is_read() {
                 ClosenessWeight { on: Selector::Set("eaves".into()), weight: 10.0 },
                 ClosenessWeight { on: each(Element::Boundary, None, 0), weight: 0.0 },
             ],
-            boundary: Some(BoundaryCloseness {
+            boundary: BoundaryCloseness {
                 corners: 30.0,
                 require: BoundaryRequire::Exact,
                 weight: 4.0,
-            }),
+            },
         }
     );
     assert_eq!(
@@ -257,10 +257,10 @@ const UNFIT: &[Unfit] = &[
         s.closeness.weights.push(ClosenessWeight { on, weight: f64::INFINITY });
     }),
     ("closeness.boundary.corners", |s| {
-        s.closeness.boundary = Some(BoundaryCloseness { corners: f64::NAN, ..Default::default() });
+        s.closeness.boundary.corners = f64::NAN;
     }),
     ("closeness.boundary.weight", |s| {
-        s.closeness.boundary = Some(BoundaryCloseness { weight: -1.0, ..Default::default() });
+        s.closeness.boundary.weight = -1.0;
     }),
     ("handles[0].vertices[0]", |s| s.handles.push(handle(&[6]))),
     ("handles[1].vertices[0]", |s| s.handles = vec![handle(&[1, 2]), handle(&[2])]),

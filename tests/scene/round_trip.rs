@@ -149,9 +149,9 @@ prop_compose! {
                 to: [ClosenessTo::Surface, ClosenessTo::Rest, ClosenessTo::None][choices.0],
                 target: None,
                 weights: held.into_iter().map(|(on, weight)| ClosenessWeight { on, weight }).collect(),
-                boundary: corners.map(|corners| BoundaryCloseness {
+                boundary: corners.map_or_else(BoundaryCloseness::default, |corners| BoundaryCloseness {
                     corners,
-                    require: if up { BoundaryRequire::Exact } else { BoundaryRequire::Soft },
+                    require: [BoundaryRequire::Off, BoundaryRequire::Exact, BoundaryRequire::Soft][choices.0],
                     weight: weights[0],
                 }),
             },

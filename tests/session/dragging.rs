@@ -80,6 +80,11 @@ fn a_handle_that_is_made_and_moved_at_once_is_one_step_or_none() {
     assert_eq!(session.undo_and_redo(), [Some("Make and move handle"), None]);
     act(&mut session, Deed::Undo);
     assert_eq!(everything(&session), before);
+    // A click makes it and moves nothing.
+    session.begin_drag_of_new(vec![7]).expect("the vertex is there");
+    session.end_drag(true);
+    assert_eq!(session.undo_and_redo()[0], Some("Make handle"));
+    act(&mut session, Deed::Undo);
     assert!(session.begin_drag_of_new(vec![VERTICES]).is_err());
     session.end_drag(true);
     assert_eq!(everything(&session), before);

@@ -1,14 +1,14 @@
 //! Edits of whole constraint rows, settings and handles: each has an effect and can be undone.
 
 use crate::support::grid::grid;
-use serde_json::json;
+use serde_json::{Map, Value, json};
 use shape_up::constraint::{Selector, Set};
 use shape_up::mesh::{Group, GroupKeyword};
 use shape_up::scene::{
-    Accelerator, AttemptStart, BuildSettings, ClosenessTo, ConstraintSpec, EasedFaces, Hold,
-    MeshSource, Require, Scene, Slide, Weights,
+    Accelerator, AttemptStart, ClosenessTo, ConstraintSpec, EasedFaces, Hold, MeshSource, Require,
+    Scene, Slide, Weights,
 };
-use shape_up::session::{Edit, PanelStart, Session};
+use shape_up::session::{Edit, Error, PanelStart, Session};
 
 /// A bumpy grid of five by five quads with planes on all faces and closeness to the rest shape.
 fn session() -> Session {
@@ -34,6 +34,39 @@ fn distance(session: &Session, vertex: usize) -> f64 {
     (0..3).map(|axis| (now[axis] - rest[axis]).powi(2)).sum::<f64>().sqrt()
 }
 
+fn set_build<const N: usize>(values: [(&str, Value); N]) -> Edit {
+    let values = values.map(|(path, value)| (path.to_owned(), value));
+    Edit::SetBuild { values: Map::from_iter(values) }
+}
+
+#[test]
+fn settings_of_build_are_changed_one_by_one() {
+    // All of them were sent, so that one came back whose change was just undone.
+    let mut session = session();
+    for edit in [
+        set_build([("scale", json!(20))]),
+        set_build([("sheet[0]", json!(600))]),
+        set_build([("sheet[1]", json!(400)), ("limits.warp", json!(3))]),
+    ] {
+        session.edit(edit).expect("it is valid");
+    }
+    let own = |session: &Session| *session.document().build.clone().expect("there are settings");
+    let now = own(&session);
+    assert_eq!((now.scale, now.sheet, now.limits.warp), (20.0, [600.0, 400.0], 3.0));
+    for (path, value, place) in [
+        ("sheet", json!([8, 297]), "build.margin"),
+        ("scale", json!(0), "build.scale"),
+        ("scale", json!("large"), "build.scale"),
+        ("colour", json!("red"), "build.colour"),
+    ] {
+        match session.edit(set_build([(path, value)])) {
+            Err(Error::Scene(error)) => assert_eq!(error.path, place),
+            other => panic!("{path}: {other:?}"),
+        }
+        assert_eq!(own(&session), now);
+    }
+}
+
 #[test]
 fn only_what_changes_the_problem_or_the_shape_is_another_generation() {
     let mut session = session();
@@ -47,10 +80,9 @@ fn only_what_changes_the_problem_or_the_shape_is_another_generation() {
         after != before
     };
     let faces = vec![1, 2];
-    let build = BuildSettings { scale: 20.0, ..BuildSettings::default() };
     for edit in [
         Edit::RenameConstraint { index: 0, name: "Roof".to_owned() },
-        Edit::SetBuild { build: Box::new(build) },
+        set_build([("scale", json!(20))]),
         Edit::SetSteps { steps: vec![Slide { title: "Now".to_owned(), ..Slide::default() }] },
         Edit::NameSet { name: "two".to_owned(), vertices: Vec::new(), faces },
         Edit::SetUnits { units: "m".to_owned() },
@@ -144,7 +176,7 @@ fn settings_act_on_the_solver_and_are_undone() {
 #[test]
 fn the_boundary_stays_on_its_curve_when_it_is_told_to() {
     let mut session = session();
-    for (id, value) in [("corners", json!(60)), ("boundary", json!("exactly"))] {
+    for (id, value) in [("corners", json!(60)), ("boundary", json!("exact"))] {
         session.edit(Edit::Set { id: id.to_owned(), value }).expect("it is declared");
     }
     run(&mut session);

@@ -1,6 +1,6 @@
 //! JSON requests of hosts to a session, and the messages for those without meaning.
 
-use serde_json::json;
+use serde_json::{Map, json};
 use shape_up::constraint::{Element, Selector, Set};
 use shape_up::scene::Up;
 use shape_up::session::{
@@ -30,7 +30,7 @@ fn every_edit_is_read_with_its_fields() {
                 weight: None,
                 require: None,
                 enabled: Some(false),
-                params: serde_json::Map::new(),
+                params: Map::new(),
             },
         ),
         (
@@ -77,13 +77,8 @@ fn every_edit_is_read_with_its_fields() {
             Edit::SetLesson { lesson: None, unsolved: false },
         ),
         (
-            json!({ "setBuild": { "build": { "scale": 20 } } }),
-            Edit::SetBuild {
-                build: Box::new(shape_up::scene::BuildSettings {
-                    scale: 20.0,
-                    ..Default::default()
-                }),
-            },
+            json!({ "setBuild": { "values": { "scale": 20 } } }),
+            Edit::SetBuild { values: Map::from_iter([("scale".to_owned(), json!(20))]) },
         ),
         (
             json!({ "addHandles": { "vertices": vertices, "fixed": true } }),
@@ -148,7 +143,7 @@ fn requests_to_select_and_places_are_read() {
     let text = json!({ "operation": "grow", "mode": "faces", "from": { "faces": [2] } });
     let request: SelectRequest = serde_json::from_value(text).expect("it is a request");
     let from = Selection { faces: vec![2], ..Selection::default() };
-    let params = serde_json::Map::new();
+    let params = Map::new();
     let operation = "grow".to_owned();
     assert_eq!(request, SelectRequest { operation, mode: Mode::Faces, from, params });
 
@@ -178,7 +173,7 @@ fn a_field_that_an_edit_does_not_have_is_refused() {
         ("setWeights", json!({ "close": 1 })),
         ("setLesson", json!({ "lesson": null })),
         ("setSteps", json!({ "steps": [] })),
-        ("setBuild", json!({ "build": {} })),
+        ("setBuild", json!({ "values": {} })),
         ("addHandles", json!({ "vertices": [0], "fixed": true })),
         ("refine", json!({ "scheme": "linear", "levels": 1 })),
         ("remesh", json!({ "operation": "dual" })),

@@ -4,7 +4,7 @@ use crate::support::grid::grid;
 use serde_json::json;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
-use shape_up::session::{DragPhase, Edit, FileReader, Session};
+use shape_up::session::{DragPhase, Edit, FileReader, HalfStep, Session};
 
 /// Rough bumps on which all panels are required to be flat.
 fn rough() -> Session {
@@ -173,5 +173,9 @@ fn a_single_step_iterates_softly_and_leaves_the_rest_to_a_run() {
     assert!(exact != there && there != start);
     let single = session.single_step().expect("positions stay finite");
     assert!(single.ended, "what is met stays");
+    // It was said to have moved as the last soft step had.
+    assert!(matches!(session.half_step(), Ok(HalfStep::Local { .. })));
+    assert_eq!(session.half_step(), Ok(HalfStep::Satisfied));
+    assert!(!session.halfway());
     assert_eq!(session.positions(), exact);
 }

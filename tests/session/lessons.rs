@@ -5,8 +5,8 @@ use serde_json::json;
 use shape_up::constraint::Kind;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme, Subdivision, Topology};
 use shape_up::scene::{
-    BuildSettings, ChosenAttempt, ClosenessTo, EasedFaces, Goal, GoalOf, HandleSpec, Hold, Lesson,
-    Lock, Pose, Results, Scene, Target,
+    ChosenAttempt, ClosenessTo, EasedFaces, Goal, GoalOf, HandleSpec, Hold, Lesson, Lock, Pose,
+    Results, Scene, Target,
 };
 use shape_up::session::{Edit, Session, check_results};
 use shape_up::solve::Require;
@@ -373,8 +373,8 @@ fn goals_on_what_is_built_are_told_and_measured_again_when_they_are_handed_in() 
     // Numbers are of the settings that they were built with.
     session.set_build_numbers(vec![("sheets".to_owned(), 1.0)]);
     assert!(session.goals()[1].met);
-    let build = BuildSettings { scale: 1.0, ..BuildSettings::default() };
-    session.edit(Edit::SetBuild { build: Box::new(build) }).expect("it is valid");
+    let edit = Edit::from_json(r#"{ "setBuild": { "values": { "scale": 1 } } }"#);
+    session.edit(edit.expect("an edit")).expect("it is valid");
     assert_eq!(session.goals()[1].value, None);
 }
 

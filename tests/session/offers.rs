@@ -8,7 +8,7 @@ use shape_up::scene::{ConstraintSpec, MeshSource, Scene};
 use shape_up::session::Error;
 use shape_up::session::{
     ConstraintOffers, ConstraintTarget, Edit, NewConstraint, OfferedKind, OfferedPlace,
-    OfferedStart, Preview, Session,
+    OfferedStart, Session,
 };
 use shape_up::words;
 
@@ -60,10 +60,8 @@ fn an_offer_says_what_adding_makes() {
             };
             added.unwrap_or_else(|error| panic!("{} on {place:?}: {error}", info.id));
             let row = &session.rows()[0];
-            let Preview { constraints, skipped, vertices, .. } = offer.preview;
-            assert_eq!(row.constraints.members.len(), constraints, "{}", info.id);
-            assert_eq!(row.constraints.members.indices().len(), vertices, "{}", info.id);
-            assert_eq!(row.skipped, skipped, "{}", info.id);
+            assert_eq!(row.constraints.members.len(), offer.constraints, "{}", info.id);
+            assert_eq!(row.skipped, offer.skipped, "{}", info.id);
             session.undo().expect("undo works");
             offered += 1;
         }
@@ -164,16 +162,20 @@ fn kinds_that_fit_nowhere_are_named_with_what_they_are_for() {
 fn an_offer_is_said_in_words() {
     let mut mesh = bumpy(4);
     mesh.faces.push(&[0, 1, 6]);
-    let found = offers(&session(mesh), &[0, 1, 2]);
-    let words = |kind: &str, id: &str| {
+    let words = |found: &ConstraintOffers, kind: &str, id: &str| {
         let of_kind = found.kinds.iter().find(|one| one.kind == kind).expect("it is offered");
         let offer = of_kind.offers.iter().find(|offer| offer.place == id).expect("it fits");
         offer.words.clone()
     };
-    assert_eq!(words("line", "selection"), "1 constraint of 3 vertices.");
-    assert_eq!(words("plane", "each-face"), "17 constraints of 3.9 vertices on average.");
+    let found = offers(&session(mesh), &[0, 1, 2]);
+    let even = offers(&session(bumpy(4)), &[]);
+    assert_eq!(words(&found, "line", "selection"), "1 constraint of 3 vertices.");
+    assert_eq!(words(&found, "plane", "each-face"), "17 constraints of 3.9 vertices on average.");
     let skipped = "16 constraints of 4 vertices. 1 skipped: their number of vertices does not fit.";
-    assert_eq!(words("square", "each-face"), skipped);
+    assert_eq!(words(&found, "square", "each-face"), skipped);
+    // Kinds on edges counted the two ends of each: "16 constraints of 8 vertices".
+    assert_eq!(words(&even, "equal-length", "each-face"), "16 constraints of 4 edges.");
+    assert_eq!(words(&even, "equal-length", "each-boundary"), "1 constraint of 16 edges.");
 }
 
 #[test]
@@ -182,9 +184,8 @@ fn the_usual_kind_follows_from_what_the_place_is_to_the_mesh() {
     let session = session(bumpy(4));
     let usual = |vertices: &[u32], id: &str| -> Vec<&str> {
         let kinds = offers(&session, vertices).kinds.into_iter();
-        let is_usual = |one: &OfferedKind| {
-            one.offers.iter().any(|offer| offer.place == id && offer.preview.usual)
-        };
+        let is_usual =
+            |one: &OfferedKind| one.offers.iter().any(|offer| offer.place == id && offer.usual);
         kinds.filter(is_usual).map(|one| one.kind).collect()
     };
     let selected = |vertices: &[u32]| usual(vertices, "selection");
@@ -222,7 +223,7 @@ fn the_usual_kind_of_the_first_place_that_has_one_is_chosen_at_first() {
     let points = Mesh { positions: bumpy(2).positions, ..Mesh::default() };
     let found = offers(&self::session(points), &[3]);
     let first = &found.kinds[0];
-    assert!(found.kinds.iter().all(|one| one.offers.iter().all(|offer| !offer.preview.usual)));
+    assert!(found.kinds.iter().all(|one| one.offers.iter().all(|offer| !offer.usual)));
     let expected = OfferedStart { kind: first.kind, place: first.offers[0].place.clone() };
     assert_eq!(found.start, Some(expected));
 }

@@ -6,7 +6,7 @@ use serde_json::json;
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point, Surface};
 use shape_up::quads::{Boundary, RemeshStage};
-use shape_up::scene::{MeshSource, Scene, Target};
+use shape_up::scene::{BoundaryCloseness, MeshSource, Scene, SceneError, Target};
 use shape_up::session::{Edit, Flaw, LayoutSettings, Level, PanelLayout, PanelStart, Session};
 
 const USUAL: LayoutSettings =
@@ -39,7 +39,16 @@ fn opened(mesh: Mesh) -> Session {
 }
 
 fn laid_out(session: &Session, settings: &LayoutSettings) -> PanelLayout {
-    session.lay_out_panels(settings, &mut |_, _| true).expect("the surface can be covered")
+    lay_out(session, settings, true).expect("the surface can be covered")
+}
+
+fn lay_out(
+    session: &Session,
+    settings: &LayoutSettings,
+    goes_on: bool,
+) -> Result<PanelLayout, SceneError> {
+    let mut layouts = session.panel_layouts(&[]).expect("no face is kept");
+    layouts.lay_out(settings, &mut |_, _| goes_on)
 }
 
 /// Sets, constraints, and handles at a corner and inside.
@@ -133,7 +142,7 @@ fn circular_panels_after_them_stay_near_the_surface_before_them() {
     // Circular panels an edge away from the surface are circular, but not the roof that was asked for.
     let mut scene = Scene::from_json(&session.scene_with_mesh()).expect("a scene");
     // Its corners would be held at the original.
-    scene.closeness.boundary = None;
+    scene.closeness.boundary = BoundaryCloseness::default();
     let pose = scene.current.as_mut().expect("it is solved");
     pose.iter_mut().for_each(|point| point[2] += layout.size);
     let MeshSource::Inline(mesh) = scene.mesh.clone() else { panic!("the mesh is in the scene") };
@@ -289,9 +298,9 @@ fn lines_lie_on_the_surface_and_those_at_irregular_points_come_first() {
 fn what_cannot_be_covered_is_refused_with_the_reason() {
     let session = opened(vault(8, false));
     let settings = LayoutSettings { size: Some(100.0), ..USUAL };
-    let refused = session.lay_out_panels(&settings, &mut |_, _| true).expect_err("too large");
+    let refused = lay_out(&session, &settings, true).expect_err("too large");
     assert!(refused.to_string().contains("too large for the surface"), "{refused}");
-    let cancelled = session.lay_out_panels(&USUAL, &mut |_, _| false).expect_err("cancelled");
+    let cancelled = lay_out(&session, &USUAL, false).expect_err("cancelled");
     assert!(cancelled.to_string().contains("cancelled"), "{cancelled}");
 }
 

@@ -4,8 +4,9 @@ use crate::session::asked::new;
 use crate::session::undo::{Deed, act, deed, everything, open, site};
 use crate::support::grid::grid;
 use proptest::prelude::*;
+use serde_json::Map;
 use shape_up::mesh::write_obj;
-use shape_up::scene::{BuildSettings, MeshSource, Scene, Weights};
+use shape_up::scene::{MeshSource, Scene, Weights};
 use shape_up::session::{Edit, Session};
 
 /// Opens a saved session again, as the page does after a reload.
@@ -199,8 +200,8 @@ fn the_surface_that_panels_are_close_to_is_saved_once() {
     session.edit(fit).expect("it has faces");
     let begun = session.saved_history().len();
     for scale in 1..20 {
-        let build = BuildSettings { scale: f64::from(scale), ..BuildSettings::default() };
-        session.edit(Edit::SetBuild { build: Box::new(build) }).expect("it is valid");
+        let values = Map::from_iter([("scale".to_owned(), scale.into())]);
+        session.edit(Edit::SetBuild { values }).expect("it is valid");
     }
     let after = session.saved_history().len();
     assert!(begun > before && after < begun + text.len(), "{before} {begun} {after}");

@@ -4,7 +4,7 @@
 use crate::support::long_or;
 use crate::support::shared;
 use shape_up::mesh::{Mesh, Point, Scheme};
-use shape_up::scene::{AttemptStart, Scene, Weights};
+use shape_up::scene::{AttemptStart, BoundaryCloseness, BoundaryRequire, Scene, Weights};
 use shape_up::session::{Edit, Flaw, Level, PanelStart, Session, Verdict};
 
 /// Opens a mesh as one that somebody chooses.
@@ -325,16 +325,16 @@ fn a_boundary_that_a_press_held_is_free_again_at_the_next_one() {
     session.make_panels("plane", tolerance, PanelStart::Boundary).expect("it has quads");
     while !session.step().expect("it stays finite").ended {}
     session.end_run();
-    assert!(session.document().closeness.boundary.is_some());
+    assert_eq!(session.document().closeness.boundary.require, BoundaryRequire::Exact);
     assert!(session.document().attempt.holds_boundary);
     session.make_panels("plane", tolerance, PanelStart::Original).expect("it has quads");
-    assert_eq!(session.document().closeness.boundary, None);
+    assert_eq!(session.document().closeness.boundary, BoundaryCloseness::default());
     session.end_run();
     // What the user sets stays.
-    let edit = Edit::from_json(r#"{ "set": { "id": "boundary", "value": "exactly" } }"#);
+    let edit = Edit::from_json(r#"{ "set": { "id": "boundary", "value": "exact" } }"#);
     session.edit(edit.expect("an edit")).expect("nothing is locked");
     session.make_panels("plane", tolerance, PanelStart::Original).expect("it has quads");
-    assert!(session.document().closeness.boundary.is_some());
+    assert_eq!(session.document().closeness.boundary.require, BoundaryRequire::Exact);
 }
 
 #[test]

@@ -242,6 +242,12 @@ fn vertices_that_nothing_acts_on_are_found() {
     assert_eq!(find(&mut session), 32);
     session.edit(Edit::AddHandles { vertices: vec![35], fixed: true }).expect("it is there");
     assert_eq!(find(&mut session), 31);
+    // What is required is met without a weight too: its vertices were said to stand still.
+    for (change, free) in [(r#""weight": 0"#, 35), (r#""require": "exact""#, 31)] {
+        let edit = format!(r#"{{ "setConstraint": {{ "index": 0, {change} }} }}"#);
+        session.edit(Edit::from_json(&edit).expect("it is an edit")).expect("it can be met");
+        assert_eq!(find(&mut session), free, "{change}");
+    }
     // An opened mesh has none.
     session.edit(Edit::Preset { id: "opened".to_owned() }).expect("it is declared");
     assert_eq!((find(&mut session), session.free().len()), (0, 0));
@@ -264,14 +270,16 @@ fn elements_are_found_by_their_numbers_and_their_errors() {
     assert!(find("error", Mode::Faces, json!({ "tolerance": 1.0 })).is_empty());
     let circular = json!({ "measure": "circularity", "tolerance": 0.05 });
     assert_eq!(find("error", Mode::Faces, circular), [0]);
-    let bad = ask(
-        &mut session,
-        "error",
-        Mode::Faces,
-        &Selection::default(),
-        json!({ "measure": "beauty" }),
-    );
-    assert!(bad.expect_err("it is no measure").contains("beauty"));
+    let none = Selection::default();
+    for (params, words) in [
+        (json!({ "measure": "beauty" }), "beauty"),
+        // It said "from 0 to inf".
+        (json!({ "tolerance": -1 }), "expected a number from 0"),
+    ] {
+        let refused = ask(&mut session, "error", Mode::Faces, &none, params);
+        let message = refused.expect_err("it does not fit");
+        assert!(message.contains(words) && !message.contains("inf"), "{message}");
+    }
 }
 
 #[test]

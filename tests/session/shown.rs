@@ -79,7 +79,7 @@ fn projections_are_those_that_the_energy_measures() {
                 .map(|k| found.displacements[k].iter().map(|x| x * x).sum::<f64>().sqrt())
                 .fold(0.0, f64::max)
         };
-        let residuals = session.residuals();
+        let residuals = session.face_values("residual").expect("it is a measure");
         for (face, &residual) in session.mesh().faces.iter().zip(&residuals) {
             let on_face = |k: &usize| face.contains(&found.vertices[*k]);
             let expected = worst(&mut (0..found.displacements.len()).filter(on_face));

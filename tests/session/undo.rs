@@ -6,7 +6,6 @@ use proptest::prelude::*;
 use serde_json::{Map, json};
 use shape_up::constraint::Form;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
-use shape_up::scene::BuildSettings;
 use shape_up::scene::{Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
 use shape_up::session::{Edit, SETTINGS, Session};
 use shape_up::solve::Require;
@@ -132,7 +131,7 @@ fn an_edit() -> impl Strategy<Value = Edit> {
         any::<bool>()
             .prop_map(|is_one| Edit::SetLesson { lesson: is_one.then(lesson), unsolved: false }),
         (1.0..3.0f64).prop_map(|scale| Edit::SetBuild {
-            build: Box::new(BuildSettings { scale: scale.round(), ..BuildSettings::default() }),
+            values: Map::from_iter([("scale".to_owned(), scale.round().into())]),
         }),
         Just(Edit::Reset),
     ]

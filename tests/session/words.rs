@@ -53,7 +53,7 @@ fn a_run_says_whether_all_is_met_or_which_element_is_worst() {
 fn an_exact_shape_is_said_to_be_so_with_and_without_its_error() {
     let planes = |require: Value| json!([{ "kind": "plane", "on": "faces", "require": require }]);
     let words = solved(&planes(json!("exact")), &json!([])).exact_words().expect("it was met");
-    assert_eq!(words.brief, "All are exact.");
+    assert_eq!(words.brief, "All required constraints are exact.");
     assert_eq!(words.numbers, "The largest error is 0 mm.");
     let within = solved(&planes(json!({ "within": 0.02 })), &json!([]));
     let words = within.exact_words().expect("it was met");

@@ -74,7 +74,7 @@ fn a_file_is_fitted_to_in_one_step_that_is_undone_and_shared() {
         Session::open(scene(r#""rest""#).expect("it is valid"), panels()).expect("it is regular");
     let (first, file) = (session.scene(), write_obj(&wave(), &wave().positions));
     let fit = Edit::FitTo { name: "wave.obj".to_owned(), text: file };
-    session.edit(fit).expect("it is a mesh");
+    session.edit(fit.clone()).expect("it is a mesh");
     session.solve(false).expect("positions stay finite");
     assert!(off(&wave(), &session.positions()) < 5e-3);
     // A shared scene contains the surface.
@@ -84,6 +84,13 @@ fn a_file_is_fitted_to_in_one_step_that_is_undone_and_shared() {
     session.undo().expect("undo works");
     session.undo().expect("undo works");
     assert_eq!(session.scene(), first);
+    // The file was ignored where nothing was kept near anything.
+    session.edit(Edit::Preset { id: "fig-6".to_owned() }).expect("it is declared");
+    assert_eq!(session.document().weights.close, 0.0);
+    session.edit(fit).expect("it is a mesh");
+    assert_eq!(session.document().weights.close, 1.0);
+    session.undo().expect("undo works");
+    session.undo().expect("undo works");
     let broken = Edit::FitTo { name: "wave.off".to_owned(), text: "OFF\n3".to_owned() };
     let refused = session.edit(broken).expect_err("it is no mesh").to_string();
     assert!(refused.contains("wave.off"), "{refused}");

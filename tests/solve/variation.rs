@@ -7,7 +7,7 @@ use libm::{cos, sin};
 use shape_up::math::Vec3;
 use shape_up::mesh::{Mesh, Point};
 use shape_up::solve::{
-    BoundaryCloseness, Handle, Hold, Require, Requirements, SLIDE, SetupCache, ShapeSpace, Solver,
+    BoundaryRequire, Handle, Hold, Require, Requirements, SLIDE, SetupCache, ShapeSpace, Solver,
 };
 
 /// A part of a torus along its lines of curvature, on which all circles are met; symmetric in x and
@@ -258,7 +258,7 @@ fn shapes_without_ways_and_degenerate_ones_end_too() {
 fn corners_that_closeness_to_the_boundary_fixes_stay_in_every_variation() {
     let (case, shape) = exact_case(torus(6), "circle");
     let mut problem = case.problem();
-    problem.boundary_closeness = Some(BoundaryCloseness::default());
+    problem.boundary_closeness.require = BoundaryRequire::Soft;
     let requirements = Requirements {
         rows: &case.requires,
         shortest_edge: case.shortest_edge,
@@ -282,7 +282,7 @@ fn corners_of_the_boundary_are_those_of_the_kept_shape() {
     let kept: Vec<Point> = case.mesh.positions.iter().map(|&[x, y, _]| [x, y, 1.0]).collect();
     let mut problem = case.problem();
     problem.design = Some(&kept);
-    problem.boundary_closeness = Some(BoundaryCloseness::default());
+    problem.boundary_closeness.require = BoundaryRequire::Soft;
     let solver = Solver::new(&problem, SetupCache::default(), Vec::new(), &kept);
     let mut solver = solver.expect("the problem is regular");
     solver.step().expect("positions stay finite");

@@ -3,8 +3,9 @@
 use shape_up::constraint::{Element, Kind, Selector, Sets, resolve};
 use shape_up::mesh::{BoundingSphere, Mesh, Point, Topology};
 use shape_up::solve::{
-    ClosenessTo, Constraints, Exact, Handle, Problem, Require, Requirements, SHORTEST_EDGE,
-    SetupCache, ShapeSpace, Smoothness, SmoothnessOf, Solver, SolverSettings, Weighting, Weights,
+    BoundaryCloseness, ClosenessTo, Constraints, Exact, Handle, Problem, Require, Requirements,
+    SHORTEST_EDGE, SetupCache, ShapeSpace, Smoothness, SmoothnessOf, Solver, SolverSettings,
+    Weighting, Weights,
 };
 
 /// A mesh with rows of constraints.
@@ -71,7 +72,7 @@ impl Case {
             weights: self.weights,
             closeness_to: ClosenessTo::Rest,
             closeness_target: None,
-            boundary_closeness: None,
+            boundary_closeness: BoundaryCloseness::default(),
             closeness_factors: &self.factors,
             smoothness: Smoothness {
                 of: SmoothnessOf::Displacement,

@@ -21,7 +21,7 @@ export function reportCollapse({ store, alerts, actions }: AppContext, collapse:
     text,
     { label: 'Undo', action: () => actions.undo() },
     {
-      label: 'Increase closeness',
+      label: 'Hold near original positions',
       action: async () => {
         await actions.undo();
         if ((await actions.edit('holdCloser')) !== undefined) actions.run();

@@ -158,8 +158,8 @@ export class Scheduler {
   halfStep(): HalfStep {
     const wasDragging = this.#drag !== null;
     const done = this.#afterDrag(() => this.#solver.halfStep());
-    if (done.half === 'global') {
-      this.#isSettled = done.converged;
+    if (done.half !== 'local') {
+      this.#isSettled = done.half === 'satisfied' || done.converged;
       this.#activityDue = true;
       this.changed();
     } else if (wasDragging) {

@@ -45,7 +45,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         scene.tolerance = None;
         scene.constraints.iter_mut().for_each(|row| row.require = require);
     }
-    scene.closeness.boundary = command.boundary.or(scene.closeness.boundary);
+    scene.closeness.boundary = command.boundary.unwrap_or(scene.closeness.boundary);
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
     scene.solver.tolerance = command.tolerance.unwrap_or(scene.solver.tolerance);
     scene.solver.accelerator = command.accelerator.unwrap_or(scene.solver.accelerator);

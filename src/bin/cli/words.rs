@@ -198,13 +198,13 @@ impl Words {
     /// Returns the value of an option that sets the closeness of the boundary.
     pub(super) fn boundary(&mut self, name: &str) -> Result<BoundaryCloseness, String> {
         let value = self.text(name)?;
-        let held = BoundaryCloseness::default();
+        let held = |require, weight| BoundaryCloseness { require, weight, ..Default::default() };
         if value == BoundaryRequire::Exact.word() {
-            return Ok(BoundaryCloseness { require: BoundaryRequire::Exact, ..held });
+            return Ok(held(BoundaryRequire::Exact, 1.0));
         }
         let weight = finite(&value).filter(|&weight| weight > 0.0);
         let expected = || format!("{name} takes `exact` or a weight above 0, found `{value}`");
-        weight.map(|weight| BoundaryCloseness { weight, ..held }).ok_or_else(expected)
+        weight.map(|weight| held(BoundaryRequire::Soft, weight)).ok_or_else(expected)
     }
 
     /// Returns the value of an option that takes a positive number.

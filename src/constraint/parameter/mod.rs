@@ -78,6 +78,20 @@ impl Param {
         Param { id, label, unit: "", default, forms: words, labels: &[], range: UNLIMITED }
     }
 
+    /// Whether a number is in the range.
+    pub(crate) fn allows(&self, number: f64) -> bool {
+        (self.range[0]..=self.range[1]).contains(&number)
+    }
+
+    /// The numbers in the range, in words.
+    pub(crate) fn range_in_words(&self) -> String {
+        match self.range {
+            UNLIMITED => "a number".to_owned(),
+            [least, f64::INFINITY] => format!("a number from {least}"),
+            [least, greatest] => format!("a number from {least} to {greatest}"),
+        }
+    }
+
     /// The parameter, with other names for some of its words.
     pub(crate) const fn called(self, labels: &'static [(&'static str, &'static str)]) -> Param {
         Param { labels, ..self }
@@ -139,13 +153,9 @@ pub enum ParamValue {
 /// Checks that the numbers among the values of `params` are in their declared ranges.
 pub(crate) fn check_ranges(params: &[Param], values: &Value) -> Result<(), KindError> {
     for param in params {
-        let [least, greatest] = param.range;
         let check = |value: &Value, path: String| match value.as_f64() {
-            Some(number) if !(least..=greatest).contains(&number) => {
-                let message = match greatest {
-                    f64::INFINITY => format!("found {number}, expected a number from {least}"),
-                    _ => format!("found {number}, expected a number from {least} to {greatest}"),
-                };
+            Some(number) if !param.allows(number) => {
+                let message = format!("found {number}, expected {}", param.range_in_words());
                 Err(KindError::Params { path, message })
             }
             _ => Ok(()),

@@ -3,8 +3,9 @@
 use super::choice::Product;
 use super::settings::BuildSettings;
 use crate::json::from_value;
+use crate::scene::SceneError;
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 /// A declared setting of Build. Hosts make their forms, options and lists of them.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -172,6 +173,25 @@ impl BuildSettings {
             *place = value;
         }
         from_value(own).map_err(|error| error.message)
+    }
+
+    /// Returns the settings with other values at these paths, as in a scene: those of declared settings,
+    /// or of what contains them, such as `sheet`.
+    ///
+    /// # Errors
+    /// If there is no such setting, or the values do not fit, also together: see
+    /// [`BuildSettings::check`].
+    pub fn with_all(&self, values: Map<String, Value>) -> Result<BuildSettings, SceneError> {
+        let error = |path: &str, message| SceneError { path: format!("build.{path}"), message };
+        let mut own = serde_json::to_value(self).unwrap_or_default();
+        for (path, value) in values {
+            let place = own.pointer_mut(&pointer(&path));
+            *place.ok_or_else(|| error(&path, "there is no such setting".to_owned()))? = value;
+        }
+        let own: BuildSettings =
+            from_value(own).map_err(|found| error(&found.path, found.message))?;
+        own.check().map_err(|(path, message)| error(path, message))?;
+        Ok(own)
     }
 }
 

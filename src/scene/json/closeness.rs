@@ -35,7 +35,7 @@ impl<'de> Deserialize<'de> for Closeness {
                 ));
             }
         };
-        Ok(Closeness { to, target, weights, boundary })
+        Ok(Closeness { to, target, weights, boundary: boundary.unwrap_or_default() })
     }
 }
 
@@ -46,6 +46,7 @@ impl Serialize for Closeness {
             (ClosenessTo::Target, Some(target)) => (To::Surface(target), None),
             (word, kept) => (To::Word(word), kept.map(|mesh| TargetFile { mesh })),
         };
+        let boundary = Some(boundary).filter(|own| *own != BoundaryCloseness::default());
         ClosenessFile { to: own, target, weights, boundary }.serialize(to)
     }
 }

@@ -36,7 +36,7 @@
 //! | "constraints" | `kind`, `on`, `weight` (1), `enabled` (true), `name`, `require` (`"soft"`, `"exact"` or `{ "within": LENGTH }`), `eased` (`{ "within": LENGTH, "faces": LIST }`: faces with a larger tolerance), and the parameters of the kind |
 //! | "handles" | `vertices`, `targets` (the rest positions), and `weight` (100) or `"fixed": true` |
 //! | "weights" | `shape`, `close`, `smooth`: the weights of Eq. 13, by default 1, 0, 0 |
-//! | "closeness" | `"to"`: `"surface"`, `"rest"`, `"none"`, or another surface, `{ "mesh": ... }` like the mesh of the scene or the path of its file, which is kept as `"target"` while `to` is a word; `"weights"`: factors of selections; `"boundary"`: closeness of boundary vertices to the boundary curves, `corners` (45 degrees), `require` (`"soft"` or `"exact"`), `weight` (1, if soft) |
+//! | "closeness" | `"to"`: `"surface"`, `"rest"`, `"none"`, or another surface, `{ "mesh": ... }` like the mesh of the scene or the path of its file, which is kept as `"target"` while `to` is a word; `"weights"`: factors of selections; `"boundary"`: closeness of boundary vertices to the boundary curves, `corners` (45 degrees), `require` (`"soft"`, `"exact"` or `"off"`, as without it), `weight` (1, if soft) |
 //! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
 //! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`), `shortest_edge` (0 to 1, or null) |
 //! | "lesson" | a task, goals, and the parts of the scene that are locked |

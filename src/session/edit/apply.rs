@@ -153,6 +153,10 @@ pub(crate) fn apply(
             draft.set(|document| {
                 document.closeness.to = ClosenessTo::Target;
                 document.closeness.target = Some(Target::Mesh(read.mesh.into()));
+                // Without a weight nothing would be drawn to it.
+                if document.weights.close == 0.0 {
+                    document.weights.close = 1.0;
+                }
                 Ok(())
             })?;
             format!("Fit to {name}")
@@ -182,7 +186,7 @@ pub(crate) fn apply(
                 draft.put_positions(Rc::clone(start.positions()));
                 state.iteration = start.iteration();
             }
-            "Increase closeness".to_owned()
+            "Hold near original positions".to_owned()
         }
         Edit::WeighHandles { vertices, weight } => {
             if !(weight.is_finite() && weight > 0.0) {
@@ -243,12 +247,9 @@ pub(crate) fn apply(
             draft.put(Part::Tolerance(tolerance));
             "Change tolerance".to_owned()
         }
-        Edit::SetBuild { build } => {
-            build.check().map_err(|(key, message)| {
-                let path = format!("build.{key}");
-                SceneError { path, message }
-            })?;
-            draft.put(Part::Build(Some(build)));
+        Edit::SetBuild { values } => {
+            let own = draft.document().build.clone().unwrap_or_default();
+            draft.put(Part::Build(Some(Box::new(own.with_all(values)?))));
             "Change build settings".to_owned()
         }
         Edit::SetSteps { steps } => set_steps(steps, draft)?,

@@ -4,9 +4,8 @@ use super::constraint_target::ConstraintTarget;
 use super::remeshing::Remeshing;
 use crate::constraint::Set;
 use crate::json::indices::{self, Indices};
-use crate::json::{JsonError, from_text, object, objects};
+use crate::json::{JsonError, from_text, objects};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
-use crate::scene::BuildSettings;
 use crate::scene::{ConstraintSpec, Lesson, SceneError, Slide, Up, Weights, kind_of};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -103,7 +102,8 @@ pub enum Edit {
     /// Goes back to where iterating began, if the shape has collapsed since, and holds all vertices
     /// closer to their rest positions.
     HoldCloser,
-    /// Keeps vertices close to the surface of a mesh file instead of the original.
+    /// Keeps vertices close to the surface of a mesh file instead of the original, with a weight of 1 if
+    /// closeness has none.
     FitTo {
         /// The name of the file.
         name: String,
@@ -159,11 +159,11 @@ pub enum Edit {
         /// In the unit of the mesh, above zero; null for that of the constraints or the mesh.
         tolerance: Option<f64>,
     },
-    /// Sets how parts are built from the shape.
+    /// Changes how parts are built from the shape.
     SetBuild {
-        /// All settings; omitted ones get their defaults.
-        #[serde(deserialize_with = "object")]
-        build: Box<BuildSettings>,
+        /// Values by the paths of settings: see [`crate::scene::BuildSettings::with_all`]. The others stay.
+        #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, unknown>"))]
+        values: Map<String, Value>,
     },
     /// Replaces the steps of the presentation.
     SetSteps {

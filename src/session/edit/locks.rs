@@ -15,8 +15,7 @@ pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneErro
     let is_same = |lesson: &Option<Lesson>| lesson.as_ref().is_some_and(|it| it.asks_the_same(now));
     let changes = matches!(edit, Edit::SetLesson { lesson, .. } if !is_same(lesson));
     if changes && !lock.is_empty() {
-        let message =
-            "locked by the lesson: only where it was just written, Undo removes it".to_owned();
+        let message = "locked by the lesson: it cannot be changed while it locks parts of the scene. If you have just written it, press Undo".to_owned();
         return Err(SceneError { path: "lesson.lock".to_owned(), message });
     }
     // To try these takes as long as they do.

@@ -5,8 +5,7 @@
 //! | `edit_list` | the edits, as JSON too |
 //! | `apply` | the effect of each edit on a draft |
 //! | `constraint_target` | the target of a constraint, and its shape on the mesh, which determines the usual kind |
-//! | `preview` | the number of constraints that a new row would have |
-//! | `offers` | what is offered for a new row: places, kinds, and those to start with |
+//! | `offers` | what is offered for a new row: places, kinds, the constraints that each makes, and those to start with |
 //! | `closeness_weights` | factors of closeness for single vertices |
 //! | `locks` | the edits that a lesson forbids |
 //! | `shapes` | going to another shape: the rest shape, a variant, a step of the presentation |
@@ -21,7 +20,6 @@ mod constraint_target;
 mod edit_list;
 mod locks;
 mod offers;
-mod preview;
 mod remeshing;
 mod settings;
 mod shapes;
@@ -33,7 +31,6 @@ pub use edit_list::{Edit, NewConstraint, PanelStart, SomeWeights};
 pub(crate) use locks::{check_lock, check_locks};
 pub(crate) use offers::constraint_offers;
 pub use offers::{ConstraintOffer, ConstraintOffers, OfferedKind, OfferedPlace, OfferedStart};
-pub use preview::Preview;
 pub(crate) use remeshing::offered;
 pub use remeshing::{OfferedOperation, Refinement, Remeshing, RemeshingPreview};
 pub(crate) use settings::is_of_solver;

@@ -1,13 +1,15 @@
 //! What is offered for a new constraint: the places on the mesh, given the selection, the kinds that
 //! fit there, and the kind and place to start with.
 
-use super::constraint_target::ConstraintTarget;
-use super::preview::{Preview, previews};
-use crate::constraint::{Element, Info, KINDS, Selector, Set, Sets};
+use super::constraint_target::{ConstraintTarget, target_shape};
+use crate::constraint::{
+    Centring, DEFAULT_FOR, Element, Info, KINDS, Selector, Set, Sets, TargetShape, resolve,
+};
 use crate::scene::SceneError;
-use crate::session::state::RestMesh;
+use crate::session::state::{RestMesh, edges_among};
 use crate::words::{count, decimal, group_digits};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// What is offered for a new constraint.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -35,9 +37,9 @@ pub struct OfferedPlace {
     pub label: String,
     /// The target of the constraint.
     pub on: ConstraintTarget,
-    /// Only kinds that are meant for this element are offered; none if any kind is.
+    /// Whether kinds that act on any element are not offered there.
     #[serde(skip)]
-    only_for: Option<Element>,
+    is_for_own_kinds: bool,
 }
 
 /// A kind with the places that it fits, at least one.
@@ -56,9 +58,12 @@ pub struct OfferedKind {
 pub struct ConstraintOffer {
     /// The id of the place.
     pub place: String,
-    /// The constraints.
-    #[serde(flatten)]
-    pub preview: Preview,
+    /// Number of constraints.
+    pub constraints: usize,
+    /// Number of elements whose number of vertices or edges does not fit the kind.
+    pub skipped: usize,
+    /// Whether the kind is the usual choice for the place.
+    pub usual: bool,
     /// The constraints and what is skipped, in words.
     pub words: String,
 }
@@ -85,24 +90,20 @@ pub(crate) fn constraint_offers(
     rest: &RestMesh,
 ) -> Result<ConstraintOffers, SceneError> {
     let places = places(vertices, faces);
-    let targets: Vec<ConstraintTarget> = places.iter().map(|place| place.on.clone()).collect();
-    let previews = previews(&targets, sets, rest)?;
-    let fits = |info: &Info, place: &OfferedPlace| {
-        place.only_for.is_none_or(|element| info.elements.contains(&element))
-    };
+    let sizes: Vec<Sizes> =
+        places.iter().map(|place| Sizes::of(&place.on, sets, rest)).collect::<Result<_, _>>()?;
     let mut kinds = Vec::new();
     let mut misfits = Vec::new();
     // The usual kind of the first place that has one.
     let mut usual: Option<(usize, &'static str)> = None;
-    for (info, row) in KINDS.iter().zip(previews) {
+    for (info, usual_for) in KINDS.iter().zip(DEFAULT_FOR) {
         let mut offers = Vec::new();
-        for (at, (place, preview)) in places.iter().zip(row).enumerate() {
-            let Some(preview) = preview.filter(|_| fits(info, place)) else { continue };
-            if preview.usual && usual.is_none_or(|(first, _)| at < first) {
+        for (at, (place, sizes)) in places.iter().zip(&sizes).enumerate() {
+            let Some(offer) = place.offer(info, usual_for, sizes) else { continue };
+            if offer.usual && usual.is_none_or(|(first, _)| at < first) {
                 usual = Some((at, info.id));
             }
-            let (place, words) = (place.id.clone(), in_words(preview));
-            offers.push(ConstraintOffer { place, preview, words });
+            offers.push(offer);
         }
         if offers.is_empty() {
             misfits.push(misfit_in_words(info));
@@ -143,7 +144,7 @@ fn places(vertices: Vec<u32>, faces: Vec<u32>) -> Vec<OfferedPlace> {
             id: "selection".to_owned(),
             label: "whole selection together".to_owned(),
             on: ConstraintTarget { on: Selector::Vertices(vertices), set: None },
-            only_for: None,
+            is_for_own_kinds: false,
         });
         places.extend(Element::ALL.map(|element| {
             let is_selected = element == Element::Face && has_faces;
@@ -157,7 +158,7 @@ fn places(vertices: Vec<u32>, faces: Vec<u32>) -> Vec<OfferedPlace> {
                     format!("each {label}, within the selection")
                 },
                 on: ConstraintTarget { on, set: Some(set.clone()) },
-                only_for: (!is_selected).then_some(element),
+                is_for_own_kinds: !is_selected,
             }
         }));
     }
@@ -165,25 +166,91 @@ fn places(vertices: Vec<u32>, faces: Vec<u32>) -> Vec<OfferedPlace> {
         id: format!("each-{}", element.id()),
         label: format!("each {}", element.label()),
         on: ConstraintTarget { on: each(element, None), set: None },
-        only_for: None,
+        is_for_own_kinds: false,
     }));
     places
 }
 
-fn in_words(preview: Preview) -> String {
-    let Preview { constraints, skipped, vertices, is_even, .. } = preview;
-    let size = if is_even {
-        count(vertices / constraints, "vertex", "vertices")
-    } else {
-        format!("{} vertices on average", decimal(vertices as f64 / constraints as f64, 1))
-    };
-    let made = format!("{} of {size}.", count(constraints, "constraint", "constraints"));
-    match skipped {
-        0 => made,
-        _ => format!(
-            "{made} {} skipped: their number of vertices does not fit.",
-            group_digits(skipped)
-        ),
+impl OfferedPlace {
+    /// Returns what adding a kind here makes; none if it is not meant for the type of element, or no
+    /// element fits.
+    fn offer(
+        &self,
+        info: &Info,
+        usual_for: &[TargetShape],
+        sizes: &Sizes,
+    ) -> Option<ConstraintOffer> {
+        if let Selector::Each { element, .. } = &self.on.on {
+            let acts_on_any = info.elements.is_empty() && !self.is_for_own_kinds;
+            if !acts_on_any && !info.elements.contains(element) {
+                return None;
+            }
+        }
+        let ([one, many], each) = info.counted_as();
+        let by_size = match info.centring {
+            Centring::ByEdge => &sizes.ends,
+            Centring::Together | Centring::Placed => &sizes.vertices,
+        };
+        let [mut constraints, mut skipped, mut points, mut fitting] = [0; 4];
+        for (&size, &count) in by_size {
+            if info.arity.fits(size) {
+                constraints += count;
+                points += count * size;
+                fitting += 1;
+            } else {
+                skipped += count;
+            }
+        }
+        let size = match fitting {
+            0 => return None,
+            1 => count(points / constraints / each, one, many),
+            _ => {
+                let mean = points as f64 / (constraints * each) as f64;
+                format!("{} {many} on average", decimal(mean, 1))
+            }
+        };
+        let mut words = format!("{} of {size}.", count(constraints, "constraint", "constraints"));
+        if skipped > 0 {
+            let skipped = group_digits(skipped);
+            words += &format!(" {skipped} skipped: their number of {many} does not fit.");
+        }
+        let usual = sizes.shape.is_some_and(|shape| usual_for.contains(&shape));
+        Some(ConstraintOffer { place: self.id.clone(), constraints, skipped, usual, words })
+    }
+}
+
+/// The sizes of the elements of a place.
+struct Sizes {
+    /// Their shape on the mesh.
+    shape: Option<TargetShape>,
+    /// Number of elements by their number of vertices.
+    vertices: BTreeMap<usize, usize>,
+    /// Number of elements by their number of edge ends.
+    ends: BTreeMap<usize, usize>,
+}
+
+impl Sizes {
+    /// Resolves the target of a place, once for all kinds.
+    ///
+    /// # Errors
+    /// If it refers to something that does not exist.
+    fn of(target: &ConstraintTarget, sets: &Sets, rest: &RestMesh) -> Result<Sizes, SceneError> {
+        let (mesh, topology) = (rest.mesh(), rest.topology());
+        let (on, named) = target.clone().named_in(sets, mesh);
+        // A selector refers to at most one set.
+        let own = named.map(|named| Sets::from([named]));
+        let selected = resolve(&on, mesh, topology, own.as_ref().unwrap_or(sets))
+            .map_err(|error| SceneError { path: "on".to_owned(), message: error.to_string() })?;
+        let count = |size: &dyn Fn(&[u32]) -> usize| {
+            let mut counts = BTreeMap::new();
+            selected.iter().for_each(|row| *counts.entry(size(row)).or_insert(0) += 1);
+            counts
+        };
+        Ok(Sizes {
+            shape: target_shape(&on, &selected, mesh, topology),
+            vertices: count(&|row| row.len()),
+            ends: count(&|row| edges_among(row, topology).len()),
+        })
     }
 }
 

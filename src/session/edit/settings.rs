@@ -3,8 +3,8 @@
 
 use crate::constraint::{Form, Param};
 use crate::scene::{
-    Accelerator, BoundaryCloseness, BoundaryRequire, ClosenessTo, NamedEnum, Scene, SceneError,
-    SmoothnessOf, Weighting,
+    Accelerator, BoundaryRequire, ClosenessTo, NamedEnum, Scene, SceneError, SmoothnessOf,
+    Weighting,
 };
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -26,17 +26,6 @@ const NEAR: &str = "Close to the original";
 const SMOOTH: &str = "Smoothness";
 const SOLVER: &str = "Solver";
 const OFF: Form = Form::Word("off");
-
-/// How the boundary is held; none if it is free.
-type BoundaryHold = Option<BoundaryRequire>;
-
-impl NamedEnum for BoundaryHold {
-    const WORDS: &'static [(&'static str, BoundaryHold)] = &[
-        ("off", None),
-        ("exactly", Some(BoundaryRequire::Exact)),
-        ("nearly", Some(BoundaryRequire::Soft)),
-    ];
-}
 
 impl NamedEnum for bool {
     const WORDS: &'static [(&'static str, bool)] = &[("on", true), ("off", false)];
@@ -71,8 +60,9 @@ pub const SETTINGS: &[Setting] = &[
             "boundary",
             "Boundary stays on its curve",
             "off",
-            const { &forms::<BoundaryHold, 3>() },
-        ),
+            const { &forms::<BoundaryRequire, 3>() },
+        )
+        .called(&[("exact", "exactly"), ("soft", "nearly")]),
         summary: "Boundary vertices glide along their own curve, and corners stay. Exactly: always. Nearly: weighed against the other terms.",
         group: NEAR,
     },
@@ -153,11 +143,11 @@ pub(crate) fn is_of_solver(id: &str) -> bool {
 
 /// The value of every setting in `scene`, by id.
 pub fn settings_of(scene: &Scene) -> Map<String, Value> {
-    let boundary = scene.closeness.boundary.unwrap_or_default();
+    let boundary = scene.closeness.boundary;
     let solver = scene.solver;
-    let values = [
+    [
         ("closeness", json!(scene.closeness.to.word())),
-        ("boundary", json!(scene.closeness.boundary.map(|it| it.require).word())),
+        ("boundary", json!(boundary.require.word())),
         ("boundary-weight", json!(boundary.weight)),
         ("corners", json!(boundary.corners)),
         ("smoothness", json!(scene.smoothness.of.word())),
@@ -168,11 +158,10 @@ pub fn settings_of(scene: &Scene) -> Map<String, Value> {
         ("mean-centring", json!(solver.mean_centring.word())),
         ("monotone", json!(solver.monotone.word())),
         ("shortest-edge", solver.shortest_edge.map_or(json!("off"), |ratio| json!(ratio))),
-    ];
-    let mut settings = Map::new();
-    // `collect` would pull in a sort.
-    settings.extend(values.map(|(id, value)| (id.to_owned(), value)));
-    settings
+    ]
+    .map(|(id, value)| (id.to_owned(), value))
+    .into_iter()
+    .collect()
 }
 
 /// Changes a setting of `scene`, and returns its label.
@@ -185,21 +174,18 @@ pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
         .iter()
         .find(|setting| setting.param.id == id)
         .ok_or_else(|| error(format!("there is no setting `{id}`")))?;
-    let [least, greatest] = setting.param.range;
+    let param = setting.param;
     let number = || {
-        value.as_f64().filter(|number| (least..=greatest).contains(number)).ok_or_else(|| {
-            error(format!("found {value}, expected a number from {least} to {greatest}"))
-        })
+        value
+            .as_f64()
+            .filter(|&number| param.allows(number))
+            .ok_or_else(|| error(format!("found {value}, expected {}", param.range_in_words())))
     };
     match id {
         "closeness" => scene.closeness.to = choice(id, value)?,
-        "boundary" => {
-            let held = scene.closeness.boundary.unwrap_or_default();
-            let hold: BoundaryHold = choice(id, value)?;
-            scene.closeness.boundary = hold.map(|require| BoundaryCloseness { require, ..held });
-        }
-        "boundary-weight" => scene.closeness.boundary.get_or_insert_default().weight = number()?,
-        "corners" => scene.closeness.boundary.get_or_insert_default().corners = number()?,
+        "boundary" => scene.closeness.boundary.require = choice(id, value)?,
+        "boundary-weight" => scene.closeness.boundary.weight = number()?,
+        "corners" => scene.closeness.boundary.corners = number()?,
         "smoothness" => scene.smoothness.of = choice(id, value)?,
         "weighting" => scene.smoothness.weighting = choice(id, value)?,
         "accelerator" => scene.solver.accelerator = choice(id, value)?,
@@ -265,6 +251,27 @@ mod tests {
                 assert_eq!(read.as_f64(), value.as_f64(), "{}", param.id);
             }
         }
+    }
+
+    #[test]
+    fn numbers_of_a_boundary_that_is_free_are_kept_and_leave_it_free() {
+        // Each of them held the boundary, and `off` took them away.
+        let mut scene = scene();
+        for (id, value) in [
+            ("corners", json!(30.0)),
+            ("boundary-weight", json!(4.0)),
+            ("boundary", json!("exact")),
+            ("boundary", json!("off")),
+        ] {
+            set(&mut scene, id, &value).expect("it is declared");
+            let file = serde_json::to_value(&scene.closeness).expect("it is plain");
+            scene.closeness = serde_json::from_value(file).expect("it is written so");
+            let now = settings_of(&scene);
+            assert_eq!(now[id], value);
+            assert_eq!(now["boundary"] == json!("exact"), value == json!("exact"));
+            assert_eq!(now["corners"], json!(30.0));
+        }
+        assert_eq!(settings_of(&scene)["boundary-weight"], json!(4.0));
     }
 
     #[test]

@@ -13,15 +13,17 @@ const LINE_POINTS: usize = 5;
 const RING: f64 = 1.2;
 
 /// New panels on the surface.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct PanelLayout {
     /// Their mesh.
+    #[serde(skip)]
     pub mesh: Mesh,
     /// What they do at the boundary; none if the surface is closed.
     pub boundary: Option<Boundary>,
     /// Their number, without the faces that stay as they are.
     pub count: usize,
-    /// The mean length of their sides, in the unit of the mesh.
+    /// The mean length of their sides, in the unit of the mesh, to two digits.
     pub size: f64,
     /// What is to be said of them.
     pub words: String,
@@ -29,8 +31,10 @@ pub struct PanelLayout {
     pub notes: Vec<LayoutNote>,
     /// Lines over the surface: rings around the places of the notes, then along the edges of the
     /// panels, those at irregular vertices first.
+    #[serde(skip)]
     pub lines: Vec<Vec<Point>>,
     /// The number of rings and of lines at irregular vertices.
+    #[serde(rename = "marked")]
     pub marked_lines: usize,
 }
 
@@ -109,7 +113,7 @@ impl Layout {
         PanelLayout {
             boundary: (!self.topology.boundary_loops().is_empty()).then_some(self.boundary),
             count: self.count(),
-            size,
+            size: words::rounded(size, 2),
             mesh: self.remeshed.mesh.clone(),
             words: self.words(units),
             notes,
@@ -123,11 +127,16 @@ impl Layout {
         self.remeshed.measures.quads + self.remeshed.measures.other_faces
     }
 
-    /// What this choice at the boundary comes to: "483 panels, will move about 20 mm".
+    /// What this choice at the boundary comes to: "483 panels, will move about 20 mm", or "will not
+    /// move" if they have the shape of every kind already.
     pub(super) fn forecast(&self, units: &str) -> BoundaryForecast {
         let count = words::count(self.count(), "panel", "panels");
-        let far = words::rough_length(self.move_length(), units);
-        let words = format!("{count}, will move about {far}");
+        let mut kinds = self.forecast.iter().flat_map(|forecast| &forecast.kinds);
+        let moves = match kinds.any(|kind| kind.how_far != HowFar::Nothing) {
+            true => format!("move about {}", words::rough_length(self.move_length(), units)),
+            false => "not move".to_owned(),
+        };
+        let words = format!("{count}, will {moves}");
         BoundaryForecast { boundary: self.boundary, words }
     }
 
@@ -180,34 +189,5 @@ impl Layout {
         let (first, others): (Vec<_>, Vec<_>) = topology.edges().iter().partition(at_irregular);
         let lines = first.iter().chain(&others).map(line).collect();
         (lines, first.len())
-    }
-}
-
-/// New panels as they are sent to a page.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct LayoutWords {
-    /// What is to be said of them.
-    pub words: String,
-    /// What they cannot follow, and what stays as it is.
-    pub notes: Vec<LayoutNote>,
-    /// What they do at the boundary; none if the surface is closed.
-    pub boundary: Option<Boundary>,
-    /// Their number.
-    pub count: usize,
-    /// The mean length of their sides, in the unit of the mesh, to two digits.
-    pub size: f64,
-}
-
-impl PanelLayout {
-    /// What a page says of it.
-    pub fn in_words(&self) -> LayoutWords {
-        LayoutWords {
-            words: self.words.clone(),
-            notes: self.notes.clone(),
-            boundary: self.boundary,
-            count: self.count,
-            size: words::rounded(self.size, 2),
-        }
     }
 }

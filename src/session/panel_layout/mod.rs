@@ -13,7 +13,7 @@ mod layouts;
 mod places;
 mod settings;
 
-pub use layout::{BoundaryForecast, LayoutNote, LayoutWords, PanelLayout};
+pub use layout::{BoundaryForecast, LayoutNote, PanelLayout};
 pub use layouts::PanelLayouts;
 pub use places::MarkedPlace;
 pub use settings::LayoutSettings;
@@ -21,7 +21,6 @@ pub use settings::LayoutSettings;
 use super::Session;
 use super::edit::check_lock;
 use crate::mesh::{Edited, Mesh};
-use crate::quads::RemeshObserver;
 use crate::scene::{Lock, SceneError};
 use crate::session::Error;
 use crate::words;
@@ -40,18 +39,6 @@ impl Session {
             return Err(SceneError { path: String::new(), message }.into());
         }
         Ok(PanelLayouts::new(self.current_shape(), &self.document().units, kept))
-    }
-
-    /// Lays out panels once; see [`PanelLayouts::lay_out`].
-    ///
-    /// # Errors
-    /// If panels of this size cannot cover the surface, or if `observer` cancels.
-    pub fn lay_out_panels(
-        &self,
-        settings: &LayoutSettings,
-        observer: &mut RemeshObserver<'_>,
-    ) -> Result<PanelLayout, Error> {
-        Ok(self.panel_layouts(&[])?.lay_out(settings, observer)?)
     }
 
     /// Puts panels in place of the mesh, as one step of undo, if the session still has this

@@ -14,11 +14,10 @@ const FACES: [usize; 2] = [60, 2000];
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 #[serde(deny_unknown_fields)]
 pub struct LayoutSettings {
-    /// Their number;
+    /// Their number. Without it and without a size, a number that suits the mesh.
     #[serde(default)]
     pub count: Option<usize>,
-    /// or the length of their sides, in the unit of the mesh. Without either, a number that suits the
-    /// mesh.
+    /// The length of their sides, in the unit of the mesh, which goes before their number.
     #[serde(default)]
     pub size: Option<f64>,
     /// From 0, few irregular points, to 1, a small move to circular panels.

@@ -105,7 +105,10 @@ impl Session {
         };
         let (brief, numbers) = if others.is_empty() {
             let error = written(report.max_distance);
-            (format!("All are exact.{guarded}"), format!("The largest error is {error}."))
+            (
+                format!("All required constraints are exact.{guarded}"),
+                format!("The largest error is {error}."),
+            )
         } else {
             let far = exact.iter().map(|(_, found)| found.worst_squared).fold(0.0, f64::max);
             let error = written(far.sqrt());

@@ -4,6 +4,7 @@
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Kind, Selector};
 use crate::scene::{BoundaryRequire, ClosenessTo, Scene};
+use crate::session::state::acts;
 use crate::session::{ResolvedRow, Session};
 
 /// Returns the id of the measure that row `index` makes zero on single faces, which is that of its
@@ -96,24 +97,29 @@ impl Session {
             vertices.iter().for_each(|&vertex| acted_on[vertex as usize] = true);
         };
         let weights = document.weights;
-        let acting = |row: &&ResolvedRow| row.enabled && row.constraints.weight > 0.0;
-        for row in self.rows().iter().filter(acting).filter(|_| weights.shape > 0.0) {
-            act_on(row.constraints.members.indices());
+        for (spec, row) in document.constraints.iter().zip(self.rows()) {
+            if acts(spec, document) {
+                act_on(row.constraints.members.indices());
+            }
         }
         self.scene.handles().iter().for_each(|handle| act_on(&[handle.vertex]));
         if weights.smooth > 0.0 {
             act_on(self.topology().edges().as_flattened());
         }
         let closeness = &document.closeness;
-        let exact = closeness.boundary.is_some_and(|it| it.require == BoundaryRequire::Exact);
-        if weights.close > 0.0 || exact {
+        let on_curve = match closeness.boundary.require {
+            BoundaryRequire::Off => false,
+            BoundaryRequire::Soft => weights.close > 0.0,
+            BoundaryRequire::Exact => true,
+        };
+        if weights.close > 0.0 || on_curve {
             let factors = self.closeness_factors();
             let mut hold = |vertex: u32| {
                 acted_on[vertex as usize] |= factors[vertex as usize] > 0.0;
             };
             if closeness.to != ClosenessTo::None && weights.close > 0.0 {
                 (0..count as u32).for_each(&mut hold);
-            } else if closeness.boundary.is_some() {
+            } else if on_curve {
                 let loops = self.topology().boundary_loops();
                 loops.indices().iter().copied().for_each(&mut hold);
             }

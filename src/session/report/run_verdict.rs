@@ -43,7 +43,7 @@ impl EndWords {
 
 impl Session {
     /// Returns in words whether the constraints are met, with distances up to `tolerance`, in the unit of
-    /// the mesh. None if no constraint has a weight.
+    /// the mesh. None if no constraint acts.
     pub fn run_verdict(&mut self, tolerance: f64) -> Option<RunVerdict> {
         let document = self.scene.document();
         let units = document.units.clone();

@@ -136,15 +136,17 @@ impl Verdict {
         count_in_words(self.adjective, within, self.of, &tolerance)
     }
 
-    /// The same, with the panels that are within a larger tolerance only, so that no face folds; if these
-    /// are most, that is the tolerance of all.
+    /// The same, with the panels that are within a larger tolerance only; if these are most, that is the
+    /// tolerance of all. The reason, that no face folds, is said while none does: a shape that follows
+    /// a handle keeps its tolerances.
     fn reached(&self, units: &str) -> String {
         if let Some(relaxed) = self.relaxed_for_most() {
-            return format!(
-                "{} With a tolerance of {}, panels would fold.",
-                self.met(self.of, relaxed, units),
-                limit_like(self.tolerance, units, self.tolerance)
-            );
+            let met = self.met(self.of, relaxed, units);
+            if self.folded > 0 {
+                return met;
+            }
+            let required = limit_like(self.tolerance, units, self.tolerance);
+            return format!("{met} With a tolerance of {required}, panels would fold.");
         }
         let met = self.met(self.within, self.tolerance, units);
         let Some(eased) = self.eased else { return met };
@@ -154,10 +156,9 @@ impl Verdict {
             (others, 0) => format!("the other {}", group_digits(others)),
             (some, _) => format!("{} more", group_digits(some)),
         };
-        format!(
-            "{}, {others} within a relaxed tolerance of {larger}, so that none folds.",
-            met.trim_end_matches('.')
-        )
+        let met = met.trim_end_matches('.');
+        let reason = if self.folded == 0 { ", so that none folds" } else { "" };
+        format!("{met}, {others} within a relaxed tolerance of {larger}{reason}.")
     }
 
     fn folds(&self) -> String {
@@ -318,6 +319,11 @@ mod tests {
         };
         let some = "798 of 800 panels are flat within 1 mm, the other 2 within a relaxed tolerance of 120 mm, so that none folds. ";
         assert!(eased(2, 798).starts_with(some), "{}", eased(2, 798));
+        // It was also said beside panels that a drag had folded since.
+        let relaxed = Some(EasedPanels { panels: 2, within: 0.12 });
+        let dragged = full(&Verdict { within: 798, eased: relaxed, folded: 3, ..verdict() });
+        let folded = "798 of 800 panels are flat within 1 mm, the other 2 within a relaxed tolerance of 120 mm. But 3 panels are folded or dented. ";
+        assert!(dragged.starts_with(folded), "{dragged}");
         let one = "799 of 800 panels are flat within 1 mm, the other one within a relaxed tolerance of 120 mm, so that none folds. ";
         assert!(eased(1, 799).starts_with(one), "{}", eased(1, 799));
         let all =

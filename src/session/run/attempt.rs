@@ -46,11 +46,11 @@ impl Attempt {
     /// What the run does meanwhile, in words.
     pub(crate) fn words(&self) -> &'static str {
         match self {
-            Attempt::FromSoft => "Coming within the tolerance …",
+            Attempt::FromSoft => "Satisfying what is required …",
             Attempt::FromRest => "Trying from the original shape …",
             Attempt::Exact => "Trying exact panels …",
-            Attempt::OnSurface => "Trying panels that slide along the surface …",
-            Attempt::Smoother(_) => "Trying smoother panels …",
+            Attempt::OnSurface => "Trying vertices that slide along the surface …",
+            Attempt::Smoother(_) => "Trying a smoother shape …",
             Attempt::Eased(_) => "Trying relaxed tolerances …",
         }
     }

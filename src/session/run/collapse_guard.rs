@@ -56,7 +56,7 @@ impl CollapseGuard {
     }
 
     /// Forgets a collapse, because the search for a shape goes on.
-    pub(crate) fn forgive(&mut self) {
+    pub(crate) fn clear_collapse(&mut self) {
         self.collapse = None;
     }
 

@@ -31,6 +31,9 @@ pub enum HalfStep {
         /// scene accelerates its steps.
         accelerated: bool,
     },
+    /// Instead of the global step, nothing: a run has met the hard constraints, and vertices that moved
+    /// to the least-squares solution would leave them.
+    Satisfied,
 }
 
 /// Number of constraints of a kind.

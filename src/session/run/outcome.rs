@@ -42,20 +42,20 @@ pub enum Flaw {
     Shrunk,
 }
 
-/// Largest distance of the surface from the original, relative to the mean edge,
+/// Largest distance of the surface of a good shape from the original, relative to the mean edge.
 const AWAY: f64 = 0.2;
-/// the same of the boundary,
+/// Largest distance of its boundary, relative to the mean edge.
 const OFF_BOUNDARY: f64 = 0.2;
-/// and the mean distance of the vertices from their rest positions: the limits of a good shape.
+/// Largest mean distance of its vertices from their rest positions, relative to the mean edge.
 const MOVED: f64 = 0.2;
 /// Smallest ratio of an edge to its length at rest.
 const SHORT: f64 = 0.2;
 /// Largest fraction of the area that is lost.
 const SHRUNK: f64 = 0.05;
 /// Nothing is left of the design farther than this fraction of the size of the mesh, if that is more
-/// than an edge,
+/// than an edge.
 const RUINED: f64 = 0.15;
-/// or with more than this fraction of the area lost.
+/// Nothing is left of the design with more than this fraction of the area lost.
 const MOST_SHRUNK: f64 = 0.25;
 
 impl ShapeMeasure {

@@ -120,15 +120,15 @@ fn lost(before: f64, now: f64) -> f64 {
 }
 
 /// A surface is rough if the mean angle between neighbouring faces exceeds this multiple of the
-/// angle at rest,
+/// angle at rest by more than [`HARDLY_ROUGH`].
 const ROUGH: f64 = 1.25;
-/// and this many degrees more: less is hardly visible.
+/// A difference of this angle, in degrees, that is hardly visible.
 const HARDLY_ROUGH: f64 = 1.0;
-/// It has become flatter if this angle is below this fraction of the angle at rest,
+/// A surface has become flatter if this angle is below this fraction of the angle at rest.
 const FLATTER: f64 = 0.5;
-/// hardly bent if it is below this fraction,
+/// It is hardly bent below this fraction.
 const HARDLY_BENT: f64 = 0.2;
-/// and flat if it is below this one.
+/// It is flat below this fraction.
 const FLAT: f64 = 0.1;
 
 impl Bend {

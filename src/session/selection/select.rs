@@ -3,11 +3,11 @@
 use super::elements::{self, Elements, Marks};
 use super::operation::{OPERATIONS, Operation};
 use super::request::{Mode, SelectRequest, Selection, error};
-use crate::constraint::{Selector, Sets, resolve};
+use crate::constraint::{Param, Selector, Sets, resolve};
 use crate::scene::SceneError;
 use crate::session::Session;
 use crate::session::state::RestMesh;
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 
 impl Session {
     /// Returns the selection after `request`, on the current shape; indices ascending.
@@ -132,24 +132,26 @@ struct Params<'a> {
 }
 
 impl Params<'_> {
-    fn value(&self, id: &str) -> Option<Value> {
+    fn declared(&self, id: &str) -> &Param {
         let declared = self.operation.params.iter().find(|param| param.id == id);
-        let usual = declared.and_then(|param| serde_json::to_value(param.default).ok());
-        self.given.get(id).cloned().or(usual)
+        declared.expect("an operation reads the parameters that it declares")
+    }
+
+    fn value(&self, id: &str) -> Value {
+        let usual = || json!(self.declared(id).default);
+        self.given.get(id).cloned().unwrap_or_else(usual)
     }
 
     fn number(&self, id: &str) -> Result<f64, SceneError> {
-        let declared = self.operation.params.iter().find(|param| param.id == id);
-        let [least, greatest] = declared.map_or([f64::NEG_INFINITY, f64::INFINITY], |p| p.range);
-        let value = self.value(id).and_then(|value| value.as_f64());
+        let param = self.declared(id);
+        let value = self.value(id).as_f64();
         value
-            .filter(|value| (least..=greatest).contains(value))
-            .ok_or_else(|| error(id, format!("expected a number from {least} to {greatest}")))
+            .filter(|&value| param.allows(value))
+            .ok_or_else(|| error(id, format!("expected {}", param.range_in_words())))
     }
 
     fn word(&self, id: &str) -> Result<String, SceneError> {
         let value = self.value(id);
-        let word = value.as_ref().and_then(Value::as_str);
-        word.map(str::to_owned).ok_or_else(|| error(id, "expected a word".to_owned()))
+        value.as_str().map(str::to_owned).ok_or_else(|| error(id, "expected a word".to_owned()))
     }
 }

@@ -22,6 +22,6 @@ pub use part::as_asked;
 pub(crate) use part::{Part, RowValues, Settings, leave_search, same_problem, uses};
 pub(crate) use rest_mesh::RestMesh;
 pub use rows::{Paired, ResolvedRow};
-pub(crate) use rows::{edges_among, resolve_row, resolve_rows};
+pub(crate) use rows::{acts, edges_among, resolve_row, resolve_rows};
 pub(crate) use scene_change::{Draft, SceneChange, same_positions};
 pub(crate) use solved_scene::SolvedScene;

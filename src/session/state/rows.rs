@@ -30,6 +30,12 @@ pub struct Paired {
     pub of: usize,
 }
 
+/// Whether vertices are drawn to the shapes of a row: hard constraints are met whatever they weigh.
+pub(crate) fn acts(row: &ConstraintSpec, scene: &Scene) -> bool {
+    let is_weighed = row.weight > 0.0 && scene.weights.shape > 0.0;
+    row.enabled && (row.require.is_hard() || is_weighed)
+}
+
 impl Paired {
     /// Counts over all constraints of a row; none if the kind does not act on pairs.
     fn of(constraints: &Constraints, mesh: &Mesh) -> Option<Paired> {

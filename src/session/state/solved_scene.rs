@@ -2,7 +2,7 @@
 
 use super::part::Effect;
 use super::rest_mesh::RestMesh;
-use super::rows::{ResolvedRow, resolve_rows};
+use super::rows::{ResolvedRow, acts, resolve_rows};
 use super::scene_change::{Draft, SceneChange, same_handles, same_positions};
 use crate::constraint::Projected;
 use crate::mesh::Point;
@@ -123,11 +123,11 @@ impl SolvedScene {
     }
 
     /// The row whose constraints are farthest from being met, as found by the last local step, and this
-    /// distance in the unit of the mesh. Without a weight nothing is drawn to a row, so that its distance
-    /// says nothing; none if no row has one.
+    /// distance in the unit of the mesh. None if vertices are drawn to no row: the distance to one that
+    /// does not act says nothing.
     pub(crate) fn worst_row(&self) -> Option<(usize, f64)> {
         let rows = self.enabled_rows().zip(self.solver.found());
-        rows.filter(|(row, _)| self.document.constraints[*row].weight > 0.0)
+        rows.filter(|(row, _)| acts(&self.document.constraints[*row], &self.document))
             .map(|(row, found)| (row, found.worst_squared.sqrt()))
             .reduce(|worst, other| if other.1 > worst.1 { other } else { worst })
     }

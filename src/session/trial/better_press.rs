@@ -15,9 +15,10 @@ const LARGER: [f64; 2] = [10.0, 50.0];
 const LARGEST: f64 = 0.15;
 
 /// A choice of the same level is offered if the surface moves at most this fraction of the distance,
+/// and if the panels stay [`AS_MANY`].
 const NEARER: f64 = 0.6;
 
-/// and if at least this fraction of the panels within the tolerance stays so.
+/// At least this fraction of the panels within the tolerance stays so.
 const AS_MANY: f64 = 0.9;
 
 /// A surface that moves at most this fraction of the mean edge is said to stay.
@@ -33,11 +34,11 @@ pub struct BetterPress {
     pub label: String,
     /// What it would come to.
     pub words: String,
-    /// The kind of panels to make,
+    /// The kind of panels to make.
     pub kind: &'static str,
-    /// their tolerance, in the unit of the mesh,
+    /// The tolerance of the panels, in the unit of the mesh.
     pub within: f64,
-    /// and the start.
+    /// The shape and the settings to start from.
     pub from: PanelStart,
     /// The level of its shape.
     pub level: Level,

@@ -98,9 +98,12 @@ impl Transaction {
 
     /// The name of the step of a drag, with the handles `now`; none if no handle has moved.
     pub(crate) fn name_of_drag(&self, now: &[Handle]) -> Option<String> {
-        let before = &self.back.scene.handles;
+        let SceneChange { handles: before, positions, .. } = &self.back.scene;
         if before.len() != now.len() {
-            return Some("Make and move handle".to_owned());
+            // Handles are made where their vertices are, which may be all of the drag.
+            let mut new = now.iter().skip(before.len());
+            let stays = new.all(|handle| handle.target == positions[handle.vertex as usize]);
+            return Some(if stays { "Make handle" } else { "Make and move handle" }.to_owned());
         }
         match before.iter().zip(now).filter(|(before, now)| before != now).count() {
             0 => None,

@@ -4,7 +4,7 @@
 use crate::constraint::Row;
 use crate::math::{argsort, cosine};
 use crate::mesh::{BoundaryCurves, ClosestPointCache, Point, Surface, Topology};
-use crate::solve::settings::{BoundaryCloseness, ClosenessTo};
+use crate::solve::settings::{BoundaryCloseness, BoundaryRequire, ClosenessTo};
 use std::rc::Rc;
 
 /// `E_close = sum_v k_v |v - c(v)|^2`, over the vertices that have a target `c(v)`.
@@ -62,12 +62,12 @@ pub(crate) struct RestShape<'a> {
 }
 
 impl CloseEnergy {
-    /// Creates the energy with the targets `to`, or `boundary` for the vertices there, and the
+    /// Creates the energy with the targets `to`, or a soft `boundary` for the vertices there, and the
     /// factors `k_v`, `#V`; `None` if nothing is kept close. Also returns the corners of the
     /// boundary, except those with a factor of zero.
     pub(crate) fn new(
         to: ClosenessTo,
-        boundary: Option<BoundaryCloseness>,
+        boundary: BoundaryCloseness,
         factors: &[f64],
         rest_shape: &RestShape<'_>,
     ) -> (Option<CloseEnergy>, Vec<u32>) {
@@ -85,7 +85,7 @@ impl CloseEnergy {
         let mut elsewhere: Vec<bool> = factors.iter().map(|&factor| factor == 0.0).collect();
         let mut energy = CloseEnergy { surfaces: Vec::new(), points: Vec::new() };
         let mut corners = Vec::new();
-        if let Some(boundary) = boundary {
+        if boundary.require == BoundaryRequire::Soft {
             let positions: Vec<Point> = node_of
                 .iter()
                 .map(|&node| {

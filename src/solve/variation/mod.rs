@@ -336,13 +336,13 @@ fn by_node(system: &BlockSystem, model: &Model) -> Vec<Row> {
 
 /// The corners that closeness to the boundary fixes, except those with a handle.
 fn fixed_corners(problem: &Problem<'_>, handles: &[Handle]) -> Vec<u32> {
-    let boundary = problem.boundary_closeness.filter(|_| problem.weights.close > 0.0);
+    let boundary = problem.boundary_closeness;
     // On curves that the vertices may not leave, the corners are fixed anyway.
-    let Some(soft) = boundary.filter(|it| it.require == BoundaryRequire::Soft) else {
+    if boundary.require != BoundaryRequire::Soft || problem.weights.close <= 0.0 {
         return Vec::new();
-    };
+    }
     let shape = problem.design.unwrap_or(&problem.mesh.positions);
-    let found = BoundaryCurves::new(shape, problem.topology, cosine(soft.corners / 360.0));
+    let found = BoundaryCurves::new(shape, problem.topology, cosine(boundary.corners / 360.0));
     let is_fixed = |v: &u32| {
         let has_handle = handles.iter().any(|handle| handle.vertex == *v);
         problem.closeness_factors[*v as usize] != 0.0 && !has_handle

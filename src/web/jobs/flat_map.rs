@@ -2,7 +2,7 @@
 
 use super::model_copy::ModelCopy;
 use crate::mesh::Histogram;
-use crate::solve::{ConformalNorm, ConformalSeconds, ConformalWeights, FewerFlips, clock};
+use crate::solve::{ConformalNorm, ConformalWeights, FewerFlips, clock};
 use crate::web::thrown;
 use crate::web::values::{AsIs, Js, indices, narrow, plain, read};
 use js_sys::{Float32Array, Float64Array, Uint32Array};
@@ -42,7 +42,6 @@ pub struct FlatMap {
     left_out: usize,
     eigenvalue: f64,
     seconds: f64,
-    seconds_of: ConformalSeconds,
 }
 
 #[wasm_bindgen]
@@ -81,7 +80,6 @@ impl ModelCopy {
             left_out: map.left_out.len(),
             eigenvalue: map.eigenvalue,
             seconds,
-            seconds_of: map.seconds,
         })
     }
 

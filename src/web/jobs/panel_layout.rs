@@ -3,7 +3,7 @@
 
 use super::model_copy::ModelCopy;
 use crate::quads::RemeshStage;
-use crate::session::{BoundaryForecast, LayoutSettings, LayoutWords, PanelLayout, PanelLayouts};
+use crate::session::{BoundaryForecast, LayoutSettings, PanelLayout, PanelLayouts};
 use crate::web::thrown;
 use crate::web::values::{AsIs, Js, flat, indices, plain, plains, read};
 use js_sys::{Float64Array, Function, Uint32Array};
@@ -15,7 +15,7 @@ use wasm_bindgen::prelude::*;
 #[derive(Serialize, Tsify)]
 pub struct LaidOut {
     #[serde(flatten)]
-    said: LayoutWords,
+    layout: PanelLayout,
     /// `#V by 3`.
     positions: AsIs<Float64Array>,
     /// Panel `k` has the corners from `offsets[k]` to `offsets[k + 1]` of `indices`.
@@ -25,8 +25,6 @@ pub struct LaidOut {
     points: AsIs<Float64Array>,
     /// Line `k` has the points from `ends[k]` to `ends[k + 1]`.
     ends: AsIs<Uint32Array>,
-    /// The number of lines that mark places and irregular points, which come first.
-    marked: usize,
 }
 
 /// The place of a refusal.
@@ -52,7 +50,7 @@ impl ModelCopy {
         let told = self.told.clone();
         let layouts = self.panel_layouts(kept)?;
         let layout = layouts.lay_out(&settings, &mut telling(&told)).map_err(thrown)?;
-        plain(&LaidOut::of(&layout))
+        plain(&LaidOut::of(layout))
     }
 
     /// What such panels come to with each choice at the boundary; empty if the surface is closed.
@@ -107,7 +105,7 @@ fn telling(told: &Function) -> impl FnMut(RemeshStage, f64) -> bool {
 }
 
 impl LaidOut {
-    fn of(layout: &PanelLayout) -> LaidOut {
+    fn of(layout: PanelLayout) -> LaidOut {
         let faces = &layout.mesh.faces;
         let mut ends = vec![0];
         ends.extend(layout.lines.iter().scan(0, |end, line| {
@@ -115,13 +113,12 @@ impl LaidOut {
             Some(*end)
         }));
         LaidOut {
-            said: layout.in_words(),
             positions: AsIs(flat(&layout.mesh.positions)),
             offsets: indices(faces.offsets()),
             indices: indices(faces.indices()),
             points: AsIs(flat(&layout.lines.concat())),
             ends: indices(&ends),
-            marked: layout.marked_lines,
+            layout,
         }
     }
 }

@@ -3,10 +3,9 @@
 use super::solver::Solver;
 use crate::constraint::describe;
 use crate::scene::{
-    ClosenessTo, Hold, Lesson, Lock, NamedEnum, PRESETS, Preset, PresetOffer, Slide, SmoothnessOf,
-    Up,
+    ClosenessTo, Hold, Lesson, Lock, PRESETS, Preset, PresetOffer, Slide, SmoothnessOf, Up,
 };
-use crate::session::{EasedPanels, GoalWords, Paired, Session, goals_in_words, settings_of};
+use crate::session::{EasedPanels, GoalWords, Session, goals_in_words, settings_of};
 use crate::solve::Require;
 use crate::web::values::{Js, plain};
 use serde::Serialize;
@@ -31,7 +30,7 @@ pub struct Document<'a> {
     closeness: ClosenessTo,
     /// Whether the target shapes are taken from another pose.
     pose: bool,
-    smoothness: SmoothnessWords,
+    smoothness: SmoothnessOf,
     /// The value of each declared setting.
     #[tsify(type = "Record<string, ParamValue>")]
     settings: serde_json::Map<String, Value>,
@@ -94,8 +93,6 @@ struct ConstraintRow<'a> {
     skipped: usize,
     /// The id of the measure of faces whose largest value is the largest distance of the row.
     measure: Option<&'static str>,
-    /// If the kind acts on pairs of vertices: how many have a partner at rest.
-    paired: Option<Paired>,
     weight: f64,
     enabled: bool,
     /// In the form of the scene file.
@@ -121,13 +118,6 @@ struct Weights {
     shape: f64,
     close: f64,
     smooth: f64,
-}
-
-#[derive(Serialize, Tsify)]
-#[tsify(missing_as_null)]
-struct SmoothnessWords {
-    of: SmoothnessOf,
-    weighting: &'static str,
 }
 
 /// The exercise of the scene.
@@ -167,7 +157,6 @@ impl<'a> Document<'a> {
                     count: row.constraints.members.len(),
                     skipped: row.skipped,
                     measure: session.row_measure(index),
-                    paired: row.paired,
                     weight: spec.weight,
                     enabled: spec.enabled,
                     require: spec.require,
@@ -202,10 +191,7 @@ impl<'a> Document<'a> {
             weights: Weights { shape, close, smooth },
             closeness: scene.closeness.to,
             pose: scene.pose.is_some(),
-            smoothness: SmoothnessWords {
-                of: scene.smoothness.of,
-                weighting: scene.smoothness.weighting.word(),
-            },
+            smoothness: scene.smoothness.of,
             settings: settings_of(scene),
             preset: Preset::of(scene).map(|preset| preset.id),
             presets: PRESETS

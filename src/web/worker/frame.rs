@@ -29,10 +29,8 @@ pub struct FrameNumbers {
     planarity: Planarity,
     circularity: Circularity,
     moved: Moved,
-    /// The least ratio of an edge length to its length at rest.
-    shortest_edge: f64,
-    /// The largest value of the scene's measure; rounding errors are 0.
-    worst_panel: f64,
+    /// The largest distance by the scene's measure, see [`Session::worst_by_scene_measure`].
+    worst_distance: f64,
     /// The worst distance of each row of the document; zero for disabled rows.
     worst: Vec<f64>,
     /// The share of each row in the total energy, from 0 to 1.
@@ -62,7 +60,7 @@ impl FrameNumbers {
         let lesson = session.lesson_progress();
         let age = if iterating { RENEWED } else { 0.0 };
         let measures = session.recent_measures(age);
-        let worst_panel = session.worst_by_scene_measure(age);
+        let worst_distance = session.worst_by_scene_measure(age);
         let mut found = session.solver().found();
         let rows = session.rows().iter().map(|row| row.enabled.then(|| found.next()).flatten());
         let rows: Vec<LocalStep> = rows.map(Option::unwrap_or_default).collect();
@@ -80,8 +78,7 @@ impl FrameNumbers {
             planarity: measures.planarity,
             circularity: measures.circularity,
             moved: session.moved(),
-            shortest_edge: session.shortest_edge(),
-            worst_panel,
+            worst_distance,
             worst: rows.iter().map(|row| row.worst_squared.sqrt()).collect(),
             shares: rows.iter().map(share).collect(),
             lesson,

@@ -38,7 +38,8 @@ impl Solver {
         Ok(step.ended)
     }
 
-    /// Does one iteration as a run, without meeting hard constraints; returns whether it converged.
+    /// Does one iteration as a run, without meeting hard constraints; returns whether there is
+    /// no reason to continue: it converged, or the shape collapsed.
     #[wasm_bindgen(js_name = singleStep)]
     pub fn single_step(&mut self) -> Result<bool, JsValue> {
         Ok(self.open_mut()?.single_step().map_err(thrown)?.ended)
@@ -126,14 +127,6 @@ impl Solver {
             [f64::from(entry.iteration), e.shape, e.close, e.smooth, e.handles, e.total]
         });
         Ok(Float64Array::from(entries.collect::<Vec<_>>().as_flattened()))
-    }
-
-    /// Returns the seconds spent in all iterations so far, by part: projections, closeness,
-    /// smoothness and handles, and the global step.
-    #[wasm_bindgen(js_name = iterateSeconds)]
-    pub fn iterate_seconds(&self) -> Result<Vec<f64>, JsValue> {
-        let seconds = self.open()?.solver().iterate_seconds();
-        Ok(vec![seconds.shape, seconds.close, seconds.smooth, seconds.global])
     }
 }
 

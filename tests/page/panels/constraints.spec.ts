@@ -238,6 +238,15 @@ test('the selection is held closer than the rest, and evenly again', async ({ pa
   await expect(page.getByText('1 vertex has its own closeness.')).toBeVisible();
   await page.getByRole('button', { name: 'Same for all' }).click();
   await expect.poll(weights).toBeUndefined();
+  // Where nothing is near the original it was said to change, too.
+  const preset = page.getByRole('combobox', { name: 'Preset' });
+  await preset.selectOption('Figures 6 and 8: only constraints');
+  await page.getByRole('button', { name: 'Use anyway' }).click();
+  await expect(page.getByText('The weight of Close is 0')).toBeVisible();
+  for (const which of ['more', 'less', 'none', 'default'])
+    await expect(
+      page.getByRole('button', { name: `Closeness of the selection: ${which}` }),
+    ).toBeDisabled();
 });
 
 test('a handle is moved by numbers, fixed, and weighted', async ({ page }) => {

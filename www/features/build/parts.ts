@@ -26,15 +26,11 @@ export class Parts {
   readonly refused = signal('');
   #app;
   #layer;
-  /** What was sent and is not in the scene yet, and the number of edits that this takes. */
-  #sent = signal<Partial<BuildSettings>>({});
-  #pending = 0;
   #isOpen = false;
-  /** The settings of the scene with those that were sent. */
-  readonly settings = computed<BuildSettings>(() => {
-    const { document } = this.#app.store.state;
-    return { ...this.live.settings(document), ...this.#sent.value };
-  });
+  /** The settings of the scene. */
+  readonly settings = computed<BuildSettings>(() =>
+    this.live.settings(this.#app.store.state.document),
+  );
   #tried = latestOnly((distance: number | null) =>
     this.#app.actions.reportErrors(
       distance === null ? this.live.again() : this.live.moveLayer(distance),
@@ -72,18 +68,9 @@ export class Parts {
     };
   }
 
-  change(own: Partial<BuildSettings>) {
-    const { store, actions } = this.#app;
-    this.#sent.value = { ...this.#sent.value, ...own };
-    this.#pending += 1;
-    const build = { ...store.get().document?.build, ...this.#sent.value };
-    void actions
-      .edit({ setBuild: { build } }, (error) => this.#refusal(error))
-      .then((edited) => {
-        this.#pending -= 1;
-        // What was refused is neither sent again nor shown any longer.
-        if (!this.#pending || edited === undefined) this.#sent.value = {};
-      });
+  /** @param values by the paths of the settings, as in a scene */
+  change(values: Record<string, unknown>) {
+    void this.#app.actions.edit({ setBuild: { values } }, (error) => this.#refusal(error));
   }
 
   /** Names the setting of a refusal by its label: several may be wrong together. */

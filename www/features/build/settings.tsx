@@ -16,16 +16,6 @@ const keysOf = (path: string) => path.split(/[.[\]]/).filter(Boolean);
 /** What is inside of an object or a list. */
 const inside = (outer: unknown, key: string) => (outer as Record<string, unknown>)[key];
 
-/** The setting that contains a path, with another value there. */
-function changedAt(settings: BuildSettings, path: string, value: Value) {
-  const keys = keysOf(path);
-  const last = keys.pop() as string;
-  const changed = structuredClone(settings);
-  (keys.reduce<unknown>(inside, changed) as Record<string, unknown>)[last] = value;
-  const key = (keys[0] ?? last) as keyof BuildSettings;
-  return { [key]: changed[key] } as Partial<BuildSettings>;
-}
-
 export function Settings({
   parts,
   offers: { presets, settings: declared },
@@ -51,7 +41,7 @@ export function Settings({
           setting={setting}
           value={keysOf(setting.id).reduce<unknown>(inside, settings) as Value}
           unit={unit}
-          onValue={(value) => parts.change(changedAt(parts.settings.value, setting.id, value))}
+          onValue={(value) => parts.change({ [setting.id]: value })}
         />
       ));
   const [make, ...rows] = rowsOf(groups[0]);

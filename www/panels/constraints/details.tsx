@@ -53,7 +53,7 @@ export function Details({
       {eased && (
         <p class="quiet">
           {count(eased.panels, 'panel has', 'panels have')} a relaxed tolerance of{' '}
-          {lengthText(eased.within, document?.units ?? '')}, so that none folds.
+          {lengthText(eased.within, document?.units ?? '')}.
         </p>
       )}
       <ParameterRows row={row} name={name} kind={kind} />

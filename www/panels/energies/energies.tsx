@@ -26,7 +26,7 @@ interface Term {
 const TERMS: Term[] = [
   { id: 'shape', label: 'Shape', words: () => 'satisfy the constraints' },
   { id: 'close', label: 'Close', words: ({ closeness }) => CLOSENESS[closeness] },
-  { id: 'smooth', label: 'Smooth', words: ({ smoothness }) => SMOOTHNESS[smoothness.of] },
+  { id: 'smooth', label: 'Smooth', words: ({ smoothness }) => SMOOTHNESS[smoothness] },
 ];
 const CLOSENESS = {
   surface: 'stay near the original',

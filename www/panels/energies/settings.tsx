@@ -10,7 +10,7 @@ import { Button } from '../../ui/components/buttons.tsx';
 import { count } from '../../ui/words.ts';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
-import type { Setting } from '../../pkg/engine/shape_up.js';
+import type { Document as SceneDocument, Setting } from '../../pkg/engine/shape_up.js';
 
 export function Settings() {
   const { settings } = useApp().store.state;
@@ -124,14 +124,26 @@ const HOLDS = [
   { label: 'Default', weight: 1, title: 'The same closeness as the others' },
 ];
 
+/** Why factors of closeness change nothing; empty if they do. */
+function whyUnused({ weights, closeness, settings }: SceneDocument) {
+  // They release vertices from the boundary whatever the weight is.
+  if (settings.boundary === 'exact') return '';
+  if (weights.close === 0) return 'The weight of Close is 0: nothing is kept near the original.';
+  const isFree = closeness === 'none' && settings.boundary === 'off';
+  return isFree ? 'Stay near is none: nothing is kept near the original.' : '';
+}
+
 /** The closeness of the selected vertices relative to the others. */
 function OwnCloseness() {
   const { store, actions } = useApp();
   const { selection, document } = store.state;
   const none = sizeOfSelection(selection) === 0;
   const held = document?.reweightedVertices ?? 0;
+  const unused = document ? whyUnused(document) : '';
   const notes = [
-    none && 'Select vertices to keep them closer to the original, or less close, than the others.',
+    unused ||
+      (none &&
+        'Select vertices to keep them closer to the original, or less close, than the others.'),
     held > 0 && `${count(held, 'vertex has its', 'vertices have their')} own closeness.`,
   ];
 
@@ -152,7 +164,7 @@ function OwnCloseness() {
             key={one.label}
             title={one.title}
             aria-label={`Closeness of the selection: ${one.label.toLowerCase()}`}
-            disabled={none}
+            disabled={none || unused !== ''}
             onClick={() => hold(one)}
           >
             {one.label}

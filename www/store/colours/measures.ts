@@ -43,7 +43,7 @@ export const colouring = (state: State) =>
  * faces, or else of the scene's.
  */
 export const worstOf = ({ numbers, greatest }: State, measure: Measure) =>
-  greatest?.measure === measure ? greatest.value : (numbers?.worstPanel ?? 0);
+  greatest?.measure === measure ? greatest.value : (numbers?.worstDistance ?? 0);
 
 /** The measure of the distances from the original, of which the legend has the largest and the mean. */
 const DISPLACEMENT: Measure = 'displacement';

@@ -5,7 +5,7 @@ use crate::constraint::Element;
 use crate::generate::example::Example;
 use crate::generate::model::{self, Hall, Patch, Strip, honeycomb};
 use crate::mesh::Mesh;
-use crate::scene::{Accelerator, BoundaryCloseness, ClosenessTo, Scene, Weights};
+use crate::scene::{Accelerator, BoundaryRequire, ClosenessTo, Scene, Weights};
 
 pub(super) const PLANAR: Example = Example {
     id: "fig-05-planar",
@@ -57,7 +57,7 @@ fn shaped(scene: &mut Scene, kind: &str) {
     scene.constraints = vec![constraint(kind, each(Element::Face), 1.0)];
     scene.weights = Weights { shape: 5.0, close: 10.0, smooth: 2.0 };
     scene.solver.iterations = 500;
-    scene.closeness.boundary = Some(BoundaryCloseness::default());
+    scene.closeness.boundary.require = BoundaryRequire::Soft;
 }
 
 pub(super) const SQUARES: Example = Example {
