@@ -51,7 +51,7 @@ impl Session {
             }
             return Ok(false);
         }
-        if self.is_running() && !self.would_change(&edit)? {
+        if self.transaction.is_some() && !self.would_change(&edit)? {
             return Ok(false);
         }
         self.end_transaction();
@@ -60,8 +60,9 @@ impl Session {
         Ok(true)
     }
 
-    /// Whether an edit would have an effect: what has none, or is refused, leaves a run as it is. Of
-    /// edits that bring or make a mesh only the locks are checked: to try them takes as long as they do.
+    /// Whether an edit would have an effect: what has none, or is refused, leaves a run, a drag and a
+    /// variation that is shown as they are. Of edits that bring or make a mesh only the locks are checked:
+    /// to try them takes as long as they do.
     ///
     /// # Errors
     /// Those of [`Session::edit`] that are known before the solver is set up.
