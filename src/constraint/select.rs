@@ -5,6 +5,7 @@ use crate::words::count;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
+use std::rc::Rc;
 
 /// The named sets of a scene.
 pub type Sets = BTreeMap<String, Set>;
@@ -14,11 +15,11 @@ pub type Sets = BTreeMap<String, Set>;
 #[serde(default, deny_unknown_fields)]
 pub struct Set {
     /// Indices of vertices.
-    #[serde(with = "indices", skip_serializing_if = "Vec::is_empty")]
-    pub vertices: Vec<u32>,
+    #[serde(with = "indices", skip_serializing_if = "<[u32]>::is_empty")]
+    pub vertices: Rc<[u32]>,
     /// Indices of faces.
-    #[serde(with = "indices", skip_serializing_if = "Vec::is_empty")]
-    pub faces: Vec<u32>,
+    #[serde(with = "indices", skip_serializing_if = "<[u32]>::is_empty")]
+    pub faces: Rc<[u32]>,
 }
 
 /// The elements of a mesh that can carry one constraint each.
@@ -70,7 +71,7 @@ pub enum Selector {
     /// One constraint of all vertices of a set or group.
     Set(String),
     /// One constraint of these vertices.
-    Vertices(Vec<u32>),
+    Vertices(Rc<[u32]>),
 }
 
 impl Selector {

@@ -23,8 +23,10 @@ pub(crate) fn begin() {
 /// A list of indices in either form.
 pub(crate) struct Indices<T = Vec<u32>>(pub(crate) T);
 
-pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<u32>, D::Error> {
-    from.deserialize_any(ListVisitor)
+pub(crate) fn deserialize<'de, D: Deserializer<'de>, L: From<Vec<u32>>>(
+    from: D,
+) -> Result<L, D::Error> {
+    from.deserialize_any(ListVisitor).map(L::from)
 }
 
 /// Reads a list that may be absent.

@@ -258,7 +258,7 @@ pub struct EasedFaces {
     pub within: f64,
     /// Indices of faces.
     #[serde(with = "indices")]
-    pub faces: Vec<u32>,
+    pub faces: Rc<[u32]>,
 }
 
 /// The attempt by which a search met the hard constraints. The settings of the scene are those of the

@@ -7,10 +7,11 @@ use super::undo::{History, Transaction};
 use crate::mesh::{Mesh, Point, Topology};
 use crate::scene::Scene;
 use crate::solve::Solver;
+use std::rc::Rc;
 
 /// An open scene.
 pub struct Session {
-    pub(super) rest: RestMesh,
+    pub(super) rest: Rc<RestMesh>,
     pub(super) scene: SolvedScene,
     pub(super) progress: Progress,
     pub(super) guard: CollapseGuard,

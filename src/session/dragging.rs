@@ -3,7 +3,7 @@
 use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
 use super::run::{Collapse, Search};
-use super::state::{SceneChange, check_targets};
+use super::state::check_targets;
 use super::undo::{Transaction, TransactionKind};
 use crate::mesh::Point;
 use crate::scene::{Lock, SceneError};
@@ -127,13 +127,13 @@ impl Session {
     /// nothing: what the solver did meanwhile could not be undone.
     fn record_drag(&mut self, keep: bool) -> bool {
         let Some(transaction) = self.transaction.take_if(|t| t.is_drag()) else { return false };
-        let name = transaction.name_of_drag(self.scene.handles()).filter(|_| keep);
-        let mut back = transaction.into_back();
+        let name = transaction.name_of_drag(&self.state()).filter(|_| keep);
+        let before = transaction.into_before();
         if let Some(name) = name {
-            self.history.push(name, back);
+            self.add_step(name, before);
             return true;
         }
-        self.exchange(&mut back).expect("the state was solvable before");
+        self.go_to_state(before).expect("the state was solvable before");
         false
     }
 
@@ -215,9 +215,9 @@ impl Session {
         self.guard.look(&self.scene, &self.rest, false);
         // A run that collapsed is a step of its own, so that it can be undone alone.
         let joins = transaction.joins_last() && self.collapse().is_none();
-        match transaction.name_of_run(self.scene.positions(), self.iteration()) {
-            Some(_) if joins => self.history.join(transaction.into_back()),
-            Some(name) => self.history.push(name, transaction.into_back()),
+        match transaction.name_of_run(&self.state()) {
+            Some(_) if joins => self.history.join(),
+            Some(name) => self.add_step(name, transaction.into_before()),
             None => {}
         }
         self.guard.collapse_to_tell()
@@ -235,16 +235,9 @@ impl Session {
         self.leave_variation();
     }
 
-    /// Makes a change of the document part of the transaction under way.
-    pub(super) fn include(&mut self, back: SceneChange) {
-        if let Some(transaction) = &mut self.transaction {
-            transaction.include(back);
-        }
-    }
-
     pub(super) fn begin(&mut self, kind: TransactionKind) {
         self.end_transaction();
-        self.transaction = Some(Transaction::new(kind, self.snapshot()));
+        self.transaction = Some(Transaction::new(kind, self.state()));
         self.progress.leave_half();
     }
 }

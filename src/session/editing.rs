@@ -8,9 +8,9 @@ use super::edit::{
 use super::measured::MeasureCache;
 use super::report::{check_lesson, check_presentation};
 use super::run::{Search, Start};
-use super::state::{Draft, RestMesh, SceneChange, SolvedScene, resolve_rows};
+use super::state::{RestMesh, SceneState, SolvedScene, asks_otherwise, resolve_rows};
 use super::undo::{
-    Change, SavedState, Transaction, read_history, read_state, write_history, write_state,
+    SessionState, Transaction, read_history, read_state, write_history, write_state,
 };
 use crate::mesh::{
     Edited, Mesh, MeshOperation, OperationError, Point, Scheme, SubdivideError, SubdividedCounts,
@@ -41,25 +41,32 @@ impl Session {
         if let Edit::SetTolerance { .. } = edit {
             // Iterations go on as if nothing had happened.
             check_locks(&edit, self.document())?;
+            let before = self.document().tolerance;
             let mut unused = IterationState { iteration: self.iteration(), start: None };
             self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut unused))?;
+            let now = self.document().tolerance;
+            let is_begun = |it: &mut Transaction| it.replace_tolerance(before, now);
+            if self.transaction.as_mut().is_none_or(is_begun) {
+                self.history.replace_tolerance(before, now);
+            }
             return Ok(false);
         }
-        if self.is_running() && !self.would_change(&edit)? {
+        if self.transaction.is_some() && !self.would_change(&edit)? {
             return Ok(false);
         }
         self.end_transaction();
-        let Some((name, back)) = self.make(edit)? else { return Ok(false) };
-        self.history.push(name, back);
+        let Some((name, before)) = self.make(edit)? else { return Ok(false) };
+        self.add_step(name, before);
         Ok(true)
     }
 
-    /// Whether an edit would have an effect: what has none, or is refused, leaves a run as it is. Of
-    /// edits that bring or make a mesh only the locks are checked: to try them takes as long as they do.
+    /// Whether an edit would have an effect: what has none, or is refused, leaves a run, a drag and a
+    /// variation that is shown as they are. Of edits that bring or make a mesh only the locks are checked:
+    /// to try them takes as long as they do.
     ///
     /// # Errors
     /// Those of [`Session::edit`] that are known before the solver is set up.
-    pub(super) fn would_change(&mut self, edit: &Edit) -> Result<bool, Error> {
+    pub(super) fn would_change(&self, edit: &Edit) -> Result<bool, Error> {
         check_locks(edit, self.document())?;
         if let Edit::Refine { .. } | Edit::Remesh(_) | Edit::FitTo { .. } | Edit::TakePose { .. } =
             edit
@@ -67,8 +74,8 @@ impl Session {
             return Ok(true);
         }
         let mut unused = IterationState { iteration: self.iteration(), start: None };
-        let try_it = |draft: &mut Draft<'_>| apply(edit.clone(), draft, &mut unused);
-        Ok(self.scene.would_change(&self.rest, try_it)?)
+        let edit = edit.clone();
+        Ok(self.scene.would_change(&self.rest, |draft| apply(edit, draft, &mut unused))?)
     }
 
     /// The number of the current problem, handles and positions: what was made for another one is
@@ -95,9 +102,10 @@ impl Session {
             return Ok(Some(Transaction::VARIATION.to_owned()));
         }
         self.end_transaction();
-        let Some((name, mut change)) = self.history.pop_undo() else { return Ok(None) };
-        self.exchange(&mut change)?;
-        self.history.push_redo((name.clone(), change));
+        let Some((name, before)) = self.history.pop_undo() else { return Ok(None) };
+        let after = self.state();
+        self.go_to_state(before)?;
+        self.history.push_redo((name.clone(), after), &self.state());
         Ok(Some(name))
     }
 
@@ -107,9 +115,10 @@ impl Session {
     /// Never in practice: the state was solvable before.
     pub fn redo(&mut self) -> Result<Option<String>, Error> {
         self.end_transaction();
-        let Some((name, mut change)) = self.history.pop_redo() else { return Ok(None) };
-        self.exchange(&mut change)?;
-        self.history.push_undo((name.clone(), change));
+        let Some((name, after)) = self.history.pop_redo() else { return Ok(None) };
+        let before = self.state();
+        self.go_to_state(after)?;
+        self.history.push_undo((name.clone(), before), &self.state());
         Ok(Some(name))
     }
 
@@ -117,17 +126,16 @@ impl Session {
     /// the scene as it is, at any time: a run, a drag or a variation that is under way is the last
     /// step. While it has changed nothing, they are those before it.
     pub fn saved_history(&self) -> Vec<u8> {
-        let now = SavedState::of(&self.scene, self.iteration());
-        let under_way = self.transaction.as_ref().map(|transaction| {
-            let name = transaction.name_of_step(&self.scene, self.iteration());
-            (name, transaction.back())
+        let now = self.state();
+        let last = self.transaction.as_ref().and_then(|transaction| {
+            Some((transaction.name_of_step(&now)?, transaction.before().clone()))
         });
-        write_history(self.history.steps(), &now, under_way, self.rest.mesh())
+        write_history(self.history.steps(), &now, last)
     }
 
     /// Returns the state of the run or the drag under way, for [`Session::restore`].
     pub fn saved_progress(&self) -> Vec<u8> {
-        write_state(&SavedState::of(&self.scene, self.iteration()), self.rest.mesh())
+        write_state(&self.state())
     }
 
     /// Restores a saved state in the scene that was just opened. `history` applies to that scene;
@@ -137,19 +145,18 @@ impl Session {
     /// # Errors
     /// If bytes are damaged or belong to another scene; the rest is restored.
     pub fn restore(&mut self, history: &[u8], progress: &[u8]) -> Result<(), Error> {
-        let now = SavedState::of(&self.scene, self.iteration());
+        let now = self.state();
         let mut result = Ok(());
         if !history.is_empty() {
-            let read = read_history(history, &now, self.rest.mesh());
-            result = read.map(|(history, first)| {
+            result = read_history(history, &now).map(|(history, first)| {
                 first.into_iter().for_each(|first| self.guard.set_opened(first));
                 self.history = history;
                 self.begin_from(None);
             });
         }
         if !progress.is_empty() {
-            let read = read_state(progress, &now, self.rest.mesh());
-            result = result.and(read.and_then(|state| self.resume(now.change_to(&state))));
+            let read = read_state(progress, &now);
+            result = result.and(read.and_then(|state| self.resume(state)));
         }
         result
     }
@@ -159,21 +166,21 @@ impl Session {
         self.progress.restore(iteration, self.scene.solver().energy());
     }
 
-    /// Makes the changes since the scene was saved one step of undo.
-    fn resume(&mut self, mut change: Change) -> Result<(), Error> {
-        if change.scene.handles == *self.scene.handles() {
+    /// Makes the way to `state` since the scene was saved one step of undo.
+    fn resume(&mut self, state: SessionState) -> Result<(), Error> {
+        if state.scene.handles == *self.scene.handles() {
             self.begin_run();
         } else {
             self.begin_drag();
         }
-        let resumed = self.exchange(&mut change).map(|()| self.include(change.scene));
+        let resumed = self.go_to_state(state);
         self.end_transaction();
         resumed
     }
 
-    /// Makes an edit without a step of undo, and returns its name and the inverse change; none if
-    /// it has no effect.
-    pub(super) fn make(&mut self, edit: Edit) -> Result<Option<(String, Change)>, Error> {
+    /// Makes an edit without a step of undo, and returns its name and the state before it; none if it
+    /// has no effect.
+    pub(super) fn make(&mut self, edit: Edit) -> Result<Option<(String, SessionState)>, Error> {
         check_locks(&edit, self.document())?;
         if let Edit::Refine { scheme, levels, keep, adopt } = edit {
             return self.refine(&Subdivision { scheme, levels, keep }, adopt).map(Some);
@@ -181,49 +188,56 @@ impl Session {
         if let Edit::Remesh(remeshing) = edit {
             return self.remesh(&remeshing).map(Some);
         }
-        let (iteration, start) = (self.iteration(), self.guard.start());
-        let kept_start = start.clone().filter(|_| self.collapse().is_some());
-        let mut state = IterationState { iteration, start: kept_start };
-        let (name, back) = self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut state))?;
-        let Some(scene) = back else { return Ok(None) };
-        self.leave_search_of(&scene);
-        self.arrive(state.iteration, state.start);
-        Ok(Some((name, Change { scene, other: None, iteration, start })))
-    }
-
-    /// Applies a change to the state, and turns the change into its inverse.
-    ///
-    /// # Errors
-    /// When the system would be singular; nothing has changed then.
-    pub(super) fn exchange(&mut self, change: &mut Change) -> Result<(), Error> {
-        match change.other.take() {
-            None => self.exchange_scene(&mut change.scene)?,
-            Some(other) => self.exchange_mesh(*other, change)?,
+        let before = self.state();
+        let start = before.start.clone().filter(|_| self.collapse().is_some());
+        let mut state = IterationState { iteration: before.iteration, start };
+        let (name, differs) =
+            self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut state))?;
+        if !differs {
+            return Ok(None);
         }
-        let (iteration, start) = (self.iteration(), self.guard.start());
-        let to = std::mem::replace(&mut change.iteration, iteration);
-        let from = std::mem::replace(&mut change.start, start);
-        self.arrive(to, from);
-        Ok(())
+        self.leave_search_since(&before.scene.document);
+        self.arrive(state.iteration, state.start);
+        Ok(Some((name, before)))
     }
 
-    /// Applies a change of the scene to it, and turns it into its inverse.
+    /// Adds a step of undo that led from the state `before` to the current one.
+    pub(super) fn add_step(&mut self, name: String, before: SessionState) {
+        let now = self.state();
+        self.history.push(name, before, &now);
+    }
+
+    /// Goes to another state.
     ///
     /// # Errors
-    /// As [`Session::exchange`].
-    pub(super) fn exchange_scene(&mut self, change: &mut SceneChange) -> Result<(), Error> {
-        self.scene.exchange(&self.rest, change)?;
-        self.leave_search_of(change);
+    /// When the document does not fit the mesh, or the system would be singular; nothing has changed then.
+    pub(super) fn go_to_state(&mut self, state: SessionState) -> Result<(), Error> {
+        let SessionState { rest, scene, iteration, start } = state;
+        match Rc::ptr_eq(&rest, &self.rest) {
+            true => self.go_to_scene(scene)?,
+            false => self.go_to_mesh(rest, scene)?,
+        }
+        self.arrive(iteration, start);
         Ok(())
     }
 
-    /// Subdivides the original or, if `adopts`, the current shape. Returns the name and the inverse
-    /// change.
+    /// Goes to another state of the scene on the same mesh.
+    ///
+    /// # Errors
+    /// As [`Session::go_to_state`].
+    pub(super) fn go_to_scene(&mut self, scene: SceneState) -> Result<(), Error> {
+        let before = Rc::clone(self.scene.document());
+        self.scene.go_to(&self.rest, scene)?;
+        self.leave_search_since(&before);
+        Ok(())
+    }
+
+    /// Subdivides the original or, if `adopts`, the current shape. Returns the name and the state before.
     ///
     /// # Errors
     /// If the mesh cannot be subdivided in this way, something that the lesson locks would be left out,
     /// or the system would be singular; nothing has changed then.
-    fn refine(&mut self, how: &Subdivision, adopts: bool) -> Result<(String, Change), Error> {
+    fn refine(&mut self, how: &Subdivision, adopts: bool) -> Result<(String, SessionState), Error> {
         if adopts && self.document().lesson.is_some() {
             let message = "the goals of the lesson are measured from the shape that was given, expected \
                            the original to be refined";
@@ -240,7 +254,7 @@ impl Session {
             // What the shape is kept close to is the adopted one.
             carried.document.variants.design = None;
         }
-        Ok((name, self.go_to_mesh(rest, carried)?))
+        Ok((name, self.take_mesh(rest, carried)?))
     }
 
     /// Returns the sizes of the mesh after refining by a scheme once, twice and so on, up to
@@ -265,16 +279,16 @@ impl Session {
         Ok(made)
     }
 
-    /// Changes the mesh by an operation, and returns the name and the inverse change.
+    /// Changes the mesh by an operation, and returns the name and the state before.
     ///
     /// # Errors
     /// If the operation is refused, or the system would be singular; nothing has changed then.
-    fn remesh(&mut self, remeshing: &Remeshing) -> Result<(String, Change), Error> {
+    fn remesh(&mut self, remeshing: &Remeshing) -> Result<(String, SessionState), Error> {
         let (operation, edited) = self.remeshed(remeshing)?;
         Ok((operation.label.to_owned(), self.replace_mesh(&edited, |_| ())?))
     }
 
-    /// Replaces the mesh by one made from it at its current positions, and returns the inverse change.
+    /// Replaces the mesh by one made from it at its current positions, and returns the state before.
     /// `amend` changes the scene that is carried over.
     ///
     /// # Errors
@@ -284,11 +298,11 @@ impl Session {
         &mut self,
         edited: &Edited,
         amend: impl FnOnce(&mut Scene),
-    ) -> Result<Change, Error> {
+    ) -> Result<SessionState, Error> {
         let (rest, mut carried) =
             self.carried_to(edited, self.scene.positions(), self.rest.positions());
         amend(&mut carried.document);
-        self.go_to_mesh(rest, carried)
+        self.take_mesh(rest, carried)
     }
 
     /// Returns the operations on the mesh, with default sizes that suit it.
@@ -343,66 +357,63 @@ impl Session {
         (rest, carried)
     }
 
-    /// Replaces the mesh and the scene, and returns the inverse change.
+    /// Replaces the mesh and the scene, and returns the state before.
     ///
     /// # Errors
     /// If something that the lesson locks would be left out, the document does not fit the mesh, or the
     /// system is singular; nothing has changed then.
-    fn go_to_mesh(&mut self, rest: RestMesh, carried: Carried) -> Result<Change, Error> {
+    fn take_mesh(&mut self, rest: RestMesh, carried: Carried) -> Result<SessionState, Error> {
         let Carried { mut document, handles, positions, dropped, .. } = carried;
         dropped.iter().try_for_each(|part| check_lock(*part, self.document()))?;
         if let Some(lesson) = &mut document.lesson {
             lesson.given = Some(self.document().fingerprint(self.mesh()));
         }
-        let scene =
-            SceneChange { parts: Vec::new(), handles: handles.into(), positions: positions.into() };
-        let other = Some(Box::new((rest, document)));
-        let mut change = Change { scene, other, iteration: self.iteration(), start: None };
-        self.exchange(&mut change)?;
-        Ok(change)
+        let before = self.state();
+        let (document, handles, positions) = (Rc::new(document), handles.into(), positions.into());
+        self.go_to_state(SessionState {
+            rest: Rc::new(rest),
+            scene: SceneState { document, handles, positions },
+            iteration: before.iteration,
+            start: None,
+        })?;
+        Ok(before)
     }
 
-    /// Replaces the mesh, and exchanges the contents of the change with the state.
+    /// Goes to another mesh, with a state of the scene on it.
     ///
     /// # Errors
-    /// If the document does not fit the mesh, or the system is singular; nothing has changed then.
-    fn exchange_mesh(
-        &mut self,
-        (rest, document): (RestMesh, Scene),
-        change: &mut Change,
-    ) -> Result<(), Error> {
+    /// As [`Session::go_to_state`].
+    fn go_to_mesh(&mut self, rest: Rc<RestMesh>, scene: SceneState) -> Result<(), Error> {
+        let SceneState { document, handles, positions } = scene;
         document.validate(rest.mesh())?;
         check_lesson(&document, rest.mesh())?;
         check_presentation(&document, rest.mesh())?;
         let rows = resolve_rows(&document, rest.mesh(), rest.topology())?;
-        let SceneChange { handles, positions, .. } = &change.scene;
-        let mut scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), positions)?;
+        let mut scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), &positions)?;
         scene.follow_generation(self.scene.last_generation());
-        change.scene = self.scene.snapshot();
-        let before = (
-            std::mem::replace(&mut self.rest, rest),
-            std::mem::replace(&mut self.scene, scene).into_document(),
-        );
-        change.other = Some(Box::new(before));
+        (self.rest, self.scene) = (rest, scene);
         self.measured = MeasureCache::default();
         (self.met, self.meeting) = (None, None);
         self.search = Search::Scene;
         Ok(())
     }
 
-    /// Leaves the search of a press where others than its hard constraints are asked for since a
-    /// change, also by undo: a run would ease those.
-    fn leave_search_of(&mut self, change: &SceneChange) {
-        let document = self.scene.document();
-        if change.parts.iter().any(|part| part.asks_otherwise(document)) {
+    /// Leaves the search of a press where others than its hard constraints are asked for since the
+    /// document `before`, also by undo: a run would ease those.
+    fn leave_search_since(&mut self, before: &Scene) {
+        if asks_otherwise(before, self.document()) {
             self.search = Search::Scene;
         }
     }
 
-    /// Returns a change that restores the current state.
-    pub(super) fn snapshot(&self) -> Change {
-        let (iteration, start) = (self.iteration(), self.guard.start());
-        Change { scene: self.scene.snapshot(), other: None, iteration, start }
+    /// The current state.
+    pub(super) fn state(&self) -> SessionState {
+        SessionState {
+            rest: Rc::clone(&self.rest),
+            scene: self.scene.state(),
+            iteration: self.iteration(),
+            start: self.guard.start(),
+        }
     }
 
     /// Sets the iteration count after a jump to another state; its iterations began at `start`.

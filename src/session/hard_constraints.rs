@@ -4,11 +4,12 @@
 use super::Session;
 use super::requirements::Required;
 use super::run::{Attempt, ExactReport, Meeting, MeetingEnd, MeetingStage, Met, Search, Step};
-use super::state::{Part, SceneChange};
+use super::state::SceneState;
 use crate::mesh::Point;
-use crate::scene::ConstraintSpec;
+use crate::scene::{ConstraintSpec, Scene};
 use crate::session::Error;
 use crate::solve::{Exact, clock};
+use std::rc::Rc;
 
 impl Session {
     /// Returns the exact solver of the hard constraints, which starts at the current shape; none if
@@ -66,9 +67,11 @@ impl Session {
         self.scene.settle();
         let converged = self.converged();
         // What an interrupted run had eased by then may be more than is needed.
-        let parts = self.ease_rows(None);
-        if !parts.is_empty() {
-            self.go_to(&self.positions(), parts)?;
+        let is_eased = |row: &ConstraintSpec| row.eased.is_some() && self.eases(row);
+        if self.document().constraints.iter().any(is_eased) {
+            let mut document = self.document().clone();
+            self.ease_rows(&mut document, None);
+            self.go_to(&self.positions(), document)?;
         }
         let attempts = self.attempts();
         let Some(exact) = self.first_attempt(&attempts)? else { return Ok(false) };
@@ -119,19 +122,18 @@ impl Session {
         }
         let seconds = end.seconds + clock::now() - begun;
         let far = exact.answer().max_distance;
-        let (mut parts, eased) = match &attempt {
-            Attempt::Eased(tolerances) => match self.eased(tolerances, folded_at_first, far) {
-                Some((parts, eased)) => (parts, Some(eased)),
-                None => (Vec::new(), None),
-            },
-            _ => (Vec::new(), None),
+        let mut document = self.document().clone();
+        let eased = match &attempt {
+            Attempt::Eased(tolerances) => {
+                self.ease(&mut document, tolerances, folded_at_first, far)
+            }
+            _ => None,
         };
         // A search that is interrupted has chosen nothing: the next run begins it anew.
         if self.search != Search::Off && is_whole {
-            parts.push(Part::Settings(self.settings_of(&attempt)));
+            self.settings_of(&attempt).put_in(&mut document);
         }
-        parts.retain(|part| !part.is_in(self.document()));
-        self.go_to(&exact.positions(), parts)?;
+        self.go_to(&exact.positions(), document)?;
         self.note_met(&exact);
         // An attempt may have had a smaller tolerance than the scene.
         let allowed = self.hard_distance().filter(|_| matches!(attempt, Attempt::Exact));
@@ -147,14 +149,13 @@ impl Session {
         Ok(improved.map(|()| true)?)
     }
 
-    /// Sets the positions, `#V by 3`, and parts of the document, as a part of the run under way.
-    fn go_to(&mut self, positions: &[Point], parts: Vec<Part>) -> Result<(), Error> {
-        let mut change =
-            SceneChange { parts, positions: positions.into(), ..self.scene.snapshot() };
-        self.exchange_scene(&mut change)?;
+    /// Sets the positions, `#V by 3`, and the document, as a part of the run under way.
+    fn go_to(&mut self, positions: &[Point], document: Scene) -> Result<(), Error> {
+        let handles = Rc::clone(self.scene.handles());
+        let document = self.scene.shared(document);
+        self.go_to_scene(SceneState { document, handles, positions: positions.into() })?;
         self.begin_from(self.guard.start());
         self.progress.end_with(self.scene.solver().energy());
-        self.include(change);
         Ok(())
     }
 

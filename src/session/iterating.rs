@@ -65,7 +65,7 @@ impl Session {
         if tolerance == 0.0 && !self.has_hard_rows() {
             return false;
         }
-        run.is_some_and(|run| self.iteration().saturating_sub(run.back().iteration) >= most)
+        run.is_some_and(|run| self.iteration().saturating_sub(run.before().iteration) >= most)
     }
 
     /// Runs the next half of an iteration. Two halves equal one [`Session::step`], to the last bit

@@ -6,12 +6,12 @@ use super::Session;
 use super::measured::MeasureCache;
 use super::report::{check_lesson, check_presentation};
 use super::run::{CollapseGuard, Progress, Search};
-use super::state::{ResolvedRow, RestMesh, SolvedScene, flat, resolve_rows};
+use super::state::{ResolvedRow, RestMesh, SceneState, SolvedScene, flat, resolve_rows};
 use super::undo::{History, Transaction};
-use crate::mesh::{Mesh, Point};
-use crate::scene::Scene;
+use crate::mesh::Mesh;
+use crate::scene::{MeshSource, Scene};
 use crate::session::Error;
-use crate::solve::Handle;
+use std::rc::Rc;
 
 impl Session {
     /// Checks the scene with `mesh`, the mesh that `scene.mesh` refers to, and sets up the solver.
@@ -70,16 +70,9 @@ impl Session {
 
     /// Drops everything that can be recomputed.
     fn suspend(self) -> Suspended {
-        let Session { rest, scene, progress, guard, history, transaction, .. } = self;
-        let (positions, handles) = (scene.positions().to_vec(), scene.handles().to_vec());
-        let past = Past { progress, guard, history, transaction };
-        Suspended {
-            rest: rest.into_parts(),
-            document: scene.into_document(),
-            handles,
-            positions,
-            past,
-        }
+        let state = self.scene.state();
+        let Session { rest, progress, guard, history, transaction, .. } = self;
+        Suspended { rest, state, past: Past { progress, guard, history, transaction } }
     }
 }
 
@@ -109,56 +102,56 @@ impl Checked {
     /// # Errors
     /// If the system is singular.
     fn open(mut self) -> Result<Session, Error> {
-        let start = self.scene.start(self.rest.mesh()).to_vec();
+        let positions = self.scene.start(self.rest.mesh()).into();
         self.scene.current = None;
-        let handles = flat(&std::mem::take(&mut self.scene.handles), self.rest.positions());
-        self.set_up(handles, &start, None)
-    }
-
-    /// Sets up the solver at the positions `start` (`#V by 3`), in a session with this `past`, or
-    /// with none. The scene contains neither handles nor positions.
-    ///
-    /// # Errors
-    /// If the system is singular.
-    fn set_up(
-        self,
-        handles: Vec<Handle>,
-        start: &[Point],
-        past: Option<Past>,
-    ) -> Result<Session, Error> {
-        let Checked { scene, rest, rows } = self;
-        let scene = SolvedScene::new(scene, &rest, rows, handles, start)?;
-        let past = past.unwrap_or_else(|| Past {
-            progress: Progress::new(scene.solver().energy()),
-            guard: CollapseGuard::new(scene.document().clone()),
-            history: History::default(),
-            transaction: None,
-        });
-        let Past { progress, guard, history, transaction } = past;
-        let measured = MeasureCache::default();
-        Ok(Session {
-            rest,
-            scene,
-            progress,
-            guard,
-            history,
-            transaction,
-            measured,
-            met: None,
-            meeting: None,
-            search: Search::Scene,
-        })
+        // The mesh is beside the scene, and is not copied with it.
+        if let MeshSource::Inline(mesh) = &mut self.scene.mesh {
+            **mesh = Mesh::default();
+        }
+        let handles = flat(&std::mem::take(&mut self.scene.handles), self.rest.positions()).into();
+        let state = SceneState { document: Rc::new(self.scene), handles, positions };
+        set_up(Rc::new(self.rest), self.rows, state, None)
     }
 }
 
-/// A session without its solver and other derived data.
+/// Sets up the solver of a session in this state, with this `past`, or with none.
+///
+/// # Errors
+/// If the system is singular.
+fn set_up(
+    rest: Rc<RestMesh>,
+    rows: Vec<ResolvedRow>,
+    state: SceneState,
+    past: Option<Past>,
+) -> Result<Session, Error> {
+    let SceneState { document, handles, positions } = state;
+    let opened = Rc::clone(&document);
+    let scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), &positions)?;
+    let past = past.unwrap_or_else(|| Past {
+        progress: Progress::new(scene.solver().energy()),
+        guard: CollapseGuard::new(opened),
+        history: History::default(),
+        transaction: None,
+    });
+    let Past { progress, guard, history, transaction } = past;
+    Ok(Session {
+        rest,
+        scene,
+        progress,
+        guard,
+        history,
+        transaction,
+        measured: MeasureCache::default(),
+        met: None,
+        meeting: None,
+        search: Search::Scene,
+    })
+}
+
+/// A session without its solver.
 struct Suspended {
-    /// See [`RestMesh::into_parts`].
-    rest: (Mesh, u32, Vec<String>),
-    document: Scene,
-    handles: Vec<Handle>,
-    /// Current positions, `#V by 3`.
-    positions: Vec<Point>,
+    rest: Rc<RestMesh>,
+    state: SceneState,
     past: Past,
 }
 
@@ -176,9 +169,8 @@ impl Suspended {
     /// # Errors
     /// If the system is singular, which it was not before.
     fn resume(self) -> Result<Session, Error> {
-        let (mesh, generation, lost) = self.rest;
-        let mut checked = Checked::new(self.document, mesh)?;
-        checked.rest.restore(generation, lost);
-        checked.set_up(self.handles, &self.positions, Some(self.past))
+        let Suspended { rest, state, past } = self;
+        let rows = resolve_rows(&state.document, rest.mesh(), rest.topology())?;
+        set_up(rest, rows, state, Some(past))
     }
 }

@@ -101,7 +101,7 @@ impl MeasureCache {
     pub(crate) fn set_build_numbers(&self, scene: &SolvedScene, values: Vec<(String, f64)>) {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene);
-        let Scene { build, units, .. } = scene.document();
+        let Scene { build, units, .. } = &**scene.document();
         let (settings, units) = (build.clone(), units.clone());
         measured.build = Some(BuildNumbers { settings, units, values });
     }

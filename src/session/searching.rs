@@ -5,13 +5,13 @@ use super::edit::check_lock;
 use super::report::ConstraintCoverage;
 use super::requirements::Required;
 use super::run::{Attempt, Attempts, Eased, Meeting, Outcome, Search, ShapeMeasure, Tolerances};
-use super::state::{Part, RowValues, Settings};
+use super::state::Settings;
 use crate::constraint::{Element, Selector};
 use crate::math::Vec3;
 use crate::mesh::Point;
 use crate::scene::{
-    AttemptStart, BoundaryRequire, ClosenessTo, ConstraintSpec, EasedFaces, Lock, SmoothnessOf,
-    all_faces,
+    AttemptStart, BoundaryRequire, ClosenessTo, ConstraintSpec, EasedFaces, Lock, Scene,
+    SmoothnessOf, all_faces,
 };
 use crate::session::Error;
 use crate::solve::{Exact, ExactAnswer, Require, Solver, farthest};
@@ -223,7 +223,7 @@ impl Session {
     fn eased_start(&self, attempt: &Attempt, whole: Vec<Point>, last: &[Point]) -> Vec<Point> {
         let Attempt::Eased(Tolerances { eased: Some(eased), .. }) = attempt else { return whole };
         let mut start = last.to_vec();
-        for &face in &eased.faces {
+        for &face in &*eased.faces {
             for &vertex in self.rest.mesh().faces.row(face as usize) {
                 start[vertex as usize] = whole[vertex as usize];
             }
@@ -237,19 +237,21 @@ impl Session {
             && is_on_panels(row)
     }
 
-    /// Returns the changes that ease the rows to `tolerances`, and a report. `folded` faces would
-    /// fold otherwise, and the `farthest` vertex has this distance to its projection. If the panels
-    /// did not reach the required tolerance, all of them are eased.
-    pub(super) fn eased(
+    /// Eases the rows of `document` to `tolerances`, and returns a report; none if none is eased.
+    /// `folded` faces would fold otherwise, and the `farthest` vertex has this distance to its projection.
+    /// If the panels did not reach the required tolerance, all of them are eased.
+    pub(super) fn ease(
         &self,
+        document: &mut Scene,
         tolerances: &Tolerances,
         folded: usize,
         farthest: f64,
-    ) -> Option<(Vec<Part>, Eased)> {
+    ) -> Option<Eased> {
         let Search::Panels(asked) = self.search else { return None };
         let Tolerances { within, eased } = tolerances;
-        let mut eased =
-            eased.clone().unwrap_or_else(|| EasedFaces { within: *within, faces: Vec::new() });
+        let mut eased = eased
+            .clone()
+            .unwrap_or_else(|| EasedFaces { within: *within, ..EasedFaces::default() });
         if *within > asked {
             eased.faces = (0..self.mesh().faces.len() as u32).collect();
         }
@@ -258,18 +260,15 @@ impl Session {
         }
         // Use no larger tolerance than needed.
         eased.within = two_digits_above(farthest).clamp(asked, eased.within);
-        let report = Eased { asked, within: eased.within, panels: eased.faces.len(), folded };
-        Some((self.ease_rows(Some(&eased)), report))
+        self.ease_rows(document, Some(&eased));
+        Some(Eased { asked, within: eased.within, panels: eased.faces.len(), folded })
     }
 
-    /// Returns the changes that give these eased faces to the rows that may have them.
-    pub(super) fn ease_rows(&self, eased: Option<&EasedFaces>) -> Vec<Part> {
-        let rows = self.document().constraints.iter().enumerate();
-        let rows = rows.filter(|(_, row)| self.eases(row) && row.eased.as_ref() != eased);
-        let ease = |(index, row)| {
-            Part::RowValues(index, RowValues { eased: eased.cloned(), ..RowValues::of(row) })
-        };
-        rows.map(ease).collect()
+    /// Gives these eased faces to the rows of `document` that may have them.
+    pub(super) fn ease_rows(&self, document: &mut Scene, eased: Option<&EasedFaces>) {
+        for row in document.constraints.iter_mut().filter(|row| self.eases(row)) {
+            row.eased = eased.cloned();
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Comparison of the kept variants in numbers.
 
 use super::Session;
+use super::state::SceneState;
 use crate::math::twice_vector_area;
 use crate::scene::{Variant, Variants};
 use crate::session::Error;
@@ -44,9 +45,8 @@ impl Session {
         let mut copy = Session::open(self.scene(), self.mesh().clone())?;
         let rows = kept.into_iter().enumerate().map(|(index, Variant { name, positions })| {
             let is_current = *positions == **self.scene.positions();
-            let mut change = copy.scene.snapshot();
-            change.positions = positions;
-            copy.scene.exchange(&copy.rest, &mut change)?;
+            let state = SceneState { positions, ..copy.scene.state() };
+            copy.scene.go_to(&copy.rest, state)?;
             let verdict = copy.verdict(tolerance);
             let (panels, within) = verdict.map_or((0, 0), |it| (it.of, it.within));
             Ok(VariantRow {

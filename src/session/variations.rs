@@ -5,7 +5,7 @@ use super::Session;
 use super::edit::Edit;
 use super::requirements::Required;
 use super::run::{ExactReport, Met};
-use super::undo::{Change, ShownVariation, Transaction, TransactionKind};
+use super::undo::{ShownVariation, Transaction, TransactionKind};
 use crate::mesh::Point;
 use crate::session::Error;
 use crate::solve::{Handle, Problem, Requirements, ShapeSpace, Variation};
@@ -128,11 +128,10 @@ impl Session {
         let shown = self.transaction.as_mut().and_then(Transaction::variation_shown);
         let Some(report) = shown.and_then(|shown| shown.report.clone()) else { return Ok(false) };
         let Some(transaction) = self.transaction.take() else { return Ok(false) };
-        let start = Rc::clone(&transaction.back().scene.positions);
+        let start = Rc::clone(&transaction.before().scene.positions);
         match self.make(Edit::KeepVariant { start }) {
-            Ok(Some((name, mut change))) => {
-                change.scene.positions = transaction.into_back().scene.positions;
-                self.history.push(name, change);
+            Ok(Some((name, _))) => {
+                self.add_step(name, transaction.into_before());
                 self.met = Some(Met::new(&self.scene, report));
                 Ok(true)
             }
@@ -152,8 +151,7 @@ impl Session {
             return false;
         };
         let Some(transaction) = self.transaction.take() else { return false };
-        let mut back: Change = transaction.into_back();
-        self.exchange(&mut back).expect("the state was solvable before");
+        self.go_to_state(transaction.into_before()).expect("the state was solvable before");
         self.met = met;
         self.scene.restored(of);
         true

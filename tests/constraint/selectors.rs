@@ -35,10 +35,8 @@ fn roof() -> Mesh {
 }
 
 fn sets() -> Sets {
-    let set = |vertices: &[u32], faces: &[u32]| Set {
-        vertices: vertices.to_vec(),
-        faces: faces.to_vec(),
-    };
+    let set =
+        |vertices: &[u32], faces: &[u32]| Set { vertices: vertices.into(), faces: faces.into() };
     Sets::from([
         ("corner".to_string(), set(&[0, 1, 4, 5], &[])),
         ("skylight".to_string(), set(&[], &[4, 8])),
@@ -251,7 +249,7 @@ fn a_set_goes_before_a_group_of_the_same_name() {
 
 #[test]
 fn a_list_of_vertices_is_one_constraint_without_repetitions() {
-    assert_eq!(rows(&Selector::Vertices(vec![7, 3, 7, 0])), [[7, 3, 0]]);
+    assert_eq!(rows(&Selector::Vertices([7, 3, 7, 0].into())), [[7, 3, 0]]);
 }
 
 #[test]
@@ -263,7 +261,7 @@ fn what_the_mesh_does_not_have_is_named() {
         unknown.to_string(),
         "`eaves` is neither a set of the scene nor a group of the mesh"
     );
-    assert_eq!(select(&Selector::Vertices(vec![0, 16])), Err(SelectError::VertexOutOfRange(16)));
+    assert_eq!(select(&Selector::Vertices([0, 16].into())), Err(SelectError::VertexOutOfRange(16)));
     assert_eq!(select(&Selector::Set("broken".into())), Err(SelectError::VertexOutOfRange(99)));
     let no_face = select(&each(Element::Face, Some("no such face"), 0));
     assert_eq!(no_face, Err(SelectError::FaceOutOfRange(9)));
@@ -281,7 +279,7 @@ fn selectors_are_described_in_words() {
         (each(Element::Ring, Some("eaves"), 2), "each vertex of eaves with 2 rings of neighbours"),
         (Selector::Set("eaves".into()), "the vertices of eaves"),
         (Selector::Vertices((0..12).collect()), "12 vertices"),
-        (Selector::Vertices(vec![4]), "1 vertex"),
+        (Selector::Vertices([4].into()), "1 vertex"),
     ];
     for (selector, words) in cases {
         assert_eq!(describe(&selector), words);
@@ -312,7 +310,7 @@ proptest! {
         let topology = Topology::new(&mesh);
         let vertices: Vec<u32> =
             chosen.iter().map(|index| index.index(mesh.positions.len()) as u32).collect();
-        let sets = Sets::from([("some".to_string(), Set { vertices: vertices.clone(), faces: vec![] })]);
+        let sets = Sets::from([("some".to_string(), Set { vertices: vertices.clone().into(), ..Set::default() })]);
         for element in Element::ALL {
             let of = |within: Option<&str>, radius| {
                 let rows = resolve(&each(element, within, radius), &mesh, &topology, &sets);

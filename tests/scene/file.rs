@@ -68,8 +68,8 @@ fn everything_the_format_has_is_read() {
     .unwrap();
     assert_eq!((scene.title.as_str(), scene.units.as_str(), scene.up), ("Roof", "m", Up::Y));
     assert_eq!(scene.current, Some(vec![[0.0, 0.0, 0.5]]));
-    assert_eq!(scene.sets["eaves"].vertices, [0, 1, 2, 5]);
-    assert_eq!(scene.sets["skylight"].faces, [1]);
+    assert_eq!(*scene.sets["eaves"].vertices, [0, 1, 2, 5]);
+    assert_eq!(*scene.sets["skylight"].faces, [1]);
     let ons: Vec<_> = scene.constraints.iter().map(|spec| spec.on.clone()).collect();
     let each = |element, within: Option<&str>, radius| Selector::Each {
         element,
@@ -82,7 +82,7 @@ fn everything_the_format_has_is_read() {
             each(Element::Face, None, 0),
             Selector::Set("eaves".into()),
             each(Element::Ring, Some("eaves"), 2),
-            Selector::Vertices(vec![3, 5, 4]),
+            Selector::Vertices([3, 5, 4].into()),
             each(Element::Group, None, 0),
             each(Element::Ring, None, 1),
             each(Element::Strip, None, 0),
@@ -212,22 +212,22 @@ const UNFIT: &[Unfit] = &[
         s.current = Some(vec![[0.0; 3], [f64::NAN; 3], [0.0; 3], [0.0; 3], [0.0; 3], [0.0; 3]]);
     }),
     ("sets.a.vertices[1]", |s| {
-        s.sets.insert("a".into(), Set { vertices: vec![0, 6], faces: vec![] });
+        s.sets.insert("a".into(), Set { vertices: [0, 6].into(), faces: [].into() });
     }),
     ("constraints[0].eased", |s| {
-        let eased = Some(EasedFaces { within: 2.0, faces: vec![0] });
+        let eased = Some(EasedFaces { within: 2.0, faces: [0].into() });
         s.constraints = vec![ConstraintSpec { eased, ..constraint("plane", EACH_FACE) }];
     }),
     ("constraints[0].eased.faces[0]", |s| {
-        let eased = Some(EasedFaces { within: 2.0, faces: vec![99] });
+        let eased = Some(EasedFaces { within: 2.0, faces: [99].into() });
         let require = Require::Within(1.0);
         s.constraints = vec![ConstraintSpec { eased, require, ..constraint("plane", EACH_FACE) }];
     }),
     ("sets.a.faces[0]", |s| {
-        s.sets.insert("a".into(), Set { vertices: vec![], faces: vec![2] });
+        s.sets.insert("a".into(), Set { vertices: [].into(), faces: [2].into() });
     }),
     ("sets.a.vertices[2]", |s| {
-        s.sets.insert("a".into(), Set { vertices: vec![4, 3, 4], faces: vec![] });
+        s.sets.insert("a".into(), Set { vertices: [4, 3, 4].into(), faces: [].into() });
     }),
     ("constraints[0].on.set", |s| {
         s.constraints.push(constraint("plane", Selector::Set("nowhere".into())));
@@ -238,10 +238,10 @@ const UNFIT: &[Unfit] = &[
         s.constraints = vec![constraint("plane", each("wall")), constraint("plane", each("eaves"))];
     }),
     ("constraints[0].on.vertices[3]", |s| {
-        s.constraints.push(constraint("plane", Selector::Vertices(vec![0, 1, 2, 9])));
+        s.constraints.push(constraint("plane", Selector::Vertices([0, 1, 2, 9].into())));
     }),
     ("constraints[0].weight", |s| {
-        s.constraints.push(constraint("plane", Selector::Vertices(vec![0, 1, 2, 3])));
+        s.constraints.push(constraint("plane", Selector::Vertices([0, 1, 2, 3].into())));
         s.constraints[0].weight = f64::NAN;
     }),
     ("closeness.weights[1].on.set", |s| {
@@ -249,11 +249,11 @@ const UNFIT: &[Unfit] = &[
         s.closeness.weights = vec![entry("wall"), entry("nowhere")];
     }),
     ("closeness.weights[0].on.vertices[1]", |s| {
-        let on = Selector::Vertices(vec![5, 6]);
+        let on = Selector::Vertices([5, 6].into());
         s.closeness.weights.push(ClosenessWeight { on, weight: 2.0 });
     }),
     ("closeness.weights[0].weight", |s| {
-        let on = Selector::Vertices(vec![5]);
+        let on = Selector::Vertices([5].into());
         s.closeness.weights.push(ClosenessWeight { on, weight: f64::INFINITY });
     }),
     ("closeness.boundary.corners", |s| {
@@ -364,7 +364,7 @@ fn names_of_sets_and_groups_may_be_keys_of_the_format() {
             mesh.groups = vec![group(GroupKeyword::Object)];
             for statements in 1..=2 {
                 let mut scene = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
-                let set = Set { vertices: vec![0], faces: faces.to_vec() };
+                let set = Set { vertices: [0].into(), faces: (*faces).into() };
                 scene.sets.insert((*name).to_owned(), set);
                 let text = scene.to_json(&mesh);
                 assert_eq!(Scene::from_json(&text).unwrap(), scene, "{statements}: {text}");

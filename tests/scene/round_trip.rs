@@ -42,7 +42,7 @@ fn selector() -> impl Strategy<Value = Selector> {
             Selector::Each { element, within, radius }
         }),
         ".{0,6}".prop_map(Selector::Set),
-        list(9).prop_map(Selector::Vertices),
+        list(9).prop_map(|list| Selector::Vertices(list.into())),
     ]
 }
 
@@ -133,12 +133,12 @@ prop_compose! {
                 current => current.as_ref().map(|_| Pose::File("pose.obj".into())),
             },
             current,
-            sets: sets.into_iter().map(|(name, (vertices, faces))| (name, Set { vertices, faces }))
+            sets: sets.into_iter().map(|(name, (vertices, faces))| (name, Set { vertices: vertices.into(), faces: faces.into() }))
                 .collect(),
             constraints: constraints.into_iter().map(|(kind, on, weight, enabled, name, require)| ConstraintSpec {
                 weight, enabled, name, require,
                 eased: match require {
-                    Require::Within(within) if enabled => Some(EasedFaces { within, faces: vec![2, 3, 7] }),
+                    Require::Within(within) if enabled => Some(EasedFaces { within, faces: [2, 3, 7].into() }),
                     _ => None,
                 },
                 ..constraint(KINDS[kind].id, on)

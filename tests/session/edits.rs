@@ -225,6 +225,11 @@ fn the_tolerance_is_that_of_the_scene_or_of_its_panels_or_of_the_mesh() {
     session.undo().expect("it can be undone");
     session.edit(set(Some(0.3))).expect("it is valid");
     assert!(session.undo_and_redo()[1].is_some(), "it keeps Redo");
+    // A step that has not changed it does not take it back.
+    session.edit(Edit::SetUnits { units: "m".to_owned() }).expect("any unit will do");
+    session.edit(set(Some(0.4))).expect("it is valid");
+    session.undo().expect("it can be undone");
+    assert_eq!((session.tolerance(), &*session.document().units), (0.4, ""));
     for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let error = session.edit(set(Some(wrong))).expect_err("it is no length").to_string();
         assert_eq!(error, format!("tolerance: found {wrong}, expected a length above 0"));
@@ -273,8 +278,7 @@ fn a_set_cannot_take_the_name_of_a_group() {
     assert_eq!(error, expected);
     // Where the file has both, the set cannot leave its constraints to the group.
     let mut both = session.scene();
-    let faces = vec![3];
-    both.sets.insert("Roof".to_owned(), Set { vertices: Vec::new(), faces });
+    both.sets.insert("Roof".to_owned(), Set { faces: [3].into(), ..Set::default() });
     let mut session = Session::open(both, mesh).expect("it fits");
     session.edit(roof).expect("it is a set already");
     session.edit(Edit::RemoveSet { name: "Roof".to_owned() }).expect_err("it is used");
@@ -314,7 +318,7 @@ fn an_attempt_is_that_of_the_hard_constraints_for_which_it_was_chosen() {
     let mut scene = session().scene();
     scene.attempt.from = AttemptStart::Rest;
     scene.constraints[0].require = Require::Within(0.01);
-    scene.constraints[0].eased = Some(EasedFaces { within: 0.1, faces: vec![3, 4] });
+    scene.constraints[0].eased = Some(EasedFaces { within: 0.1, faces: [3, 4].into() });
     let sphere = scene.constraints[0].clone();
     scene.constraints.push(ConstraintSpec { on: Selector::Vertices((0..9).collect()), ..sphere });
     let eased = |session: &Session| session.document().constraints[0].eased.clone();

@@ -100,7 +100,7 @@ fn a_constraint_is_added_on_a_set_that_has_no_name_yet() {
     let Edit::AddConstraint(NewConstraint { spec, set }) = edit else { panic!("found {edit:?}") };
     assert_eq!((spec.kind.info().id, spec.weight), ("angle", 2.0));
     assert_eq!(spec.kind.params()["angle"], json!([80.0, 100.0]));
-    assert_eq!(set, Some(Set { vertices: vec![], faces: vec![1, 5] }));
+    assert_eq!(set, Some(Set { vertices: [].into(), faces: [1, 5].into() }));
     let within = Some(ConstraintTarget::UNNAMED.to_owned());
     assert_eq!(spec.on, Selector::Each { element: Element::Corner, within, radius: 0 });
 }
@@ -150,8 +150,8 @@ fn requests_to_select_and_places_are_read() {
     let text =
         json!(["faces", { "vertices": [3, 1] }, { "each": "face", "in": { "vertices": [0] } }]);
     let places: Vec<ConstraintTarget> = serde_json::from_value(text).expect("they are places");
-    assert_eq!(places[1], ConstraintTarget { on: Selector::Vertices(vec![3, 1]), set: None });
-    assert_eq!(places[2].set, Some(Set { vertices: vec![0], faces: vec![] }));
+    assert_eq!(places[1], ConstraintTarget { on: Selector::Vertices([3, 1].into()), set: None });
+    assert_eq!(places[2].set, Some(Set { vertices: [0].into(), faces: [].into() }));
     let text =
         json!({ "addConstraint": { "kind": "plane", "weight": 1, "on": { "each": "cube" } } });
     assert_eq!(refused(&text).0, "on.each", "there are no cubes");

@@ -243,10 +243,10 @@ fn which_panels_the_search_relaxed_is_no_change_by_the_student() {
     let mut own = scene();
     own.lesson.as_mut().expect("it has one").lock = vec![Lock::Constraints];
     own.constraints[0].require = Require::Within(0.1);
-    own.constraints[0].eased = Some(EasedFaces { within: 0.2, faces: vec![3] });
+    own.constraints[0].eased = Some(EasedFaces { within: 0.2, faces: [3].into() });
     let results = Session::open(own.clone(), bumpy(5)).expect("it fits").results("Ada", "");
     let mut results = results.expect("it is a lesson");
-    results.constraints[0].eased = Some(EasedFaces { within: 0.1, faces: vec![3, 4] });
+    results.constraints[0].eased = Some(EasedFaces { within: 0.1, faces: [3, 4].into() });
     let checked = check_results(&results, own, bumpy(5)).expect("they are of this scene");
     assert_eq!((checked.altered, checked.changed), (Vec::new(), Vec::<String>::new()));
 }

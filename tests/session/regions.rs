@@ -37,7 +37,7 @@ fn constrained(mesh: Mesh, kind: &str, region: &[u32]) -> Outcome {
     let mut session = Session::open(Scene::opened("own.obj"), mesh).unwrap();
     let entry = format!(r#"{{ "kind": "{kind}", "on": "faces" }}"#);
     let spec = ConstraintSpec {
-        on: Selector::Vertices(region.to_vec()),
+        on: Selector::Vertices(region.into()),
         ..ConstraintSpec::from_json(&entry).unwrap()
     };
     session.edit(Edit::AddConstraint(NewConstraint { spec, set: None::<Set> })).unwrap();

@@ -41,7 +41,7 @@ fn what_is_left_goes_along_and_what_is_gone_is_said() {
     session.edit(Edit::Remesh(asked)).expect("it can be deleted");
     assert_eq!((session.mesh().positions.len(), session.mesh().faces.len()), (24, 15));
     let scene = session.document();
-    assert_eq!(scene.sets["left"].faces, [0, 4, 8, 12]);
+    assert_eq!(*scene.sets["left"].faces, [0, 4, 8, 12]);
     assert_eq!(
         (&scene.sets["corner"].vertices[..], scene.sets["corner"].faces.len()),
         (&[23][..], 0)
@@ -90,7 +90,7 @@ fn closeness_where_nothing_is_left_is_left_out_as_constraints_are() {
 fn sets_go_to_what_was_made_of_them_alone() {
     let mut session = open(ALL, bumpy(4));
     session.edit(Edit::Remesh(remeshing("triangles", &[], &[], &[]))).expect("it can be cut");
-    assert_eq!(session.document().sets["left"].faces, [0, 1, 8, 9, 16, 17, 24, 25]);
+    assert_eq!(*session.document().sets["left"].faces, [0, 1, 8, 9, 16, 17, 24, 25]);
     session.edit(Edit::Remesh(remeshing("quads", &[180.0], &[], &[]))).expect("they are pairs");
     assert_eq!(session.mesh().faces.len(), 16);
     assert_eq!(session.document().sets["left"].faces.len(), 4);

@@ -338,7 +338,7 @@ fn set_named(name: &str, vertices: &[u32], faces: &[u32]) -> Edit {
 #[test]
 fn a_set_that_a_constraint_uses_takes_the_constraint_with_it() {
     let mesh = wavy(3, 3);
-    let set = |faces: &[u32]| Set { vertices: vec![], faces: faces.to_vec() };
+    let set = |faces: &[u32]| Set { faces: faces.into(), ..Set::default() };
     let mut scene = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
     scene.sets.insert("some".to_owned(), set(&[0]));
     let spec = r#"{ "kind": "plane", "on": { "each": "face", "in": "some" } }"#;

@@ -205,7 +205,10 @@ pub(crate) fn act(session: &mut Session, deed: Deed) {
             session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
             session.drag([(vertex, moved(at, by))]).expect("the targets are near");
             steps(session, 2);
-            drop(session.edit(*edit));
+            // What is refused or changes nothing leaves the drag.
+            if !session.edit(*edit).unwrap_or_default() {
+                end(session, true);
+            }
         }
         Deed::Run(count) => {
             session.begin_run();

@@ -151,6 +151,23 @@ fn what_is_not_kept_is_left() {
 }
 
 #[test]
+fn an_edit_that_is_refused_or_changes_nothing_leaves_the_variation_that_is_shown() {
+    // The shape was that before, while the page went on showing the variation.
+    let mut session = flat();
+    let mut variations = found(&session);
+    bring_back(&mut session, &mut variations, &[0.05]);
+    let (shown, generation) = (session.positions(), session.generation());
+    // There is no target surface.
+    let near = Edit::Set { id: "closeness".to_owned(), value: "target".into() };
+    session.edit(near).expect_err("there is no target");
+    let weights = session.document().weights;
+    assert_eq!(session.edit(Edit::SetWeights(weights.into())), Ok(false));
+    assert!(session.positions() == shown && session.generation() == generation);
+    assert_eq!(session.keep_variation(), Ok(true));
+    assert_eq!(session.positions(), shown);
+}
+
+#[test]
 fn a_design_that_was_kept_is_held_to() {
     let mut session = flat();
     let start = session.positions();

@@ -272,9 +272,16 @@ export class Scheduler {
     }
   }
 
-  /** Performs what may end the run in the solver, also if it is then refused: the run goes on then. */
+  /**
+   * Performs what may end in the solver a run, or a variation that is shown, also if it is then refused:
+   * the run goes on then, and the page gets the shape that there is.
+   */
   #duringRun<T>(action: () => T): T {
-    return orRecover(action, () => this.#goOn());
+    const before = this.#solver.generation();
+    return orRecover(action, () => {
+      this.#goOn();
+      if (this.#solver.generation() !== before) this.changed();
+    });
   }
 
   /** Begins the run again, unless the solver has not ended it. */

@@ -80,7 +80,7 @@ fn selector_of<In>(
             let message = "the list is empty, expected at least one vertex";
             return Err(JsonError::new("vertices", message));
         }
-        return Ok(Selector::Vertices(vertices));
+        return Ok(Selector::Vertices(vertices.into()));
     }
     let element = each.ok_or_else(|| JsonError::missing_key("each"))?;
     let least = element.least_radius();

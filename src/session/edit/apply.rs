@@ -16,7 +16,7 @@ use crate::scene::{
     SceneError, Target, Variants, check_tolerance,
 };
 use crate::session::report::{check_lesson, check_presentation, panel_row};
-use crate::session::state::{Draft, Part, RowValues, Settings, leave_search, uses};
+use crate::session::state::{Draft, Settings, asks_otherwise, leave_search, uses};
 use crate::solve::{Handle, HandleIndex, Require};
 use crate::words;
 use serde_json::{Map, Value};
@@ -40,7 +40,6 @@ pub(crate) fn apply(
     state: &mut IterationState,
 ) -> Result<String, SceneError> {
     let handles = draft.shared_handles();
-    let from = draft.document().attempt.from;
     let name = match edit {
         Edit::AddConstraint(new) => add(new, draft),
         Edit::MakePanels { kind, within, from } => {
@@ -48,26 +47,27 @@ pub(crate) fn apply(
                 reset(draft, state);
             }
             // What an earlier search chose is no choice of the user.
-            let settings = Settings::of(draft.document()).before_attempt();
+            let settings = Settings::of(&draft.document).before_attempt();
             let by =
                 |smoother, on_surface| ChosenAttempt { smoother, on_surface, ..Default::default() };
-            draft.put(Part::Settings(match from {
+            let settings = match from {
                 PanelStart::Smoother => settings.by_attempt(by(PanelStart::SMOOTHER, false)),
                 PanelStart::Surface => settings.by_attempt(by(1.0, true)),
                 PanelStart::Boundary => settings.on_boundary(),
                 PanelStart::Now | PanelStart::Original => settings,
-            }));
+            };
+            settings.put_in(&mut draft.document);
             let require = within.map_or(Require::Soft, Require::Within);
-            let info =
-                draft.set_rows(|document, mesh| document.request_panels(&kind, require, mesh))?;
+            let mesh = draft.mesh();
+            let info = draft.set(|document| document.request_panels(&kind, require, mesh))?;
             if let Some(length) = within {
-                draft.put(Part::Tolerance(tolerance_beside(draft.document(), length)));
+                draft.document.tolerance = tolerance_beside(&draft.document, length);
             }
             format!("Make panels {}", info.panels.unwrap_or(info.id))
         }
         Edit::RemoveConstraint { index } => {
             let label = label_of(row(draft, index)?);
-            draft.put(Part::Row(index, None));
+            draft.document.constraints.remove(index);
             format!("Remove {label}")
         }
         Edit::SetConstraint { index, weight, enabled, require, params } => {
@@ -83,67 +83,64 @@ pub(crate) fn apply(
                 }
                 _ => format!("Change {label}"),
             };
-            let values = RowValues {
-                kind: with_params(&spec.kind, index, params)?,
-                weight: weight.unwrap_or(spec.weight),
-                enabled: enabled.unwrap_or(spec.enabled),
-                // A new requirement applies to all elements.
-                eased: spec.eased.clone().filter(|_| require.is_none()),
-                require: require.unwrap_or(spec.require),
-            };
             let was_exact = spec.require == Require::Exact;
-            draft.put(Part::RowValues(index, values));
+            spec.kind = with_params(&spec.kind, index, params)?;
+            spec.weight = weight.unwrap_or(spec.weight);
+            spec.enabled = enabled.unwrap_or(spec.enabled);
+            if let Some(require) = require {
+                spec.require = require;
+                // A new requirement applies to all elements.
+                spec.eased = None;
+            }
             // By which panels are judged: no other row has to do with it.
-            let is_on_panels = panel_row(draft.document()) == Some(index);
+            let is_on_panels = panel_row(&draft.document) == Some(index);
             if matches!(require, Some(Require::Within(_))) && was_exact && is_on_panels {
-                draft.put(Part::Tolerance(None));
+                draft.document.tolerance = None;
             }
             name
         }
         Edit::DuplicateConstraint { index } => {
             let copy = row(draft, index)?.clone();
             let name = format!("Duplicate {}", label_of(&copy));
-            draft.put(Part::Row(index + 1, Some(copy)));
+            draft.document.constraints.insert(index + 1, copy);
             name
         }
         Edit::RenameConstraint { index, name } => {
-            let label = label_of(row(draft, index)?);
-            draft.put(Part::RowName(index, name));
-            format!("Rename {label}")
+            let spec = row(draft, index)?;
+            spec.name = name;
+            format!("Rename {}", label_of(spec))
         }
         Edit::NameSet { name, vertices, faces } => {
-            let set = Set { vertices, faces };
+            let set = Set { vertices: vertices.into(), faces: faces.into() };
             if name.is_empty() || set == Set::default() {
                 let message = "expected a name and at least one vertex or face".to_owned();
                 return Err(SceneError { path: "sets".to_owned(), message });
             }
-            if !draft.document().sets.contains_key(&name) {
+            if !draft.document.sets.contains_key(&name) {
                 check_name_of_group(&name, draft)?;
             }
             let words = format!("Save set {name}");
-            draft.put(Part::Set(name, Some(set)));
-            draft.document().check_sets(draft.mesh())?;
+            draft.document.sets.insert(name, set);
+            draft.document.check_sets(draft.mesh())?;
             words
         }
         Edit::RemoveSet { name } => {
-            if uses(&name, draft.document()).contains(&true) {
+            if uses(&name, &draft.document).contains(&true) {
                 check_name_of_group(&name, draft)?;
             }
-            let words = format!("Remove set {name}");
-            draft.put(Part::Set(name, None));
-            words
+            draft.document.sets.remove(&name);
+            format!("Remove set {name}")
         }
         Edit::Set { id, value } => {
             let label = draft.set(|document| settings::set(document, &id, &value))?;
             format!("Change setting: {label}")
         }
         Edit::HoldClose { vertices, weight } => {
-            let mut weights = Vec::new();
-            if let Some(vertices) = &vertices {
-                weights.clone_from(&draft.document().closeness.weights);
-                set_closeness_weight(&mut weights, vertices, weight);
+            let weights = &mut draft.document.closeness.weights;
+            match &vertices {
+                Some(vertices) => set_closeness_weight(weights, vertices, weight),
+                None => weights.clear(),
             }
-            draft.put(Part::ClosenessWeights(weights));
             vertices.map_or("Same closeness for all".to_owned(), |vertices| {
                 format!("Change closeness of {}", of_vertices(vertices.len()))
             })
@@ -220,22 +217,22 @@ pub(crate) fn apply(
             format!("Use {}", preset.label)
         }
         Edit::SetUnits { units } => {
-            draft.put(Part::Units(units));
+            draft.document.units = units;
             "Change unit".to_owned()
         }
         Edit::SetUp { up } => {
-            draft.put(Part::Up(up));
+            draft.document.up = up;
             "Change up axis".to_owned()
         }
         Edit::SetLesson { mut lesson, unsolved } => {
             // One that is handed out is on the mesh that there is.
-            let before = draft.document().lesson.as_ref().filter(|_| !unsolved);
+            let before = draft.document.lesson.as_ref().filter(|_| !unsolved);
             if let (Some(lesson), Some(before)) = (&mut lesson, before)
                 && lesson.asks_the_same(before)
             {
                 lesson.given.clone_from(&before.given);
             }
-            draft.put(Part::Lesson(lesson));
+            draft.document.lesson = lesson;
             if unsolved {
                 back_to_rest(Variants::default(), draft, state);
                 renumber_variants(draft, |_| None);
@@ -244,12 +241,12 @@ pub(crate) fn apply(
         }
         Edit::SetTolerance { tolerance } => {
             check_tolerance(tolerance)?;
-            draft.put(Part::Tolerance(tolerance));
+            draft.document.tolerance = tolerance;
             "Change tolerance".to_owned()
         }
         Edit::SetBuild { values } => {
-            let own = draft.document().build.clone().unwrap_or_default();
-            draft.put(Part::Build(Some(Box::new(own.with_all(values)?))));
+            let own = draft.document.build.clone().unwrap_or_default();
+            draft.document.build = Some(own.with_all(values)?);
             "Change build settings".to_owned()
         }
         Edit::SetSteps { steps } => set_steps(steps, draft)?,
@@ -291,14 +288,14 @@ pub(crate) fn apply(
             "Reset".to_owned()
         }
     };
-    let asked = draft.document();
-    if asked.attempt.from != from || draft.changed().any(|part| part.asks_otherwise(asked)) {
-        leave_search(asked).into_iter().for_each(|part| draft.put(part));
+    let is_elsewhere = draft.document.attempt.from != draft.before().attempt.from;
+    if is_elsewhere || asks_otherwise(draft.before(), &draft.document) {
+        leave_search(&mut draft.document);
     }
     check_changes(draft, &handles)?;
     // Renaming or removing a row can break these too; the saved scene could not be opened.
-    check_lesson(draft.document(), draft.mesh())?;
-    check_presentation(draft.document(), draft.mesh())?;
+    check_lesson(&draft.document, draft.mesh())?;
+    check_presentation(&draft.document, draft.mesh())?;
     Ok(name)
 }
 
@@ -324,12 +321,10 @@ fn add(new: NewConstraint, draft: &mut Draft<'_>) -> String {
     let NewConstraint { mut spec, set } = new;
     let name = format!("Add {}", label_of(&spec));
     let target = ConstraintTarget { on: spec.on, set };
-    let (on, named) = target.named_in(&draft.document().sets, draft.mesh());
+    let (on, named) = target.named_in(&draft.document.sets, draft.mesh());
     spec.on = on;
-    if let Some((name, set)) = named {
-        draft.put(Part::Set(name, Some(set)));
-    }
-    draft.put(Part::Row(draft.document().constraints.len(), Some(spec)));
+    draft.document.sets.extend(named);
+    draft.document.constraints.push(spec);
     name
 }
 
@@ -359,11 +354,12 @@ fn with_handles(
     Ok(handles)
 }
 
-fn row<'a>(draft: &'a Draft<'_>, index: usize) -> Result<&'a ConstraintSpec, SceneError> {
-    let rows = &draft.document().constraints;
-    rows.get(index).ok_or_else(|| SceneError {
+fn row<'a>(draft: &'a mut Draft<'_>, index: usize) -> Result<&'a mut ConstraintSpec, SceneError> {
+    let rows = &mut draft.document.constraints;
+    let count = rows.len();
+    rows.get_mut(index).ok_or_else(|| SceneError {
         path: format!("constraints[{index}]"),
-        message: format!("there is no such row: the scene has {}", rows.len()),
+        message: format!("there is no such row: the scene has {count}"),
     })
 }
 

@@ -14,6 +14,7 @@ use crate::solve::Handle;
 use crate::words;
 use serde_json::Value;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// A scene carried over to another mesh.
 pub(crate) struct Carried {
@@ -68,8 +69,8 @@ pub(crate) fn carry(
         variant.positions = moved(&variant.positions).into();
     }
     document.sets.retain(|name, set| {
-        set.vertices = carry_vertices(&set.vertices, before.topology(), origins);
-        set.faces = carry_faces(&set.faces, origins);
+        set.vertices = carry_vertices(&set.vertices, before.topology(), origins).into();
+        set.faces = carry_faces(&set.faces, origins).into();
         let is_left = !set.vertices.is_empty() || !set.faces.is_empty();
         if !is_left {
             lost.push(format!("Left out: the set {name}, which would be empty."));
@@ -80,7 +81,7 @@ pub(crate) fn carry(
     document.closeness.weights.retain_mut(|entry| {
         let on = describe(&entry.on);
         if let Selector::Vertices(vertices) = &mut entry.on {
-            *vertices = carry_vertices(vertices, before.topology(), origins);
+            *vertices = carry_vertices(vertices, before.topology(), origins).into();
         }
         let found = resolve(&entry.on, after.mesh(), after.topology(), &document.sets);
         let is_left = found.is_ok_and(|found| !found.indices().is_empty());
@@ -130,10 +131,10 @@ fn carry_row(
     let carried = carry_vertices(vertices, topology, origins);
     // If their order matters, no vertices are added.
     if info.elements.is_empty() && info.arity.fits(carried.len()) {
-        *vertices = carried;
+        *vertices = carried.into();
         return Ok(());
     }
-    let same: Option<Vec<u32>> = vertices.iter().map(|&v| origins.vertices[v as usize]).collect();
+    let same: Option<Rc<[u32]>> = vertices.iter().map(|&v| origins.vertices[v as usize]).collect();
     let same = same.ok_or("some of its vertices no longer exist")?;
     if same.iter().collect::<BTreeSet<_>>().len() < same.len() {
         return Err("some of its vertices were merged".to_owned());

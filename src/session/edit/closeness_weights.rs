@@ -13,23 +13,28 @@ pub(crate) fn set_closeness_weight(
     let mut moved = vertices.to_vec();
     moved.sort_unstable();
     moved.dedup();
-    for entry in weights.iter_mut() {
-        if let Selector::Vertices(listed) = &mut entry.on {
-            listed.retain(|vertex| moved.binary_search(vertex).is_err());
+    let is_moved = |vertex: &u32| moved.binary_search(vertex).is_ok();
+    weights.retain_mut(|entry| match &mut entry.on {
+        Selector::Vertices(listed) => {
+            if listed.iter().any(is_moved) {
+                *listed = listed.iter().copied().filter(|vertex| !is_moved(vertex)).collect();
+            }
+            !listed.is_empty()
         }
-    }
+        _ => true,
+    });
     let lists = |entry: &ClosenessWeight| matches!(entry.on, Selector::Vertices(_));
-    weights.retain(|entry| entry.on != Selector::Vertices(Vec::new()));
     if weight == 1.0 && weights.iter().all(lists) {
         return;
     }
     let same = weights.iter_mut().rev().take_while(|entry| lists(entry));
     match same.into_iter().find(|entry| entry.weight == weight) {
         Some(ClosenessWeight { on: Selector::Vertices(listed), .. }) => {
-            listed.extend(moved);
-            listed.sort_unstable();
+            let mut all = [&**listed, &moved].concat();
+            all.sort_unstable();
+            *listed = all.into();
         }
-        _ => weights.push(ClosenessWeight { on: Selector::Vertices(moved), weight }),
+        _ => weights.push(ClosenessWeight { on: Selector::Vertices(moved.into()), weight }),
     }
 }
 
@@ -54,7 +59,7 @@ mod tests {
 
     #[test]
     fn a_vertex_is_in_one_list_and_the_usual_factor_needs_none() {
-        let list = |vertices: &[u32]| Selector::Vertices(vertices.to_vec());
+        let list = |vertices: &[u32]| Selector::Vertices(vertices.into());
         let mut weights = Vec::new();
         set_closeness_weight(&mut weights, &[5, 3, 4], 10.0);
         set_closeness_weight(&mut weights, &[4, 9], 0.0);

@@ -1,8 +1,8 @@
 //! Locks of a lesson: what an edit has changed is refused if it is locked, whichever edit it is.
 
 use super::edit_list::Edit;
-use crate::scene::{Lesson, Lock, Scene, SceneError, Variant, Variants};
-use crate::session::state::{Draft, Part, Settings, uses};
+use crate::scene::{ConstraintSpec, Lesson, Lock, Scene, SceneError, Variant, Variants};
+use crate::session::state::{Draft, Settings, other_sets, uses};
 use crate::solve::Handle;
 
 /// Refuses `edit` before it is tried, if the lesson of `document` locks what it is sure to change.
@@ -32,11 +32,11 @@ pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneErro
 /// # Errors
 /// As [`check_locks`].
 pub(super) fn check_changes(draft: &Draft<'_>, handles: &[Handle]) -> Result<(), SceneError> {
-    let document = draft.document();
+    let document = &draft.document;
     if document.lesson.is_none() {
         return Ok(());
     }
-    let mut changed: Vec<Lock> = draft.changed().flat_map(|it| locks_of(it, document)).collect();
+    let mut changed = locks_between(draft.before(), document);
     if draft.handles() != handles {
         changed.push(Lock::Handles);
     }
@@ -63,37 +63,27 @@ fn locked(part: Lock) -> SceneError {
     SceneError { path: "lesson.lock".to_owned(), message }
 }
 
-/// Returns what a lesson may lock, of a part that was so `before` and is another one `now`.
-fn locks_of(before: &Part, now: &Scene) -> Vec<Lock> {
-    match before {
-        Part::Units(_) | Part::Up(_) => vec![Lock::Mesh],
-        Part::Settings(before) => before.locks_beside(&Settings::of(now)),
-        Part::ClosenessWeights(_) => vec![Lock::Weights],
-        Part::RowName(..) | Part::Row(..) | Part::Rows(_) => vec![Lock::Constraints],
-        Part::RowValues(index, before) if before.weight != now.constraints[*index].weight => {
-            vec![Lock::Weights, Lock::Constraints]
-        }
-        // Not what a search has eased.
-        Part::RowValues(index, before) if before.asks_as(&now.constraints[*index]) => Vec::new(),
-        Part::RowValues(..) => vec![Lock::Constraints],
-        Part::Set(name, before) => {
-            let [by_rows, by_weights] = uses(name, now);
-            let is_of_rows = (by_rows || before.is_some()).then_some(Lock::Constraints);
-            let is_of_weights = by_weights.then_some(Lock::Weights);
-            is_of_rows.into_iter().chain(is_of_weights).collect()
-        }
-        // The shape is kept close to the design; to leave it is a reset.
-        Part::Variants(before)
-            if design(&now.variants).is_some_and(|it| Some(it) != design(before)) =>
-        {
-            vec![Lock::Weights]
-        }
-        Part::Variants(_)
-        | Part::Tolerance(_)
-        | Part::Lesson(_)
-        | Part::Build(_)
-        | Part::Steps(_) => Vec::new(),
+/// Returns what a lesson may lock, of what differs between the document `before` an edit and that `now`.
+fn locks_between(before: &Scene, now: &Scene) -> Vec<Lock> {
+    let mut changed = Settings::of(before).locks_beside(&Settings::of(now));
+    let mut differs = |differs: bool, lock| changed.extend(differs.then_some(lock));
+    differs((&before.units, before.up) != (&now.units, now.up), Lock::Mesh);
+    differs(before.closeness.weights != now.closeness.weights, Lock::Weights);
+    // The shape is kept close to the design; to leave it is a reset.
+    let of_now = design(&now.variants);
+    differs(of_now.is_some() && of_now != design(&before.variants), Lock::Weights);
+    let [from, to] = [before, now].map(|scene| &scene.constraints);
+    let reweighed = from.iter().zip(to).any(|(from, to)| from.weight != to.weight);
+    differs(reweighed && from.len() == to.len(), Lock::Weights);
+    // Not what a search has eased.
+    let bare = |row: &ConstraintSpec| ConstraintSpec { eased: None, ..row.clone() };
+    differs(!from.iter().map(bare).eq(to.iter().map(bare)), Lock::Constraints);
+    for name in other_sets(before, now) {
+        let [by_rows, by_weights] = uses(name, now);
+        differs(by_rows || before.sets.contains_key(name), Lock::Constraints);
+        differs(by_weights, Lock::Weights);
     }
+    changed
 }
 
 fn design(variants: &Variants) -> Option<&Variant> {

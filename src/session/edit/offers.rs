@@ -136,14 +136,14 @@ fn places(vertices: Vec<u32>, faces: Vec<u32>) -> Vec<OfferedPlace> {
     if !vertices.is_empty() {
         let has_faces = !faces.is_empty();
         let set = if has_faces {
-            Set { faces, ..Set::default() }
+            Set { faces: faces.into(), ..Set::default() }
         } else {
-            Set { vertices: vertices.clone(), ..Set::default() }
+            Set { vertices: vertices.as_slice().into(), ..Set::default() }
         };
         places.push(OfferedPlace {
             id: "selection".to_owned(),
             label: "whole selection together".to_owned(),
-            on: ConstraintTarget { on: Selector::Vertices(vertices), set: None },
+            on: ConstraintTarget { on: Selector::Vertices(vertices.into()), set: None },
             is_for_own_kinds: false,
         });
         places.extend(Element::ALL.map(|element| {

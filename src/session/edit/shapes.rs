@@ -4,7 +4,7 @@
 use crate::mesh::Point;
 use crate::scene::{Hold, SceneError, Slide, Variant, Variants};
 use crate::session::run::Start;
-use crate::session::state::{Draft, Part};
+use crate::session::state::Draft;
 use std::rc::Rc;
 
 /// The position of a state in the sequence of iterations.
@@ -17,14 +17,14 @@ pub(crate) struct IterationState {
 
 /// Goes back to the rest shape; the kept variants stay.
 pub(super) fn reset(draft: &mut Draft<'_>, state: &mut IterationState) {
-    let kept = draft.document().variants.kept.clone();
+    let kept = draft.document.variants.kept.clone();
     back_to_rest(Variants { kept, design: None }, draft, state);
 }
 
 /// Goes back to the rest shape, with these variants.
 pub(super) fn back_to_rest(variants: Variants, draft: &mut Draft<'_>, state: &mut IterationState) {
     draft.put_positions(draft.mesh().positions.as_slice().into());
-    draft.put(Part::Variants(variants));
+    draft.document.variants = variants;
     *state = IterationState { iteration: 0, start: None };
 }
 
@@ -37,7 +37,8 @@ pub(super) fn keep_variant(
     start: Rc<[Point]>,
     draft: &mut Draft<'_>,
 ) -> Result<String, SceneError> {
-    let Variants { mut kept, .. } = draft.document().variants.clone();
+    let positions = draft.shared_positions();
+    let Variants { kept, design } = &mut draft.document.variants;
     if kept.is_empty() {
         kept.push(Variant { name: "Start".to_owned(), positions: start });
     }
@@ -49,9 +50,8 @@ pub(super) fn keep_variant(
     let name = { names }.find(|name| kept.iter().all(|variant| variant.name != *name));
     let name = name.unwrap_or_default();
     let words = format!("Keep {name}");
-    kept.push(Variant { name, positions: draft.shared_positions() });
-    let design = Some(kept.len() - 1);
-    draft.put(Part::Variants(Variants { kept, design }));
+    *design = Some(kept.len());
+    kept.push(Variant { name, positions });
     take_handles_along(draft);
     Ok(words)
 }
@@ -62,8 +62,7 @@ pub(super) fn keep_variant(
 /// If the variant does not exist.
 pub(super) fn go_to_variant(index: usize, draft: &mut Draft<'_>) -> Result<String, SceneError> {
     let Variant { name, positions } = variant(index, draft)?.clone();
-    let kept = draft.document().variants.kept.clone();
-    draft.put(Part::Variants(Variants { kept, design: Some(index) }));
+    draft.document.variants.design = Some(index);
     draft.put_positions(positions);
     take_handles_along(draft);
     Ok(format!("Go to {name}"))
@@ -75,19 +74,18 @@ pub(super) fn go_to_variant(index: usize, draft: &mut Draft<'_>) -> Result<Strin
 /// If the variant does not exist, or is the design.
 pub(super) fn remove_variant(index: usize, draft: &mut Draft<'_>) -> Result<String, SceneError> {
     let words = format!("Remove {}", variant(index, draft)?.name);
-    let mut variants = draft.document().variants.clone();
+    let variants = &mut draft.document.variants;
     if variants.design == Some(index) {
         let message = "this shape is open: open another one first".to_owned();
         return Err(SceneError { path: format!("variants.kept[{index}]"), message });
     }
     variants.kept.remove(index);
     variants.design = variants.design.map(|design| design - usize::from(design > index));
-    draft.put(Part::Variants(variants));
     Ok(words)
 }
 
 fn variant<'a>(index: usize, draft: &'a Draft<'_>) -> Result<&'a Variant, SceneError> {
-    let kept = &draft.document().variants.kept;
+    let kept = &draft.document.variants.kept;
     kept.get(index).ok_or_else(|| SceneError {
         path: format!("variants.kept[{index}]"),
         message: format!("there is no such variation: {} are kept", kept.len()),
@@ -110,8 +108,8 @@ fn take_handles_along(draft: &mut Draft<'_>) {
 /// # Errors
 /// If there are too many, or one has an invalid weight or refers to a missing variant.
 pub(super) fn set_steps(steps: Vec<Slide>, draft: &mut Draft<'_>) -> Result<String, SceneError> {
-    draft.put(Part::Steps(steps));
-    draft.document().check_steps()?;
+    draft.document.steps = steps;
+    draft.document.check_steps()?;
     Ok("Change presentation".to_owned())
 }
 
@@ -124,7 +122,7 @@ pub(super) fn show_step(
     draft: &mut Draft<'_>,
     state: &mut IterationState,
 ) -> Result<String, SceneError> {
-    let steps = &draft.document().steps;
+    let steps = &draft.document.steps;
     let step = steps.get(index).ok_or_else(|| SceneError {
         path: format!("steps[{index}]"),
         message: format!("there is no such step: the presentation has {}", steps.len()),
@@ -148,7 +146,6 @@ pub(super) fn show_step(
 
 /// After the removal of variants: gives the steps the new index `now` of theirs, or none.
 pub(super) fn renumber_variants(draft: &mut Draft<'_>, now: impl Fn(usize) -> Option<usize>) {
-    let mut steps = draft.document().steps.clone();
-    steps.iter_mut().for_each(|step| step.variant = step.variant.and_then(&now));
-    draft.put(Part::Steps(steps));
+    let steps = draft.document.steps.iter_mut();
+    steps.for_each(|step| step.variant = step.variant.and_then(&now));
 }

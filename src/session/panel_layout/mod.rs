@@ -60,8 +60,8 @@ impl Session {
         let Mesh { positions: rest, faces, .. } = self.mesh().clone();
         let positions = self.document().variants.design_positions().map_or(rest, <[_]>::to_vec);
         let original = Rc::new(Mesh { positions, faces, ..Mesh::default() });
-        let change = self.replace_mesh(&edited, |scene| scene.closeness.stay_on(&original))?;
-        self.history.push(format!("Lay out {}", words::count(new, "panel", "panels")), change);
+        let before = self.replace_mesh(&edited, |scene| scene.closeness.stay_on(&original))?;
+        self.add_step(format!("Lay out {}", words::count(new, "panel", "panels")), before);
         Ok(true)
     }
 }

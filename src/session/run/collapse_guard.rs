@@ -13,7 +13,7 @@ const EVERY: u32 = 8;
 #[derive(Default)]
 pub(crate) struct CollapseGuard {
     /// The document as it was opened, without handles and positions.
-    opened: Scene,
+    opened: Rc<Scene>,
     /// Whether the document poses another problem than the opened one.
     armed: bool,
     /// Whether the run continues after a collapse.
@@ -27,7 +27,7 @@ pub(crate) struct CollapseGuard {
 
 impl CollapseGuard {
     /// Creates the guard of a session on the document `opened`.
-    pub(crate) fn new(opened: Scene) -> CollapseGuard {
+    pub(crate) fn new(opened: Rc<Scene>) -> CollapseGuard {
         CollapseGuard { opened, ..CollapseGuard::default() }
     }
 
@@ -68,7 +68,7 @@ impl CollapseGuard {
     }
 
     /// Replaces the document that edits are compared with; a different problem arms the guard.
-    pub(crate) fn set_opened(&mut self, opened: Scene) {
+    pub(crate) fn set_opened(&mut self, opened: Rc<Scene>) {
         self.opened = opened;
     }
 

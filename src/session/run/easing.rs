@@ -84,7 +84,7 @@ impl Easing {
 
     pub(crate) fn tolerances(&self) -> Tolerances {
         let eased = (!self.faces.is_empty())
-            .then(|| EasedFaces { within: self.of_eased, faces: self.faces.clone() });
+            .then(|| EasedFaces { within: self.of_eased, faces: self.faces.as_slice().into() });
         Tolerances { within: self.now, eased }
     }
 
@@ -165,7 +165,7 @@ mod tests {
     }
 
     fn tolerances(within: f64, faces: &[u32]) -> Tolerances {
-        let eased = EasedFaces { within: EASED * 0.1, faces: faces.to_vec() };
+        let eased = EasedFaces { within: EASED * 0.1, faces: faces.into() };
         Tolerances { within, eased: (!faces.is_empty()).then_some(eased) }
     }
 

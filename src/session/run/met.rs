@@ -1,45 +1,14 @@
 //! How well hard constraints are met, for the report.
 
 use super::attempt::Tried;
-use crate::mesh::Point;
-use crate::scene::Scene;
-use crate::session::state::{SolvedScene, same_problem};
-use crate::solve::{ExactAnswer, Handle, Improved, Moved, Unmet};
+use crate::session::state::{SceneState, SolvedScene, same_handles, same_problem};
+use crate::solve::{ExactAnswer, Improved, Moved, Unmet};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
-/// A shape, and the problem that it was solved for.
-struct SolvedFor {
-    positions: Rc<[Point]>,
-    handles: Rc<[Handle]>,
-    document: Scene,
-}
-
-impl SolvedFor {
-    /// Records the current state of the scene.
-    fn new(scene: &SolvedScene) -> SolvedFor {
-        SolvedFor {
-            positions: Rc::clone(scene.positions()),
-            handles: Rc::clone(scene.handles()),
-            document: scene.document().clone(),
-        }
-    }
-
-    /// Whether shape and problem, apart from the handles, are those of the current state.
-    fn is_of(&self, scene: &SolvedScene) -> bool {
-        Rc::ptr_eq(&self.positions, scene.positions())
-            && same_problem(&self.document, scene.document())
-    }
-
-    /// Whether the handles are those of the current state.
-    fn has_handles_of(&self, scene: &SolvedScene) -> bool {
-        Rc::ptr_eq(&self.handles, scene.handles()) || self.handles == *scene.handles()
-    }
-}
-
 /// How hard constraints were met, and the state of the scene that this holds for.
 pub(crate) struct Met {
-    state: SolvedFor,
+    state: SceneState,
     /// Whether all attempts ended without interruption.
     pub(crate) is_whole: bool,
     /// Whether the iterations before them had converged.
@@ -53,18 +22,26 @@ pub(crate) struct Met {
 impl Met {
     /// Records a report on the current state of the scene.
     pub(crate) fn new(scene: &SolvedScene, report: ExactReport) -> Met {
-        let state = SolvedFor::new(scene);
-        Met { state, is_whole: true, converged: false, report, tried: Vec::new(), chosen: None }
+        Met {
+            state: scene.state(),
+            is_whole: true,
+            converged: false,
+            report,
+            tried: Vec::new(),
+            chosen: None,
+        }
     }
 
-    /// Whether the report holds for the current state of the scene.
+    /// Whether the report holds for the current state of the scene, whatever its handles.
     pub(crate) fn is_of(&self, scene: &SolvedScene) -> bool {
-        self.state.is_of(scene)
+        let SceneState { document, positions, .. } = &self.state;
+        let (now, shape) = (scene.document(), scene.positions());
+        Rc::ptr_eq(positions, shape) && (Rc::ptr_eq(document, now) || same_problem(document, now))
     }
 
     /// Whether another run cannot improve the current state of the scene.
     pub(crate) fn is_all(&self, scene: &SolvedScene) -> bool {
-        self.is_whole && self.state.has_handles_of(scene)
+        self.is_whole && same_handles(&self.state.handles, scene.handles())
     }
 }
 

@@ -92,7 +92,7 @@ fn with_error_above(
 /// vertices of its curves.
 fn named(name: String, sets: &Sets, rest: &RestMesh) -> Result<Selection, SceneError> {
     if let Some(set) = sets.get(&name) {
-        let (vertices, faces) = (set.vertices.clone(), set.faces.clone());
+        let (vertices, faces) = (set.vertices.to_vec(), set.faces.to_vec());
         return Ok(Selection { vertices, faces, ..Selection::default() });
     }
     let mesh = rest.mesh();

@@ -92,16 +92,6 @@ impl RestMesh {
         &self.mesh
     }
 
-    /// Returns all that cannot be recomputed: the mesh, its generation, and what was lost.
-    pub(crate) fn into_parts(self) -> (Mesh, u32, Vec<String>) {
-        (self.mesh, self.generation, self.lost)
-    }
-
-    /// Restores the parts of a mesh created anew, see [`RestMesh::into_parts`].
-    pub(crate) fn restore(&mut self, generation: u32, lost: Vec<String>) {
-        (self.generation, self.lost) = (generation, lost);
-    }
-
     pub(crate) fn topology(&self) -> &Topology {
         &self.topology
     }

@@ -1,9 +1,9 @@
 //! A scene with its solver: its document, its resolved rows, its positions.
 
-use super::part::Effect;
+use super::comparison::Effect;
 use super::rest_mesh::RestMesh;
 use super::rows::{ResolvedRow, acts, resolve_rows};
-use super::scene_change::{Draft, SceneChange, same_handles, same_positions};
+use super::scene_state::{Draft, SceneState, same_handles, same_positions};
 use crate::constraint::Projected;
 use crate::mesh::Point;
 use crate::scene::{Scene, SceneError};
@@ -15,7 +15,7 @@ use std::rc::Rc;
 /// A scene with its solver on a mesh; all methods need the same [`RestMesh`].
 pub(crate) struct SolvedScene {
     /// Without handles and positions, which the solver stores.
-    document: Scene,
+    document: Rc<Scene>,
     /// The resolved rows of the document.
     rows: Vec<ResolvedRow>,
     solver: Solver,
@@ -34,7 +34,7 @@ impl SolvedScene {
     /// # Errors
     /// When the system is singular.
     pub(crate) fn new(
-        document: Scene,
+        document: Rc<Scene>,
         rest: &RestMesh,
         rows: Vec<ResolvedRow>,
         handles: Vec<Handle>,
@@ -87,12 +87,8 @@ impl SolvedScene {
         self.renew();
     }
 
-    pub(crate) fn document(&self) -> &Scene {
+    pub(crate) fn document(&self) -> &Rc<Scene> {
         &self.document
-    }
-
-    pub(crate) fn into_document(self) -> Scene {
-        self.document
     }
 
     pub(crate) fn rows(&self) -> &[ResolvedRow] {
@@ -166,148 +162,120 @@ impl SolvedScene {
         }
     }
 
-    /// Returns a change that restores the current state.
-    pub(crate) fn snapshot(&self) -> SceneChange {
-        SceneChange {
-            parts: Vec::new(),
+    /// The current state.
+    pub(crate) fn state(&self) -> SceneState {
+        SceneState {
+            document: Rc::clone(&self.document),
             handles: Rc::clone(self.handles()),
             positions: Rc::clone(self.positions()),
         }
     }
 
-    /// Applies the change that `propose` makes of a draft, and returns its result with the inverse
-    /// change; none if nothing has changed.
+    /// The current document, if this one is equal to it, so that states share it.
+    pub(crate) fn shared(&self, document: Scene) -> Rc<Scene> {
+        if document == *self.document { Rc::clone(&self.document) } else { Rc::new(document) }
+    }
+
+    /// Goes to the state that `propose` makes of a draft, and returns its result, and whether anything
+    /// has changed.
     ///
     /// # Errors
-    /// Those of `propose`, and as [`SolvedScene::exchange`]; nothing has changed then.
+    /// Those of `propose`, and as [`SolvedScene::go_to`]; nothing has changed then.
     pub(crate) fn edit<T>(
         &mut self,
         rest: &RestMesh,
         propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
-    ) -> Result<(T, Option<SceneChange>), Error> {
-        let (done, mut change) = self.proposed(rest, propose)?;
-        if !self.differs(&change) {
-            return Ok((done, None));
+    ) -> Result<(T, bool), Error> {
+        let (done, state) = self.proposed(rest, propose)?;
+        let differs = self.differs(&state);
+        if differs {
+            self.go_to(rest, state)?;
         }
-        self.follow(rest, &mut change)?;
-        Ok((done, Some(change)))
+        Ok((done, differs))
     }
 
-    /// Whether the change that `propose` makes of a draft would change anything; nothing has changed
-    /// then.
+    /// Whether the state that `propose` makes of a draft differs from the current one.
     ///
     /// # Errors
     /// Those of `propose`, and where the document would not fit the mesh.
     pub(crate) fn would_change<T>(
-        &mut self,
+        &self,
         rest: &RestMesh,
         propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
     ) -> Result<bool, SceneError> {
-        let (_, mut change) = self.proposed(rest, propose)?;
-        let differs = self.differs(&change);
-        let fits = match change.effect(&self.document) {
-            Effect::Nothing => Ok(()),
-            Effect::Weights | Effect::Problem => self.resolved(rest).map(|_| ()),
-        };
-        change.exchange_parts(&mut self.document);
-        fits.map(|()| differs)
+        let (_, state) = self.proposed(rest, propose)?;
+        if Effect::between(&self.document, &state.document) != Effect::Nothing {
+            resolved(&state.document, rest)?;
+        }
+        Ok(self.differs(&state))
     }
 
-    /// The rows of the document, which is checked with them.
-    fn resolved(&self, rest: &RestMesh) -> Result<Vec<ResolvedRow>, SceneError> {
-        self.document.validate(rest.mesh())?;
-        resolve_rows(&self.document, rest.mesh(), rest.topology())
-    }
-
-    /// Changes the document as `propose` does with a draft, and returns its result with the parts as
-    /// they were and the new handles and positions.
+    /// Returns what `propose` returns, and the state that it makes of a draft.
     ///
     /// # Errors
-    /// Those of `propose`; nothing has changed then.
+    /// Those of `propose`.
     fn proposed<T>(
-        &mut self,
+        &self,
         rest: &RestMesh,
         propose: impl FnOnce(&mut Draft<'_>) -> Result<T, SceneError>,
-    ) -> Result<(T, SceneChange), SceneError> {
-        let change = self.snapshot();
-        let mut draft = Draft { document: &mut self.document, mesh: rest.mesh(), change };
-        let proposed = propose(&mut draft);
-        let mut change = draft.change;
-        match proposed {
-            Ok(done) => {
-                change.parts.retain(|part| !part.is_in(&self.document));
-                Ok((done, change))
-            }
-            Err(error) => {
-                change.exchange_parts(&mut self.document);
-                Err(error)
-            }
-        }
+    ) -> Result<(T, SceneState), SceneError> {
+        let before = &*self.document;
+        let SceneState { handles, positions, .. } = self.state();
+        let mut draft =
+            Draft { before, document: before.clone(), mesh: rest.mesh(), handles, positions };
+        let done = propose(&mut draft)?;
+        let Draft { document, handles, positions, .. } = draft;
+        Ok((done, SceneState { document: self.shared(document), handles, positions }))
     }
 
-    /// Whether a proposed change has any part, or other handles or positions.
-    fn differs(&self, change: &SceneChange) -> bool {
-        !change.parts.is_empty()
-            || !same_handles(&change.handles, self.handles())
-            || !same_positions(&change.positions, self.positions())
+    /// Whether a proposed state has another document, handles or positions.
+    fn differs(&self, state: &SceneState) -> bool {
+        !Rc::ptr_eq(&state.document, &self.document)
+            || !same_handles(&state.handles, self.handles())
+            || !same_positions(&state.positions, self.positions())
     }
 
-    /// Applies a change to the state, and turns the change into its inverse.
+    /// Goes to another state on the same mesh.
     ///
     /// # Errors
     /// When the document does not fit the mesh, or the system is singular; nothing has changed then.
-    pub(crate) fn exchange(
-        &mut self,
-        rest: &RestMesh,
-        change: &mut SceneChange,
-    ) -> Result<(), Error> {
-        change.exchange_parts(&mut self.document);
-        self.follow(rest, change)
-    }
-
-    /// Completes an exchange after that of the parts of `change`: exchanges handles and positions,
-    /// and updates the solver.
-    fn follow(&mut self, rest: &RestMesh, change: &mut SceneChange) -> Result<(), Error> {
-        let SceneChange { handles, positions, .. } = self.snapshot();
-        let new_handles = !same_handles(&change.handles, &handles);
-        let new_positions = !same_positions(&change.positions, &positions);
-        let effect = change.effect(&self.document);
+    pub(crate) fn go_to(&mut self, rest: &RestMesh, state: SceneState) -> Result<(), Error> {
+        let SceneState { document, handles, positions } = state;
+        let new_handles = !same_handles(&handles, self.handles());
+        let new_positions = !same_positions(&positions, self.positions());
+        let effect = if Rc::ptr_eq(&document, &self.document) {
+            Effect::Nothing
+        } else {
+            Effect::between(&self.document, &document)
+        };
         if effect == Effect::Nothing && !new_handles && !new_positions {
+            self.document = document;
             return Ok(());
         }
-        let to = (
-            new_handles.then(|| change.handles.to_vec()),
-            new_positions.then_some(&*change.positions),
-        );
-        if let Err(error) = self.set_up_again(rest, effect, to) {
-            change.exchange_parts(&mut self.document);
-            return Err(error);
-        }
+        let to = (new_handles.then(|| handles.to_vec()), new_positions.then_some(&*positions));
+        self.set_up_again(rest, &document, effect, to)?;
         self.positions.take();
         self.handles.take();
-        let there = std::mem::replace(&mut change.positions, positions);
+        self.document = document;
         // They may differ if the solver moved vertices itself, such as the corners of a boundary.
-        if self
-            .solver
-            .positions()
-            .zip(&*there)
-            .all(|(a, b)| a.map(f64::to_bits) == b.map(f64::to_bits))
-        {
-            self.positions = there.into();
+        let is_same = |(a, b): (Point, &Point)| a.map(f64::to_bits) == b.map(f64::to_bits);
+        if self.solver.positions().zip(&*positions).all(is_same) {
+            self.positions = positions.into();
         }
-        self.handles = std::mem::replace(&mut change.handles, handles).into();
+        self.handles = handles.into();
         Ok(())
     }
 
-    /// Updates solver and rows to the document, and to these handles and positions (`#V by 3`) if
-    /// they are given, at the least cost.
+    /// Updates solver and rows to `document`, which has this `effect`, and to these handles and positions
+    /// (`#V by 3`) if they are given, at the least cost.
     fn set_up_again(
         &mut self,
         rest: &RestMesh,
+        document: &Scene,
         effect: Effect,
         (handles, positions): (Option<Vec<Handle>>, Option<&[Point]>),
     ) -> Result<(), Error> {
-        let weights = self.document.weights;
+        let weights = document.weights;
         match effect {
             Effect::Nothing => match handles {
                 Some(handles) => {
@@ -320,7 +288,7 @@ impl SolvedScene {
                 None => positions.into_iter().for_each(|to| self.solver.set_positions(to)),
             },
             Effect::Weights if self.solver.can_reweigh(weights) => {
-                self.document.validate(rest.mesh())?;
+                document.validate(rest.mesh())?;
                 let (old, old_weights) = (self.solver.handles().to_vec(), self.solver.weights());
                 let handles = handles.unwrap_or_else(|| old.clone());
                 if let Err(error) = self.solver.reweigh(weights, handles, positions) {
@@ -329,17 +297,23 @@ impl SolvedScene {
                 }
             }
             Effect::Weights | Effect::Problem => {
-                let rows = self.resolved(rest)?;
+                let rows = resolved(document, rest)?;
                 let handles = handles.unwrap_or_else(|| self.solver.handles().to_vec());
                 let positions = positions.unwrap_or_else(|| self.positions());
                 let cache = self.solver.setup_cache();
-                self.solver = set_up(&self.document, rest, &rows, cache, handles, positions)?;
+                self.solver = set_up(document, rest, &rows, cache, handles, positions)?;
                 self.rows = rows;
             }
         }
         self.renew();
         Ok(())
     }
+}
+
+/// The rows of a document, which is checked with them.
+fn resolved(document: &Scene, rest: &RestMesh) -> Result<Vec<ResolvedRow>, SceneError> {
+    document.validate(rest.mesh())?;
+    resolve_rows(document, rest.mesh(), rest.topology())
 }
 
 /// Sets up a solver for the enabled rows.

@@ -9,7 +9,7 @@ use crate::session::edit::check_lock;
 use crate::session::report::{Exactness, TrialNumbers, TrialWords};
 use crate::session::requirements::Required;
 use crate::session::run::{ExactReport, Met};
-use crate::session::state::{Part, RowValues, leave_search};
+use crate::session::state::leave_search;
 use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -147,30 +147,27 @@ impl Session {
             check_lock(Lock::Constraints, self.document())?;
         }
         self.end_transaction();
-        let values = |&row: &usize| {
-            let now = RowValues::of(&self.document().constraints[row]);
-            Part::RowValues(row, RowValues { require: Require::Exact, eased: None, ..now })
-        };
+        let before = self.state();
         // Renaming and the like may have come between.
-        let joins = joins_last && self.history.last_moved(self.scene.positions());
-        let mut change = self.snapshot();
-        change.scene.parts = shape.rows.iter().map(values).collect();
-        // What panels are judged by stays, though no constraint has it any more.
-        if let Some(Require::Within(length)) = self.panel_requirement()
-            && !shape.rows.is_empty()
-        {
-            let length = self.document().tolerance.unwrap_or(length);
-            change.scene.parts.push(Part::Tolerance(Some(length)));
-        }
+        let joins = joins_last && self.history.last_moved(&before);
+        let mut after = before.clone();
+        after.scene.positions = positions.into();
         if !shape.rows.is_empty() {
-            change.scene.parts.extend(leave_search(self.document()));
+            let document = Rc::make_mut(&mut after.scene.document);
+            // What panels are judged by stays, though no constraint has it any more.
+            if let Some(Require::Within(length)) = self.panel_requirement() {
+                document.tolerance.get_or_insert(length);
+            }
+            for &row in &shape.rows {
+                document.constraints[row].require = Require::Exact;
+            }
+            leave_search(document);
         }
-        change.scene.positions = positions.into();
-        self.exchange(&mut change)?;
+        self.go_to_state(after)?;
         let name = if shape.rows.is_empty() { "Improve" } else { "Make exact" };
         match joins {
-            true => self.history.join(change),
-            false => self.history.push(name.to_owned(), change),
+            true => self.history.join(),
+            false => self.add_step(name.to_owned(), before),
         }
         self.met = Some(Met::new(&self.scene, shape.report));
         Ok(true)

@@ -1,46 +1,45 @@
-//! The steps of undo and redo, and the change that each of them is.
+//! The steps of undo and redo, and the state that each of them leads to.
 
-use crate::mesh::Point;
-use crate::scene::Scene;
 use crate::session::run::Start;
-use crate::session::state::{RestMesh, SceneChange};
-use std::mem::size_of_val;
+use crate::session::state::{RestMesh, SceneState};
 use std::rc::Rc;
 
 /// Memory limit in bytes; the steps that are farthest from now are dropped first.
 const LIMIT_BYTES: usize = 64 << 20;
 
-/// The difference from the current state to another one.
-pub(crate) struct Change {
-    pub(crate) scene: SceneChange,
-    /// The other mesh and its whole document, if they differ; `scene` then has no parts.
-    pub(crate) other: Option<Box<(RestMesh, Scene)>>,
-    /// Iteration count of the other state.
+/// A state of a session.
+#[derive(Clone)]
+pub(crate) struct SessionState {
+    pub(crate) rest: Rc<RestMesh>,
+    pub(crate) scene: SceneState,
+    /// Number of iterations up to the state.
     pub(crate) iteration: u32,
-    /// The shape at which its iterations began, after the last edit.
+    /// The shape at which these iterations began, after the last edit.
     pub(crate) start: Option<Rc<Start>>,
 }
 
-impl Change {
-    /// Memory in bytes, without data shared with `other`.
-    pub(crate) fn bytes_beside(&self, other: Option<&Change>) -> usize {
-        let known = other.and_then(|other| other.start.as_ref());
-        let start =
-            self.start.as_ref().filter(|start| !known.is_some_and(|s| Rc::ptr_eq(s, start)));
-        let scene = self.scene.bytes_beside(other.map(|other| &other.scene));
-        // Its shapes are not those of the document: each was carried over to the mesh. The target of the
-        // closeness is shared by all steps.
-        let other = self.other.as_ref().map_or(0, |other| {
-            let (rest, document) = &**other;
-            let kept = document.variants.kept.iter().map(|it| size_of_val(&*it.positions));
-            rest.bytes() + kept.sum::<usize>() + document.pose_positions().map_or(0, size_of_val)
-        });
-        scene + other + start.map_or(0, |start| start.bytes())
+impl SessionState {
+    /// Memory in bytes, without what is shared with `other`.
+    fn bytes_beside(&self, other: &SessionState) -> usize {
+        let rest = if Rc::ptr_eq(&self.rest, &other.rest) { 0 } else { self.rest.bytes() };
+        let is_other =
+            |start: &&Rc<Start>| other.start.as_ref().is_none_or(|other| !Rc::ptr_eq(other, start));
+        let start = self.start.as_ref().filter(is_other).map_or(0, |start| start.bytes());
+        size_of::<SessionState>() + rest + start + self.scene.bytes_beside(&other.scene)
+    }
+
+    /// Sets the tolerance, if it is `before`; returns whether it was.
+    pub(crate) fn replace_tolerance(&mut self, before: Option<f64>, now: Option<f64>) -> bool {
+        let has_it = self.scene.document.tolerance == before;
+        if has_it {
+            Rc::make_mut(&mut self.scene.document).tolerance = now;
+        }
+        has_it
     }
 }
 
-/// A step with its name and its change: backwards for a step of undo, forwards for one of redo.
-pub(crate) type NamedStep = (String, Change);
+/// A step with its name and its state: that before a step of undo, that after one of redo.
+pub(crate) type NamedStep = (String, SessionState);
 
 /// Steps of undo and redo, each list in the order in which its steps were made or undone.
 #[derive(Default)]
@@ -50,9 +49,10 @@ pub(crate) struct History {
 }
 
 impl History {
-    pub(crate) fn of([undo, redo]: [Vec<NamedStep>; 2]) -> History {
+    /// The steps around the state `now`.
+    pub(crate) fn of([undo, redo]: [Vec<NamedStep>; 2], now: &SessionState) -> History {
         let mut history = History { undo, redo };
-        history.trim();
+        history.trim(now);
         history
     }
 
@@ -61,39 +61,46 @@ impl History {
         [&self.undo, &self.redo]
     }
 
-    /// Adds a step with its inverse change; undone steps can no longer be redone.
-    pub(crate) fn push(&mut self, name: String, back: Change) {
+    /// Adds a step that led from the state `before` to the state `now`; undone steps can no longer be
+    /// redone.
+    pub(crate) fn push(&mut self, name: String, before: SessionState, now: &SessionState) {
         self.redo.clear();
-        self.push_undo((name, back));
+        self.push_undo((name, before), now);
     }
 
-    /// Makes the changes after the last step a part of it; `back` leads to the end of that step. What was
+    /// Makes the changes after the last step a part of it, which leads back to the same state. What was
     /// undone can no longer be redone.
-    pub(crate) fn join(&mut self, back: Change) {
+    pub(crate) fn join(&mut self) {
         self.redo.clear();
-        // A step to another mesh already restores the whole document.
-        if let Some((_, step)) = self.undo.last_mut().filter(|(_, step)| step.other.is_none()) {
-            step.scene.parts.extend(back.scene.parts);
-        }
     }
 
-    /// Whether the last step led to the current positions from others.
-    pub(crate) fn last_moved(&self, now: &Rc<[Point]>) -> bool {
-        self.undo.last().is_some_and(|(_, step)| {
-            step.other.is_some() || !Rc::ptr_eq(&step.scene.positions, now)
+    /// Whether the last step led to the current shape from another one.
+    pub(crate) fn last_moved(&self, now: &SessionState) -> bool {
+        self.undo.last().is_some_and(|(_, before)| {
+            !Rc::ptr_eq(&before.rest, &now.rest)
+                || !Rc::ptr_eq(&before.scene.positions, &now.scene.positions)
         })
     }
 
-    /// Adds a step that was made or redone.
-    pub(crate) fn push_undo(&mut self, step: NamedStep) {
-        self.undo.push(step);
-        self.trim();
+    /// Replaces the tolerance `before` of the states next to the current one, so that undo and redo keep
+    /// the one `now` up to a step that has changed it.
+    pub(crate) fn replace_tolerance(&mut self, before: Option<f64>, now: Option<f64>) {
+        for steps in [&mut self.undo, &mut self.redo] {
+            let mut nearest = steps.iter_mut().rev();
+            while nearest.next().is_some_and(|(_, state)| state.replace_tolerance(before, now)) {}
+        }
     }
 
-    /// Adds a step that was undone.
-    pub(crate) fn push_redo(&mut self, step: NamedStep) {
+    /// Adds a step that was made or redone, which led to the state `now`.
+    pub(crate) fn push_undo(&mut self, step: NamedStep, now: &SessionState) {
+        self.undo.push(step);
+        self.trim(now);
+    }
+
+    /// Adds a step that was undone, which led back to the state `now`.
+    pub(crate) fn push_redo(&mut self, step: NamedStep, now: &SessionState) {
         self.redo.push(step);
-        self.trim();
+        self.trim(now);
     }
 
     pub(crate) fn pop_undo(&mut self) -> Option<NamedStep> {
@@ -109,9 +116,18 @@ impl History {
         [&self.undo, &self.redo].map(|steps| steps.last().map(|(name, _)| name.as_str()))
     }
 
-    /// Drops steps beyond the memory limit; the nearest one of each list stays.
-    fn trim(&mut self) {
-        let mut bytes = bytes(&self.undo) + bytes(&self.redo);
+    /// Drops steps beyond the memory limit; the nearest one of each list stays. What a step shares with
+    /// the next one, or the last one with the state `now`, does not count for it.
+    fn trim(&mut self, now: &SessionState) {
+        let bytes_of = |steps: &[NamedStep], place: usize| {
+            let (name, state) = &steps[place];
+            let next = steps.get(place + 1).map_or(now, |(_, state)| state);
+            name.len() + state.bytes_beside(next)
+        };
+        let all = |steps: &[NamedStep]| -> usize {
+            (0..steps.len()).map(|place| bytes_of(steps, place)).sum()
+        };
+        let mut bytes = all(&self.undo) + all(&self.redo);
         for steps in [&mut self.undo, &mut self.redo] {
             let mut forgotten = 0;
             while bytes > LIMIT_BYTES && forgotten + 1 < steps.len() {
@@ -121,15 +137,4 @@ impl History {
             steps.drain(..forgotten);
         }
     }
-}
-
-fn bytes(steps: &[NamedStep]) -> usize {
-    (0..steps.len()).map(|place| bytes_of(steps, place)).sum()
-}
-
-/// Bytes of one step of a list. Data shared by consecutive steps counts for the later one.
-fn bytes_of(steps: &[NamedStep], place: usize) -> usize {
-    let (name, change) = &steps[place];
-    let next = steps.get(place + 1).map(|(_, change)| change);
-    name.len() + change.bytes_beside(next)
 }

@@ -5,15 +5,11 @@
 //! now: most edits do not change the positions. Of another mesh all is written. Numbers are
 //! little-endian with all of their bits; meshes, and document and handles, are scene files.
 
-use super::history::{Change, History, NamedStep};
-use crate::mesh::{Mesh, Point, first_out_of_range};
+use super::history::{History, NamedStep, SessionState};
+use crate::mesh::{Point, first_out_of_range};
 use crate::scene::{ClosenessTo, MeshSource, Scene, SceneError, Variants};
 use crate::session::Error;
-use crate::session::state::{
-    Part, RestMesh, SceneChange, SolvedScene, flat, grouped, same_positions,
-};
-use crate::solve::Handle;
-use std::borrow::Cow;
+use crate::session::state::{RestMesh, SceneState, flat, grouped, same_document, same_positions};
 use std::rc::Rc;
 
 /// The first bytes of a history.
@@ -31,100 +27,38 @@ const SAME_TARGET: u8 = 4;
 const SAME_POSE: u8 = 8;
 const KNOWN: u8 = SAME_VARIANTS | SAME_TARGET | SAME_POSE;
 
-/// A state of a session.
-#[derive(Clone)]
-pub(crate) struct SavedState {
-    /// The document without handles and positions.
-    document: Scene,
-    handles: Rc<[Handle]>,
-    /// `#V by 3`.
-    positions: Rc<[Point]>,
-    /// Number of iterations up to the state.
-    iteration: u32,
-}
-
-impl SavedState {
-    /// The state of `scene` after `iteration`.
-    pub(crate) fn of(scene: &SolvedScene, iteration: u32) -> SavedState {
-        SavedState {
-            document: scene.document().clone(),
-            handles: Rc::clone(scene.handles()),
-            positions: Rc::clone(scene.positions()),
-            iteration,
-        }
-    }
-
-    /// Applies `change`.
-    pub(crate) fn follow(&mut self, change: &Change) {
-        let SceneChange { handles, positions, .. } = &change.scene;
-        change.scene.clone().exchange_parts(&mut self.document);
-        self.handles = Rc::clone(handles);
-        self.positions = Rc::clone(positions);
-        self.iteration = change.iteration;
-    }
-
-    /// Returns the change to this state, of which these parts differ, or the mesh with all of them.
-    fn as_change(&self, parts: Vec<Part>, other: Option<RestMesh>) -> Change {
-        let SavedState { document, handles, positions, iteration } = self.clone();
-        let scene = SceneChange { parts, handles, positions };
-        let other = other.map(|rest| Box::new((rest, document)));
-        Change { scene, other, iteration, start: None }
-    }
-
-    /// Returns the difference to the state `to`.
-    pub(crate) fn change_to(&self, to: &SavedState) -> Change {
-        to.as_change(Part::between(&self.document, &to.document), None)
-    }
-}
-
-/// What is under way: the name of the step that it would be, if of its own, and the change back.
-pub(crate) type UnderWay<'a> = (Option<String>, &'a Change);
-
-/// Writes the steps of undo and redo of a session on `mesh` in the state `now`. What is under way is
-/// the last step if it has a name, and else a part of the one before it.
+/// Writes the steps of undo and redo of a session in the state `now`. `last` is the step that is under
+/// way, unless it is a part of the one before it.
 pub(crate) fn write_history(
     [undo, redo]: [&[NamedStep]; 2],
-    now: &SavedState,
-    under_way: Option<UnderWay<'_>>,
-    mesh: &Mesh,
+    now: &SessionState,
+    last: Option<NamedStep>,
 ) -> Vec<u8> {
-    let mut begun = now.clone();
-    let name = under_way.and_then(|(name, back)| {
-        begun.follow(back);
-        name
-    });
     // What was undone cannot be redone after another step.
-    let redo = if name.is_some() { &[] } else { redo };
+    let redo = if last.is_some() { &[] } else { redo };
     let mut out = MAGIC.to_vec();
-    for (steps, first) in [(undo, name), (redo, None)] {
-        // The changes are from one state to the next, and written beside the last one written.
-        let (mut near, mut at, mut mesh) = (now.clone(), begun.clone(), mesh);
-        let (mut written, mut count) = (Vec::new(), 0);
-        let steps = steps.iter().rev().map(|(name, change)| (name, Some(change)));
-        for (name, change) in first.iter().map(|name| (name, None)).chain(steps).take(LIMIT_STEPS) {
+    for (steps, last) in [(undo, last), (redo, None)] {
+        // The states are written beside the last one written.
+        let (mut near, mut written, mut count) = (now, Vec::new(), 0);
+        for (name, state) in last.iter().chain(steps.iter().rev()).take(LIMIT_STEPS) {
             let before = written.len();
             write_bytes(&mut written, name.as_bytes());
-            let other = change.and_then(|change| change.other.as_deref());
-            if let Some((rest, document)) = other {
-                mesh = rest.mesh();
-                at.document.clone_from(document);
-            }
-            change.into_iter().for_each(|change| at.follow(change));
-            if other.is_some() {
-                written.push(OTHER);
-                let holder = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
-                write_bytes(&mut written, holder.to_json(mesh).as_bytes());
-                write(&mut written, &at, None, mesh);
-            } else {
+            if Rc::ptr_eq(&state.rest, &near.rest) {
                 written.push(SAME);
-                write(&mut written, &at, Some(&near), mesh);
+                write(&mut written, state, Some(near));
+            } else {
+                written.push(OTHER);
+                let mesh = state.rest.mesh();
+                let holder = Scene::new(MeshSource::Inline(Box::default()));
+                write_bytes(&mut written, holder.to_json(mesh).as_bytes());
+                write(&mut written, state, None);
             }
             if out.len() + written.len() > LIMIT_BYTES {
                 written.truncate(before);
                 break;
             }
             count += 1;
-            near = at.clone();
+            near = state;
         }
         write_count(&mut out, count);
         out.extend(written);
@@ -132,39 +66,33 @@ pub(crate) fn write_history(
     out
 }
 
-pub(crate) fn write_state(state: &SavedState, mesh: &Mesh) -> Vec<u8> {
+pub(crate) fn write_state(state: &SessionState) -> Vec<u8> {
     let mut out = Vec::new();
-    write(&mut out, state, None, mesh);
+    write(&mut out, state, None);
     out
 }
 
-/// Reads the steps of undo and redo of a session on `mesh` in the state `now`. Also returns the
-/// document before the first step of undo.
+/// Reads the steps of undo and redo of a session in the state `now`. Also returns the document before
+/// the first step of undo.
 ///
 /// # Errors
 /// If the bytes are damaged or belong to another scene.
 pub(crate) fn read_history(
     bytes: &[u8],
-    now: &SavedState,
-    mesh: &Mesh,
-) -> Result<(History, Option<Scene>), Error> {
+    now: &SessionState,
+) -> Result<(History, Option<Rc<Scene>>), Error> {
     let mut bytes = Bytes(bytes);
     if bytes.take(MAGIC.len()) != Ok(MAGIC) {
         return Err(bytes.damaged("the mark of such a list").into());
     }
     let mut lists = [Vec::new(), Vec::new()];
-    let mut farthest = Vec::new();
-    let source = &now.document.mesh;
     for (list, is_undo) in lists.iter_mut().zip([true, false]) {
-        let (mut near, mut mesh) = (now.clone(), Cow::Borrowed(mesh));
+        let mut near = now.clone();
         let mut generation = 0u32;
         for _ in 0..bytes.count()? {
             let name = bytes.text()?.to_owned();
-            let (change, state) = match bytes.byte()? {
-                SAME => {
-                    let state = read(&mut bytes, Some(&near), source, &mesh)?;
-                    (near.change_to(&state), state)
-                }
+            near = match bytes.byte()? {
+                SAME => read(&mut bytes, &near, true)?,
                 OTHER => {
                     let MeshSource::Inline(other) = Scene::from_json(bytes.text()?)?.mesh else {
                         return Err(bytes.damaged("a mesh").into());
@@ -174,44 +102,42 @@ pub(crate) fn read_history(
                         true => generation.wrapping_sub(1),
                         false => generation + 1,
                     };
-                    mesh = Cow::Owned(*other);
-                    let state = read(&mut bytes, None, source, &mesh)?;
-                    let rest = RestMesh::numbered(mesh.clone().into_owned(), generation);
-                    (state.as_change(Vec::new(), Some(rest)), state)
+                    near.rest = Rc::new(RestMesh::numbered(*other, generation));
+                    read(&mut bytes, &near, false)?
                 }
                 _ => return Err(bytes.damaged("whether the mesh is another one").into()),
             };
-            list.push((name, change));
-            near = state;
+            list.push((name, near.clone()));
         }
         list.reverse();
-        farthest.push(near.document);
     }
-    let first = farthest.into_iter().next().filter(|_| !lists[0].is_empty());
-    Ok((History::of(lists), first))
+    let first = lists[0].first().map(|(_, state)| Rc::clone(&state.scene.document));
+    Ok((History::of(lists, now), first))
 }
 
-/// Reads a state of a session on `mesh`, which is in the state `now`.
+/// Reads a state of a session on its mesh, which is in the state `now`.
 ///
 /// # Errors
 /// If the bytes are damaged or belong to another scene.
-pub(crate) fn read_state(bytes: &[u8], now: &SavedState, mesh: &Mesh) -> Result<SavedState, Error> {
-    read(&mut Bytes(bytes), None, &now.document.mesh, mesh)
+pub(crate) fn read_state(bytes: &[u8], now: &SessionState) -> Result<SessionState, Error> {
+    read(&mut Bytes(bytes), now, false)
 }
 
-/// Appends a state: all of it, or its difference from the state `near`.
-fn write(out: &mut Vec<u8>, state: &SavedState, near: Option<&SavedState>, mesh: &Mesh) {
+/// Appends a state without its mesh: all of it, or its difference from the state `near`.
+fn write(out: &mut Vec<u8>, state: &SessionState, near: Option<&SessionState>) {
+    let near = near.map(|near| &near.scene);
+    let SceneState { document, handles, positions } = &state.scene;
     out.extend(state.iteration.to_le_bytes());
-    if near.is_some_and(|n| n.document == state.document && n.handles == state.handles) {
+    if near.is_some_and(|n| same_document(&n.document, document) && n.handles == *handles) {
         out.push(SAME);
     } else {
         let mut scene = Scene {
             mesh: MeshSource::File("mesh".to_owned()),
-            handles: grouped(&state.handles),
-            ..state.document.clone()
+            handles: grouped(handles),
+            ..(**document).clone()
         };
         let mut known = 0;
-        if let Some(SavedState { document: near, .. }) = near {
+        if let Some(SceneState { document: near, .. }) = near {
             if scene.variants == near.variants {
                 scene.variants = Variants::default();
                 known |= SAME_VARIANTS;
@@ -228,53 +154,72 @@ fn write(out: &mut Vec<u8>, state: &SavedState, near: Option<&SavedState>, mesh:
             }
         }
         out.push(if known == 0 { OTHER } else { known });
-        write_bytes(out, scene.to_json(mesh).as_bytes());
+        write_bytes(out, scene.to_json(state.rest.mesh()).as_bytes());
     }
-    if near.is_some_and(|near| same_positions(&near.positions, &state.positions)) {
+    if near.is_some_and(|near| same_positions(&near.positions, positions)) {
         out.push(SAME);
     } else {
         out.push(OTHER);
-        write_count(out, state.positions.len());
-        out.extend(state.positions.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+        write_count(out, positions.len());
+        out.extend(positions.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
     }
 }
 
-/// Reads the output of [`write`]; `source` becomes the mesh of the document.
+/// Reads the output of [`write`] on the mesh of the state `near`: the difference from it, or all.
 fn read(
     bytes: &mut Bytes<'_>,
-    near: Option<&SavedState>,
-    source: &MeshSource,
-    mesh: &Mesh,
-) -> Result<SavedState, Error> {
+    near: &SessionState,
+    is_difference: bool,
+) -> Result<SessionState, Error> {
+    let mesh = near.rest.mesh();
+    let SceneState { document: there, handles, positions } = &near.scene;
     let iteration = bytes.count()?;
-    let (document, handles) = match (bytes.byte()?, near) {
-        (SAME, Some(near)) => (near.document.clone(), Rc::clone(&near.handles)),
-        (known, _) if known == OTHER || (near.is_some() && known & !KNOWN == 0) => {
+    let (document, handles) = match bytes.byte()? {
+        SAME if is_difference => (Rc::clone(there), Rc::clone(handles)),
+        known if known == OTHER || (is_difference && known & !KNOWN == 0) => {
             let mut document = Scene::from_json(bytes.text()?)?;
-            if let Some(SavedState { document: near, .. }) = near {
-                if known & SAME_VARIANTS != 0 {
-                    document.variants = near.variants.clone();
-                }
-                if known & SAME_TARGET != 0 {
-                    document.closeness.to = near.closeness.to;
-                    document.closeness.target.clone_from(&near.closeness.target);
-                }
-                if known & SAME_POSE != 0 {
-                    document.pose.clone_from(&near.pose);
-                }
+            if known & SAME_VARIANTS != 0 {
+                document.variants = there.variants.clone();
+            }
+            if known & SAME_TARGET != 0 {
+                document.closeness.to = there.closeness.to;
+                document.closeness.target.clone_from(&there.closeness.target);
+            }
+            if known & SAME_POSE != 0 {
+                document.pose.clone_from(&there.pose);
             }
             document.validate(mesh)?;
+            share_lists(&mut document, there);
             let handles = flat(&std::mem::take(&mut document.handles), &mesh.positions);
-            (Scene { mesh: source.clone(), ..document }, handles.into())
+            (document.title, document.mesh) = (there.title.clone(), there.mesh.clone());
+            (Rc::new(document), handles.into())
         }
         _ => return Err(bytes.damaged("a document").into()),
     };
-    let positions = match (bytes.byte()?, near) {
-        (SAME, Some(near)) => Rc::clone(&near.positions),
-        (OTHER, _) => bytes.positions(mesh.positions.len())?.into(),
+    let positions = match bytes.byte()? {
+        SAME if is_difference => Rc::clone(positions),
+        OTHER => bytes.positions(mesh.positions.len())?.into(),
         _ => return Err(bytes.damaged("positions").into()),
     };
-    Ok(SavedState { document, handles, positions, iteration })
+    let scene = SceneState { document, handles, positions };
+    Ok(SessionState { rest: Rc::clone(&near.rest), scene, iteration, start: None })
+}
+
+/// Shares sets and rows with the document `near`, where they are equal: each has been read anew.
+fn share_lists(document: &mut Scene, near: &Scene) {
+    for (name, set) in &mut document.sets {
+        if let Some(near) = near.sets.get(name).filter(|near| **near == *set) {
+            *set = near.clone();
+        }
+    }
+    for (row, near) in document.constraints.iter_mut().zip(&near.constraints) {
+        if *row == *near {
+            *row = near.clone();
+        }
+    }
+    if document.closeness.weights == near.closeness.weights {
+        document.closeness.weights.clone_from(&near.closeness.weights);
+    }
 }
 
 fn write_count(out: &mut Vec<u8>, count: usize) {

@@ -1,18 +1,15 @@
 //! A drag or run under way: many changes that become one step of undo.
 
-use super::history::Change;
-use crate::mesh::Point;
+use super::history::SessionState;
 use crate::session::run::{ExactReport, Met};
-use crate::session::state::{SceneChange, SolvedScene, same_positions};
-use crate::solve::Handle;
+use crate::session::state::{same_document, same_positions};
 use crate::words;
-use std::rc::Rc;
 
 /// A drag, run or variation that has begun and is not yet a step of undo.
 pub(crate) struct Transaction {
     kind: TransactionKind,
-    /// The change back to the state at which it began.
-    back: Change,
+    /// The state at which it began.
+    before: SessionState,
     /// Whether it joins the last step of undo instead of becoming one.
     joins_last: bool,
 }
@@ -38,9 +35,9 @@ impl Transaction {
     /// The name of a variation that is shown.
     pub(crate) const VARIATION: &str = "Variation";
 
-    /// Begins one; `back` leads to the state before it.
-    pub(crate) fn new(kind: TransactionKind, back: Change) -> Transaction {
-        Transaction { kind, back, joins_last: false }
+    /// Begins one in the state `before`.
+    pub(crate) fn new(kind: TransactionKind, before: SessionState) -> Transaction {
+        Transaction { kind, before, joins_last: false }
     }
 
     /// The variation that is shown, if it is one.
@@ -63,12 +60,18 @@ impl Transaction {
         matches!(self.kind, TransactionKind::Run)
     }
 
-    pub(crate) fn back(&self) -> &Change {
-        &self.back
+    /// The state at which it began.
+    pub(crate) fn before(&self) -> &SessionState {
+        &self.before
     }
 
-    pub(crate) fn into_back(self) -> Change {
-        self.back
+    pub(crate) fn into_before(self) -> SessionState {
+        self.before
+    }
+
+    /// See [`SessionState::replace_tolerance`].
+    pub(crate) fn replace_tolerance(&mut self, before: Option<f64>, now: Option<f64>) -> bool {
+        self.before.replace_tolerance(before, now)
     }
 
     pub(crate) fn joins_last(&self) -> bool {
@@ -80,47 +83,45 @@ impl Transaction {
         self.joins_last = true;
     }
 
-    /// Includes a change of the document during the transaction; `back` is its inverse.
-    pub(crate) fn include(&mut self, back: SceneChange) {
-        self.back.scene.parts.extend(back.parts);
-    }
-
-    /// The name of the step that it would be if it ended now, after this number of iterations; none if it
-    /// would be none of its own.
-    pub(crate) fn name_of_step(&self, now: &SolvedScene, iteration: u32) -> Option<String> {
+    /// The name of the step that it would be if it ended in the state `now`; none if it would be none of
+    /// its own.
+    pub(crate) fn name_of_step(&self, now: &SessionState) -> Option<String> {
         match self.kind {
             TransactionKind::Variation(_) => Some(Transaction::VARIATION.to_owned()),
             _ if self.joins_last => None,
-            TransactionKind::Drag => self.name_of_drag(now.handles()),
-            TransactionKind::Run => self.name_of_run(now.positions(), iteration),
+            TransactionKind::Drag => self.name_of_drag(now),
+            TransactionKind::Run => self.name_of_run(now),
         }
     }
 
-    /// The name of the step of a drag, with the handles `now`; none if no handle has moved.
-    pub(crate) fn name_of_drag(&self, now: &[Handle]) -> Option<String> {
-        let SceneChange { handles: before, positions, .. } = &self.back.scene;
+    /// The name of the step of a drag that ends in the state `now`; none if no handle has moved.
+    pub(crate) fn name_of_drag(&self, now: &SessionState) -> Option<String> {
+        let positions = &self.before.scene.positions;
+        let [before, now] = [&self.before, now].map(|state| &state.scene.handles);
         if before.len() != now.len() {
             // Handles are made where their vertices are, which may be all of the drag.
             let mut new = now.iter().skip(before.len());
             let stays = new.all(|handle| handle.target == positions[handle.vertex as usize]);
             return Some(if stays { "Make handle" } else { "Make and move handle" }.to_owned());
         }
-        match before.iter().zip(now).filter(|(before, now)| before != now).count() {
+        match before.iter().zip(&**now).filter(|(before, now)| before != now).count() {
             0 => None,
             1 => Some("Move handle".to_owned()),
             moved => Some(format!("Move {moved} handles")),
         }
     }
 
-    /// Returns the name of the step of a run that ends with the shape `now` (`#V by 3`) at `iteration`;
-    /// none if it has changed nothing. Hard constraints may have been met without iterating.
-    pub(crate) fn name_of_run(&self, now: &Rc<[Point]>, iteration: u32) -> Option<String> {
-        let iterations = iteration.saturating_sub(self.back.iteration);
+    /// Returns the name of the step of a run that ends in the state `now`; none if it has changed nothing.
+    /// Hard constraints may have been met without iterating.
+    pub(crate) fn name_of_run(&self, now: &SessionState) -> Option<String> {
+        let iterations = now.iteration.saturating_sub(self.before.iteration);
         if iterations > 0 {
             let iterations = words::count(iterations as usize, "iteration", "iterations");
             return Some(format!("Run, {iterations}"));
         }
-        let SceneChange { parts, positions, .. } = &self.back.scene;
-        (!parts.is_empty() || !same_positions(positions, now)).then(|| "Run".to_owned())
+        let [before, now] = [&self.before, now].map(|state| &state.scene);
+        let is_same = same_document(&before.document, &now.document)
+            && same_positions(&before.positions, &now.positions);
+        (!is_same).then(|| "Run".to_owned())
     }
 }

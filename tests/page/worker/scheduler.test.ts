@@ -156,6 +156,30 @@ test('an edit that is refused, or changes nothing, does not begin a run anew', (
   assert.equal(begun, 2);
 });
 
+test('the page gets the shape that an edit leaves that is refused only after it has changed', (context) => {
+  // It went on showing a variation that the solver had left.
+  closeChannel(context);
+  let generation = 2;
+  const sent: FromWorker['type'][] = [];
+  const solver = solverWith({ generation: () => generation });
+  const scheduler = new Scheduler(solver, ({ type }) => sent.push(type), died);
+  scheduler.begin(false);
+  scheduler.frames.renew(3);
+  const documents = () => sent.filter((type) => type === 'document').length;
+  const before = documents();
+  const refuse = () => {
+    throw new Error('it is no mesh');
+  };
+  assert.throws(() => scheduler.betweenRuns(refuse), /it is no mesh/);
+  assert.equal(documents(), before);
+  const leave = () => {
+    generation = 1;
+    refuse();
+  };
+  assert.throws(() => scheduler.betweenRuns(leave), /it is no mesh/);
+  assert.equal(documents(), before + 1);
+});
+
 test('steps that may take seconds are announced as work, so that the worker is not given up', async (context) => {
   const time = clock();
   context.mock.method(performance, 'now', time.now);

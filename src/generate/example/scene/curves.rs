@@ -90,7 +90,7 @@ fn slabs(scene: &mut Scene) -> Mesh {
         radius: 0,
     };
     for (name, vertices) in [("slabs", of(0)), ("ribs", of(1))] {
-        scene.sets.insert(name.to_owned(), Set { vertices, faces: Vec::new() });
+        scene.sets.insert(name.to_owned(), Set { vertices: vertices.into(), ..Set::default() });
     }
     scene.constraints =
         vec![constraint("plane", lines("slabs"), 1.0), constraint("circle", lines("ribs"), 1.0)];
@@ -110,7 +110,7 @@ fn points(scene: &mut Scene) -> Mesh {
             _ => "line",
         };
         scene.constraints.push(constraint(kind, Selector::Set(name.clone()), 1.0));
-        scene.sets.insert(name, Set { vertices, faces: Vec::new() });
+        scene.sets.insert(name, Set { vertices: vertices.into(), ..Set::default() });
     }
     // There is no surface to stay close to: each point stays close to its rest position.
     scene.closeness.to = ClosenessTo::Rest;

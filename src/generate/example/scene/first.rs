@@ -71,13 +71,11 @@ fn dome(scene: &mut Scene) -> Mesh {
         rings.flat_map(|k| of_ring(dome.ring(k))).collect()
     };
     let last = dome.rings() - 1;
-    scene.sets.insert(
-        "crown".to_owned(),
-        Set { vertices: vertices(dome.rows[0] + 1..last + 1), faces: Vec::new() },
-    );
-    scene
-        .sets
-        .insert("rim".to_owned(), Set { vertices: vertices(last..last + 1), faces: Vec::new() });
+    let rings = [("crown", dome.rows[0] + 1..last + 1), ("rim", last..last + 1)];
+    for (name, rings) in rings {
+        let vertices = vertices(rings).into();
+        scene.sets.insert(name.to_owned(), Set { vertices, ..Set::default() });
+    }
     scene.constraints = vec![
         constraint("plane", each(Element::Face), 1.0),
         constraint("sphere", Selector::Set("crown".to_owned()), 1.0),

@@ -44,7 +44,7 @@ fn overview(scene: &mut Scene) -> Mesh {
     };
     let [wide, narrow] = Mounds::MIDDLES;
     for (name, faces) in [("crown", faces(wide, 6.5)), ("rigid", faces(narrow, 4.0))] {
-        scene.sets.insert(name.to_owned(), Set { vertices: Vec::new(), faces });
+        scene.sets.insert(name.to_owned(), Set { faces: faces.into(), ..Set::default() });
     }
     scene.constraints = vec![
         constraint("circle", each(Element::Face), 1.0),
@@ -67,7 +67,7 @@ fn triangles(scene: &mut Scene) -> Mesh {
         |rings: std::ops::RangeInclusive<u32>| -> Vec<u32> { rings.flat_map(Vase::ring).collect() };
     let (foot, rim) = (rings(0..=3), rings(Vase::ROWS..=Vase::ROWS));
     for (name, vertices) in [("foot", foot), ("belly", rings(6..=16)), ("rim", rim.clone())] {
-        scene.sets.insert(name.to_owned(), Set { vertices, faces: Vec::new() });
+        scene.sets.insert(name.to_owned(), Set { vertices: vertices.into(), ..Set::default() });
     }
     let stars = Selector::Each { element: Element::Ring, within: None, radius: 1 };
     scene.constraints = vec![
@@ -111,7 +111,7 @@ fn tetrahedra(scene: &mut Scene) -> Mesh {
         ("head", select(true, &|x| x >= shaft)),
     ];
     for (name, vertices) in sets {
-        scene.sets.insert(name.to_owned(), Set { vertices, faces: Vec::new() });
+        scene.sets.insert(name.to_owned(), Set { vertices: vertices.into(), ..Set::default() });
     }
     let set = |name: &str| Selector::Set(name.to_owned());
     scene.constraints = vec![

@@ -1,0 +1,168 @@
+//! The settings of a scene, and what a search for a shape has changed of them.
+
+use crate::scene::{
+    AttemptStart, BoundaryCloseness, BoundaryRequire, ChosenAttempt, ClosenessTo, Lock, Pose,
+    Scene, Smoothness, SolverSettings, Target, Weights,
+};
+use crate::solve::Problem;
+use crate::words;
+
+/// The settings: numbers and choices.
+#[derive(Clone, PartialEq)]
+pub(crate) struct Settings {
+    weights: Weights,
+    to: ClosenessTo,
+    target: Option<Target>,
+    pose: Option<Pose>,
+    boundary: Option<BoundaryCloseness>,
+    smoothness: Smoothness,
+    solver: SolverSettings,
+    attempt: ChosenAttempt,
+}
+
+/// Takes back what a search has chosen to meet the hard constraints of a scene: the settings of its
+/// attempt, and larger tolerances. The scene is then as it was asked for.
+pub fn as_asked(scene: &mut Scene) {
+    Settings::of(scene).before_attempt().put_in(scene);
+    scene.constraints.iter_mut().for_each(|row| row.eased = None);
+}
+
+/// Leaves the search where other hard constraints are asked for than those that it has met, or
+/// elsewhere: how it met them, and its larger tolerances, say nothing about these.
+pub(crate) fn leave_search(scene: &mut Scene) {
+    scene.attempt.from = AttemptStart::Soft;
+    scene.constraints.iter_mut().for_each(|row| row.eased = None);
+}
+
+impl Settings {
+    pub(crate) fn of(scene: &Scene) -> Settings {
+        Settings {
+            weights: scene.weights,
+            to: scene.closeness.to,
+            target: scene.closeness.target.clone(),
+            pose: scene.pose.clone(),
+            boundary: scene.closeness.boundary,
+            smoothness: scene.smoothness,
+            solver: scene.solver,
+            attempt: scene.attempt,
+        }
+    }
+
+    /// Returns the settings with what an attempt changes, and with its name.
+    pub(crate) fn by_attempt(mut self, chosen: ChosenAttempt) -> Settings {
+        self.weights.smooth *= chosen.smoother;
+        if chosen.on_surface {
+            self = self.on_surface();
+        }
+        self.attempt = self.attempt.then(chosen);
+        self
+    }
+
+    /// Returns the settings before a search chose an attempt.
+    pub(crate) fn before_attempt(mut self) -> Settings {
+        let chosen = std::mem::take(&mut self.attempt);
+        if chosen.smoother != 1.0 {
+            // As many digits as anybody types: without the rounding of product and quotient.
+            self.weights.smooth = words::rounded(self.weights.smooth / chosen.smoother, 15);
+        }
+        if chosen.on_surface {
+            self.to = ClosenessTo::Rest;
+        }
+        if chosen.holds_boundary {
+            self.boundary = None;
+        } else if let Some(held) = self.boundary.as_mut().filter(|_| chosen.hardens_boundary) {
+            held.require = BoundaryRequire::Soft;
+        }
+        self
+    }
+
+    /// Returns the attempt that the settings `now` name: what the user has changed is not the search's.
+    pub(crate) fn attempt_beside(&self, now: &Settings) -> ChosenAttempt {
+        let mut attempt = now.attempt;
+        if (self.to, &self.target, &self.pose) != (now.to, &now.target, &now.pose) {
+            attempt.from = AttemptStart::Soft;
+        }
+        if self.weights.smooth != now.weights.smooth {
+            attempt.smoother = 1.0;
+        }
+        attempt.on_surface &= self.to == now.to;
+        let has_boundary = self.boundary == now.boundary;
+        attempt.holds_boundary &= has_boundary;
+        attempt.hardens_boundary &= has_boundary;
+        attempt
+    }
+
+    /// What a lesson may lock, of what differs `now`. That a search has chosen settings is no change of
+    /// the user, nor that they are left again.
+    pub(crate) fn locks_beside(&self, now: &Settings) -> Vec<Lock> {
+        let own = |it: &Settings| (it.weights, it.to, it.boundary, it.smoothness);
+        let meshes = |it: &Settings| (it.target.clone(), it.pose.clone());
+        let asked = self.clone().before_attempt();
+        let is_reweighed = ![self, &asked].map(own).contains(&own(now));
+        let is_elsewhere = meshes(self) != meshes(now);
+        let differs = [(is_reweighed, Lock::Weights), (is_elsewhere, Lock::Mesh)];
+        differs.into_iter().filter_map(|(differs, lock)| differs.then_some(lock)).collect()
+    }
+
+    /// Returns the settings with closeness to the surface, and to its boundary.
+    fn on_surface(mut self) -> Settings {
+        self.attempt.holds_boundary |= self.boundary.is_none();
+        self.boundary = self.boundary.or(Some(BoundaryCloseness::default()));
+        Settings { to: ClosenessTo::Surface, ..self }
+    }
+
+    /// Returns the settings with the vertices of the boundary exactly on it.
+    pub(crate) fn on_boundary(mut self) -> Settings {
+        self.attempt.holds_boundary |= self.boundary.is_none();
+        self.attempt.hardens_boundary |=
+            self.boundary.is_some_and(|held| held.require == BoundaryRequire::Soft);
+        let boundary = self.boundary.unwrap_or_default();
+        let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..boundary };
+        Settings { boundary: Some(exact), ..self }
+    }
+
+    /// Sets these settings in the problem of a scene.
+    pub(crate) fn set_in(&self, problem: &mut Problem<'_>) {
+        problem.weights = self.weights;
+        problem.closeness_to = self.to;
+        problem.boundary_closeness = self.boundary;
+    }
+
+    /// The settings that the solver knows: not how hard constraints were met.
+    pub(crate) fn without_attempt(self) -> Settings {
+        Settings { attempt: ChosenAttempt::default(), ..self }
+    }
+
+    pub(crate) fn with_weights(self, weights: Weights) -> Settings {
+        Settings { weights, ..self }
+    }
+
+    pub(crate) fn put_in(self, scene: &mut Scene) {
+        let Settings { weights, to, target, pose, boundary, smoothness, solver, attempt } = self;
+        scene.weights = weights;
+        scene.closeness.to = to;
+        scene.closeness.target = target;
+        scene.pose = pose;
+        scene.closeness.boundary = boundary;
+        scene.smoothness = smoothness;
+        scene.solver = solver;
+        scene.attempt = attempt;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_boundary_that_the_user_has_set_keeps_its_corners_and_weight() {
+        // An attempt replaced them by the defaults, for good, and made exact what was held softly.
+        let mut settings = Settings::of(&Scene::default());
+        let own = BoundaryCloseness { weight: 5.0, corners: 30.0, ..BoundaryCloseness::default() };
+        settings.boundary = Some(own);
+        let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..own };
+        let held = settings.on_boundary();
+        assert_eq!(held.boundary, Some(exact));
+        assert_eq!(held.before_attempt().boundary, Some(own));
+    }
+}
