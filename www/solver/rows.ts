@@ -1,6 +1,6 @@
 /** Which row of a list is meant, while edits that the page does not show yet change the list. */
 
-import type { ConstraintRow, Edit, SceneDocument } from './types.ts';
+import type { ConstraintRow, Document as SceneDocument, Edit } from '../pkg/engine/shape_up.js';
 
 /** The lists of whose rows edits name the index. */
 export type Lists = Pick<SceneDocument, 'constraints' | 'variants'>;

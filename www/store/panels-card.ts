@@ -1,7 +1,7 @@
 /** What the card of the panels shows, and what may be done to the mesh. */
 
 import { isEmbedded } from '../ui/embedded.ts';
-import type { LessonWords } from '../solver/types.ts';
+import type { LessonWords } from '../pkg/engine/shape_up.js';
 import type { State } from './state.ts';
 
 /** Whether all panels can be asked to be one shape. */

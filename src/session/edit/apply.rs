@@ -246,7 +246,7 @@ pub(crate) fn apply(
         }
         Edit::SetBuild { values } => {
             let own = draft.document.build.clone().unwrap_or_default();
-            draft.document.build = Some(own.with_all(values)?);
+            draft.document.build = Some(Box::new(own.with_all(values)?));
             "Change build settings".to_owned()
         }
         Edit::SetSteps { steps } => set_steps(steps, draft)?,

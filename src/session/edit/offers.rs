@@ -3,7 +3,7 @@
 
 use super::constraint_target::{ConstraintTarget, target_shape};
 use crate::constraint::{
-    Centring, DEFAULT_FOR, Element, Info, KINDS, Selector, Set, Sets, TargetShape, resolve,
+    Centring, Element, Info, KINDS, Selector, Set, Sets, TargetShape, resolve,
 };
 use crate::scene::SceneError;
 use crate::session::state::{RestMesh, edges_among};
@@ -96,10 +96,10 @@ pub(crate) fn constraint_offers(
     let mut misfits = Vec::new();
     // The usual kind of the first place that has one.
     let mut usual: Option<(usize, &'static str)> = None;
-    for (info, usual_for) in KINDS.iter().zip(DEFAULT_FOR) {
+    for info in KINDS {
         let mut offers = Vec::new();
         for (at, (place, sizes)) in places.iter().zip(&sizes).enumerate() {
-            let Some(offer) = place.offer(info, usual_for, sizes) else { continue };
+            let Some(offer) = place.offer(info, sizes) else { continue };
             if offer.usual && usual.is_none_or(|(first, _)| at < first) {
                 usual = Some((at, info.id));
             }
@@ -174,12 +174,7 @@ fn places(vertices: Vec<u32>, faces: Vec<u32>) -> Vec<OfferedPlace> {
 impl OfferedPlace {
     /// Returns what adding a kind here makes; none if it is not meant for the type of element, or no
     /// element fits.
-    fn offer(
-        &self,
-        info: &Info,
-        usual_for: &[TargetShape],
-        sizes: &Sizes,
-    ) -> Option<ConstraintOffer> {
+    fn offer(&self, info: &Info, sizes: &Sizes) -> Option<ConstraintOffer> {
         if let Selector::Each { element, .. } = &self.on.on {
             let acts_on_any = info.elements.is_empty() && !self.is_for_own_kinds;
             if !acts_on_any && !info.elements.contains(element) {
@@ -214,7 +209,7 @@ impl OfferedPlace {
             let skipped = group_digits(skipped);
             words += &format!(" {skipped} skipped: their number of {many} does not fit.");
         }
-        let usual = sizes.shape.is_some_and(|shape| usual_for.contains(&shape));
+        let usual = sizes.shape.is_some_and(|shape| info.default_for.contains(&shape));
         Some(ConstraintOffer { place: self.id.clone(), constraints, skipped, usual, words })
     }
 }

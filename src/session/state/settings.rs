@@ -14,7 +14,7 @@ pub(crate) struct Settings {
     to: ClosenessTo,
     target: Option<Target>,
     pose: Option<Pose>,
-    boundary: Option<BoundaryCloseness>,
+    boundary: BoundaryCloseness,
     smoothness: Smoothness,
     solver: SolverSettings,
     attempt: ChosenAttempt,
@@ -69,9 +69,9 @@ impl Settings {
             self.to = ClosenessTo::Rest;
         }
         if chosen.holds_boundary {
-            self.boundary = None;
-        } else if let Some(held) = self.boundary.as_mut().filter(|_| chosen.hardens_boundary) {
-            held.require = BoundaryRequire::Soft;
+            self.boundary.require = BoundaryRequire::Off;
+        } else if chosen.hardens_boundary {
+            self.boundary.require = self.boundary.require.min(BoundaryRequire::Soft);
         }
         self
     }
@@ -106,19 +106,17 @@ impl Settings {
 
     /// Returns the settings with closeness to the surface, and to its boundary.
     fn on_surface(mut self) -> Settings {
-        self.attempt.holds_boundary |= self.boundary.is_none();
-        self.boundary = self.boundary.or(Some(BoundaryCloseness::default()));
+        self.attempt.holds_boundary |= self.boundary.require == BoundaryRequire::Off;
+        self.boundary.require = self.boundary.require.max(BoundaryRequire::Soft);
         Settings { to: ClosenessTo::Surface, ..self }
     }
 
     /// Returns the settings with the vertices of the boundary exactly on it.
     pub(crate) fn on_boundary(mut self) -> Settings {
-        self.attempt.holds_boundary |= self.boundary.is_none();
-        self.attempt.hardens_boundary |=
-            self.boundary.is_some_and(|held| held.require == BoundaryRequire::Soft);
-        let boundary = self.boundary.unwrap_or_default();
-        let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..boundary };
-        Settings { boundary: Some(exact), ..self }
+        self.attempt.holds_boundary |= self.boundary.require == BoundaryRequire::Off;
+        self.attempt.hardens_boundary |= self.boundary.require == BoundaryRequire::Soft;
+        self.boundary.require = BoundaryRequire::Exact;
+        self
     }
 
     /// Sets these settings in the problem of a scene.
@@ -158,11 +156,13 @@ mod tests {
     fn a_boundary_that_the_user_has_set_keeps_its_corners_and_weight() {
         // An attempt replaced them by the defaults, for good, and made exact what was held softly.
         let mut settings = Settings::of(&Scene::default());
-        let own = BoundaryCloseness { weight: 5.0, corners: 30.0, ..BoundaryCloseness::default() };
-        settings.boundary = Some(own);
-        let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..own };
-        let held = settings.on_boundary();
-        assert_eq!(held.boundary, Some(exact));
-        assert_eq!(held.before_attempt().boundary, Some(own));
+        for require in [BoundaryRequire::Off, BoundaryRequire::Soft] {
+            let own = BoundaryCloseness { require, weight: 5.0, corners: 30.0 };
+            settings.boundary = own;
+            let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..own };
+            let held = settings.clone().on_boundary();
+            assert_eq!(held.boundary, exact);
+            assert_eq!(held.before_attempt().boundary, own);
+        }
     }
 }

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { editNow, type Lists } from '../../../www/solver/rows.ts';
-import type { Edit } from '../../../www/solver/types.ts';
+import type { Edit } from '../../../www/pkg/engine/shape_up.js';
 
 /** A list of constraints on the faces, by kind and weight. */
 const list = (...rows: [string, number][]) =>

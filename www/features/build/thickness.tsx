@@ -72,9 +72,7 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
                 class={isProposed ? 'bordered proposed' : 'bordered'}
                 title={summary}
                 aria-pressed={isChosen}
-                onClick={() =>
-                  parts.change({ kind: isChosen ? null : (word as WordedChoice['kind']) })
-                }
+                onClick={() => parts.change({ kind: isChosen ? null : word })}
               >
                 <span>{label}</span>
                 <span class="quiet">
