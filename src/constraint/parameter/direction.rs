@@ -2,12 +2,14 @@
 //!
 //! In JSON an array of three numbers, not all zero, of any length.
 
+use crate::json::JsonError;
 use crate::math::{Lane, Vec3};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// A direction: the numbers of the file, and the unit vector.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "[f64; 3]", into = "[f64; 3]")]
+#[serde(try_from = "Value", into = "[f64; 3]")]
 pub(crate) struct Direction {
     given: [f64; 3],
     unit: Vec3<f64>,
@@ -30,13 +32,16 @@ impl Direction {
     }
 }
 
-impl TryFrom<[f64; 3]> for Direction {
+impl TryFrom<Value> for Direction {
     type Error = String;
 
-    fn try_from(given: [f64; 3]) -> Result<Direction, String> {
+    fn try_from(value: Value) -> Result<Direction, String> {
+        const EXPECTED: &str = "a direction [x, y, z], not all zero";
+        let Ok(given) = <[f64; 3]>::deserialize(&value) else {
+            return Err(JsonError::found(&value, EXPECTED).message);
+        };
         let [x, y, z] = given;
-        let expected = "expected a direction [x, y, z], not all zero";
-        Direction::new(given).ok_or_else(|| format!("found [{x}, {y}, {z}], {expected}"))
+        Direction::new(given).ok_or_else(|| format!("found [{x}, {y}, {z}], expected {EXPECTED}"))
     }
 }
 
@@ -71,12 +76,12 @@ mod tests {
     fn says_what_is_no_direction() {
         for (value, words) in [
             (json!([0, -0.0, 0]), "found [0, -0, 0]"),
-            (json!([1, 2]), "length 2"),
-            (json!([1, 2, 3, 4]), "length 4"),
-            (json!([1, 2, "3"]), "\"3\""),
-            (json!([1, null, 3]), "null"),
-            (json!("up"), "expected an array of length 3"),
-            (json!(1), "expected an array of length 3"),
+            (json!([1, 2]), "expected a direction [x, y, z]"),
+            (json!([1, 2, 3, 4]), "expected a direction [x, y, z]"),
+            (json!([1, 2, "3"]), "expected a direction [x, y, z]"),
+            (json!([1, null, 3]), "expected a direction [x, y, z]"),
+            (json!("up"), "found \"up\", expected a direction [x, y, z]"),
+            (json!(1), "found 1, expected a direction [x, y, z]"),
         ] {
             let message = read(value).unwrap_err();
             assert!(message.contains(words), "{message}: expected {words}");

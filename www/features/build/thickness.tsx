@@ -6,7 +6,7 @@
 import { AmountField } from '../../ui/components/fields.tsx';
 import { HeldSlider } from '../../ui/components/held-slider.tsx';
 import { rounded } from '../../ui/words.ts';
-import type { WordedChoice, BuildSetting } from '../../pkg/engine/shape_up.js';
+import type { BuildSetting } from '../../pkg/engine/shape_up.js';
 import type { Parts } from './parts.ts';
 
 /** Range of the slider in mean edge lengths, if nothing else limits it. */
