@@ -58,7 +58,7 @@ test.describe('behind tabs', () => {
     const alert = page.getByRole('alert');
     await expect(alert).toContainText(/^\d kinds? of problem, see Open or make: .*edge/);
     await showStep(page, 'Open');
-    await expect(page.locator('#model').getByText(/problems? in the file/)).toBeVisible();
+    await expect(page.locator('#import-report').getByText(/problems? in the file/)).toBeVisible();
   });
 
   test('the selection bar takes one line, and a second one only for the brush', async ({

@@ -54,9 +54,7 @@ test('Lesson: from any surface to panels: new panels meet both goals', async ({ 
   await expectGoals(page, 'Passed: 2 goals satisfied');
 });
 
-test('locked controls are shown as locked with the reason', async ({
-  page,
-}) => {
+test('locked controls are shown as locked with the reason', async ({ page }) => {
   await openPage(page);
   await openExample(page, 'Lesson: the stiffness of hexagons');
   await expect(lesson(page)).toContainText('Locked: mesh, weights, handles');
