@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { file, wavyGrid } from '../meshes.ts';
-import { openText, tool } from '../actions.ts';
+import { openText, showStep, tool } from '../actions.ts';
 import { boxOf, expect, openPage, test, waitForState } from '../support.ts';
 
 const SMALL = { width: 1024, height: 768 };
@@ -134,7 +134,8 @@ test.describe('colours of a mesh that was just opened', () => {
   test('the whole offer is visible beside the legend', async ({ page }) => {
     await openPage(page);
     await openText(page, 'roof.obj', wavyGrid(6), 49);
-    await tool(page, 'Curvature');
+    await showStep(page, 'Check');
+    await page.getByLabel('Colour by').selectOption('planarity');
     await expect(legend(page)).toBeVisible();
     const [one, other] = [await boxOf(card(page)), await boxOf(legend(page))];
     expect(overlap(one, other)).toBe(false);
