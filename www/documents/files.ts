@@ -221,7 +221,7 @@ export class Files extends Emitter<{ opened: void }> {
   /**
    * Opens an example.
    * @param how.first it is the page's first model, already solved
-   * @param how.link fragment of the address that names it; the first model is that of none
+   * @param how.link fragment of the address that names it; the first model has none
    * @param how.opening that it is part of, if it is not one of its own
    * @returns null if a later opening has taken its place
    */

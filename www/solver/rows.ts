@@ -11,11 +11,14 @@ export function keyOf({ kind, on }: ConstraintRow, index: number, rows: Constrai
   return `${kind} ${on} ${before.length}`;
 }
 
+/** The index that a row has now; `unclear` if it may have become another one of its kind. */
+type Place = number | 'gone' | 'unclear';
+
 /**
- * Returns the index that a shown constraint has now; -1 if it is gone, or may be any of several.
+ * Returns where a shown constraint is now.
  * @param shown the list in which it was chosen
  */
-export function constraintNow(index: number, shown: ConstraintRow[], now: ConstraintRow[]): number {
+export function constraintNow(index: number, shown: ConstraintRow[], now: ConstraintRow[]): Place {
   const row = shown[index];
   const [before, after] = [shown, now].map((rows) =>
     rows.filter(({ kind, on }) => kind === row.kind && on === row.on),
@@ -24,7 +27,11 @@ export function constraintNow(index: number, shown: ConstraintRow[], now: Constr
   if (after.length === before.length) return after[place].index;
   // Where some alike were added or removed, what the row says of itself tells it from them.
   const rest = after.length > before.length ? [after[place]] : after;
-  return rest.find((one) => saidOf(one) === saidOf(row))?.index ?? -1;
+  const found = rest.find((one) => saidOf(one) === saidOf(row));
+  if (found) return found.index;
+  // What no row said before may be this one, changed.
+  const said = new Set(before.map(saidOf));
+  return after.every((one) => said.has(saidOf(one))) ? 'gone' : 'unclear';
 }
 
 const saidOf = ({ name, weight, enabled, require, params }: ConstraintRow) =>
@@ -33,8 +40,10 @@ const saidOf = ({ name, weight, enabled, require, params }: ConstraintRow) =>
 const constraint = (index: number, shown: Lists, now: Lists) =>
   constraintNow(index, shown.constraints, now.constraints);
 // Their names are unique.
-const variant = (index: number, shown: Lists, now: Lists) =>
-  now.variants.indexOf(shown.variants[index]);
+function variant(index: number, shown: Lists, now: Lists): Place {
+  const at = now.variants.indexOf(shown.variants[index]);
+  return at < 0 ? 'gone' : at;
+}
 /** For the edits of a row, how it is found. */
 const FOUND: Record<string, typeof constraint | undefined> = {
   ...{ setConstraint: constraint, renameConstraint: constraint },
@@ -52,7 +61,7 @@ export function editNow(edit: Edit, shown: Lists, now: Lists): Edit | null {
   const found = FOUND[name];
   if (!found) return edit;
   const index = found(given.index, shown, now);
-  if (index >= 0) return { [name]: { ...given, index } } as Edit;
-  if (name.startsWith('remove')) return null;
+  if (typeof index === 'number') return { [name]: { ...given, index } } as Edit;
+  if (index === 'gone' && name.startsWith('remove')) return null;
   throw new Error('The list has changed meanwhile, and nothing was done. Try again.');
 }

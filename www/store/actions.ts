@@ -67,7 +67,7 @@ export function createActions(
     const { document: now, model: next } = store.get();
     if (!shown || !now || next !== model) return undefined;
     const at = constraintNow(index, shown.constraints, now.constraints);
-    return at < 0 ? undefined : reportErrors(solver.ask.members(at));
+    return typeof at === 'number' ? reportErrors(solver.ask.members(at)) : undefined;
   }
 
   /** @param showError shows an error at its field; false if there is none, or the words of the alert */

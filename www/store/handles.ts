@@ -61,10 +61,15 @@ export class Drags {
     this.#store = store;
     this.#solver = solver;
     solver.on('dragEnded', ({ id }) => {
-      if (this.#current?.id === id) this.#current.leave();
+      if (this.#current?.id === id) this.#leave();
     });
     // No drag outlasts its model.
-    solver.on('model', () => this.#current?.leave());
+    solver.on('model', () => this.#leave());
+  }
+
+  /** Leaves the drag, unless it has ended: the answer to its end comes later. */
+  #leave() {
+    if (!this.#current?.isOver) this.#current?.leave();
   }
 
   /** Begins a drag of handles whose targets are known. */

@@ -27,8 +27,6 @@ pub struct FaceMeasure {
     pub unit: MeasureUnit,
     /// Whether it is a length to which the fabrication tolerance of the model applies.
     pub toleranced: bool,
-    /// Whether it measures the curvature of the surface.
-    pub curvature: bool,
     /// Whether values have both signs; 0 is then the middle, and neither best nor worst.
     pub signed: bool,
     #[serde(skip)]
@@ -43,7 +41,6 @@ const PLAIN: FaceMeasure = FaceMeasure {
     met: "",
     unit: MeasureUnit::Number,
     toleranced: false,
-    curvature: false,
     signed: false,
     values: |_, _| Vec::new(),
 };
@@ -159,7 +156,6 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean angle of a face’s edges to the directions in which the surface bends most and least",
         met: "the edges follow the lines of curvature",
         unit: MeasureUnit::Degrees,
-        curvature: true,
         values: off_curvature_lines,
         ..PLAIN
     },
@@ -169,7 +165,6 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "product of the principal curvatures: above 0 on a bowl, below on a saddle",
         met: "the surface can be laid flat",
         unit: MeasureUnit::PerArea,
-        curvature: true,
         signed: true,
         values: |model, shape| curvature(model, shape, Curvature::gauss),
         ..PLAIN
@@ -180,7 +175,6 @@ pub const FACE_MEASURES: &[FaceMeasure] = &[
         words: "mean of the principal curvatures: above 0 where the front of a face bulges",
         met: "the surface is minimal, as a soap film",
         unit: MeasureUnit::PerLength,
-        curvature: true,
         signed: true,
         values: |model, shape| curvature(model, shape, |one| -one.mean()),
         ..PLAIN

@@ -4,7 +4,10 @@ import assert from 'node:assert/strict';
 import { register } from 'node:module';
 import { test } from 'node:test';
 import type { AppContext } from '../../../www/app/context.ts';
-import { CurvatureLines, type Request } from '../../../www/features/curvature/curvature-lines.ts';
+import {
+  CurvatureLines,
+  type LinesRequest,
+} from '../../../www/features/curvature/curvature-lines.ts';
 import type { Lines, Question } from '../../../www/worker/jobs/curvature.ts';
 
 test('after a refusal the shape is sent again', async () => {
@@ -63,7 +66,7 @@ test('another shape is sent to the worker, even one with equal sums of its coord
     viewport: { unmeasured() {}, on() {} },
   } as unknown as AppContext;
   const lines = new CurvatureLines(app);
-  const strokes: Request = { draw: 'strokes', distance: null };
+  const strokes: LinesRequest = { draw: 'strokes', distance: null };
   await lines.draw(strokes);
   // The first and the eighth coordinate had the same weight in a check sum.
   solver.geometry = shape(2, 5, 0, 0, 0, 1, 0, 0, 1, 0);

@@ -70,7 +70,7 @@ test('locked controls are shown as locked with the reason', async ({ page }) => 
     name: 'Remove lesson',
   });
   await expect(remove).toBeDisabled();
-  await expect(remove).toHaveAttribute('title', /^It has locks/);
+  await expect(remove).toHaveAttribute('title', /^A lesson with locks stays/);
   await page.keyboard.press('Escape');
   // The lock ends when another scene is opened.
   await openExample(page, 'Hypar of straight beams');

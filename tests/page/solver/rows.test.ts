@@ -28,7 +28,12 @@ test('rows of one kind are told apart by what they say, or else nothing is done'
   assert.deepEqual(editNow(off(1), shown, list(['plane', 2])), off(0));
   assert.throws(() => editNow(off(1), shown, list(['plane', 5])), /changed meanwhile/);
   assert.throws(() => editNow(off(0), shown, list()), /changed meanwhile/);
-  assert.equal(editNow({ removeConstraint: { index: 0 } }, shown, list()), null);
+  const remove: Edit = { removeConstraint: { index: 0 } };
+  assert.equal(editNow(remove, shown, list()), null);
+  assert.equal(editNow(remove, shown, list(['plane', 2])), null);
+  // Its weight was changed and it was duplicated meanwhile: it stayed, without a word.
+  const changed = list(['plane', 2], ['plane', 2]);
+  assert.throws(() => editNow(remove, list(['plane', 1]), changed), /changed meanwhile/);
 });
 
 test('a kept shape is meant by its name, and other edits stay as they are', () => {

@@ -11,13 +11,13 @@ import type { Lines, LinesQuestion } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** What is to be drawn. */
-export type Request = Omit<LinesQuestion, 'shape'>;
+export type LinesRequest = Omit<LinesQuestion, 'shape'>;
 
 export class CurvatureLines {
   /** What was found last, or why nothing was. */
   readonly told = signal<{ answer: Lines | null; refused: string }>({ answer: null, refused: '' });
   #app;
-  #request: Request | null = null;
+  #request: LinesRequest | null = null;
   /** Generation of the shape that the worker has; 0 if none. */
   #known = 0;
   /** The last question. */
@@ -45,7 +45,7 @@ export class CurvatureLines {
   }
 
   /** @param request null for no lines */
-  async draw(request: Request | null) {
+  async draw(request: LinesRequest | null) {
     this.#request = request;
     await this.#updates.ask();
   }

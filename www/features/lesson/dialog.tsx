@@ -294,7 +294,7 @@ function LessonDialog({
             disabled={scene.lesson.lock.length > 0}
             title={
               scene.lesson.lock.length > 0
-                ? 'It has locks: only where it was just written, Undo removes it'
+                ? 'A lesson with locks stays. If you have just written it, press Undo.'
                 : undefined
             }
             onClick={forget}

@@ -19,14 +19,14 @@ import type {
 type Fields = Required<Pick<LayoutSettings, 'count' | 'size'>>;
 
 /** What the user asks for. */
-interface Request extends Fields, Pick<LayoutSettings, 'follow' | 'even'> {
+interface LayoutRequest extends Fields, Pick<LayoutSettings, 'follow' | 'even'> {
   boundary: BoundaryForecast['boundary'] | null;
   /** whether the selected faces stay as they are */
   keeps: boolean;
 }
 
 /** Initial positions of the sliders, from 0 to 1. */
-const AT_FIRST: Request = {
+const AT_FIRST: LayoutRequest = {
   ...{ count: null, size: null, boundary: null, keeps: false },
   follow: 2 / 3,
   even: 0.25,
@@ -35,7 +35,7 @@ const AT_FIRST: Request = {
 /** Panels with what they were asked for, and the generation of the model. */
 interface LaidOutFor {
   panels: LaidOut;
-  asked: Request;
+  asked: LayoutRequest;
   generation: number;
 }
 
@@ -124,7 +124,7 @@ export class Layouts {
     };
   }
 
-  change(own: Partial<Request>) {
+  change(own: Partial<LayoutRequest>) {
     this.settings.value = { ...this.settings.value, ...own };
     // Both forecasts stay for the choice between them.
     if (!('boundary' in own)) this.forecast.value = null;

@@ -10,7 +10,10 @@ import { Button } from '../../ui/components/buttons.tsx';
 import { count } from '../../ui/words.ts';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
-import type { Document as SceneDocument, Setting } from '../../pkg/engine/shape_up.js';
+import type {
+  Document as SceneDocument,
+  Setting as SettingInfo,
+} from '../../pkg/engine/shape_up.js';
 
 export function Settings() {
   const { settings } = useApp().store.state;
@@ -42,7 +45,7 @@ export function Settings() {
   );
 }
 
-function Setting({ setting }: { setting: Setting }) {
+function Setting({ setting }: { setting: SettingInfo }) {
   const { store, actions } = useApp();
   const { document } = store.state;
   const params = [setting];
@@ -124,10 +127,8 @@ const HOLDS = [
   { label: 'Default', weight: 1, title: 'The same closeness as the others' },
 ];
 
-/** Why factors of closeness change nothing; empty if they do. */
+/** Why factors of closeness other than 0 change nothing; empty if they do. */
 function whyUnused({ weights, closeness, settings }: SceneDocument) {
-  // They release vertices from the boundary whatever the weight is.
-  if (settings.boundary === 'exact') return '';
   if (weights.close === 0) return 'The weight of Close is 0: nothing is kept near the original.';
   const isFree = closeness === 'none' && settings.boundary === 'off';
   return isFree ? 'Stay near is none: nothing is kept near the original.' : '';
@@ -140,6 +141,8 @@ function OwnCloseness() {
   const none = sizeOfSelection(selection) === 0;
   const held = document?.reweightedVertices ?? 0;
   const unused = document ? whyUnused(document) : '';
+  // A factor of 0 releases vertices from an exact boundary, and 1 puts them back.
+  const releases = document?.settings.boundary === 'exact';
   const notes = [
     unused ||
       (none &&
@@ -164,7 +167,7 @@ function OwnCloseness() {
             key={one.label}
             title={one.title}
             aria-label={`Closeness of the selection: ${one.label.toLowerCase()}`}
-            disabled={none || unused !== ''}
+            disabled={none || (unused !== '' && !(releases && [0, 1].includes(one.weight)))}
             onClick={() => hold(one)}
           >
             {one.label}
