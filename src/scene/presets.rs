@@ -107,8 +107,7 @@ impl Preset {
     pub fn set(&self, scene: &mut Scene) {
         scene.weights = self.weights;
         scene.closeness.to = self.to;
-        scene.closeness.boundary =
-            BoundaryCloseness { require: self.boundary, ..BoundaryCloseness::default() };
+        scene.closeness.boundary = self.boundary();
         scene.smoothness = self.smoothness;
     }
 
@@ -118,17 +117,14 @@ impl Preset {
         PRESETS.iter().find(|preset| {
             preset.weights == scene.weights
                 && preset.to == closeness.to
-                && preset.holds_boundary_as(closeness.boundary)
+                && preset.boundary() == closeness.boundary.in_effect()
                 && preset.smoothness == scene.smoothness
         })
     }
 
-    /// Whether a boundary is held as by the preset: corners count where it is held, and the weight only
-    /// where it is held softly, as by no preset.
-    fn holds_boundary_as(&self, held: BoundaryCloseness) -> bool {
-        let is_free = held.require == BoundaryRequire::Off;
-        self.boundary == held.require
-            && (is_free || held.corners == BoundaryCloseness::default().corners)
+    /// How the preset holds the boundary.
+    fn boundary(&self) -> BoundaryCloseness {
+        BoundaryCloseness { require: self.boundary, ..BoundaryCloseness::default() }
     }
 
     /// Returns the offer for a mesh with this topology and this number of handles.

@@ -101,7 +101,7 @@ impl Session {
         (self.scene.solver().converged() || self.is_met()) && self.collapse().is_none()
     }
 
-    /// Whether a drag is under way; an edit ends it.
+    /// Whether a drag is under way; an edit that has an effect ends it.
     pub fn is_dragging(&self) -> bool {
         self.transaction.as_ref().is_some_and(Transaction::is_drag)
     }

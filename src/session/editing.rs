@@ -36,7 +36,8 @@ impl Session {
     /// # Errors
     /// If the lesson locks a part that it would change; if it refers to a row or vertex that does
     /// not exist, or leaves a row without constraints or a goal without its row; or if it makes the
-    /// system singular. Nothing has changed then.
+    /// system singular. Nothing has changed then; but a run or a variation has ended, and a drag goes on
+    /// as another step, if that was found only when the mesh was made or the solver was set up.
     pub fn edit(&mut self, edit: Edit) -> Result<bool, Error> {
         if let Edit::SetTolerance { .. } = edit {
             // Iterations go on as if nothing had happened.
@@ -54,8 +55,14 @@ impl Session {
         if self.transaction.is_some() && !self.would_change(&edit)? {
             return Ok(false);
         }
+        let was_dragging = self.is_dragging();
         self.end_transaction();
-        let Some((name, before)) = self.make(edit)? else { return Ok(false) };
+        let made = self.make(edit);
+        if made.is_err() && was_dragging {
+            // The handle is still in the hand.
+            self.begin_drag();
+        }
+        let Some((name, before)) = made? else { return Ok(false) };
         self.add_step(name, before);
         Ok(true)
     }
@@ -337,8 +344,8 @@ impl Session {
     }
 
     /// Carries the scene over to a mesh derived from its own at the positions `from`, and says what is
-    /// left out and where new faces lie over others. Also returns
-    /// the rest mesh, derived in the same way from the positions `rest`; both `#V by 3`.
+    /// left out and where new faces lie over others. Also returns the rest mesh, derived in the same way
+    /// from the positions `rest`; both `#V by 3`.
     fn carried_to(&self, edited: &Edited, from: &[Point], rest: &[Point]) -> (RestMesh, Carried) {
         let positions = edited.in_other_state(from, rest);
         let mut mesh = Mesh { positions, ..edited.mesh.clone() };

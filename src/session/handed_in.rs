@@ -7,8 +7,8 @@ use crate::constraint::Selector;
 use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, Stand};
 use crate::mesh::{Mesh, Topology};
 use crate::scene::{
-    BuildSettings, ConstraintSpec, Goal, GoalOf, GoalResult, Lock, MeshSource, Results, Scene,
-    SceneError,
+    BoundaryRequire, BuildSettings, ConstraintSpec, Goal, GoalOf, GoalResult, Lock, MeshSource,
+    NamedEnum, Results, Scene, SceneError,
 };
 use crate::session::Error;
 use crate::solve::Require;
@@ -292,7 +292,16 @@ fn differences(
     found
 }
 
-/// Compares numbers by value: a whole number may be written with or without a decimal point.
-fn same_value(a: &Value, b: &Value) -> bool {
-    a == b || a.as_f64().is_some_and(|a| b.as_f64() == Some(a))
+/// Compares a value `handed_in` with that of a setting. A whole number may be written with or without a
+/// decimal point, and results of earlier versions have other words for how the boundary is held.
+fn same_value(handed_in: &Value, given: &Value) -> bool {
+    let word = match handed_in.as_str() {
+        Some("exactly") => Some(BoundaryRequire::Exact.word()),
+        Some("nearly") => Some(BoundaryRequire::Soft.word()),
+        word => word,
+    };
+    match word {
+        Some(word) => given.as_str() == Some(word),
+        None => handed_in.as_f64().is_some_and(|number| given.as_f64() == Some(number)),
+    }
 }

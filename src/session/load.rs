@@ -68,7 +68,7 @@ impl Session {
         }
     }
 
-    /// Drops everything that can be recomputed.
+    /// Drops the solver and what was measured. The mesh stays, with what was derived from it.
     fn suspend(self) -> Suspended {
         let state = self.scene.state();
         let Session { rest, progress, guard, history, transaction, .. } = self;

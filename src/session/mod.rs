@@ -40,7 +40,7 @@
 //! | `state` | the parts: the rest mesh, and the scene with its solver; their states |
 //! | `run` | the parts: progress, meeting of hard constraints, and the guard against collapse |
 //! | `undo` | the parts: the history, and the drag or run under way |
-//! | `edit` | the edits and their effects, settings, previews |
+//! | `edit` | the edits and their effects, settings, offers |
 //! | `selection` | selecting by properties of the mesh |
 //! | `report` | measures, reports, worst elements |
 //! | `error` | the error type of hosts |

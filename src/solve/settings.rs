@@ -145,6 +145,19 @@ pub struct BoundaryCloseness {
     pub weight: f64,
 }
 
+impl BoundaryCloseness {
+    /// Returns it without numbers that have no effect: corners count where the boundary is held, and the
+    /// weight where it is held softly.
+    pub(crate) fn in_effect(self) -> BoundaryCloseness {
+        let free = BoundaryCloseness::default();
+        match self.require {
+            BoundaryRequire::Off => free,
+            BoundaryRequire::Soft => self,
+            BoundaryRequire::Exact => BoundaryCloseness { weight: free.weight, ..self },
+        }
+    }
+}
+
 /// What scene files mean that say where the corners are, and not how the boundary is held.
 fn soft() -> BoundaryRequire {
     BoundaryRequire::Soft

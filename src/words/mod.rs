@@ -5,8 +5,9 @@
 //! such as a tolerance, has the digits that were entered. Lengths below a
 //! thousandth of a millimetre are 0, where the unit is known: they mean nothing for a building.
 //!
-//! The page calls it by a small module of its own (`web/words`), since what follows the hand is
-//! written on its thread at once, where the engine is not.
+//! The page has it in a small module of its own, since what follows the hand is written on its thread at
+//! once, where the engine is not: functions are exported where they are, or with other arguments in
+//! `web/words`.
 //!
 //! | file | holds |
 //! |---|---|

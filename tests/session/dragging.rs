@@ -3,7 +3,7 @@
 use crate::session::asked::new;
 use crate::session::saved_history::{reopened, written};
 use crate::session::undo::{Deed, VERTICES, act, everything, open};
-use shape_up::session::{Edit, Session};
+use shape_up::session::{DragPhase, Edit, Session};
 
 /// A session whose panels are exactly flat, with a handle at vertex 6.
 fn met() -> Session {
@@ -87,6 +87,25 @@ fn a_handle_that_is_made_and_moved_at_once_is_one_step_or_none() {
     act(&mut session, Deed::Undo);
     assert!(session.begin_drag_of_new(vec![VERTICES]).is_err());
     session.end_drag(true);
+    assert_eq!(everything(&session), before);
+}
+
+#[test]
+fn a_drag_goes_on_after_an_edit_that_is_refused_late() {
+    // It had ended, and what was dragged on had no effect.
+    let mut session = open();
+    let before = everything(&session);
+    let [first, then] = [[482_114.0, -65_220.0, 433.0], [482_114.0, -65_220.0, 434.0]];
+    session.drag_through(DragPhase::Make, &[6], &[first]).expect("it is near");
+    let remesh = Edit::from_json(r#"{ "remesh": { "operation": "none" } }"#);
+    session.edit(remesh.expect("it is an edit")).expect_err("there is no such operation");
+    assert!(session.is_dragging());
+    session.drag_through(DragPhase::Move, &[6], &[then]).expect("it is near");
+    assert_eq!(session.solver().handles()[0].target, then);
+    session.drag_through(DragPhase::End, &[], &[]).expect("nothing moves");
+    for name in ["Move handle", "Make and move handle"] {
+        assert_eq!(session.undo(), Ok(Some(name.to_owned())));
+    }
     assert_eq!(everything(&session), before);
 }
 

@@ -199,6 +199,21 @@ fn handles_get_a_weight_and_pull_as_hard() {
     assert_eq!(session.solver().handles()[0].hold, Hold::Fixed);
 }
 
+#[test]
+fn numbers_of_a_boundary_that_is_free_leave_the_problem_as_it_is() {
+    // The solver was set up anew, and what was found for the shape was out of date.
+    let mut session = session();
+    let set = |id: &str, value: Value| Edit::Set { id: id.to_owned(), value };
+    for (value, hold, counts) in [(30, "off", false), (60, "soft", true)] {
+        session.edit(set("boundary", json!(hold))).expect("it is one of its words");
+        for id in ["corners", "boundary-weight"] {
+            let generation = session.generation();
+            assert!(session.edit(set(id, json!(value))).expect("it is in range"));
+            assert_eq!(session.generation() != generation, counts, "{id}, {hold}");
+        }
+    }
+}
+
 /// The tolerance was kept by the page alone: another reader of the scene judged by another one.
 #[test]
 fn the_tolerance_is_that_of_the_scene_or_of_its_panels_or_of_the_mesh() {

@@ -2,7 +2,7 @@
 
 use crate::support::grid::{bumpy, grid};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{Lock, NamedEnum, Results, Scene};
+use shape_up::scene::{BoundaryRequire, Lock, NamedEnum, Results, Scene};
 use shape_up::session::Error;
 use shape_up::session::{DragPhase, Edit, PanelStart, Session, check_results};
 
@@ -207,6 +207,24 @@ fn what_was_altered_is_found_by_the_part_that_is_locked() {
     let checked = check_results(&results, session_scene("[\"weights\"]"), bumpy(5));
     let checked = checked.expect("they are of it");
     assert!(checked.altered.is_empty() && checked.changed.is_empty(), "{checked:?}");
+}
+
+#[test]
+fn results_with_the_earlier_words_for_how_a_boundary_is_held_are_not_altered() {
+    // The words were `exactly` and `nearly`, and have become those of scene files.
+    let words = [(BoundaryRequire::Exact, "exactly"), (BoundaryRequire::Soft, "nearly")];
+    for (require, own) in words {
+        let mut given = session_scene("[\"weights\"]");
+        given.closeness.boundary.require = require;
+        let mut session = Session::open(given.clone(), bumpy(5)).expect("it fits");
+        let mut results = session.results("Ada", "").expect("it is a lesson");
+        for (_, word) in words {
+            results.settings.insert("boundary".to_owned(), word.into());
+            let checked = check_results(&results, given.clone(), bumpy(5));
+            let altered = checked.expect("they are of it").altered;
+            assert_eq!(altered.is_empty(), word == own, "{word}: {altered:?}");
+        }
+    }
 }
 
 fn session_scene(lock: &str) -> Scene {

@@ -60,7 +60,15 @@ fn an_offer_says_what_adding_makes() {
             };
             added.unwrap_or_else(|error| panic!("{} on {place:?}: {error}", info.id));
             let row = &session.rows()[0];
-            assert_eq!(row.constraints.members.len(), offer.constraints, "{}", info.id);
+            let members = &row.constraints.members;
+            assert_eq!(members.len(), offer.constraints, "{}", info.id);
+            // Points of edges are their ends.
+            let each = if offer.words.contains(" edge") { 2 } else { 1 };
+            let sizes: Vec<usize> = members.iter().map(|member| member.len() / each).collect();
+            let mean = sizes.iter().sum::<usize>() as f64 / sizes.len() as f64;
+            let is_one = sizes.iter().all(|size| *size == sizes[0]);
+            let size = if is_one { sizes[0].to_string() } else { words::decimal(mean, 1) };
+            assert!(offer.words.contains(&format!(" of {size} ")), "{}: {size}", offer.words);
             assert_eq!(row.skipped, offer.skipped, "{}", info.id);
             session.undo().expect("undo works");
             offered += 1;

@@ -133,6 +133,7 @@ fn an_edit() -> impl Strategy<Value = Edit> {
         (1.0..3.0f64).prop_map(|scale| Edit::SetBuild {
             values: Map::from_iter([("scale".to_owned(), scale.round().into())]),
         }),
+        proptest::option::of(0.1..9.0).prop_map(|tolerance| Edit::SetTolerance { tolerance }),
         Just(Edit::Reset),
     ]
 }
@@ -294,6 +295,8 @@ proptest! {
         }
         // Steps that were undone on the way are not part of the final state.
         while session.redo().expect("the state was solvable").is_some() {}
+        // The tolerance is no part of a step: all of them get that of the start.
+        session.edit(Edit::SetTolerance { tolerance: None }).expect("it is valid");
         let end = everything(&session);
         let again = Session::open(session.scene(), session.mesh().clone()).map(|_| ());
         prop_assert!(again.is_ok(), "what was made can be opened: {again:?}");

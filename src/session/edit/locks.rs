@@ -66,22 +66,22 @@ fn locked(part: Lock) -> SceneError {
 /// Returns what a lesson may lock, of what differs between the document `before` an edit and that `now`.
 fn locks_between(before: &Scene, now: &Scene) -> Vec<Lock> {
     let mut changed = Settings::of(before).locks_beside(&Settings::of(now));
-    let mut differs = |differs: bool, lock| changed.extend(differs.then_some(lock));
-    differs((&before.units, before.up) != (&now.units, now.up), Lock::Mesh);
-    differs(before.closeness.weights != now.closeness.weights, Lock::Weights);
+    let mut add_if = |differs: bool, lock| changed.extend(differs.then_some(lock));
+    add_if((&before.units, before.up) != (&now.units, now.up), Lock::Mesh);
+    add_if(before.closeness.weights != now.closeness.weights, Lock::Weights);
     // The shape is kept close to the design; to leave it is a reset.
     let of_now = design(&now.variants);
-    differs(of_now.is_some() && of_now != design(&before.variants), Lock::Weights);
+    add_if(of_now.is_some() && of_now != design(&before.variants), Lock::Weights);
     let [from, to] = [before, now].map(|scene| &scene.constraints);
     let reweighed = from.iter().zip(to).any(|(from, to)| from.weight != to.weight);
-    differs(reweighed && from.len() == to.len(), Lock::Weights);
+    add_if(reweighed && from.len() == to.len(), Lock::Weights);
     // Not what a search has eased.
     let bare = |row: &ConstraintSpec| ConstraintSpec { eased: None, ..row.clone() };
-    differs(!from.iter().map(bare).eq(to.iter().map(bare)), Lock::Constraints);
+    add_if(!from.iter().map(bare).eq(to.iter().map(bare)), Lock::Constraints);
     for name in other_sets(before, now) {
         let [by_rows, by_weights] = uses(name, now);
-        differs(by_rows || before.sets.contains_key(name), Lock::Constraints);
-        differs(by_weights, Lock::Weights);
+        add_if(by_rows || before.sets.contains_key(name), Lock::Constraints);
+        add_if(by_weights, Lock::Weights);
     }
     changed
 }

@@ -130,25 +130,23 @@ impl Verdict {
         }
     }
 
-    /// Says that `within` panels have their shape within `tolerance`.
-    fn met(&self, within: usize, tolerance: f64, units: &str) -> String {
-        let tolerance = limit_like(tolerance, units, self.tolerance);
-        count_in_words(self.adjective, within, self.of, &tolerance)
-    }
-
-    /// The same, with the panels that are within a larger tolerance only; if these are most, that is the
-    /// tolerance of all. The reason, that no face folds, is said while none does: a shape that follows
+    /// Says how many panels have their shape, with those that are within a larger tolerance only; if
+    /// these are most, that is the tolerance of all. The reason, that no face folds, is said while none does: a shape that follows
     /// a handle keeps its tolerances.
     fn reached(&self, units: &str) -> String {
         if let Some(relaxed) = self.relaxed_for_most() {
-            let met = self.met(self.of, relaxed, units);
-            if self.folded > 0 {
-                return met;
-            }
-            let required = limit_like(self.tolerance, units, self.tolerance);
-            return format!("{met} With a tolerance of {required}, panels would fold.");
+            let [relaxed, required] =
+                [relaxed, self.tolerance].map(|it| limit_like(it, units, self.tolerance));
+            let met = |within: &str| count_in_words(self.adjective, self.of, self.of, within);
+            return match self.folded {
+                0 => {
+                    format!("{} With a tolerance of {required}, panels would fold.", met(&relaxed))
+                }
+                _ => met(&format!("a relaxed tolerance of {relaxed}")),
+            };
         }
-        let met = self.met(self.within, self.tolerance, units);
+        let required = limit_like(self.tolerance, units, self.tolerance);
+        let met = count_in_words(self.adjective, self.within, self.of, &required);
         let Some(eased) = self.eased else { return met };
         let larger = limit_like(eased.within, units, self.tolerance);
         let others = match (eased.panels, self.of - self.within - eased.panels) {
@@ -330,5 +328,10 @@ mod tests {
             "All 800 panels are flat within 120 mm. With a tolerance of 1 mm, panels would fold. ";
         assert!(eased(800, 0).starts_with(all), "{}", eased(800, 0));
         assert!(eased(797, 3).starts_with(all), "{}", eased(797, 3));
+        // The larger tolerance was said as if it had been asked for.
+        let relaxed = Some(EasedPanels { panels: 797, within: 0.12 });
+        let dragged = full(&Verdict { within: 3, eased: relaxed, folded: 3, ..verdict() });
+        let folded = "All 800 panels are flat within a relaxed tolerance of 120 mm. But 3 panels are folded or dented. ";
+        assert!(dragged.starts_with(folded), "{dragged}");
     }
 }

@@ -19,7 +19,7 @@ pub(crate) enum Effect {
 impl Effect {
     /// Returns the effect of what differs between these documents.
     pub(crate) fn between(a: &Scene, b: &Scene) -> Effect {
-        let [from, to] = [a, b].map(|scene| Settings::of(scene).without_attempt());
+        let [from, to] = [a, b].map(|scene| Settings::in_effect(scene).without_attempt());
         if !same_beside_settings(a, b) {
             Effect::Problem
         } else if from == to {
@@ -34,7 +34,7 @@ impl Effect {
 
 /// Whether two documents pose the same problem to the solver.
 pub(crate) fn same_problem(a: &Scene, b: &Scene) -> bool {
-    Settings::of(a) == Settings::of(b) && same_beside_settings(a, b)
+    Settings::in_effect(a) == Settings::in_effect(b) && same_beside_settings(a, b)
 }
 
 /// Whether two documents pose the same problem, apart from their settings.

@@ -126,6 +126,12 @@ impl Settings {
         problem.boundary_closeness = self.boundary;
     }
 
+    /// The settings of a scene, without the numbers of its boundary that have no effect.
+    pub(crate) fn in_effect(scene: &Scene) -> Settings {
+        let boundary = scene.closeness.boundary.in_effect();
+        Settings { boundary, ..Settings::of(scene) }
+    }
+
     /// The settings that the solver knows: not how hard constraints were met.
     pub(crate) fn without_attempt(self) -> Settings {
         Settings { attempt: ChosenAttempt::default(), ..self }
