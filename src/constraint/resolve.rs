@@ -2,7 +2,7 @@
 
 use super::select::MOST_MEMBERS;
 use super::{Element, SelectError, Selector, Sets};
-use crate::math::{Vec3, marked};
+use crate::math::marked;
 use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated, stars, strips};
 
 /// Returns one row of distinct vertices for each constraint of a selector.
@@ -15,7 +15,7 @@ use crate::mesh::{Mesh, Ragged, Topology, corners, edge_lines, hinges, repeated,
 /// | curves | polylines, then edge lines; without those that run along another, see [`repeated`] | along the curve |
 /// | polylines | in the order of the file | along the polyline |
 /// | edge lines | as [`edge_lines`] | along the line |
-/// | boundary | as [`Topology::boundary_loops`] | along the loop, which does not begin after an edge that is by far its longest |
+/// | boundary | as [`Topology::boundary_loops`] | along the loop |
 /// | strips | as [`strips`] | along the strip, side by side |
 /// | corners | face by face | before, corner, after |
 /// | stars | one per interior vertex | the vertex, then its neighbours around it |
@@ -88,7 +88,7 @@ pub fn resolve(
                 }
                 Element::Boundary => {
                     each(topology.boundary_loops(), |_, one| {
-                        push(Origin::Other, &begun_elsewhere(one, mesh, topology));
+                        push(Origin::Other, one);
                     });
                 }
                 Element::Strip => {
@@ -116,22 +116,6 @@ pub fn resolve(
         return Err(SelectError::TooMany);
     }
     Ok(rows.rows)
-}
-
-/// A boundary loop whose closing edge is by far the longest is begun one vertex later: without edges,
-/// operators on curves take such an edge for a gap.
-fn begun_elsewhere(row: &[u32], mesh: &Mesh, topology: &Topology) -> Vec<u32> {
-    let mut row = row.to_vec();
-    let length = |a: u32, b: u32| {
-        let [a, b] = [a, b].map(|v| Vec3::from(mesh.positions[v as usize]));
-        (b - a).length()
-    };
-    let closing = length(row[row.len() - 1], row[0]);
-    let is_longest = row.windows(2).all(|ends| 1.5 * length(ends[0], ends[1]) < closing);
-    if is_longest && topology.is_closed_loop(&row) {
-        row.rotate_left(1);
-    }
-    row
 }
 
 fn each(rows: &Ragged, mut visit: impl FnMut(usize, &[u32])) {

@@ -35,7 +35,8 @@ pub fn is_seen_from_mean(corners: &[Vec3<f64>]) -> bool {
     sides.all(|[p, q]| p == q || turn(p, q, mean) > least * distance(p, q))
 }
 
-/// Whether the segment between two corners of a polygon in space, seen along its normal, lies inside.
+/// Whether the segment between two corners of a polygon in space, seen along its normal, lies inside and
+/// meets no other corner.
 pub fn is_diagonal_inside(corners: &[Vec3<f64>], [a, b]: [usize; 2]) -> bool {
     let flat = along_normal(corners);
     let n = flat.len();
@@ -48,7 +49,16 @@ pub fn is_diagonal_inside(corners: &[Vec3<f64>], [a, b]: [usize; 2]) -> bool {
         let [a, b] = [flat[a], flat[b]];
         turn(p, q, a) * turn(p, q, b) < 0.0 && turn(a, b, p) * turn(a, b, q) < 0.0
     };
-    is_between(a, b) && is_between(b, a) && !polygon_sides(&flat).any(crosses)
+    let [low, high] = bounds(flat.iter().copied());
+    let least = STRAIGHT * distance(low, high);
+    // A corner at the place of an end, as at the ends of a slit, is not between them.
+    let meets = |&p: &Point2| {
+        let [a, b] = [flat[a], flat[b]];
+        let is_beside = p != a && p != b && distance(a, p).max(distance(p, b)) < distance(a, b);
+        is_beside && turn(a, b, p).abs() <= least * distance(a, b)
+    };
+    let is_clear = !flat.iter().any(meets) && !polygon_sides(&flat).any(crosses);
+    is_between(a, b) && is_between(b, a) && is_clear
 }
 
 /// A polygon in space seen along its normal.

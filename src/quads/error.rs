@@ -47,6 +47,10 @@ pub enum RemeshError {
     Opening {
         /// The length around it, in the unit of the mesh.
         length: f64,
+        /// The greatest size of panels that leaves it open, in the unit of the mesh.
+        greatest: f64,
+        /// Whether faces that stay are beside it.
+        stays: bool,
         /// The mean of its vertices.
         at: Vec3<f64>,
     },
@@ -138,10 +142,13 @@ impl RemeshError {
             RemeshError::OutOfRange => {
                 "the surface is too large for panels of this size".to_owned()
             }
-            RemeshError::Opening { length, .. } => {
+            RemeshError::Opening { length, greatest, stays, .. } => {
+                let greatest = side(greatest * (1.0 - SAFE));
                 let length = words::limit(words::rounded(*length, 3), units);
+                let [beside, or] =
+                    if *stays { [" beside faces that stay", ""] } else { ["", "close it, or "] };
                 format!(
-                    "an opening is {length} around, less than two panels: close it, or expected smaller panels"
+                    "an opening{beside} is {length} around, less than two panels: {or}expected sides of {greatest} or less"
                 )
             }
             RemeshError::NotFollowed { fault } => {

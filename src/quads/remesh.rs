@@ -4,7 +4,7 @@
 use super::map::GridMapper;
 use super::part::Asked;
 use super::remeshed::{notes_on, together, without};
-use super::surface::{InputParts, InputSurface, LeftPart, MOST_PANELS};
+use super::surface::{InputParts, InputSurface, LeftPart, MOST_PANELS, SHORTEST_LOOP};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
 use crate::mesh::{Mesh, Surface};
 
@@ -53,8 +53,9 @@ struct Kept {
     size: f64,
     crease: Option<f64>,
     boundary: Boundary,
-    /// One for each part; none before it is covered, or if it cannot be.
-    mappers: Vec<Option<GridMapper>>,
+    /// Two for each part, the second with longer openings covered; none before it is asked for, or if
+    /// the part cannot be prepared.
+    mappers: Vec<[Option<GridMapper>; 2]>,
 }
 
 impl Remesher {
@@ -120,32 +121,35 @@ impl Remesher {
             size,
             crease: options.crease,
             boundary: options.boundary,
-            mappers: surfaces.iter().map(|_| None).collect(),
+            mappers: surfaces.iter().map(|_| [None, None]).collect(),
         });
         let count = surfaces.len() as f64;
         let mut parts = Vec::new();
         let mut left = self.left.clone();
-        for (k, (surface, place)) in surfaces.iter().zip(&mut kept.mappers).enumerate() {
+        for (k, (surface, [first, longer])) in surfaces.iter().zip(&mut kept.mappers).enumerate() {
             let mut of_part =
                 |stage: RemeshStage, share: f64| observer(stage, (k as f64 + share) / count);
             if !of_part(RemeshStage::Prepare, 0.0) {
                 return Err(RemeshError::Cancelled);
             }
             let asked = Asked { mesh, options, wanted: surface.area() / (size * size) };
-            let mapper = match place.take() {
-                Some(mapper) => Ok(mapper),
-                None => surface.prepare(size, options).map(GridMapper::new),
+            let mut cover = |place: &mut Option<GridMapper>, longest_loop: f64| {
+                let mut mapper = match place.take() {
+                    Some(mapper) => mapper,
+                    None => GridMapper::new(surface.prepare_over(longest_loop, size, options)?),
+                };
+                let part = asked.part(&mut mapper, &mut of_part);
+                // After other errors it may be unfinished.
+                if matches!(part, Ok(_) | Err(RemeshError::NotFollowed { .. })) {
+                    *place = Some(mapper);
+                }
+                part
             };
-            let mut found = mapper.and_then(|mut mapper| {
-                let part = asked.part(&mut mapper, &mut of_part)?;
-                *place = Some(mapper);
-                Ok(part)
-            });
+            let mut found = cover(first, SHORTEST_LOOP);
             if let Err(RemeshError::NotFollowed { .. }) = found
-                && let Ok(prepared) = surface.prepare_over(LONGER_LOOP, size, options)
-                && !prepared.notes.openings.is_empty()
+                && surface.covers_more([SHORTEST_LOOP, LONGER_LOOP].map(|panels| panels * size))
             {
-                let over = asked.part(&mut GridMapper::new(prepared), &mut of_part);
+                let over = cover(longer, LONGER_LOOP);
                 if matches!(over, Ok(_) | Err(RemeshError::Cancelled)) {
                     found = over;
                 }

@@ -58,8 +58,7 @@ impl Descent {
         parts.put_on_curves(x);
     }
 
-    /// Reduces the last step to this part of it. Without vertices on curves it stays: every plain step
-    /// lowers the total then.
+    /// Reduces the last step to this part of it. Without vertices on curves it stays as it is.
     pub(super) fn shorten(&self, parts: &mut Parts, x: &mut [Row], part: f64) {
         if let Some(gliding) = &parts.gliding {
             gliding.shorten((&self.previous.0, &self.previous.1), x, part);

@@ -239,6 +239,14 @@ fn a_face_that_its_centre_does_not_see_is_cut_along_diagonals() {
     assert!(apply(&u, "split-face", None, &with_vertices(&[2, 7])).is_err(), "it crosses it");
     let cut = apply(&u, "split-face", None, &with_vertices(&[0, 4])).unwrap().mesh;
     assert_eq!(cut.faces, [&[0, 1, 2, 3, 4][..], &[4, 5, 6, 7, 0]].into_iter().collect());
+    // Corners of the notch on the line, at (1, 2) and (3, 2).
+    let corners = [0, 40, 42, 44, 34, 32, 31, 11, 12, 14, 4, 2].map(|xy| [xy / 10, xy % 10]);
+    let wide = Mesh {
+        positions: corners.iter().map(|&[x, y]| [f64::from(x), f64::from(y), 0.0]).collect(),
+        faces: [(0..12).collect::<Vec<u32>>()].into_iter().collect(),
+        ..Mesh::default()
+    };
+    assert!(apply(&wide, "split-face", None, &with_vertices(&[2, 11])).is_err());
 }
 
 #[test]
@@ -246,6 +254,25 @@ fn a_notched_quad_whose_inner_diagonal_is_an_edge_is_not_cut_outside() {
     let text = "v 0 0 0\nv 4 -1 0\nv 1 0.2 0\nv 0 4 0\nv 0 0 3\nf 1 2 3 4\nf 1 3 5\n";
     let cut = done(&read("dart.obj", text.as_bytes()).unwrap().mesh, "triangles").mesh;
     assert_eq!((cut.faces.len(), cut.positions[5]), (5, [0.5, 0.1, 0.0]));
+}
+
+#[test]
+fn only_faces_around_a_centre_outside_them_are_said_to_be_turned_over() {
+    let turned = |mesh: &Mesh, id: &str, vertices: &[u32]| {
+        apply(mesh, id, None, &with_vertices(vertices)).unwrap().turned_over(mesh)
+    };
+    let [_, u] = notched();
+    assert!(turned(&u, "diagonal", &[]) > 0);
+    // Two faces of opposite orientation.
+    let mut flipped = flat(2, 1);
+    let mut faces = [0, 1].map(|face| flipped.faces.row(face).to_vec());
+    faces[1].reverse();
+    flipped.faces = faces.iter().collect();
+    assert_eq!(turned(&flipped, "diagonal", &[]), 0);
+    // Merged with a corner far away, a vertex goes beyond the far sides of the faces around it.
+    let mut grid = flat(4, 4);
+    grid.positions[24] = [-9.0, -9.0, 0.0];
+    assert_eq!(turned(&grid, "merge-vertices", &[6, 8, 24]), 0);
 }
 
 #[test]
@@ -436,6 +463,21 @@ fn patches_are_joined_along_their_seam_only() {
         let to = origins.vertices[v as usize].unwrap();
         assert_eq!(joined.positions[to as usize], places(v));
     }
+    // The patches are apart at rest, and held together now.
+    let apart =
+        |v: usize| if v < 6 { mesh.positions[v] } else { mesh.positions[v].map(|x| x + 5.0) };
+    let rest: Vec<Point> = (0..mesh.positions.len()).map(apart).collect();
+    let topology = Topology::new(&mesh);
+    let task = Task {
+        mesh: &mesh,
+        rest: &rest,
+        topology: &topology,
+        up: [0.0, 0.0, 1.0],
+        sizes: &[],
+        vertices: &[],
+        faces: &[],
+    };
+    assert_eq!(MeshOperation::of("join").unwrap().apply(&task).unwrap().mesh, joined);
     let again = apply(&joined, "join", None, &Picked::default()).unwrap_err().to_string();
     assert!(again.contains("boundary vertices that lie on each other"), "{again}");
 }

@@ -137,6 +137,18 @@ fn a_closed_crease_is_a_line_of_the_panels() {
     check(&hat, &with(&hat, options).unwrap());
 }
 
+/// What is said to fit does, and has the unit.
+fn check_named_size(mesh: &Mesh, error: &RemeshError, fits: &str) {
+    let words = error.words("m");
+    let side = words.split("expected sides of ").nth(1).expect("it names a size");
+    let (number, rest) = side.split_once(' ').expect("it has a unit");
+    assert_eq!(rest, format!("m {fits}"));
+    let length: f64 = number.replace('−', "-").parse().expect("it is a number");
+    let size = PanelSize::Length(length);
+    let part = &InputSurface::parts(mesh, &[]).unwrap().surfaces[0];
+    assert!(part.prepare(length, &MapOptions::of_size(size)).is_ok(), "{words}");
+}
+
 #[test]
 fn what_cannot_be_remeshed_is_refused_with_the_reason() {
     let refused = |mesh: &Mesh, size: PanelSize| {
@@ -154,16 +166,8 @@ fn what_cannot_be_remeshed_is_refused_with_the_reason() {
     assert!(matches!(large, RemeshError::SizeTooLarge { .. }), "{large}");
     let small = refused(&tube(), PanelSize::Length(1e-6));
     assert!(matches!(small, RemeshError::SizeTooSmall { .. }), "{small}");
-    // What is said to fit does, and has the unit.
     for (error, fits) in [(&large, "or less"), (&small, "or more")] {
-        let words = error.words("m");
-        let side = words.split("expected sides of ").nth(1).expect("it names a size");
-        let (number, rest) = side.split_once(' ').expect("it has a unit");
-        assert_eq!(rest, format!("m {fits}"));
-        let length: f64 = number.replace('−', "-").parse().expect("it is a number");
-        let size = PanelSize::Length(length);
-        let part = &InputSurface::parts(&tube(), &[]).unwrap().surfaces[0];
-        assert!(part.prepare(length, &MapOptions::of_size(size)).is_ok(), "{words}");
+        check_named_size(&tube(), error, fits);
     }
     // A third sheet along a line of the vault.
     let mut branching = vault();
@@ -369,6 +373,21 @@ fn an_opening_that_is_no_hole_is_named() {
     let words = refused.words("m");
     assert!(words.starts_with("an opening is 0.62") && words.contains("close it"), "{words}");
     assert!(refused.place().is_some());
+    check_named_size(&tube, &refused, "or less");
+    // Sides that the area allowed but the openings did not were named.
+    let refused = with(&tube, MapOptions::of_size(PanelSize::Length(3.0))).map(|_| ()).unwrap_err();
+    assert!(matches!(refused, RemeshError::SizeTooLarge { .. }), "{refused}");
+    check_named_size(&tube, &refused, "or less");
+}
+
+#[test]
+fn an_opening_around_faces_that_stay_is_not_to_be_closed() {
+    let mesh = roof();
+    let options = MapOptions::of_size(PanelSize::Length(2.5));
+    let refused = Remesher::beside(&mesh, &[420]).unwrap().remesh(&options, "m", &mut |_, _| true);
+    let words = refused.map(|_| ()).unwrap_err().words("m");
+    assert!(words.starts_with("an opening beside faces that stay is 3."), "{words}");
+    assert!(words.ends_with("or less") && !words.contains("close it"), "{words}");
 }
 
 /// Triangles whose corners are on one line were dropped, which left a slit.

@@ -67,6 +67,20 @@ fn triangles_are_short_and_features_are_apart() {
 }
 
 #[test]
+fn a_sharp_corner_is_that_of_one_panel() {
+    // A rhombus of 40 and 140 degrees: an angle below 45 degrees rounds to no corner at all.
+    let rhombus = sheet(12, |u, v| {
+        [5.0 * u + 5.0 * v * cosine(40.0 / 360.0), 5.0 * v * sine(40.0 / 360.0), 0.0]
+    });
+    let found = super::panels(&rhombus, 120).unwrap();
+    super::check(&rhombus, &found);
+    for corner in [rhombus.positions[0], rhombus.positions[rhombus.positions.len() - 1]] {
+        let at = |v: &u32| found.mesh.positions[*v as usize] == corner;
+        assert_eq!(found.mesh.faces.iter().filter(|face| face.iter().any(at)).count(), 1);
+    }
+}
+
+#[test]
 fn touching_and_separate_parts_are_told_apart() {
     let one = sheet(4, |u, v| [u, v, 0.0]);
     let n = one.positions.len() as u32;

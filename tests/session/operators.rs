@@ -106,6 +106,22 @@ fn a_border_glides_along_its_sides_while_the_inside_is_pulled() {
     }
 }
 
+#[test]
+fn a_longest_edge_of_a_boundary_is_a_gap_only_if_the_row_says_so() {
+    let places = [[0., 0.], [1., 1.], [2., 1.], [3., 0.]].map(|[x, y]| [x, y, 0.0]).to_vec();
+    let mesh =
+        Mesh { positions: places, faces: [[0, 1, 2, 3]].iter().collect(), ..Mesh::default() };
+    let gap = |closed: &str| {
+        let row = format!(r#"{{ "kind": "on-curve", "on": "boundary", "closed": "{closed}" }}"#);
+        let session = solved(&mesh, &format!(r#""constraints": [{row}]"#));
+        let members = &session.rows()[0].constraints.members;
+        let [first, last] = [0, 3].map(|k| mesh.positions[members.row(0)[k] as usize]);
+        distance(first, last)
+    };
+    assert_eq!(gap("no"), 3.0);
+    assert!(gap("auto") < 2.0);
+}
+
 /// A strip of quads between two concentric rings of `n` vertices; the outer one is the unit circle.
 fn annulus(n: u32) -> Mesh {
     let mut mesh = grid(n, 1, |i, j| {

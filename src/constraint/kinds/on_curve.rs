@@ -56,6 +56,13 @@ impl Default for OnCurve {
     }
 }
 
+impl OnCurve {
+    /// Whether a curve is taken for closed by the gap between its ends.
+    pub(crate) fn tells_closed_by_gap(&self) -> bool {
+        self.closed == Closed::Auto
+    }
+}
+
 /// Greatest length of the gap of a closed curve, relative to the longest segment.
 const GAP: f64 = 1.5;
 

@@ -2,14 +2,14 @@
 //!
 //! In JSON an array of three numbers, not all zero, of any length.
 
-use crate::json::JsonError;
 use crate::math::{Lane, Vec3};
+use serde::de::{Deserializer, Error, Expected, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use std::fmt;
 
 /// A direction: the numbers of the file, and the unit vector.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Value", into = "[f64; 3]")]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(into = "[f64; 3]")]
 pub(crate) struct Direction {
     given: [f64; 3],
     unit: Vec3<f64>,
@@ -32,16 +32,33 @@ impl Direction {
     }
 }
 
-impl TryFrom<Value> for Direction {
-    type Error = String;
+impl<'de> Deserialize<'de> for Direction {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Direction, D::Error> {
+        deserializer.deserialize_seq(DirectionVisitor)
+    }
+}
 
-    fn try_from(value: Value) -> Result<Direction, String> {
-        const EXPECTED: &str = "a direction [x, y, z], not all zero";
-        let Ok(given) = <[f64; 3]>::deserialize(&value) else {
-            return Err(JsonError::found(&value, EXPECTED).message);
-        };
+struct DirectionVisitor;
+
+impl<'de> Visitor<'de> for DirectionVisitor {
+    type Value = Direction;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a direction [x, y, z], not all zero")
+    }
+
+    /// Number by number, so that an error has the path of the one at fault.
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<Direction, A::Error> {
+        let mut numbers: Vec<f64> = Vec::new();
+        while let Some(number) = array.next_element()? {
+            numbers.push(number);
+        }
+        let given = <[f64; 3]>::try_from(&numbers[..])
+            .map_err(|_| A::Error::invalid_length(numbers.len(), &self))?;
         let [x, y, z] = given;
-        Direction::new(given).ok_or_else(|| format!("found [{x}, {y}, {z}], expected {EXPECTED}"))
+        let expected: &dyn Expected = &self;
+        let none = || A::Error::custom(format_args!("found [{x}, {y}, {z}], expected {expected}"));
+        Direction::new(given).ok_or_else(none)
     }
 }
 
@@ -76,12 +93,12 @@ mod tests {
     fn says_what_is_no_direction() {
         for (value, words) in [
             (json!([0, -0.0, 0]), "found [0, -0, 0]"),
-            (json!([1, 2]), "expected a direction [x, y, z]"),
-            (json!([1, 2, 3, 4]), "expected a direction [x, y, z]"),
-            (json!([1, 2, "3"]), "expected a direction [x, y, z]"),
-            (json!([1, null, 3]), "expected a direction [x, y, z]"),
-            (json!("up"), "found \"up\", expected a direction [x, y, z]"),
-            (json!(1), "found 1, expected a direction [x, y, z]"),
+            (json!([1, 2]), "length 2, expected a direction [x, y, z]"),
+            (json!([1, 2, 3, 4]), "length 4, expected a direction [x, y, z]"),
+            (json!([1, 2, "3"]), "\"3\""),
+            (json!([1, null, 3]), "null"),
+            (json!("up"), "\"up\", expected a direction [x, y, z]"),
+            (json!(1), "`1`, expected a direction [x, y, z]"),
         ] {
             let message = read(value).unwrap_err();
             assert!(message.contains(words), "{message}: expected {words}");

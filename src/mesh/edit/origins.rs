@@ -2,6 +2,7 @@
 
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged};
+use std::collections::BTreeSet;
 
 /// A mesh made from another one, with the origins of its elements.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,22 +35,25 @@ impl Edited {
 const NO_AREA: f64 = 1e-9;
 
 impl Edited {
-    /// Counts the faces around a new vertex between three or more old ones that have no area, or face
-    /// the other way than the face that they were made from: `old`, at the positions of this mesh.
-    /// There the vertex is not inside it.
+    /// Counts the faces around a new vertex in a face that have no area, or face the other way than all
+    /// faces that they were made from: `old`, at the positions of this mesh. There the vertex is not
+    /// inside one of these.
     pub fn turned_over(&self, old: &Mesh) -> usize {
         let area = |mesh: &Mesh, face: &[u32]| {
             twice_vector_area(face.iter().map(|&v| Vec3::from(mesh.positions[v as usize])))
         };
         let before: Vec<Vec3<f64>> = old.faces.iter().map(|face| area(old, face)).collect();
-        let is_centre = |&v: &u32| self.origins.between.row(v as usize).len() > 2;
+        // A vertex that others were merged into is not the centre of a face.
+        let merged: BTreeSet<u32> = self.origins.vertices.iter().flatten().copied().collect();
+        let is_centre =
+            |v: &u32| self.origins.between.row(*v as usize).len() > 2 && !merged.contains(v);
         let is_turned = |(face, parents): &(&[u32], &[u32])| {
             let is = area(&self.mesh, face);
             let is_against = |&parent: &u32| {
                 let was = before[parent as usize];
                 was != Vec3::zero() && is.dot(was) <= NO_AREA * was.length_squared()
             };
-            face.iter().any(is_centre) && parents.iter().any(is_against)
+            !parents.is_empty() && face.iter().any(is_centre) && parents.iter().all(is_against)
         };
         self.mesh.faces.iter().zip(self.origins.faces.iter()).filter(is_turned).count()
     }

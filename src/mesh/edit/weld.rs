@@ -55,7 +55,13 @@ impl Weld {
         let whole = vec![0; mesh.positions.len()];
         let parts = [whole, groups(mesh)];
         let (welded, to) = parts.iter().find_map(|parts| {
-            let first = first_of_group(mesh, |v| Some(parts[v as usize]), tolerance);
+            let mut first = first_of_group(mesh, |v| Some(parts[v as usize]), tolerance);
+            let stays = within_face(mesh, &first);
+            (0..)
+                .zip(&mut first)
+                .zip(stays)
+                .filter(|(_, stays)| *stays)
+                .for_each(|((v, own), _)| *own = v);
             // Loose points and ends of curves at one place say nothing of faces.
             let of_faces = first.iter().zip(&uses).filter(|(_, uses)| **uses > 0);
             let remain = of_faces.map(|(first, _)| first).collect::<BTreeSet<_>>().len();
@@ -76,14 +82,13 @@ impl Weld {
     }
 }
 
-/// Merges the vertices that have the same `first`, except where a face has two corners at one place;
-/// returns the mesh and the new index of each vertex. `None` if faces coincide.
+/// Merges the vertices that have the same `first`; returns the mesh and the new index of each vertex.
+/// `None` if faces coincide.
 fn merged(mesh: &Mesh, first: &[u32]) -> Option<(Mesh, Vec<u32>)> {
     let mut to = vec![0; first.len()];
     let mut positions = Vec::new();
-    let stays = within_face(mesh, first);
     for (vertex, &first) in first.iter().enumerate() {
-        to[vertex] = if stays[vertex] || first as usize == vertex {
+        to[vertex] = if first as usize == vertex {
             positions.push(mesh.positions[vertex]);
             positions.len() as u32 - 1
         } else {
@@ -173,6 +178,20 @@ mod tests {
         // Only the place of the two corners, where another face has one, is left as it is.
         assert_eq!((mesh.positions.len(), mesh.faces.len()), (39, 26));
         assert_eq!(Topology::new(&mesh).boundary_loops().len(), 2);
+    }
+
+    #[test]
+    fn faces_that_only_touch_themselves_stay_as_they_are() {
+        // Separate quads, each with two corners at one place.
+        let mut mesh = soup(2, 0.0, 1.0);
+        for face in 0..4_u32 {
+            let first = 4 * face as usize;
+            for v in first..first + 4 {
+                mesh.positions[v][0] += 10.0 * f64::from(face);
+            }
+            mesh.positions[first + 1] = mesh.positions[first];
+        }
+        assert_eq!(Weld::apply(&mut mesh), None);
     }
 
     #[test]

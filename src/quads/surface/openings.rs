@@ -9,6 +9,8 @@ use crate::math::{Vec3, ears_in_space, mean};
 use crate::quads::{RemeshError, Side};
 use std::borrow::Cow;
 
+/// Boundary loops of fewer panels are covered, or the size is refused.
+pub(in crate::quads) const SHORTEST_LOOP: f64 = 2.0;
 /// An opening is covered only if the area vectors of the triangles around it add up to at least this
 /// fraction of their areas: those around the end of a tube cancel.
 const FLAT: f64 = 0.5;
@@ -22,44 +24,61 @@ pub struct Opening {
     pub at: Vec3<f64>,
 }
 
-impl Opening {
-    fn refused(self) -> RemeshError {
-        RemeshError::Opening { length: self.length, at: self.at }
-    }
-}
-
 impl InputSurface {
-    /// The surface with triangles over the openings that are less than `shortest` around, and these
-    /// openings.
+    /// The surface with triangles over the openings that are less than `longest` around, as far as they
+    /// can be covered, and these openings.
     ///
     /// # Errors
-    /// If one cannot be covered: the end of a tube, or one around faces that stay.
+    /// If one that is less than `shortest` around cannot be covered: the end of a tube, or one around
+    /// faces that stay. It is the shortest of these.
     pub(super) fn without_openings(
         &self,
-        shortest: f64,
+        [shortest, longest]: [f64; 2],
     ) -> Result<(Cow<'_, InputSurface>, Vec<Opening>), RemeshError> {
         let edges = Edges::new(&self.triangles);
-        let short = self.openings(&edges, shortest);
-        if short.is_empty() {
-            return Ok((Cow::Borrowed(self), Vec::new()));
-        }
+        let short = self.openings(&edges, longest);
         let flat = self.flat_around(&short);
         let (mut triangles, mut faces) = (self.triangles.clone(), self.faces.clone());
-        let mut covered = Vec::new();
+        let (mut covered, mut open) = (Vec::new(), Vec::new());
         for ((opening, ring), flat) in short.into_iter().zip(flat) {
-            let cover = Some(&ring).filter(|_| flat).and_then(|ring| self.cover(&edges, ring));
-            let cover = cover.ok_or_else(|| opening.refused())?;
+            let Some(cover) = self.cover(&edges, &ring).filter(|_| flat) else {
+                open.push((opening, ring));
+                continue;
+            };
             faces.extend(cover.iter().map(|_| self.faces[0]));
             triangles.extend(cover);
             covered.push(opening);
         }
+        self.refuse(open, shortest)?;
+        if covered.is_empty() {
+            return Ok((Cow::Borrowed(self), covered));
+        }
         remove_slivers(&self.positions, &mut triangles, &mut faces);
         let vertices = (&self.vertices[..], &self.beside[..]);
         let surface = InputSurface::of_part(&self.positions, triangles, faces, vertices);
-        let left = surface.openings(&Edges::new(&surface.triangles), shortest);
-        match left.first() {
-            Some((opening, _)) => Err(opening.refused()),
-            None => Ok((Cow::Owned(surface), covered)),
+        surface.refuse(surface.openings(&Edges::new(&surface.triangles), shortest), shortest)?;
+        Ok((Cow::Owned(surface), covered))
+    }
+
+    /// Whether some openings of lengths from `shortest` to below `longest` can be covered.
+    pub(in crate::quads) fn covers_more(&self, [shortest, longest]: [f64; 2]) -> bool {
+        let found = self.without_openings([shortest, longest]);
+        found.is_ok_and(|(_, covered)| covered.iter().any(|opening| opening.length >= shortest))
+    }
+
+    /// Refuses the shortest of these openings that is less than `shortest` around.
+    fn refuse(
+        &self,
+        openings: Vec<(Opening, Vec<usize>)>,
+        shortest: f64,
+    ) -> Result<(), RemeshError> {
+        let least = openings.into_iter().min_by(|a, b| a.0.length.total_cmp(&b.0.length));
+        match least {
+            Some((Opening { length, at }, ring)) if length < shortest => {
+                let stays = ring.iter().any(|&v| self.beside[v]);
+                Err(RemeshError::Opening { length, greatest: length / SHORTEST_LOOP, stays, at })
+            }
+            _ => Ok(()),
         }
     }
 

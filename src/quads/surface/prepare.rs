@@ -6,15 +6,13 @@ use super::cones::cones;
 use super::edges::Edges;
 use super::features;
 use super::input::{InputSurface, Tensor};
-use super::openings::Opening;
+use super::openings::{Opening, SHORTEST_LOOP};
 use super::refine::{Line, Refined};
 use crate::math::Vec3;
 use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
 
 /// Connected creases shorter than this many panels are noise.
 const SHORTEST_CREASE: f64 = 6.0;
-/// A boundary loop must be at least this many panels long.
-const SHORTEST_LOOP: f64 = 2.0;
 /// More panels than this are refused.
 pub(in crate::quads) const MOST_PANELS: f64 = 100_000.0;
 
@@ -117,15 +115,17 @@ impl InputSurface {
         self.prepare_over(SHORTEST_LOOP, size, options)
     }
 
-    /// The same, with openings covered that are less than this many panels around.
+    /// The same, with openings covered that are less than this many panels around, as far as they can
+    /// be.
     pub(crate) fn prepare_over(
         &self,
-        shortest_loop: f64,
+        longest_loop: f64,
         size: f64,
         options: &MapOptions,
     ) -> Result<Prepared, RemeshError> {
         self.check(size)?;
-        let (covered, openings) = self.without_openings(shortest_loop * size)?;
+        let (covered, openings) =
+            self.without_openings([SHORTEST_LOOP, longest_loop].map(|panels| panels * size))?;
         let InputSurface { positions, triangles, vertices, tensors, .. } = covered.into_owned();
         let shortest = SHORTEST_CREASE * size;
         let lines = features::lines(&positions, &triangles, options.crease, shortest);
@@ -150,16 +150,21 @@ impl InputSurface {
         Ok(Prepared::with_features(surface, tensors, size, notes))
     }
 
-    /// Checks the size against the area.
+    /// Checks the size against the area; the greatest size that it names leaves room for the openings
+    /// that cannot be covered.
     fn check(&self, size: f64) -> Result<(), RemeshError> {
         let least = (self.area() / MOST_PANELS).sqrt();
         if !(size >= least && size.is_finite()) {
             return Err(RemeshError::SizeTooSmall { least });
         }
-        let greatest = 0.5 * self.area().sqrt();
-        if size > greatest {
-            return Err(RemeshError::SizeTooLarge { greatest, at: self.positions[0] });
+        let whole = 0.5 * self.area().sqrt();
+        if size <= whole {
+            return Ok(());
         }
-        Ok(())
+        let (greatest, at) = match self.without_openings([SHORTEST_LOOP * whole; 2]) {
+            Err(RemeshError::Opening { greatest, at, .. }) => (greatest, at),
+            _ => (whole, self.positions[0]),
+        };
+        Err(RemeshError::SizeTooLarge { greatest, at })
     }
 }

@@ -1,6 +1,6 @@
 //! Rows of constraints with their vertices.
 
-use crate::constraint::{Centring, resolve};
+use crate::constraint::{Centring, Element, Kind, Selector, resolve};
 use crate::math::{Vec3, centre};
 use crate::mesh::{Mesh, Ragged, Topology};
 use crate::scene::{ConstraintSpec, Scene, SceneError};
@@ -93,6 +93,14 @@ pub(crate) fn resolve_row(
         Centring::ByEdge => selected.iter().map(|members| edges_among(members, topology)).collect(),
         Centring::Together | Centring::Placed => selected,
     };
+    let selected = match (&spec.kind, &spec.on) {
+        (Kind::OnCurve(curve), Selector::Each { element: Element::Boundary, .. })
+            if curve.tells_closed_by_gap() =>
+        {
+            selected.iter().map(|row| begun_elsewhere(row, mesh, topology)).collect()
+        }
+        _ => selected,
+    };
     let fits = |members: &&[u32]| info.arity.fits(members.len());
     let members: Ragged = selected.iter().filter(fits).collect();
     if members.is_empty() {
@@ -111,6 +119,24 @@ pub(crate) fn resolve_row(
     let constraints = Constraints { kind: spec.kind.clone(), weight: spec.weight, members };
     let paired = Paired::of(&constraints, mesh);
     Ok(ResolvedRow { constraints, skipped, enabled: spec.enabled, paired })
+}
+
+/// A boundary loop whose closing edge is by far the longest is begun one vertex later: [`OnCurve`], which
+/// does not know edges, would take such an edge for a gap.
+///
+/// [`OnCurve`]: crate::constraint::Kind::OnCurve
+fn begun_elsewhere(row: &[u32], mesh: &Mesh, topology: &Topology) -> Vec<u32> {
+    let mut row = row.to_vec();
+    let length = |a: u32, b: u32| {
+        let [a, b] = [a, b].map(|v| Vec3::from(mesh.positions[v as usize]));
+        (b - a).length()
+    };
+    let closing = length(row[row.len() - 1], row[0]);
+    let is_longest = row.windows(2).all(|ends| 1.5 * length(ends[0], ends[1]) < closing);
+    if is_longest && topology.is_closed_loop(&row) {
+        row.rotate_left(1);
+    }
+    row
 }
 
 /// Returns the edges of the mesh between `members`, as consecutive pairs of ends, in the order of

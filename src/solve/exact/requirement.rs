@@ -71,8 +71,9 @@ impl Guard {
     /// Guards the edges of the `hard` constraints, which stay at least `ratio` times as long as at
     /// rest; `None` if there are no such edges.
     ///
-    /// Not guarded are an edge with a hard line segment of its own that keeps it as long, or requires
-    /// it to be shorter, and one whose ends are both `fixed` vertices: nothing could be done about it.
+    /// Not guarded are an edge with a hard constraint on its ends alone, other than a line segment that
+    /// lets it be as long and shorter, and one whose ends are both `fixed` vertices: nothing could be
+    /// done about it.
     pub(super) fn new(
         hard: &[Constraints],
         problem: &Problem<'_>,
@@ -84,11 +85,13 @@ impl Guard {
         let aim = if all_within { Lane::min((1.0 + GUARD_MARGIN) * ratio, 1.0) } else { ratio };
         let mut own: BTreeSet<[u32; 2]> = BTreeSet::new();
         for row in hard {
-            let Kind::LineSegment(segment) = &row.kind else { continue };
-            for ends in row.members.iter() {
+            for ends in row.members.iter().filter(|members| members.len() == 2) {
                 let rest = length(mesh, ends);
-                let [least, greatest] = segment.lengths(rest);
-                if least >= aim * rest || greatest < aim * rest {
+                let needs_guard = matches!(&row.kind, Kind::LineSegment(segment) if {
+                    let [least, greatest] = segment.lengths(rest);
+                    least < aim * rest && greatest >= aim * rest
+                });
+                if !needs_guard {
                     own.insert([ends[0].min(ends[1]), ends[0].max(ends[1])]);
                 }
             }

@@ -28,10 +28,12 @@ pub(super) fn weld(task: &Task<'_>) -> Result<Edited, OperationError> {
 }
 
 /// Merges the boundary vertices that lie on each other at rest, at the mean of where they are now, as
-/// far as a seam may have opened: see [`seams`].
+/// far as a seam may have opened; if there are none, those that lie on each other now: see [`seams`].
 pub(super) fn join(task: &Task<'_>) -> Result<Edited, OperationError> {
     let mut at_place: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    for [v, first] in seams(&task.mesh.at(task.rest)) {
+    let at_rest = seams(&task.mesh.at(task.rest));
+    let pairs = if at_rest.is_empty() { seams(task.mesh) } else { at_rest };
+    for [v, first] in pairs {
         at_place.entry(first).or_insert_with(|| vec![first]).push(v);
     }
     if at_place.is_empty() {
