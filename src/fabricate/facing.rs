@@ -6,30 +6,31 @@ use crate::math::{Vec3, angle_between};
 use crate::mesh::components;
 
 impl PanelSurface {
-    /// Whether the panels of all closed parts face inwards, so that they are all to be flipped; none if
-    /// those of no part do. They do where a part encloses a negative volume, and its box does not lie in
-    /// that of a larger part, whose hollow it would be.
+    /// Whether all parts are closed and their panels face inwards, so that all panels are to be flipped;
+    /// none if those of no closed part do. They do where it encloses a negative volume, and its box does
+    /// not lie in that of a larger closed part, whose hollow it would be.
     pub fn inside_out(&self) -> Option<bool> {
         if self.one_sided.is_some() {
             return None;
         }
-        let shells = self.closed_shells();
+        let shells = self.shells();
         let contains = |outer: &Shell, inner: &Shell| {
-            outer.volume > inner.volume.abs()
+            outer.is_closed
+                && outer.volume > inner.volume.abs()
                 && (0..3).all(|k| outer.low[k] <= inner.low[k] && inner.high[k] <= outer.high[k])
         };
         let is_hollow = |own: &Shell| shells.iter().any(|outer| contains(outer, own));
-        let faces_inwards = |own: &Shell| own.volume < 0.0 && !is_hollow(own);
+        let faces_inwards = |own: &Shell| own.is_closed && own.volume < 0.0 && !is_hollow(own);
         shells.iter().any(faces_inwards).then(|| shells.iter().all(faces_inwards))
     }
 
-    /// The connected parts that have no rim.
-    fn closed_shells(&self) -> Vec<Shell> {
-        let labels = components(self.positions.len(), self.faces.iter());
+    /// The parts of panels that are connected across edges.
+    pub(super) fn shells(&self) -> Vec<Shell> {
+        let labels = components(self.faces.len(), self.panels.iter());
         let count = labels.iter().max().map_or(0, |last| *last as usize + 1);
         let mut shells = vec![Shell::default(); count];
-        for (face, area) in self.faces.iter().zip(&self.areas) {
-            let shell = &mut shells[labels[face[0] as usize] as usize];
+        for ((face, area), label) in self.faces.iter().zip(&self.areas).zip(&labels) {
+            let shell = &mut shells[*label as usize];
             let sum = face.iter().fold(Vec3::zero(), |sum, &v| sum + self.at(v));
             shell.volume += sum.dot(*area) / (3 * face.len()) as f64;
             for point in face.iter().map(|&v| <[f64; 3]>::from(self.at(v))) {
@@ -37,16 +38,10 @@ impl PanelSurface {
                 (0..3).for_each(|k| shell.high[k] = shell.high[k].max(point[k]));
             }
         }
-        let mut is_open = vec![false; count];
-        for edge in self.edges.iter().filter(|edge| edge.is_rim()) {
-            is_open[labels[edge.ends[0] as usize] as usize] = true;
+        for panel in self.panels.iter().filter(|own| own.len() == 1).flatten() {
+            shells[labels[*panel as usize] as usize].is_closed = false;
         }
         shells
-            .into_iter()
-            .zip(is_open)
-            .filter(|(_, is_open)| !is_open)
-            .map(|(own, _)| own)
-            .collect()
     }
 
     /// The panels that are folded over: the normals of the panel and of one of its vertices point
@@ -76,10 +71,12 @@ impl PanelSurface {
     }
 }
 
-/// A connected part without a rim.
+/// Panels that are connected across edges.
 #[derive(Clone, Debug)]
-struct Shell {
-    /// The volume that it encloses; negative if its panels face inwards.
+pub(super) struct Shell {
+    /// Whether it has no rim.
+    pub(super) is_closed: bool,
+    /// The volume that it encloses if it is closed; negative if its panels face inwards.
     volume: f64,
     /// Its bounding box.
     low: [f64; 3],
@@ -88,6 +85,7 @@ struct Shell {
 
 impl Default for Shell {
     fn default() -> Shell {
-        Shell { volume: 0.0, low: [f64::INFINITY; 3], high: [f64::NEG_INFINITY; 3] }
+        let (low, high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        Shell { is_closed: true, volume: 0.0, low, high }
     }
 }

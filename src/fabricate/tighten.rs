@@ -66,7 +66,8 @@ impl Build {
                 }
                 false => {
                     let reason = reason.words(&self.names);
-                    let otherwise = format!("No constraint on panels helps: {reason}.");
+                    let otherwise =
+                        format!("No constraint on panels makes the offset exact: {reason}.");
                     return Tighten { suggestions, otherwise };
                 }
             }

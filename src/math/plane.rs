@@ -52,10 +52,15 @@ pub fn area(polygon: &[Point2]) -> f64 {
     0.5 * twice
 }
 
+/// The first coordinates of the points where the sides of a polygon cross the line of the second
+/// coordinate `y`.
+pub fn crossings(polygon: &[Point2], y: f64) -> impl Iterator<Item = f64> + '_ {
+    super::polygon_sides(polygon)
+        .filter(move |[p, q]| (p[1] > y) != (q[1] > y))
+        .map(move |[p, q]| p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0]))
+}
+
 /// Whether a point is inside a polygon: a ray from it crosses an odd number of sides.
 pub fn is_inside(polygon: &[Point2], [x, y]: Point2) -> bool {
-    let crosses = |&[p, q]: &[Point2; 2]| {
-        (p[1] > y) != (q[1] > y) && x < p[0] + (y - p[1]) / (q[1] - p[1]) * (q[0] - p[0])
-    };
-    super::polygon_sides(polygon).filter(crosses).count() % 2 == 1
+    crossings(polygon, y).filter(|crossing| x < *crossing).count() % 2 == 1
 }

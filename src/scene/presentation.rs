@@ -54,7 +54,7 @@ pub struct Slide {
     /// Text shown to the audience; line breaks are kept.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
-    /// Notes shown to the presenter only; line breaks are kept.
+    /// Notes, not shown in the presentation; line breaks are kept.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub notes: String,
     /// Camera: pivot, distance, turn, tilt, and whether the model is framed

@@ -157,15 +157,17 @@ fn no_file_that_is_read_is_replaced() {
     let scene = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "roof.obj" },
         "constraints": [{ "kind": "plane", "on": "faces" }] }"#;
     folder.write("roof.shapeup.json", scene);
-    for asked in [
-        "solve roof.shapeup.json --out roof.obj",
-        "solve roof.shapeup.json --report roof.obj",
-        "refine roof.shapeup.json --out roof.obj",
-        "new fill roof.obj --out roof.obj",
-        "experiment roof.shapeup.json --iterations 2 --csv roof.shapeup.json",
+    let (of_scene, named) =
+        ("roof.obj would replace a file that is read", "would replace the input");
+    for (asked, said) in [
+        ("solve roof.shapeup.json --out roof.obj", of_scene),
+        ("solve roof.shapeup.json --report roof.obj", of_scene),
+        ("refine roof.shapeup.json --out roof.obj", of_scene),
+        ("new fill roof.obj --out roof.obj", named),
+        ("experiment roof.shapeup.json --iterations 2 --csv roof.shapeup.json", named),
     ] {
         let words: Vec<&str> = asked.split(' ').collect();
-        folder.run(&words).misused("would replace ");
+        folder.run(&words).misused(said);
         assert_eq!(folder.read("roof.obj"), roof, "{asked}");
         assert_eq!(folder.read("roof.shapeup.json"), scene, "{asked}");
     }

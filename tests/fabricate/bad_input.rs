@@ -416,8 +416,30 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
     for face in two.faces.iter() {
         both.faces.push(&face.iter().map(|v| v + 8).collect::<Vec<_>>());
     }
-    let problems = build(&both, &BuildSettings::default()).card().problems;
-    assert!(problems[0].ends_with("apply Flip faces, in Edit mesh."), "{problems:?}");
+    // So is one beside a vertex that has no face.
+    let mut stray = two.clone();
+    stray.positions.push([9.0; 3]);
+    for mesh in [&both, &stray] {
+        let problems = build(mesh, &BuildSettings::default()).card().problems;
+        assert!(problems[0].ends_with("apply Flip faces, in Edit mesh."), "{problems:?}");
+    }
+    // An open part beside it, or a cube that faces outwards and shares a vertex with it, would be
+    // flipped too.
+    let mut roof = Mesh { faces: two.faces.clone(), ..both };
+    roof.faces.push(&[8, 9, 11, 10]);
+    let mut touching = two.clone();
+    let corner = two.positions[0];
+    let mirrored = two.positions.iter().map(|p| [0, 1, 2].map(|k| 2.0 * corner[k] - p[k]));
+    touching.positions.extend(mirrored);
+    for face in two.faces.iter() {
+        let own = face.iter().map(|&v| if v == 0 { 0 } else { v + 8 });
+        touching.faces.push(&own.collect::<Vec<_>>());
+    }
+    for mesh in [&roof, &touching] {
+        let problems = build(mesh, &BuildSettings::default()).card().problems;
+        let is_said = problems.iter().any(|words| words.contains("in the program that it comes"));
+        assert!(is_said, "{problems:?}");
+    }
 }
 
 #[test]

@@ -4,8 +4,9 @@ use super::beams::cube;
 use super::build;
 use super::identities::revolution;
 use crate::support::grid::grid;
-use shape_up::fabricate::{CheckRow, Worst};
-use shape_up::math::Vec3;
+use shape_up::fabricate::offset::closing;
+use shape_up::fabricate::{CheckRow, PanelSurface, Worst};
+use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, CheckLimits, OffsetKind};
 
@@ -151,7 +152,7 @@ fn nothing_is_suggested_that_does_not_remove_the_reason() {
     }
     for kind in [None, Some(OffsetKind::Face), Some(OffsetKind::Corner)] {
         let words = otherwise(&triangles, &of(kind));
-        assert!(words.starts_with("No constraint on panels helps: "), "{words}");
+        assert!(words.starts_with("No constraint on panels makes the offset exact: "), "{words}");
     }
     // Exact axes do not follow the surface, however upright they are asked for.
     let mut low = cube();
@@ -201,6 +202,39 @@ fn panels_that_are_not_flat_are_the_reason_where_three_planes_touch_a_cone_anywa
     assert!(why.contains("not flat") && !why.contains("one point"), "{why}");
     let why = why_not(&wavy(), OffsetKind::Face);
     assert!(why.contains("one point") && !why.contains("not flat"), "{why}");
+}
+
+/// The numbers of all parts were compared at once, and a cube hid the openings of a ring.
+#[test]
+fn openings_through_a_part_are_found_whatever_the_other_parts_are() {
+    // All quads of a torus, or those of a tube.
+    let ring = |across: u32| {
+        let mut mesh = grid(5, 3, |i, j| {
+            let (turns, other) = (f64::from(i) / 6.0, f64::from(j) / 4.0);
+            let radius = 3.0 + cosine(other);
+            [radius * cosine(turns), radius * sine(turns), sine(other)]
+        });
+        let at = |i: u32, j: u32| i % 6 + 6 * (j % 4);
+        let quads = (0..across).flat_map(|j| (0..6).map(move |i| (i, j)));
+        let quads = quads.map(|(i, j)| [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+        mesh.faces = quads.collect();
+        mesh
+    };
+    let with_cube = |mut mesh: Mesh| {
+        let n = mesh.positions.len() as u32;
+        mesh.positions.extend(cube().positions.iter().map(|[x, y, z]| [x + 9.0, *y, *z]));
+        for face in cube().faces.iter() {
+            mesh.faces.push(&face.iter().map(|v| v + n).collect::<Vec<_>>());
+        }
+        mesh
+    };
+    let all = [(ring(4), true), (ring(3), true), (cube(), false), (revolution(9, 7), false)];
+    for (mesh, has_openings) in all {
+        for mesh in [with_cube(mesh.clone()), mesh] {
+            let surface = PanelSurface::new(&mesh).unwrap();
+            assert_eq!(closing(&surface).has_openings, has_openings, "{} parts", surface.parts);
+        }
+    }
 }
 
 #[test]

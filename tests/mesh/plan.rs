@@ -343,6 +343,14 @@ fn a_roof_stands_next_to_a_marked_corner_that_is_cut_off() {
             Ok(surface) => assert_eq!(surface.feet.len(), 5, "{tip:?}"),
             Err(error) => assert_eq!(error, PlanError::TooCoarse(None), "{tip:?}"),
         }
+        // In a hole, it is the hole that is too small.
+        let holes = vec![points(&[[5.0, 1.0], [20.0, 5.7], tip, [20.0, 6.2], [5.0, 11.0]])];
+        let outline = points(&[[-2.0, -2.0], [30.0, -2.0], [30.0, 14.0], [-2.0, 14.0]]);
+        let support = Support::Corners;
+        match (Plan { holes, support, ..plan(outline, PlanLayout::Cut) }).surface() {
+            Ok(surface) => assert_eq!(surface.feet.len(), 9, "{tip:?}"),
+            Err(error) => assert_eq!(error, PlanError::TooCoarse(Some(0)), "{tip:?}"),
+        }
     }
 }
 
@@ -357,4 +365,8 @@ fn a_narrow_ring_has_as_many_panels_as_fit_inside_it() {
     assert!((6_000..9_000).contains(&mesh.faces.len()), "{}", mesh.faces.len());
     assert!(ring(0.09).unwrap_err().to_string().starts_with("size: expected at most 1000000"));
     assert!(matches!(ring(0.02), Err(PlanError::TooManyFaces(_))));
+    // Its area is that of 99 905 panels, and more are cut along its sides.
+    let square = points(&[[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]]);
+    let turned = Plan { size: 0.03164, turn: 45.0, ..plan(square, PlanLayout::Cut) };
+    assert!(matches!(turned.mesh(), Err(PlanError::TooManyFaces(_))));
 }

@@ -194,6 +194,11 @@ fn the_ground_lies_below_and_goes_with_another_mesh() {
     assert!(state.surrounding_points().all(|point| (point.z - floor).abs() < 1e-5));
     state.set_positions(&floors()).unwrap();
     assert!(state.surrounding_points().all(|point| point.z > floor));
+    // Neither grid nor ghost is sent again for a shape that is only wider.
+    state.take_changes();
+    let wider: Vec<f64> = floors().chunks(3).flat_map(|p| [2.0 * p[0], p[1], p[2]]).collect();
+    state.set_positions(&wider).unwrap();
+    assert!(state.changes().positions && !state.changes().around);
     let one = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &one).unwrap();
     assert_eq!(state.around().grid_step(), None);

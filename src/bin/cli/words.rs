@@ -21,9 +21,9 @@ pub(super) struct Words {
     parser: lexopt::Parser,
     /// The options so far, to reject repetitions.
     seen: Vec<String>,
-    /// The places of the files that are read,
+    /// The places of the files that are read.
     read: Vec<PathBuf>,
-    /// and those of the files that are written, with their options.
+    /// The places of the files that are written, with their options.
     written: Vec<(String, PathBuf)>,
 }
 

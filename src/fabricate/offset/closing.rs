@@ -21,16 +21,17 @@ pub struct Closing {
     pub odd_panels: usize,
     /// The turn around each rim in degrees; none if it has an odd number of edges.
     pub rims_deg: Vec<Option<f64>>,
-    /// Whether there are openings through the surface, as in a ring or a tube: its Euler
-    /// characteristic is below that of as many discs as it has parts. Elsewhere axes that close
-    /// around all panels close everywhere.
+    /// Whether there are openings through the surface, as in a ring or a tube: its first Betti number
+    /// is not 0. Elsewhere axes that close around all panels close everywhere.
     pub has_openings: bool,
 }
 
 /// Follows the reflections around all panels and rims.
 pub fn closing(surface: &PanelSurface) -> Closing {
     let nodes = distinct(surface.faces.indices().iter().copied()).len();
-    let has_openings = nodes + surface.faces.len() < surface.edges.len() + surface.parts;
+    // V - E + F = b0 - b1 + b2, where b0 counts parts and b2 those that are closed.
+    let closed = surface.shells().iter().filter(|shell| shell.is_closed).count();
+    let has_openings = nodes + surface.faces.len() < surface.edges.len() + surface.parts + closed;
     let mut found = Closing { has_openings, ..Closing::default() };
     for (face, f) in surface.faces.iter().zip(0..) {
         match turn(surface, face) {

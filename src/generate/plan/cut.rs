@@ -8,7 +8,9 @@ use super::declaration::{PlanError, entry};
 use super::kept::{boundary, is_kept};
 use super::outline::{Ground, Loop, along, closest};
 use crate::generate::quads::check_face_count;
-use crate::math::plane::{Point2, area, bounds, cross, distance, dot, is_inside, minus, rotated};
+use crate::math::plane::{
+    Point2, area, bounds, cross, crossings, distance, dot, is_inside, minus, rotated,
+};
 use crate::math::{cosine_and_sine_of_degrees, polygon_sides};
 use crate::mesh::{Mesh, Ragged};
 use std::collections::BTreeMap;
@@ -78,7 +80,7 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
         let flags = one.corner_flags();
         for (side, _) in one.sides.iter().zip(flags).filter(|(_, is_sharp)| *is_sharp) {
             match cells.corner(to_grid(side.at(0.0)), l) {
-                Some(v) if side.is_corner => corners.push(v),
+                Some(v) if side.is_corner => corners.push((v, l.checked_sub(1))),
                 None if side.is_corner => return Err(PlanError::TooCoarse(l.checked_sub(1))),
                 _ => {}
             }
@@ -87,6 +89,8 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     cells.snap();
     cells.cross();
     let faces = cells.faces();
+    // Cells that are cut count as whole ones here, and above by their parts.
+    check_face_count(faces.len() as f64).map_err(PlanError::TooManyFaces)?;
     // A piece of the outline that is narrower than a cell can turn a face over.
     if faces.iter().any(|face| cells.area(face) <= 0.0) {
         return Err(PlanError::TooCoarse(None));
@@ -110,14 +114,21 @@ impl Cells {
         let [nx, ny] = count;
         let places: Vec<Point2> =
             (0..=ny).flat_map(|j| (0..=nx).map(move |i| [i as f64, j as f64])).collect();
-        let is_in = |place: &Point2| {
-            is_inside(&polygons[0], *place)
-                && !polygons[1..].iter().any(|hole| is_inside(hole, *place))
-        };
-        let lies = places
-            .iter()
-            .map(|place| if is_in(place) { Lies::Inside } else { Lies::Outside })
-            .collect();
+        let mut lies = Vec::with_capacity(places.len());
+        // The sides are visited once for each row.
+        for j in 0..=ny {
+            let row: Vec<Vec<f64>> =
+                polygons.iter().map(|one| crossings(one, j as f64).collect()).collect();
+            lies.extend((0..=nx).map(|i| {
+                // As `is_inside`.
+                let is_in =
+                    |at: &Vec<f64>| at.iter().filter(|at| (i as f64) < **at).count() % 2 == 1;
+                match is_in(&row[0]) && !row[1..].iter().any(is_in) {
+                    true => Lies::Inside,
+                    false => Lies::Outside,
+                }
+            }));
+        }
         Cells { count, polygons, places, lies, crossings: BTreeMap::new() }
     }
 
@@ -263,15 +274,17 @@ impl Cells {
         let share = 1.0 / face.len() as f64;
         let places = face.iter().map(|&v| self.places[v as usize]);
         let middle = places.fold([0.0; 2], |sum, place| along(sum, share, place));
-        let is_middle_in = is_inside(&self.polygons[0], middle)
-            && !self.polygons[1..].iter().any(|hole| is_inside(hole, middle));
+        let is_middle_in = || {
+            is_inside(&self.polygons[0], middle)
+                && !self.polygons[1..].iter().any(|hole| is_inside(hole, middle))
+        };
         let inner: Vec<usize> =
             (0..face.len()).filter(|&k| self.lies[face[k] as usize] == Lies::Inside).collect();
         if inner.is_empty() {
-            if is_middle_in && self.area(&face) > SLIVER {
+            if is_middle_in() && self.area(&face) > SLIVER {
                 faces.push(face);
             }
-        } else if face.len() == 6 && inner.len() == 2 && !is_middle_in {
+        } else if face.len() == 6 && inner.len() == 2 && !is_middle_in() {
             let at = |k: usize| face[k % 6];
             faces.extend(inner.iter().map(|&k| vec![at(k + 5), at(k), at(k + 1)]));
         } else {
@@ -283,7 +296,7 @@ impl Cells {
     fn compact(
         &self,
         faces: &[Vec<u32>],
-        corners: &[u32],
+        corners: &[(u32, Option<usize>)],
         from_grid: impl Fn(&Point2) -> Point2,
     ) -> Ground {
         let mut name = vec![u32::MAX; self.places.len()];
@@ -300,11 +313,11 @@ impl Cells {
             (0..name.len()).filter(move |&v| self.lies[v] == on).filter(|&v| name[v] != u32::MAX)
         };
         // A tip without a face is cut off: its foot is where the rest of the loop is nearest.
-        let foot = |&corner: &u32| {
+        let foot = |&(corner, hole): &(u32, Option<usize>)| {
             let corner = corner as usize;
             let away = |v: &usize| distance(self.places[*v], self.places[corner]);
             let nearest = used_on(self.lies[corner]).min_by(|a, b| away(a).total_cmp(&away(b)));
-            nearest.map(|v| name[v])
+            nearest.map(|v| (name[v], hole))
         };
         Ground {
             outline: used_on(Lies::On(0)).map(|v| name[v]).collect(),

@@ -42,7 +42,7 @@ pub(super) fn mesh(outline: &Loop, size: f64) -> Result<Ground, PlanError> {
     };
     Ok(Ground {
         outline: (0..mesh.positions.len() as u32).filter(is_outer).collect(),
-        corners: [[0, 0], [nx, 0], [nx, ny], [0, ny]].map(|[i, j]| corner(i, j)).to_vec(),
+        corners: [[0, 0], [nx, 0], [nx, ny], [0, ny]].map(|[i, j]| (corner(i, j), None)).to_vec(),
         mesh,
     })
 }

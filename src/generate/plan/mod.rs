@@ -78,11 +78,15 @@ fn raised(ground: Ground, support: Support, height: f64) -> Result<PlanSurface, 
         Support::Corners if corners.len() < 3 => {
             return Err(PlanError::TooFewCorners(corners.len()));
         }
-        // Tips close to each other can have one foot, until panels are smaller.
-        Support::Corners if corners.iter().collect::<BTreeSet<_>>().len() < corners.len() => {
-            return Err(PlanError::TooCoarse(None));
+        Support::Corners => {
+            // Tips close to each other can have one foot, until panels are smaller.
+            let mut feet = BTreeSet::new();
+            if let Some((_, hole)) = corners.iter().find(|(v, _)| !feet.insert(*v)) {
+                return Err(PlanError::TooCoarse(*hole));
+            }
+            let feet: Vec<u32> = corners.iter().map(|(v, _)| *v).collect();
+            (feet.clone(), feet)
         }
-        Support::Corners => (corners.clone(), corners),
         Support::Outline => (outline, Vec::new()),
     };
     let n = mesh.positions.len();

@@ -36,7 +36,8 @@ pub(super) struct Ground {
     /// The vertices on the outline.
     pub(super) outline: Vec<u32>,
     /// The vertices at marked corners; at a tip so narrow that it has no face, the nearest one on the loop.
-    pub(super) corners: Vec<u32>,
+    /// Each with the hole that it is a corner of, if any.
+    pub(super) corners: Vec<(u32, Option<usize>)>,
 }
 
 /// `a + t b`.

@@ -266,9 +266,7 @@ impl ViewState {
 
     /// Returns half the diagonal of the bounding box; 1 if that is zero.
     pub fn size(&self) -> f32 {
-        let [low, high] = self.bounds();
-        let size = (high - low).length() * 0.5;
-        if size > 0.0 && size.is_finite() { size } else { 1.0 }
+        half_diagonal(self.bounds())
     }
 
     pub(crate) fn bounds(&self) -> [Vec3; 2] {
@@ -279,4 +277,10 @@ impl ViewState {
     pub fn targets(&self) -> impl Iterator<Item = Vec3> + '_ {
         self.content.handles.iter().map(|handle| self.content.mesh.relative(handle.target))
     }
+}
+
+/// Half the diagonal of a box; 1 if that is zero.
+fn half_diagonal([low, high]: [Vec3; 2]) -> f32 {
+    let size = (high - low).length() * 0.5;
+    if size > 0.0 && size.is_finite() { size } else { 1.0 }
 }

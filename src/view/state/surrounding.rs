@@ -1,13 +1,14 @@
 //! The ghost and the ground of a view, its projection, and its depth range.
 
-use super::ViewState;
+use super::{ViewState, half_diagonal};
 use crate::view::appearance::LineKind;
 use crate::view::camera::{CameraProjection, Section, depth_range};
 use crate::view::model::{ViewError, check_length, read_points};
 use crate::view::overlay::Ground;
 use glam::{DVec3, Vec3};
 
-/// Distance of the ground below the mesh, as a fraction of its size; a flat mesh does not touch it.
+/// Distance of the ground below the mesh, as a fraction of its size as it was opened; a flat mesh does
+/// not touch it.
 const BELOW: f32 = 0.008;
 
 impl ViewState {
@@ -38,14 +39,16 @@ impl ViewState {
     }
 
     /// Returns the height of the ground, relative to the view's centre: slightly below the mesh, now
-    /// and as it was opened, so that neither passes through it.
+    /// and as it was opened, so that neither passes through it. It moves only where the lowest point of
+    /// both does.
     pub fn floor(&self) -> f32 {
         let [_, _, sky] = self.viewpoint.camera.up.axes();
         let mesh = &self.content.mesh;
         let rest = mesh.used_of(&self.around.rest).map(|point| mesh.relative(point));
-        let [low, _] = self.bounds();
-        let lowest = rest.map(|point| point.dot(sky)).fold(low.dot(sky), f32::min);
-        lowest - BELOW * self.size()
+        let (low, high) = (rest.clone().reduce(Vec3::min), rest.reduce(Vec3::max));
+        let rest = low.zip(high).map_or(self.bounds(), |(low, high)| [low, high]);
+        let lowest = rest[0].dot(sky).min(self.bounds()[0].dot(sky));
+        lowest - BELOW * half_diagonal(rest)
     }
 
     /// Returns the grid around the mesh as it was opened, if it is shown.
