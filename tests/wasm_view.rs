@@ -352,7 +352,7 @@ async fn bands_isolines_and_the_ground_are_seen() {
     view.set_rest(&flat_square()).unwrap();
     let show = |view: &mut View, k: f32| {
         let values = Some(vec![0.1 * k, 0.3 * k, 0.6 * k, 0.9 * k]);
-        view.set_face_values(values, 0.0, k, None, None).unwrap();
+        view.set_face_values(values, 0.0, f64::from(k), None, None).unwrap();
     };
     show(view, 20.0);
     view.draw().unwrap();
