@@ -2,6 +2,7 @@
 
 mod boundary_curves;
 mod closest;
+mod concave_faces;
 mod curvature;
 mod developable;
 mod extrude;
