@@ -2,7 +2,7 @@
 
 use super::make_panels::{session, verdict};
 use crate::support::grid::grid;
-use shape_up::session::Edit;
+use shape_up::session::{Edit, Session};
 
 #[test]
 fn panels_are_judged_by_their_own_constraint() {
@@ -12,6 +12,26 @@ fn panels_are_judged_by_their_own_constraint() {
     let mesh = grid(4, 4, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
     let mut session = session(mesh, eave);
     assert_eq!((session.tolerance(), verdict(&mut session).required), (0.001, Some(0.001)));
+}
+
+#[test]
+fn all_panels_are_judged_though_a_later_constraint_is_on_some() {
+    // A press enables its constraint where it stands: the verdict was on the five faces below it.
+    let rows = r#", "sets": { "some": { "faces": "0-4" } }, "constraints": [
+        { "kind": "circle", "on": "faces", "require": { "within": 0.01 } },
+        { "kind": "plane", "on": { "each": "face", "in": "some" } } ]"#;
+    let mesh = grid(4, 4, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
+    let mut session = session(mesh, rows);
+    let judged = |session: &mut Session| {
+        let verdict = verdict(session);
+        (session.tolerance(), verdict.kind, verdict.of)
+    };
+    assert_eq!(judged(&mut session), (0.01, "circle", 16));
+    // Where no other is enabled, those are judged.
+    session
+        .edit(Edit::from_json(r#"{ "setConstraint": { "index": 0, "enabled": false } }"#).unwrap())
+        .unwrap();
+    assert_eq!(judged(&mut session).1, "plane");
 }
 
 #[test]

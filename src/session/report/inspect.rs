@@ -3,7 +3,7 @@
 
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Kind, Selector};
-use crate::scene::{BoundaryRequire, ClosenessTo, Scene};
+use crate::scene::{BoundaryRequire, ClosenessTo, Scene, all_faces};
 use crate::session::state::acts;
 use crate::session::{ResolvedRow, Session};
 
@@ -21,21 +21,25 @@ pub(super) fn is_usual(kind: &Kind) -> bool {
     Kind::new(kind.info().id, serde_json::json!({})).is_ok_and(|usual| usual == *kind)
 }
 
-/// Returns the index of the row that asks panels for a shape: the last enabled one on single faces
-/// whose kind has an adjective for them; of several of that kind one that asks for nothing else. None
-/// if no row does.
+/// Returns the index of the row that asks panels for a shape: an enabled one on single faces whose kind
+/// has an adjective for them. Of several it is one on all faces, as [`Scene::request_panels`] makes it,
+/// and of the kind of the last one that asks for nothing else. None if no row does.
 pub(crate) fn panel_row(document: &Scene) -> Option<usize> {
+    let row = |index: usize| &document.constraints[index];
     let asks = |&index: &usize| {
-        let row = &document.constraints[index];
-        row.enabled
-            && row.kind.info().panels.is_some()
+        row(index).enabled
+            && row(index).kind.info().panels.is_some()
             && required_measure(document, index).is_some()
     };
+    let is_on_all = |index: &usize| row(*index).on == all_faces();
     let rows = || (0..document.constraints.len()).rev().filter(asks);
-    let kind = |index: usize| &document.constraints[index].kind;
-    let last = rows().next()?;
-    let is_plain =
-        |&row: &usize| kind(row).info().id == kind(last).info().id && is_usual(kind(row));
+    let last = rows().find(is_on_all).or_else(|| rows().next())?;
+    let is_plain = |index: &usize| {
+        let kind = &row(*index).kind;
+        is_on_all(index) == is_on_all(&last)
+            && kind.info().id == row(last).kind.info().id
+            && is_usual(kind)
+    };
     rows().find(is_plain).or(Some(last))
 }
 
