@@ -106,13 +106,14 @@ impl MeasureCache {
         measured.build = Some(BuildNumbers { settings, units, values });
     }
 
-    /// Returns a number of the build of the current shape; none if it was not stored for this shape, and
-    /// for these settings.
-    pub(crate) fn build_number(&self, scene: &SolvedScene, name: &str) -> Option<f64> {
+    /// Returns a number of the build of the current shape, and none for it if that has no value; none at
+    /// all before numbers are stored for this shape with these settings.
+    pub(crate) fn build_number(&self, scene: &SolvedScene, name: &str) -> Option<Option<f64>> {
         let mut measured = self.0.borrow_mut();
         measured.begin(scene);
         let build = measured.build.as_ref().filter(|build| build.is_of(scene.document()))?;
-        build.values.iter().find(|(own, _)| own == name).map(|(_, value)| *value)
+        let number = build.values.iter().find(|(own, _)| own == name);
+        Some(number.map(|(_, value)| *value))
     }
 }
 

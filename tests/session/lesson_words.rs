@@ -59,6 +59,10 @@ fn goals_and_their_values_are_said_as_readers_write_them() {
     assert_eq!(said[7], ("not satisfied", "measured when the shape no longer moves"));
     let met = progress.goals.iter().filter(|goal| goal.met).count();
     assert_eq!((progress.passed, progress.words), (false, format!("{met} of 8 goals satisfied")));
+    // A goal without a value waited for the shape to rest, which it did.
+    session.set_build_numbers(Vec::new());
+    let progress = session.lesson_progress().expect("there is a lesson");
+    assert_eq!(progress.goals[7].value, "cannot be measured: see Build");
 }
 
 #[test]

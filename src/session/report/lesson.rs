@@ -133,13 +133,7 @@ impl GoalWords<'_> {
 
     /// Returns the value of the goal on the current shape in words, in the unit of its limit, so that
     /// the two can be compared; `size` is that of the mesh.
-    fn now_in_words(&self, value: Option<f64>, units: &str, size: f64) -> String {
-        let Some(value) = value else {
-            return match self.build {
-                Some(_) => "measured when the shape no longer moves".to_owned(),
-                None => "no such constraint or value".to_owned(),
-            };
-        };
+    fn now_in_words(&self, value: f64, units: &str, size: f64) -> String {
         if self.beyond.is_some() {
             return panels(value);
         }
@@ -245,11 +239,15 @@ impl Session {
         let (units, size) = (&self.scene.document().units, self.rest.diameter());
         let progress = |GoalResult { goal, value, met }: &GoalResult| {
             let words = if *met { "satisfied" } else { "not satisfied" };
-            GoalProgress {
-                met: *met,
-                words,
-                value: described(goal).now_in_words(*value, units, size),
-            }
+            let value = match (value, &goal.of) {
+                (Some(value), _) => described(goal).now_in_words(*value, units, size),
+                (None, GoalOf::Build(id)) => match self.measured.build_number(&self.scene, id) {
+                    Some(_) => "cannot be measured: see Build".to_owned(),
+                    None => "measured when the shape no longer moves".to_owned(),
+                },
+                (None, _) => "no such constraint or value".to_owned(),
+            };
+            GoalProgress { met: *met, words, value }
         };
         let goals: Vec<GoalProgress> = results.iter().map(progress).collect();
         let met = goals.iter().filter(|goal| goal.met).count();
@@ -304,7 +302,7 @@ impl Session {
                 let beyond = values.iter().filter(is_beyond).count();
                 has_one.then_some(beyond as f64)
             }
-            GoalOf::Build(id) => self.measured.build_number(&self.scene, id),
+            GoalOf::Build(id) => self.measured.build_number(&self.scene, id).flatten(),
             GoalOf::Constraint(name) => {
                 let specs = self.scene.document().constraints.iter();
                 let enabled = specs.filter(|spec| spec.enabled);
@@ -317,6 +315,7 @@ impl Session {
 
     /// Stores numbers of the parts built from the current shape, by the ids of
     /// [`crate::fabricate::BUILD_NUMBERS`], until the shape, the settings of the build or the unit change.
+    /// What has no value is left out: of what cannot be built, all.
     pub fn set_build_numbers(&mut self, numbers: Vec<(String, f64)>) {
         self.measured.set_build_numbers(&self.scene, numbers);
     }
