@@ -68,7 +68,7 @@ fn an_exact_shape_is_said_to_be_so_with_and_without_its_error() {
         { "kind": "plane", "on": "faces", "require": { "within": 0.02 } },
     ]);
     let words = solved(&both, &json!([])).exact_words().expect("it was met");
-    assert_eq!(words.brief, "All that have to be are exact, the others within 20 mm.");
+    assert_eq!(words.brief, "All exact constraints are met exactly, the others within 20 mm.");
     assert_eq!(words.numbers, "The largest error of the exact ones is 0 mm.");
 }
 

@@ -1,6 +1,7 @@
 //! How well hard constraints are met, what exactness costs, and what an improvement gains, in words.
 
 use crate::constraint::describe;
+use crate::scene::ConstraintSpec;
 use crate::session::{ExactReport, Session};
 use crate::solve::{Moved, Require};
 use crate::words::{self, MeasureUnit};
@@ -90,7 +91,13 @@ impl Session {
         let (exact, others): (Vec<_>, Vec<_>) = found
             .filter(|(row, _)| row.require.is_hard())
             .partition(|(row, _)| row.require == Require::Exact);
-        let within = words::limit(report.tolerance, units);
+        let mut allowed: Vec<f64> = others.iter().flat_map(|(row, _)| tolerances(row)).collect();
+        allowed.dedup();
+        let limit = words::limit(report.tolerance, units);
+        let within = match &*allowed {
+            [] | [_] => limit,
+            _ => format!("their tolerances, of at most {limit}"),
+        };
         if exact.is_empty() {
             let brief = format!("All required constraints are satisfied within {within}.");
             return ExactWords { brief, numbers: String::new(), suggestions: Vec::new() };
@@ -113,7 +120,9 @@ impl Session {
             let far = exact.iter().map(|(_, found)| found.worst_squared).fold(0.0, f64::max);
             let error = written(far.sqrt());
             (
-                format!("All that have to be are exact, the others within {within}.{guarded}"),
+                format!(
+                    "All exact constraints are met exactly, the others within {within}.{guarded}"
+                ),
                 format!("The largest error of the exact ones is {error}."),
             )
         };
@@ -164,6 +173,15 @@ impl Session {
         });
         ExactWords { brief, numbers, suggestions: suggestions.collect() }
     }
+}
+
+/// The tolerances of a row, that of its eased faces last, in the unit of the mesh.
+fn tolerances(row: &ConstraintSpec) -> impl Iterator<Item = f64> {
+    let own = match row.require {
+        Require::Within(length) => Some(length),
+        Require::Soft | Require::Exact => None,
+    };
+    own.into_iter().chain(row.eased.as_ref().map(|eased| eased.within))
 }
 
 impl TrialWords {
