@@ -89,7 +89,7 @@ impl<'de> Deserialize<'de> for MeshSource {
 /// Reads a mesh as in "mesh" of the scene, or only the path of its file.
 pub(super) fn mesh_or_path<'de, D: Deserializer<'de>>(from: D) -> Result<MeshSource, D::Error> {
     match word_or(from, "the path of a mesh file, or a mesh")? {
-        Either::Word(path) => Ok(MeshSource::File(path)),
+        Either::Word(path) => file_at(path, "").map_err(D::Error::custom),
         Either::Object(mesh) => Ok(mesh),
     }
 }
@@ -102,6 +102,15 @@ impl<'de> Deserialize<'de> for Pose {
             MeshSource::Inline(mesh) => Pose::Positions(mesh.positions.into()),
         })
     }
+}
+
+/// The source at a `path`, which is given as the value of `key`.
+fn file_at(path: String, key: &str) -> Result<MeshSource, JsonError> {
+    if path.is_empty() {
+        let message = "found \"\", expected the path of a mesh file, relative to the scene";
+        return Err(JsonError::new(key, message));
+    }
+    Ok(MeshSource::File(path))
 }
 
 fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
@@ -120,11 +129,7 @@ fn source_of(file: MeshFile) -> Result<MeshSource, JsonError> {
         if let Some((key, _)) = others.into_iter().find(|(_, given)| *given) {
             return Err(JsonError::unknown_key(key, &["file"]));
         }
-        if path.is_empty() {
-            let message = "found \"\", expected the path of a mesh file, relative to the scene";
-            return Err(JsonError::new("file", message));
-        }
-        return Ok(MeshSource::File(path));
+        return file_at(path, "file");
     }
     let positions = positions.ok_or_else(|| JsonError::missing_key("positions"))?;
     let count = positions.len();
