@@ -206,8 +206,9 @@ impl OfferedPlace {
         };
         let mut words = format!("{} of {size}.", count(constraints, "constraint", "constraints"));
         if skipped > 0 {
+            let their = if skipped == 1 { "its" } else { "their" };
             let skipped = group_digits(skipped);
-            words += &format!(" {skipped} skipped: their number of {many} does not fit.");
+            words += &format!(" {skipped} skipped: {their} number of {many} does not fit.");
         }
         let usual = sizes.shape.is_some_and(|shape| info.default_for.contains(&shape));
         Some(ConstraintOffer { place: self.id.clone(), constraints, skipped, usual, words })

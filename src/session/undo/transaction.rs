@@ -3,6 +3,7 @@
 use super::history::SessionState;
 use crate::session::run::{ExactReport, Met};
 use crate::session::state::{same_document, same_positions};
+use crate::solve::Handle;
 use crate::words;
 
 /// A drag, run or variation that has begun and is not yet a step of undo.
@@ -100,14 +101,14 @@ impl Transaction {
         let [before, now] = [&self.before, now].map(|state| &state.scene.handles);
         if before.len() != now.len() {
             // Handles are made where their vertices are, which may be all of the drag.
-            let mut new = now.iter().skip(before.len());
-            let stays = new.all(|handle| handle.target == positions[handle.vertex as usize]);
-            return Some(if stays { "Make handle" } else { "Make and move handle" }.to_owned());
+            let new = now.get(before.len()..).unwrap_or_default();
+            let stays = |handle: &Handle| handle.target == positions[handle.vertex as usize];
+            let verb = if new.iter().all(stays) { "Make" } else { "Make and move" };
+            return Some(format!("{verb} {}", named(new.len())));
         }
         match before.iter().zip(&**now).filter(|(before, now)| before != now).count() {
             0 => None,
-            1 => Some("Move handle".to_owned()),
-            moved => Some(format!("Move {moved} handles")),
+            moved => Some(format!("Move {}", named(moved))),
         }
     }
 
@@ -124,4 +125,9 @@ impl Transaction {
             && same_positions(&before.positions, &now.positions);
         (!is_same).then(|| "Run".to_owned())
     }
+}
+
+/// The object of an edit of this many handles.
+fn named(count: usize) -> String {
+    if count == 1 { "handle".to_owned() } else { words::count(count, "handle", "handles") }
 }
