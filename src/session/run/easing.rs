@@ -21,8 +21,8 @@ const EASED: f64 = 2.0;
 /// Maximum number of repeated steps in total.
 const MOST_AGAIN: u32 = 12;
 
-/// Maximum of iterations times vertices of all attempts.
-const MOST_WORK: u64 = 16_000_000;
+/// Maximum of iterations times vertices of all attempts within larger tolerances.
+const MOST_EASED_WORK: u64 = 16_000_000;
 
 /// Tolerances of an attempt, in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,7 +97,7 @@ impl Easing {
     ) -> (bool, bool) {
         self.work += outcome.work;
         let is_whole = outcome.is_whole();
-        let has_time = self.work < MOST_WORK;
+        let has_time = self.work < MOST_EASED_WORK;
         if is_whole {
             return (true, has_time && self.go_on());
         }

@@ -9,7 +9,8 @@ use serde::Serialize;
 pub struct Step {
     /// Whether the total changed by no more than the tolerance, and the shape has not collapsed.
     pub converged: bool,
-    /// Whether there is no reason to continue: the total did not change, or the shape collapsed.
+    /// Whether there is no reason to continue: it has converged or collapsed, a run has met its hard
+    /// constraints as well as it can, or it has had as many iterations as the scene allows.
     pub ended: bool,
 }
 

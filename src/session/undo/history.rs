@@ -4,7 +4,8 @@ use crate::session::run::Start;
 use crate::session::state::{RestMesh, SceneState};
 use std::rc::Rc;
 
-/// Memory limit in bytes; the steps that are farthest from now are dropped first.
+/// Memory limit in bytes. Beyond it steps of undo are dropped before those of redo, in each list the one
+/// that is farthest from now first.
 const LIMIT_BYTES: usize = 64 << 20;
 
 /// A state of a session.
