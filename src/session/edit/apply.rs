@@ -16,7 +16,7 @@ use crate::scene::{
     SceneError, Target, Variants, check_tolerance,
 };
 use crate::session::report::{check_lesson, check_presentation, panel_row};
-use crate::session::state::{Draft, Settings, asks_otherwise, leave_search, uses};
+use crate::session::state::{Draft, Settings, as_asked, asks_otherwise, leave_search, uses};
 use crate::solve::{Handle, HandleIndex, Require};
 use crate::words;
 use serde_json::{Map, Value};
@@ -234,6 +234,7 @@ pub(crate) fn apply(
             }
             draft.document.lesson = lesson;
             if unsolved {
+                as_asked(&mut draft.document);
                 back_to_rest(Variants::default(), draft, state);
                 renumber_variants(draft, |_| None);
             }
