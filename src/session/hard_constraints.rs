@@ -134,18 +134,16 @@ impl Session {
             self.settings_of(&attempt).put_in(&mut document);
         }
         self.go_to(&exact.positions(), document)?;
-        self.note_met(&exact);
-        // An attempt may have had a smaller tolerance than the scene.
-        let allowed = self.hard_distance().filter(|_| matches!(attempt, Attempt::Exact));
-        if let Some(met) = &mut self.met {
-            (met.report.attempts, met.report.eased) = (tried.len() as u32, eased);
-            met.report.seconds = seconds;
-            (met.tried, met.chosen) = (tried, chosen);
-            (met.converged, met.is_whole) = (end.converged, is_whole);
-            if let Some((_, tolerance, _)) = allowed {
-                met.report.tolerance = tolerance;
-            }
-        }
+        let (mut answer, places) = self.answer_of(&attempt, &exact);
+        // An attempt may have had other tolerances than the scene.
+        let required = self.hard_distance();
+        answer.tolerance = required.map_or(answer.tolerance, |(_, tolerance, _)| tolerance);
+        let attempts = tried.len() as u32;
+        let report = ExactReport { attempts, eased, seconds, ..ExactReport::new(answer, &places) };
+        let mut met = Met::new(&self.scene, report);
+        (met.tried, met.chosen) = (tried, chosen);
+        (met.converged, met.is_whole) = (end.converged, is_whole);
+        self.met = Some(met);
         Ok(improved.map(|()| true)?)
     }
 
@@ -157,10 +155,5 @@ impl Session {
         self.begin_from(self.guard.start());
         self.progress.end_with(self.scene.solver().energy());
         Ok(())
-    }
-
-    pub(super) fn note_met(&mut self, exact: &Exact) {
-        let report = ExactReport::new(exact.answer(), &self.required_places(&Required::of, false));
-        self.met = Some(Met::new(&self.scene, report));
     }
 }

@@ -9,8 +9,8 @@ use crate::mesh::{Point, Ragged};
 use crate::scene::{ConstraintSpec, EasedFaces};
 use crate::session::Error;
 use crate::solve::{
-    Constraints, Exact, Handle, Problem, Require, Requirements, SetupCache, exact_tolerance,
-    farthest,
+    Constraints, Exact, ExactAnswer, Handle, Problem, Require, Requirements, SetupCache,
+    exact_tolerance, farthest,
 };
 
 /// The requirement of a row, and its faces with an eased tolerance.
@@ -25,6 +25,18 @@ impl Required {
     pub(super) fn of(row: &ConstraintSpec) -> Required {
         Required { require: row.require, eased: row.eased.clone() }
     }
+}
+
+/// Judges an answer by the requirement of the scene on each row of its solver: an attempt with exact
+/// panels that leaves some a little off has reached the tolerance that was asked for.
+pub(super) fn judged_by(requires: &[Require], mut answer: ExactAnswer) -> ExactAnswer {
+    let is_allowed =
+        |row: usize, far: f64| matches!(requires[row], Require::Within(length) if far <= length);
+    answer.unmet.retain(|miss| !is_allowed(miss.row, miss.distance));
+    answer.met = answer.unmet.is_empty();
+    answer.contradiction &= !answer.met;
+    answer.too_large &= requires.contains(&Require::Exact);
+    answer
 }
 
 impl Session {
@@ -159,4 +171,24 @@ fn take_out(row: &mut Constraints, faces: &[u32], rest: &RestMesh) -> Constraint
     }
     row.members = kept;
     Constraints { members: taken, ..row.clone() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::Unmet;
+
+    #[test]
+    fn an_answer_is_judged_by_what_the_scene_requires() {
+        // Panels 1e-7 off in an attempt to make them exact were not satisfied within 1 mm.
+        let unmet = |row| Unmet { row, vertices: Vec::new(), distance: 1e-7 };
+        let answer =
+            ExactAnswer { unmet: vec![unmet(0), unmet(1)], too_large: true, ..Default::default() };
+        let within = Require::Within(1e-3);
+        let judged = judged_by(&[within, Require::Exact], answer.clone());
+        assert!(!judged.met && judged.too_large && judged.unmet.len() == 1);
+        assert!(judged_by(&[within, Require::Within(1e-8)], answer.clone()).unmet.len() == 1);
+        let judged = judged_by(&[within, within], answer);
+        assert!(judged.met && !judged.too_large && judged.unmet.is_empty());
+    }
 }

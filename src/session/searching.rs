@@ -3,7 +3,7 @@
 use super::Session;
 use super::edit::check_lock;
 use super::report::ConstraintCoverage;
-use super::requirements::Required;
+use super::requirements::{Required, judged_by};
 use super::run::{Attempt, Attempts, Eased, Meeting, Outcome, Search, ShapeMeasure, Tolerances};
 use super::state::Settings;
 use crate::constraint::{Element, Selector};
@@ -41,7 +41,8 @@ impl Session {
             closeness.to == ClosenessTo::Rest && closeness.boundary.require == BoundaryRequire::Off;
         let is_locked = check_lock(Lock::Weights, document).is_err();
         let can_slide = is_held && document.weights.close > 0.0 && !is_locked;
-        let can = [!self.is_pulled(), is_smooth && !is_locked, can_slide];
+        let can_ease = document.constraints.iter().any(|row| self.eases(row));
+        let can = [!self.is_pulled(), is_smooth && !is_locked, can_slide, can_ease];
         let (faces, edge) = (self.mesh().faces.len(), self.edge_of_design());
         Attempts::new(self.search, document.attempt, can, faces, [self.rest.mean_edge(), edge])
     }
@@ -105,7 +106,7 @@ impl Session {
     }
 
     /// Returns where an attempt begins, or its own soft solution: at the `soft` solution of the scene, or
-    /// at rest. Within their tolerances there, what pulls would not be heard. All `#V by 3`.
+    /// at rest. Within their tolerances there, handles would have no effect. All `#V by 3`.
     fn start_of(&self, attempt: &Attempt, soft: Vec<Point>) -> Vec<Point> {
         let is_soft = match attempt {
             Attempt::FromSoft => true,
@@ -119,15 +120,18 @@ impl Session {
     /// # Errors
     /// As [`Session::meeting`].
     pub(super) fn try_next(&mut self) -> Result<bool, Error> {
-        let Some(meeting) = &mut self.meeting else { return Ok(false) };
+        let Some(meeting) = &self.meeting else { return Ok(false) };
         let positions = meeting.exact().positions();
-        let ExactAnswer { met, unmet, iterations, .. } = meeting.exact().answer();
+        let (exact, attempt) = (meeting.exact(), meeting.attempt());
+        let ExactAnswer { met, unmet, iterations, .. } = self.answer_of(attempt, exact).0;
         let mut coverage = ConstraintCoverage::new(self.rest.mesh(), self.rest.topology());
         let missed = unmet.iter().flat_map(|miss| coverage.faces(&miss.vertices).to_vec());
+        let missed = missed.collect();
+        let Some(meeting) = &mut self.meeting else { return Ok(false) };
         let outcome = Outcome {
             met,
             misses: unmet.len(),
-            missed: missed.collect(),
+            missed,
             measure: ShapeMeasure::of(
                 &positions,
                 &self.rest,
@@ -196,7 +200,18 @@ impl Session {
 
     /// Returns the exact solver of an attempt that starts at `start` (`#V by 3`).
     fn attempt(&self, attempt: &Attempt, start: &[Point]) -> Result<Option<Exact>, Error> {
-        let required = |row: &ConstraintSpec| match attempt {
+        let settings = self.settings_of(attempt);
+        let required = |row: &ConstraintSpec| self.required_by(attempt, row);
+        self.with_requirements(&required, |mut problem, mut requirements, handles, _, cache| {
+            settings.set_in(&mut problem);
+            requirements.iterations = attempt.iterations();
+            Exact::new(&problem, &requirements, handles, start, cache)
+        })
+    }
+
+    /// Returns the requirement of an attempt on a row.
+    fn required_by(&self, attempt: &Attempt, row: &ConstraintSpec) -> Required {
+        match attempt {
             Attempt::Exact if is_on_panels(row) => {
                 Required { require: Require::Exact, eased: None }
             }
@@ -204,13 +219,16 @@ impl Session {
                 Required { require: Require::Within(*within), eased: eased.clone() }
             }
             _ => Required::of(row),
-        };
-        let settings = self.settings_of(attempt);
-        self.with_requirements(&required, |mut problem, mut requirements, handles, _, cache| {
-            settings.set_in(&mut problem);
-            requirements.iterations = attempt.iterations();
-            Exact::new(&problem, &requirements, handles, start, cache)
-        })
+        }
+    }
+
+    /// Returns the answer of an attempt, judged by the requirements of the scene, and the index in the list
+    /// of constraints of each row of its solver.
+    pub(super) fn answer_of(&self, attempt: &Attempt, exact: &Exact) -> (ExactAnswer, Vec<usize>) {
+        let places = self.required_places(&|row| self.required_by(attempt, row), false);
+        let rows = &self.document().constraints;
+        let requires: Vec<Require> = places.iter().map(|&place| rows[place].require).collect();
+        (judged_by(&requires, exact.answer()), places)
     }
 
     /// Returns the settings of an attempt, which say that it was chosen.

@@ -65,17 +65,22 @@ pub(crate) struct Attempts {
 impl Attempts {
     /// Begins with the attempt that the scene names, or at the soft solution. `can_begin_at_rest` is
     /// whether nothing pulls, `can_be_smoother` whether displacements are smoothed, `can_slide` whether
-    /// vertices are held at their places. The mesh has this number of faces. The edges are the mean one at rest (unit of the mesh), and that by
+    /// vertices are held at their places, `can_ease` whether panels have the tolerance of the search. The
+    /// mesh has this number of faces. The edges are the mean one at rest (unit of the mesh), and that by
     /// which the place of a shape is judged, infinite if it is not.
     pub(crate) fn new(
         search: Search,
         named: ChosenAttempt,
-        [can_begin_at_rest, can_be_smoother, can_slide]: [bool; 3],
+        [can_begin_at_rest, can_be_smoother, can_slide, can_ease]: [bool; 4],
         faces: usize,
         [mean_edge, edge]: [f64; 2],
     ) -> Attempts {
         let is_on = search != Search::Off;
-        let asked = if let Search::Panels(asked) = search { Some(asked) } else { None };
+        let is_press = matches!(search, Search::Panels(_));
+        let easing = match search {
+            Search::Panels(asked) if can_ease => Easing::new(asked, mean_edge),
+            _ => None,
+        };
         let now = match named.from {
             AttemptStart::Rest if is_on => Attempt::FromRest,
             AttemptStart::Exact if is_on => Attempt::Exact,
@@ -84,11 +89,11 @@ impl Attempts {
         let mut others = Vec::new();
         // What the scene names was chosen after the others had been tried.
         if is_on && named.is_first() {
-            others.extend((asked.is_some() && can_slide).then_some(Attempt::OnSurface));
+            others.extend((is_press && can_slide).then_some(Attempt::OnSurface));
             others.extend(can_begin_at_rest.then_some(Attempt::FromRest));
             let smoother = SMOOTHER.iter().rev().map(|&times| Attempt::Smoother(times));
             others.extend(smoother.filter(|_| can_be_smoother));
-            others.extend(asked.is_some().then_some(Attempt::Exact));
+            others.extend((is_press && can_ease).then_some(Attempt::Exact));
         }
         Attempts {
             search,
@@ -103,7 +108,7 @@ impl Attempts {
             faces,
             edge,
             others,
-            easing: asked.and_then(|asked| Easing::new(asked, mean_edge)),
+            easing,
             work: 0,
         }
     }
@@ -322,7 +327,7 @@ mod tests {
 
     fn attempts(search: Search, from: AttemptStart) -> Attempts {
         let named = ChosenAttempt { from, ..ChosenAttempt::default() };
-        Attempts::new(search, named, [true; 3], 1000, [EDGE; 2])
+        Attempts::new(search, named, [true; 4], 1000, [EDGE; 2])
     }
 
     /// The attempts that follow these `outcomes`, and whether each was the best so far.
