@@ -70,7 +70,7 @@ impl UnitsAndUp {
     }
 
     /// Returns those of unit and axis that would be guessed otherwise of a file of this mesh.
-    pub fn unlike_guesses(&self, mesh: &Mesh) -> UnitsAndUp {
+    pub fn not_guessable(&self, mesh: &Mesh) -> UnitsAndUp {
         let is_lost = |units: &String| !units.is_empty() && *units != UnitsAndUp::guess_units(mesh);
         UnitsAndUp {
             units: self.units.clone().filter(is_lost),

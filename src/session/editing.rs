@@ -59,7 +59,7 @@ impl Session {
         self.end_transaction();
         let made = self.make(edit);
         if made.is_err() && was_dragging {
-            // The handle is still in the hand.
+            // The user still drags.
             self.begin_drag();
         }
         let Some((name, before)) = made? else { return Ok(false) };

@@ -124,19 +124,19 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         }
         GoalOf::Measure(_) | GoalOf::Beyond { .. } | GoalOf::Build(_) => true,
     };
-    let mut still = still(&scene);
-    still.constraints.retain(is_left);
-    if let Some(lesson) = &mut still.lesson {
+    let mut measuring = measuring_scene(&scene);
+    measuring.constraints.retain(is_left);
+    if let Some(lesson) = &mut measuring.lesson {
         lesson.goals.retain(is_measured);
     }
     let mesh = match &other {
         Some((other, _)) => {
-            leave_mesh(&mut still, mesh);
+            leave_mesh(&mut measuring, mesh);
             other.clone()
         }
         None => mesh,
     };
-    still.current = Some(results.positions.clone());
+    measuring.current = Some(results.positions.clone());
     // The positions are the shape of that scene.
     let of_results = |error: Error| match error {
         Error::Scene(SceneError { path, message }) if path.starts_with("current") => {
@@ -144,21 +144,21 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
         }
         error => error,
     };
-    let mut still = Session::open(still, mesh).map_err(of_results)?;
+    let mut session = Session::open(measuring, mesh).map_err(of_results)?;
     if goals.iter().any(|goal| matches!(goal.of, GoalOf::Build(_))) {
         let stand = Stand::on(&results.handles, scene.up);
         let build = scene.build.as_deref().cloned().unwrap_or_default();
-        still.set_build_numbers(numbers(&still, &scene.units, &build, &stand));
+        session.set_build_numbers(numbers(&session, &scene.units, &build, &stand));
     }
-    let mut measured = still.goals().into_iter();
+    let mut measured = session.goals().into_iter();
     let result = |goal: Goal| {
         let own = is_measured(&goal).then(|| measured.next()).flatten();
         own.unwrap_or(GoalResult { goal, value: None, met: false })
     };
     Ok(Checked {
         goals: goals.into_iter().map(result).collect(),
-        moved: still.moved().max,
-        distance: still.worst_distance(),
+        moved: session.moved().max,
+        distance: session.worst_distance(),
         altered,
         changed,
     })
@@ -166,29 +166,29 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
 
 /// Returns the part of a scene by which a shape is measured, in which nothing moves a vertex: neither
 /// handles nor a fixed boundary.
-fn still(scene: &Scene) -> Scene {
+fn measuring_scene(scene: &Scene) -> Scene {
     let Scene { sets, constraints, pose, lesson, .. } = scene.clone();
-    let mut still = Scene { sets, constraints, pose, lesson, ..Scene::default() };
-    still.closeness.to = scene.closeness.to;
+    let mut measuring = Scene { sets, constraints, pose, lesson, ..Scene::default() };
+    measuring.closeness.to = scene.closeness.to;
     // What the distance to the original is measured to.
-    still.closeness.target.clone_from(&scene.closeness.target);
+    measuring.closeness.target.clone_from(&scene.closeness.target);
     // To switch a constraint on may be the task.
-    for goal in still.lesson.iter().flat_map(|lesson| &lesson.goals) {
+    for goal in measuring.lesson.iter().flat_map(|lesson| &lesson.goals) {
         let GoalOf::Constraint(name) = &goal.of else { continue };
         let mut own: Vec<_> =
-            still.constraints.iter_mut().filter(|row| row.label() == name).collect();
+            measuring.constraints.iter_mut().filter(|row| row.label() == name).collect();
         if own.iter().all(|row| !row.enabled) {
             own.iter_mut().for_each(|row| row.enabled = true);
         }
     }
-    still
+    measuring
 }
 
 /// Removes what is on elements of the mesh of a scene, `given`, because another one takes its place.
-fn leave_mesh(still: &mut Scene, given: Mesh) {
-    still.closeness.stay_on(&Rc::new(given));
-    (still.sets, still.pose) = Default::default();
-    still.constraints.iter_mut().for_each(|row| row.eased = None);
+fn leave_mesh(scene: &mut Scene, given: Mesh) {
+    scene.closeness.stay_on(&Rc::new(given));
+    (scene.sets, scene.pose) = Default::default();
+    scene.constraints.iter_mut().for_each(|row| row.eased = None);
 }
 
 /// Whether a row is on all elements of a kind, which `other` has.

@@ -224,7 +224,7 @@ pub(super) fn left_out(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> Option<S
     let format = written.filter(|it| it.is_mesh()).or_else(|| FileFormat::of_name("a.obj"))?;
     let mut parts = format.cannot_store(mesh);
     if !format.states_frame {
-        let lost = frame.unlike_guesses(mesh);
+        let lost = frame.not_guessable(mesh);
         parts.extend(lost.units.map(|units| format!("its unit ({units})")));
         parts.extend(lost.up.map(|up| format!("its up axis ({})", up.word())));
     }
