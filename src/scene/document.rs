@@ -306,14 +306,13 @@ impl ChosenAttempt {
         self.from == AttemptStart::Soft && self.smoother == 1.0 && !self.on_surface
     }
 
-    /// Returns the attempt `next` with the settings of this one.
+    /// Returns the attempt `next`, which a search has made with the settings of this one.
     pub(crate) fn then(self, next: ChosenAttempt) -> ChosenAttempt {
         ChosenAttempt {
             from: next.from,
             smoother: self.smoother * next.smoother,
             on_surface: self.on_surface || next.on_surface,
-            holds_boundary: self.holds_boundary || next.holds_boundary,
-            hardens_boundary: self.hardens_boundary || next.hardens_boundary,
+            ..self
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::Session;
 use super::requirements::Required;
 use super::run::{Attempt, ExactReport, Meeting, MeetingEnd, MeetingStage, Met, Search, Step};
-use super::state::SceneState;
+use super::state::{SceneState, choose_attempt};
 use crate::mesh::Point;
 use crate::scene::{ConstraintSpec, Scene};
 use crate::session::Error;
@@ -26,9 +26,13 @@ impl Session {
         &self,
         required: &dyn Fn(&ConstraintSpec) -> Required,
     ) -> Result<Option<Exact>, Error> {
-        self.with_requirements(required, |problem, requirements, handles, start, cache| {
-            Exact::new(&problem, &requirements, handles, start, cache)
-        })
+        self.with_requirements(
+            self.document(),
+            required,
+            |problem, requirements, handles, start, cache| {
+                Exact::new(&problem, &requirements, handles, start, cache)
+            },
+        )
     }
 
     /// How well the hard constraints are met; none if they have not been met for the current shape.
@@ -131,7 +135,7 @@ impl Session {
         };
         // A search that is interrupted has chosen nothing: the next run begins it anew.
         if self.search != Search::Off && is_whole {
-            self.settings_of(&attempt).put_in(&mut document);
+            choose_attempt(&mut document, attempt.chosen());
         }
         self.go_to(&exact.positions(), document)?;
         let (mut answer, places) = self.answer_of(&attempt, &exact);

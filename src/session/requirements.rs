@@ -6,7 +6,7 @@ use super::report::ConstraintCoverage;
 use super::state::RestMesh;
 use crate::math::marked;
 use crate::mesh::{Point, Ragged};
-use crate::scene::{ConstraintSpec, EasedFaces};
+use crate::scene::{ConstraintSpec, EasedFaces, Scene};
 use crate::session::Error;
 use crate::solve::{
     Constraints, Exact, ExactAnswer, Handle, Problem, Require, Requirements, SetupCache,
@@ -73,14 +73,14 @@ impl Session {
             .collect()
     }
 
-    /// Builds the problem with the `required` requirements of the enabled rows, starting at the
-    /// current shape; none if no row is then hard.
+    /// Builds the problem with the settings of `document` and the `required` requirements of the enabled
+    /// rows, starting at the current shape; none if no row is then hard.
     pub(super) fn with_requirements<T>(
         &self,
+        document: &Scene,
         required: &dyn Fn(&ConstraintSpec) -> Required,
         make: impl FnOnce(Problem<'_>, Requirements<'_>, &[Handle], &[Point], SetupCache) -> T,
     ) -> Result<Option<T>, Error> {
-        let document = self.document();
         let (mut constraints, mut requires) = (Vec::new(), Vec::new());
         for (_, row, require) in self.required_rows(required) {
             constraints.push(row);
@@ -153,9 +153,11 @@ impl Session {
     /// If a set of the scene does not exist.
     pub fn nearest_to_exact(&self) -> Result<Option<f64>, Error> {
         let nonzeros = self.solver().system().factor_nonzeros();
-        let nearest = self.with_requirements(&Required::of, |problem, requirements, _, _, _| {
-            Exact::nearest(&problem, &requirements, nonzeros)
-        })?;
+        let nearest = self.with_requirements(
+            self.document(),
+            &Required::of,
+            |problem, requirements, _, _, _| Exact::nearest(&problem, &requirements, nonzeros),
+        )?;
         Ok(nearest.flatten())
     }
 }

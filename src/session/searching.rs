@@ -5,7 +5,7 @@ use super::edit::check_lock;
 use super::report::ConstraintCoverage;
 use super::requirements::{Required, judged_by};
 use super::run::{Attempt, Attempts, Eased, Meeting, Outcome, Search, ShapeMeasure, Tolerances};
-use super::state::Settings;
+use super::state::choose_attempt;
 use crate::constraint::{Element, Selector};
 use crate::math::Vec3;
 use crate::mesh::Point;
@@ -14,7 +14,7 @@ use crate::scene::{
     SmoothnessOf, all_faces,
 };
 use crate::session::Error;
-use crate::solve::{Exact, ExactAnswer, Require, Solver, farthest};
+use crate::solve::{Exact, ExactAnswer, Handle, Problem, Require, Requirements, Solver, farthest};
 use crate::words;
 
 impl Session {
@@ -156,12 +156,12 @@ impl Session {
 
     /// Begins an attempt with its soft solution, from `start` (`#V by 3`).
     fn soften(&mut self, attempt: Attempt, start: &[Point]) -> Result<bool, Error> {
-        let settings = self.settings_of(&attempt);
-        let solver =
-            self.with_requirements(&Required::of, |mut problem, _, handles, _, cache| {
-                settings.set_in(&mut problem);
+        let document = self.document_of(&attempt);
+        let make =
+            |problem: Problem<'_>, _: Requirements<'_>, handles: &[Handle], _: &[Point], cache| {
                 Solver::new(&problem, cache, handles.to_vec(), start)
-            })?;
+            };
+        let solver = self.with_requirements(&document, &Required::of, make)?;
         // Without a soft solution, it begins where that would have.
         let Some(Ok(solver)) = solver else { return self.turn_to(attempt, start) };
         let iterations = self.document().solver.iterations;
@@ -200,13 +200,16 @@ impl Session {
 
     /// Returns the exact solver of an attempt that starts at `start` (`#V by 3`).
     fn attempt(&self, attempt: &Attempt, start: &[Point]) -> Result<Option<Exact>, Error> {
-        let settings = self.settings_of(attempt);
+        let document = self.document_of(attempt);
         let required = |row: &ConstraintSpec| self.required_by(attempt, row);
-        self.with_requirements(&required, |mut problem, mut requirements, handles, _, cache| {
-            settings.set_in(&mut problem);
-            requirements.iterations = attempt.iterations();
-            Exact::new(&problem, &requirements, handles, start, cache)
-        })
+        self.with_requirements(
+            &document,
+            &required,
+            |problem, mut requirements, handles, _, cache| {
+                requirements.iterations = attempt.iterations();
+                Exact::new(&problem, &requirements, handles, start, cache)
+            },
+        )
     }
 
     /// Returns the requirement of an attempt on a row.
@@ -231,9 +234,11 @@ impl Session {
         (judged_by(&requires, exact.answer()), places)
     }
 
-    /// Returns the settings of an attempt, which say that it was chosen.
-    pub(super) fn settings_of(&self, attempt: &Attempt) -> Settings {
-        Settings::of(self.document()).by_attempt(attempt.chosen())
+    /// Returns the document with the settings of an attempt.
+    fn document_of(&self, attempt: &Attempt) -> Scene {
+        let mut document = self.document().clone();
+        choose_attempt(&mut document, attempt.chosen());
+        document
     }
 
     /// Returns the start of an eased attempt, `#V by 3`: the end of the last one, but with the

@@ -86,7 +86,9 @@ impl Session {
              handles: &[Handle],
              start: &[Point],
              cache| { ShapeSpace::new(&problem, &requirements, handles, start, cache) };
-        let Some(space) = self.with_requirements(&Required::of, make)? else { return Ok(None) };
+        let Some(space) = self.with_requirements(self.document(), &Required::of, make)? else {
+            return Ok(None);
+        };
         let places = self.required_places(&Required::of, true);
         Ok(Some(Variations { space: space?, places, generation: self.generation() }))
     }

@@ -12,11 +12,13 @@ use super::shapes::{
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
-    ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS, Pose, Scene,
-    SceneError, Target, Variants, check_tolerance,
+    BoundaryRequire, ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS,
+    Pose, Scene, SceneError, Target, Variants, check_tolerance,
 };
 use crate::session::report::{check_lesson, check_presentation, panel_row};
-use crate::session::state::{Draft, Settings, as_asked, asks_otherwise, leave_search, uses};
+use crate::session::state::{
+    Draft, as_asked, asks_otherwise, choose_attempt, hold_boundary, leave_search, uses,
+};
 use crate::solve::{Handle, HandleIndex, Require};
 use crate::words;
 use serde_json::{Map, Value};
@@ -24,7 +26,7 @@ use std::rc::Rc;
 
 /// The tolerance of a scene whose panels are judged within `length`: none if the constraint on them
 /// has it.
-fn tolerance_beside(document: &Scene, length: f64) -> Option<f64> {
+fn explicit_tolerance(document: &Scene, length: f64) -> Option<f64> {
     let row = panel_row(document).map(|row| document.constraints[row].require);
     (row != Some(Require::Within(length))).then_some(length)
 }
@@ -47,21 +49,21 @@ pub(crate) fn apply(
                 reset(draft, state);
             }
             // What an earlier search chose is no choice of the user.
-            let settings = Settings::of(&draft.document).before_attempt();
+            as_asked(&mut draft.document);
+            let document = &mut draft.document;
             let by =
                 |smoother, on_surface| ChosenAttempt { smoother, on_surface, ..Default::default() };
-            let settings = match from {
-                PanelStart::Smoother => settings.by_attempt(by(PanelStart::SMOOTHER, false)),
-                PanelStart::Surface => settings.by_attempt(by(1.0, true)),
-                PanelStart::Boundary => settings.on_boundary(),
-                PanelStart::Now | PanelStart::Original => settings,
-            };
-            settings.put_in(&mut draft.document);
+            match from {
+                PanelStart::Smoother => choose_attempt(document, by(PanelStart::SMOOTHER, false)),
+                PanelStart::Surface => choose_attempt(document, by(1.0, true)),
+                PanelStart::Boundary => hold_boundary(document, BoundaryRequire::Exact),
+                PanelStart::Now | PanelStart::Original => {}
+            }
             let require = within.map_or(Require::Soft, Require::Within);
             let mesh = draft.mesh();
             let info = draft.set(|document| document.request_panels(&kind, require, mesh))?;
             if let Some(length) = within {
-                draft.document.tolerance = tolerance_beside(&draft.document, length);
+                draft.document.tolerance = explicit_tolerance(&draft.document, length);
             }
             format!("Make panels {}", info.panels.unwrap_or(info.id))
         }

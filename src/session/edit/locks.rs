@@ -2,7 +2,7 @@
 
 use super::edit_list::Edit;
 use crate::scene::{ConstraintSpec, Lesson, Lock, Scene, SceneError, Variant, Variants};
-use crate::session::state::{Draft, Settings, other_sets, uses};
+use crate::session::state::{Draft, as_asked, other_sets, uses};
 use crate::solve::Handle;
 
 /// Refuses `edit` before it is tried, if the lesson of `document` locks what it is sure to change.
@@ -65,8 +65,15 @@ fn locked(part: Lock) -> SceneError {
 
 /// Returns what a lesson may lock, of what differs between the document `before` an edit and that `now`.
 fn locks_between(before: &Scene, now: &Scene) -> Vec<Lock> {
-    let mut changed = Settings::of(before).locks_beside(&Settings::of(now));
+    let mut changed = Vec::new();
     let mut add_if = |differs: bool, lock| changed.extend(differs.then_some(lock));
+    // That a search has chosen settings is no change of the user, nor that they are left again.
+    let mut asked = before.clone();
+    as_asked(&mut asked);
+    let own = |it: &Scene| (it.weights, it.closeness.to, it.closeness.boundary, it.smoothness);
+    add_if(![before, &asked].map(own).contains(&own(now)), Lock::Weights);
+    let [from, to] = [before, now].map(|it| (&it.closeness.target, &it.pose));
+    add_if(from != to, Lock::Mesh);
     add_if((&before.units, before.up) != (&now.units, now.up), Lock::Mesh);
     add_if(before.closeness.weights != now.closeness.weights, Lock::Weights);
     // The shape is kept close to the design; to leave it is a reset.

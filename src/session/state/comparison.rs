@@ -1,6 +1,5 @@
 //! What differs between two documents on one mesh.
 
-use super::settings::Settings;
 use crate::constraint::{Kind, Selector, Set};
 use crate::scene::{ConstraintSpec, Scene, Variants};
 use crate::solve::Require;
@@ -19,31 +18,33 @@ pub(crate) enum Effect {
 impl Effect {
     /// Returns the effect of what differs between these documents.
     pub(crate) fn between(a: &Scene, b: &Scene) -> Effect {
-        let [from, to] = [a, b].map(|scene| Settings::in_effect(scene).without_attempt());
-        if !same_beside_settings(a, b) {
-            Effect::Problem
-        } else if from == to {
-            Effect::Nothing
-        } else if from.with_weights(b.weights) == to {
-            Effect::Weights
-        } else {
-            Effect::Problem
+        match (same_beside_weights(a, b), a.weights == b.weights) {
+            (true, true) => Effect::Nothing,
+            (true, false) => Effect::Weights,
+            (false, _) => Effect::Problem,
         }
     }
 }
 
-/// Whether two documents pose the same problem to the solver.
+/// Whether two documents pose the same problem to the solver, which was met in the same way.
 pub(crate) fn same_problem(a: &Scene, b: &Scene) -> bool {
-    Settings::in_effect(a) == Settings::in_effect(b) && same_beside_settings(a, b)
+    a.attempt == b.attempt && Effect::between(a, b) == Effect::Nothing
 }
 
-/// Whether two documents pose the same problem, apart from their settings.
-fn same_beside_settings(a: &Scene, b: &Scene) -> bool {
+/// Whether two documents pose the same problem, apart from the weights of Eq. 13.
+fn same_beside_weights(a: &Scene, b: &Scene) -> bool {
     let alike = |(a, b): (&ConstraintSpec, &ConstraintSpec)| {
         let values = |row: &ConstraintSpec| (row.weight, row.enabled, row.require);
         (&a.kind, &a.on, &a.eased, values(a)) == (&b.kind, &b.on, &b.eased, values(b))
     };
-    a.closeness.weights == b.closeness.weights
+    let [from, to] = [a, b].map(|scene| &scene.closeness);
+    from.to == to.to
+        && from.target == to.target
+        && from.boundary.in_effect() == to.boundary.in_effect()
+        && from.weights == to.weights
+        && a.pose == b.pose
+        && a.smoothness == b.smoothness
+        && a.solver == b.solver
         && same_design(&a.variants, &b.variants)
         && a.constraints.len() == b.constraints.len()
         && a.constraints.iter().zip(&b.constraints).all(alike)

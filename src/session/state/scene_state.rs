@@ -1,6 +1,6 @@
 //! A state of a solved scene, and the draft by which an edit makes the next one.
 
-use super::settings::Settings;
+use super::chosen_attempt::attempt_after;
 use crate::constraint::Selector;
 use crate::mesh::{Mesh, Point};
 use crate::scene::{Pose, Scene, SceneError, Slide, Target};
@@ -21,7 +21,7 @@ pub(crate) struct SceneState {
 
 impl SceneState {
     /// Memory in bytes, without what is shared with `other`.
-    pub(crate) fn bytes_beside(&self, other: &SceneState) -> usize {
+    pub(crate) fn unshared_bytes(&self, other: &SceneState) -> usize {
         let [own, known] = [self, other].map(SceneState::shared);
         let own = own.iter().filter(|data| known.binary_search(data).is_err());
         let has_document = Rc::ptr_eq(&self.document, &other.document);
@@ -141,9 +141,9 @@ impl<'a> Draft<'a> {
         &mut self,
         set: impl FnOnce(&mut Scene) -> Result<T, SceneError>,
     ) -> Result<T, SceneError> {
-        let before = Settings::of(&self.document);
+        let before = self.document.clone();
         let done = set(&mut self.document)?;
-        self.document.attempt = before.attempt_beside(&Settings::of(&self.document));
+        self.document.attempt = attempt_after(&before, &self.document);
         Ok(done)
     }
 
@@ -174,7 +174,7 @@ mod tests {
         let plain = with(Scene::default());
         let mut document = Scene::default();
         let more = |document: &Scene, before: &SceneState| {
-            with(document.clone()).bytes_beside(before) - bytes_of(document)
+            with(document.clone()).unshared_bytes(before) - bytes_of(document)
         };
         document.closeness.target = Some(Target::Mesh(Rc::new(mesh())));
         assert_eq!(more(&document, &plain), 24_000);
@@ -189,6 +189,6 @@ mod tests {
         assert_eq!(more(&document, &before), 4000);
         // A copy of the document shares all but itself.
         assert_eq!(more(&document, &with(document.clone())), 0);
-        assert_eq!(before.bytes_beside(&before.clone()), 0);
+        assert_eq!(before.unshared_bytes(&before.clone()), 0);
     }
 }

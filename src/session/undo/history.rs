@@ -21,12 +21,12 @@ pub(crate) struct SessionState {
 
 impl SessionState {
     /// Memory in bytes, without what is shared with `other`.
-    fn bytes_beside(&self, other: &SessionState) -> usize {
+    fn unshared_bytes(&self, other: &SessionState) -> usize {
         let rest = if Rc::ptr_eq(&self.rest, &other.rest) { 0 } else { self.rest.bytes() };
         let is_other =
             |start: &&Rc<Start>| other.start.as_ref().is_none_or(|other| !Rc::ptr_eq(other, start));
         let start = self.start.as_ref().filter(is_other).map_or(0, |start| start.bytes());
-        size_of::<SessionState>() + rest + start + self.scene.bytes_beside(&other.scene)
+        size_of::<SessionState>() + rest + start + self.scene.unshared_bytes(&other.scene)
     }
 
     /// Sets the tolerance, if it is `before`; returns whether it was.
@@ -123,7 +123,7 @@ impl History {
         let bytes_of = |steps: &[NamedStep], place: usize| {
             let (name, state) = &steps[place];
             let next = steps.get(place + 1).map_or(now, |(_, state)| state);
-            name.len() + state.bytes_beside(next)
+            name.len() + state.unshared_bytes(next)
         };
         let all = |steps: &[NamedStep]| -> usize {
             (0..steps.len()).map(|place| bytes_of(steps, place)).sum()
