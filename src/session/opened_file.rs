@@ -7,8 +7,6 @@ use serde::Serialize;
 /// Reads the files that the user opens.
 #[derive(Default)]
 pub struct FileReader {
-    default_frame: UnitsAndUp,
-    keeps_unwelded: bool,
     /// Files that the next scene refers to, by their paths in it.
     beside: Vec<(String, Vec<u8>)>,
 }
@@ -38,31 +36,27 @@ pub struct Guessed {
 }
 
 impl FileReader {
-    /// Sets the unit and axis of the next mesh file, used if it states none.
-    pub fn set_default_frame(&mut self, default_frame: UnitsAndUp) {
-        self.default_frame = default_frame;
-    }
-
-    /// Sets whether the next mesh file keeps coincident vertices. Otherwise it is welded if
-    /// its faces have their own copies of vertices.
-    pub fn keep_unwelded(&mut self, unwelded: bool) {
-        self.keeps_unwelded = unwelded;
-    }
-
     /// Adds a file for the next scene, by its path in the scene: see [`named_files`].
     pub fn add_file(&mut self, path: &str, bytes: Vec<u8>) {
         self.beside.push((path.to_owned(), bytes));
     }
 
-    /// Reads the file `name`: a mesh, or a scene (`.json`) with the files added before.
+    /// Reads the file `name`: a mesh, or a scene (`.json`) with the files added before. A mesh has the
+    /// unit and axis of `frame` if its file states none; it is welded if its faces have their own copies
+    /// of vertices, unless it shall stay `unwelded`.
     ///
     /// # Errors
     /// The problem of the file, with its name and the line or the JSON path.
-    pub fn read(&mut self, name: &str, bytes: &[u8]) -> Result<OpenedFile, ReadError> {
+    pub fn read(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        frame: UnitsAndUp,
+        unwelded: bool,
+    ) -> Result<OpenedFile, ReadError> {
         let beside = std::mem::take(&mut self.beside);
         if is_scene(name) {
             let (scene, mut source) = scene_with_files(name, bytes, &beside)?;
-            self.keeps_unwelded = false;
             let mesh = std::mem::take(&mut source.mesh);
             // The indices in a scene refer to its mesh as it is, so nothing is welded.
             return Ok(OpenedFile {
@@ -73,8 +67,7 @@ impl FileReader {
                 guessed: Guessed::default(),
             });
         }
-        let stated = UnitsAndUp::stated(bytes).or(std::mem::take(&mut self.default_frame));
-        let unwelded = std::mem::take(&mut self.keeps_unwelded);
+        let stated = UnitsAndUp::stated(bytes).or(frame);
         Ok(OpenedFile::of_mesh(name, read(name, bytes)?, stated, unwelded))
     }
 }
@@ -171,17 +164,20 @@ mod tests {
     const APART: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\n\
                          f 1 2 3 4\nf 5 6 7 8\n";
 
-    fn read_mesh(reader: &mut FileReader) -> OpenedFile {
-        reader.read("two.obj", APART.as_bytes()).expect("it is a mesh")
+    fn read_as(text: &str, frame: UnitsAndUp, unwelded: bool) -> OpenedFile {
+        let read = FileReader::default().read("two.obj", text.as_bytes(), frame, unwelded);
+        read.expect("it is a mesh")
+    }
+
+    /// Reads a scene for which a reader has its files.
+    fn read_scene(mut reader: FileReader, bytes: &[u8]) -> Result<OpenedFile, ReadError> {
+        reader.read("a.JSON", bytes, UnitsAndUp::default(), false)
     }
 
     #[test]
-    fn a_mesh_is_welded_unless_it_shall_be_kept_apart_once() {
-        let mut reader = FileReader::default();
-        reader.keep_unwelded(true);
-        let vertices =
-            [0, 1].map(|_| read_mesh(&mut reader)).map(|opened| opened.mesh.positions.len());
-        assert_eq!(vertices, [8, 6]);
+    fn a_mesh_is_welded_unless_it_shall_stay_apart() {
+        let read = |unwelded| read_as(APART, UnitsAndUp::default(), unwelded);
+        assert_eq!([true, false].map(|it| read(it).mesh.positions.len()), [8, 6]);
     }
 
     #[test]
@@ -192,23 +188,18 @@ mod tests {
             reader.add_file("two.obj", format!("# units: ft\n{APART}").into_bytes());
             let head = r#""format": "shape-up-scene", "version": 1, "mesh": { "file": "two.obj" }"#;
             let text = format!("{{ {head} {units} }}");
-            reader.read("a.json", text.as_bytes()).expect("it is a scene").scene.units
+            read_scene(reader, text.as_bytes()).expect("it is a scene").scene.units
         };
         assert_eq!((&*read(""), &*read(r#", "units": "cm""#)), ("ft", "cm"));
     }
 
     #[test]
     fn what_a_file_states_goes_before_the_default_and_that_before_a_guess() {
-        let mut reader = FileReader::default();
-        reader.set_default_frame(UnitsAndUp { units: Some("ft".to_owned()), up: None });
-        let opened = read_mesh(&mut reader);
+        let feet = || UnitsAndUp { units: Some("ft".to_owned()), up: None };
+        let opened = read_as(APART, feet(), false);
         assert_eq!(opened.scene.units, "ft");
         assert_eq!(opened.guessed, Guessed { units: false, up: true });
-        // An assumption is used once.
-        assert!(read_mesh(&mut reader).guessed.units);
-        reader.set_default_frame(UnitsAndUp { units: Some("ft".to_owned()), up: None });
-        let stated = format!("# units: mm\n# up: y\n{APART}");
-        let opened = reader.read("two.obj", stated.as_bytes()).expect("it is a mesh");
+        let opened = read_as(&format!("# units: mm\n# up: y\n{APART}"), feet(), false);
         assert_eq!((opened.scene.units.as_str(), opened.scene.up), ("mm", Up::Y));
         assert_eq!(opened.guessed, Guessed::default());
     }
@@ -219,18 +210,17 @@ mod tests {
             r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "two.obj" } }"#;
         let mut reader = FileReader::default();
         reader.add_file("two.obj", APART.as_bytes().to_vec());
-        let opened = reader.read("a.JSON", scene.as_bytes());
-        let opened = opened.expect("both are there");
+        let opened = read_scene(reader, scene.as_bytes()).expect("both are there");
         assert_eq!((opened.mesh.positions.len(), opened.weld.is_none()), (8, true));
         let message = |bytes: &[u8]| {
-            let refused = FileReader::default().read("a.json", bytes).map(|_| ());
+            let refused = read_scene(FileReader::default(), bytes).map(|_| ());
             refused.expect_err("something is missing").to_string()
         };
         assert_eq!(
             message(scene.as_bytes()),
-            "a.json: it needs the mesh file two.obj: open both files together"
+            "a.JSON: it needs the mesh file two.obj: open both files together"
         );
-        assert_eq!(message(&[0xff]), "a.json: not a text file, expected a scene in UTF-8");
+        assert_eq!(message(&[0xff]), "a.JSON: not a text file, expected a scene in UTF-8");
     }
 
     #[test]
@@ -251,7 +241,7 @@ mod tests {
             {
                 reader.add_file(path, text.as_bytes().to_vec());
             }
-            reader.read("a.json", scene(pose).as_bytes())
+            read_scene(reader, scene(pose).as_bytes())
         };
         let whole = OpenedFile::scene_in(scene("raised.obj").as_bytes()).expect("it is one");
         assert!(named_files(&whole).eq(["two.obj", "far/other.obj", "raised.obj"]));
@@ -262,7 +252,7 @@ mod tests {
         let refused = |pose: &str| opened(pose).map(|_| ()).expect_err("it is no pose").to_string();
         assert_eq!(
             refused("far/other.obj"),
-            "a.json: pose: far/other.obj is not a pose of the model: it has 3 vertices and 1 face, \
+            "a.JSON: pose: far/other.obj is not a pose of the model: it has 3 vertices and 1 face, \
              expected the 8 vertices and 2 faces of the model, in their order"
         );
         assert!(refused("none.obj").contains("needs the mesh file none.obj"));

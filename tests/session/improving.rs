@@ -3,7 +3,7 @@
 use crate::support::grid::grid;
 use serde_json::json;
 use shape_up::mesh::Mesh;
-use shape_up::scene::Scene;
+use shape_up::scene::{Scene, UnitsAndUp};
 use shape_up::session::{DragPhase, Edit, FileReader, HalfStep, Session};
 
 /// Rough bumps on which all panels are required to be flat.
@@ -95,7 +95,7 @@ fn a_trial_on_a_copy_is_accepted_unless_the_shape_has_changed() {
     let mut session = rough();
     run(&mut session);
     let file = FileReader::default()
-        .read("copy.json", session.scene_with_mesh().as_bytes())
+        .read("copy.json", session.scene_with_mesh().as_bytes(), UnitsAndUp::default(), false)
         .expect("it was written by the session");
     let copy = Session::open_copy(file.scene, file.mesh, session.generation());
     let copy = copy.expect("it is open already");

@@ -177,12 +177,10 @@ type Inner =
   | 'endRun'
   | 'free'
   | 'ignoreCollapse'
-  | 'keepUnwelded'
   | 'load'
   | 'remeshed'
   | 'restore'
   | 'restoreIteration'
-  | 'setDefaultFrame'
   | 'singleStep'
   | 'writePositions';
 

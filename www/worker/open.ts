@@ -26,10 +26,8 @@ export function open(
   const main = mainOf(files);
   // Of a scene alone, which may be large, `load` says what is missing.
   const named = files.length > 1 ? filesNamed(files, (scene) => solver.sceneFiles(scene)) : [];
-  solver.setDefaultFrame(frame);
-  solver.keepUnwelded(weld === false);
   for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
-  const read = scheduler.replace(() => solver.load(main.name, main.bytes));
+  const read = scheduler.replace(() => solver.load(main.name, main.bytes, frame, weld === false));
   const loaded: Opened = {
     ...read,
     guessed: {

@@ -3,7 +3,7 @@
 //! end better.
 
 use super::SLICE;
-use crate::scene::{Forecast, MeshSuggestion};
+use crate::scene::{Forecast, MeshSuggestion, UnitsAndUp};
 use crate::session::{
     BetterPress, BetterPresses, Error, ExactOffer, ExactShape, ExactTrial, FileReader, OpenedFile,
     PanelLayouts, Session, Suggestion, Suggestions, Variations,
@@ -70,8 +70,9 @@ impl ModelCopy {
     #[wasm_bindgen(constructor)]
     pub fn new(scene: &str, generation: u32, told: Function) -> Result<ModelCopy, JsValue> {
         log_panics();
-        let file = FileReader::default().read("copy.json", scene.as_bytes()).map_err(thrown)?;
-        let OpenedFile { scene, mesh, .. } = file;
+        let frame = UnitsAndUp::default();
+        let file = FileReader::default().read("copy.json", scene.as_bytes(), frame, false);
+        let OpenedFile { scene, mesh, .. } = file.map_err(thrown)?;
         let session = Session::open_copy(scene, mesh, generation).map_err(thrown)?;
         Ok(ModelCopy { session, trial: None, variations: None, layouts: None, told })
     }

@@ -25,25 +25,20 @@ impl Solver {
         self.files.add_file(path, bytes);
     }
 
-    /// Sets the unit and up axis of the next mesh file, in case the file does not state them.
-    /// `comments` has the form of such statements in a file: `# units: m`, `# up: y`, a line each.
-    #[wasm_bindgen(js_name = setDefaultFrame)]
-    pub fn set_default_frame(&mut self, comments: &str) {
-        self.files.set_default_frame(UnitsAndUp::stated(comments.as_bytes()));
-    }
-
-    /// Sets whether coincident vertices of the next mesh file stay separate. Otherwise the mesh is
-    /// welded if its faces do not share vertices.
-    #[wasm_bindgen(js_name = keepUnwelded)]
-    pub fn keep_unwelded(&mut self, unwelded: bool) {
-        self.files.keep_unwelded(unwelded);
-    }
-
     /// Opens a mesh, or a scene with the files that [`Solver::add_file`] supplied. If this one is
-    /// refused, the model that is open stays.
-    pub fn load(&mut self, name: &str, bytes: &[u8]) -> Result<Js<Loaded>, JsValue> {
+    /// refused, the model that is open stays. `frame` has the unit and up axis of a mesh file that does
+    /// not state them, in the form of such statements: `# units: m`, `# up: y`, a line each. A mesh whose
+    /// faces do not share vertices is welded, unless it shall stay `unwelded`.
+    pub fn load(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        frame: &str,
+        unwelded: bool,
+    ) -> Result<Js<Loaded>, JsValue> {
         let started = clock::now();
-        let file = self.files.read(name, bytes).map_err(thrown)?;
+        let frame = UnitsAndUp::stated(frame.as_bytes());
+        let file = self.files.read(name, bytes, frame, unwelded).map_err(thrown)?;
         let OpenedFile { scene, mesh, weld, diagnostics, guessed } = file;
         let session = Session::replace(&mut self.session, scene, mesh).map_err(|error| {
             thrown(if is_scene(name) { format!("{name}: {error}") } else { error.to_string() })
