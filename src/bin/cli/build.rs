@@ -102,14 +102,10 @@ fn declared(id: &str) -> Option<&'static BuildSetting> {
 /// wherever it stands.
 fn settings(asked: &arguments::Build, scene: &Scene) -> Result<BuildSettings, String> {
     let own = scene.build.as_deref().cloned().unwrap_or_default();
-    asked.presets.iter().chain(&asked.settings).try_fold(own, |own, (id, value)| {
-        match declared(id) {
-            Some(setting) => {
-                own.with(setting, value.clone()).map_err(|fault| format!("build.{id}: {fault}"))
-            }
-            None => Ok(own),
-        }
-    })
+    let given =
+        asked.presets.iter().chain(&asked.settings).filter(|(id, _)| declared(id).is_some());
+    let given = given.map(|(id, value)| ((*id).to_owned(), value.clone())).collect();
+    own.with_all(given).map_err(|fault| fault.to_string())
 }
 
 fn words(report: &BuildReport, said: &BuildWords, remarks: &[String]) -> String {

@@ -47,15 +47,6 @@ pub enum OffsetKind {
 impl OffsetKind {
     /// All kinds.
     pub const ALL: [OffsetKind; 3] = [OffsetKind::Corner, OffsetKind::Face, OffsetKind::Edge];
-
-    /// Its identifier in files and on the command line.
-    pub fn id(self) -> &'static str {
-        match self {
-            OffsetKind::Corner => "corner",
-            OffsetKind::Face => "face",
-            OffsetKind::Edge => "edge",
-        }
-    }
 }
 
 /// How panels are named.

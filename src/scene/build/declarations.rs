@@ -336,7 +336,8 @@ impl BuildSettings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::{Value, json};
+    use crate::scene::SceneError;
+    use serde_json::{Map, Value, json};
 
     /// A value of a setting other than its default.
     fn other(setting: &BuildSetting) -> Value {
@@ -378,11 +379,16 @@ mod tests {
         assert_eq!(known, declared);
     }
 
+    /// The default settings with another value of one.
+    fn with(setting: &BuildSetting, value: Value) -> Result<BuildSettings, SceneError> {
+        BuildSettings::default().with_all(Map::from_iter([(setting.id.to_owned(), value)]))
+    }
+
     #[test]
     fn every_setting_can_be_changed_and_is_read_back() {
         for setting in BUILD_SETTINGS {
             let value = other(setting);
-            let changed = BuildSettings::default().with(setting, value.clone()).expect(setting.id);
+            let changed = with(setting, value.clone()).expect(setting.id);
             assert_ne!(changed, BuildSettings::default(), "{}", setting.id);
             let read = changed.value(setting);
             assert_eq!((read.as_f64(), read.as_str()), (value.as_f64(), value.as_str()));
@@ -396,11 +402,11 @@ mod tests {
         for setting in BUILD_SETTINGS {
             if let BuildForm::Choice { options } = setting.form {
                 for option in options {
-                    let changed = BuildSettings::default().with(setting, json!(option.word));
+                    let changed = with(setting, json!(option.word));
                     assert_eq!(changed.expect("it is known").value(setting), json!(option.word));
                 }
             }
-            let absent = BuildSettings::default().with(setting, Value::Null);
+            let absent = with(setting, Value::Null);
             assert_eq!(absent.is_ok(), !setting.absent.is_empty(), "{}", setting.id);
         }
     }
@@ -410,8 +416,8 @@ mod tests {
         for setting in BUILD_SETTINGS {
             let BuildForm::Number { range: [least, most], .. } = setting.form else { continue };
             for wrong in [2.0 * most, if least < 0.0 { 0.0 } else { least - 1.0 }] {
-                let refused = BuildSettings::default().with(setting, json!(wrong));
-                let words = refused.expect_err(setting.id);
+                let refused = with(setting, json!(wrong));
+                let words = refused.expect_err(setting.id).message;
                 assert!(words.starts_with("found ") && words.contains("expected "), "{words}");
             }
             assert!(setting.fault(f64::NAN).is_some() && setting.fault(most).is_none());

@@ -160,21 +160,6 @@ impl BuildSettings {
         setting.value_in(&serde_json::to_value(self).unwrap_or_default())
     }
 
-    /// Returns the settings with another value of one, as in a scene.
-    ///
-    /// # Errors
-    /// If the value does not fit, or a number is out of its range: what was found and expected.
-    pub fn with(&self, setting: &BuildSetting, value: Value) -> Result<BuildSettings, String> {
-        if let Some(fault) = value.as_f64().and_then(|number| setting.fault(number)) {
-            return Err(fault);
-        }
-        let mut own = serde_json::to_value(self).map_err(|error| error.to_string())?;
-        if let Some(place) = own.pointer_mut(&pointer(setting.id)) {
-            *place = value;
-        }
-        from_value(own).map_err(|error| error.message)
-    }
-
     /// Returns the settings with other values at these paths, as in a scene: those of declared settings,
     /// or of what contains them, such as `sheet`.
     ///
