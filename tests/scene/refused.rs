@@ -96,6 +96,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "weights": { "closeness": 1 }"#, "weights", &["`closeness`", "shape, close, smooth"]),
     (r#", "closeness": { "to": "curve" }"#, "closeness.to", &["\"curve\"", "\"surface\"", "\"none\""]),
     (r#", "closeness": { "to": { "mesh": 5 } }"#, "closeness.to.mesh", &["found 5", "path"]),
+    (r#", "closeness": { "to": { "mesh": "" } }"#, "closeness.to.mesh", &["found \"\"", "path of a mesh file"]),
     (r#", "closeness": { "corners": 45 }"#, "closeness", &["`corners`", "to, weights, boundary"]),
     (r#", "closeness": { "weights": { "eaves": 3 } }"#, "closeness.weights", &["an object", "array"]),
     (r#", "closeness": { "weights": [{ "weight": 3 }] }"#, "closeness.weights[0]", &["`on` is missing", "\"faces\""]),

@@ -85,6 +85,10 @@ fn a_handle_that_is_made_and_moved_at_once_is_one_step_or_none() {
     session.end_drag(true);
     assert_eq!(session.undo_and_redo()[0], Some("Make handle"));
     act(&mut session, Deed::Undo);
+    session.begin_drag_of_new(vec![7, 8]).expect("the vertices are there");
+    session.end_drag(true);
+    assert_eq!(session.undo_and_redo()[0], Some("Make 2 handles"));
+    act(&mut session, Deed::Undo);
     assert!(session.begin_drag_of_new(vec![VERTICES]).is_err());
     session.end_drag(true);
     assert_eq!(everything(&session), before);

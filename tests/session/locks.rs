@@ -2,7 +2,9 @@
 
 use crate::support::grid::{bumpy, grid};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BoundaryRequire, Lock, NamedEnum, Results, Scene};
+use shape_up::scene::{
+    BoundaryRequire, ChosenAttempt, ClosenessTo, Lock, NamedEnum, Results, Scene,
+};
 use shape_up::session::Error;
 use shape_up::session::{DragPhase, Edit, PanelStart, Session, check_results};
 
@@ -122,6 +124,21 @@ fn a_lesson_that_is_saved_unsolved_starts_at_rest() {
     assert!(session.document().variants.kept.is_empty(), "a variant may be the solution");
     session.undo().expect("it can be undone");
     assert_eq!(session.scene(), solved);
+}
+
+#[test]
+fn a_lesson_that_is_saved_unsolved_is_as_it_was_asked_for() {
+    // It named the attempt that solved it, and had its smoothness and its relaxed tolerance.
+    let mut solved = scene("[]");
+    let text = r#"{ "from": "eased", "smoother": 10, "on_surface": true, "holds_boundary": true }"#;
+    solved.attempt = serde_json::from_str(text).expect("it is an attempt");
+    (solved.weights.smooth, solved.closeness.to) = (5.0, ClosenessTo::Surface);
+    let lesson = solved.lesson.clone();
+    let mut session = Session::open(solved, bumpy(5)).expect("it fits");
+    session.edit(Edit::SetLesson { lesson, unsolved: true }).expect("nothing is locked");
+    let asked = session.document();
+    assert_eq!(asked.attempt, ChosenAttempt::default());
+    assert_eq!((asked.weights.smooth, asked.closeness.to), (0.5, ClosenessTo::Rest));
 }
 
 #[test]
