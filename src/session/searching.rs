@@ -14,7 +14,7 @@ use crate::scene::{
     SmoothnessOf, all_faces,
 };
 use crate::session::Error;
-use crate::solve::{Exact, ExactAnswer, Handle, Problem, Require, Requirements, Solver, farthest};
+use crate::solve::{Exact, ExactAnswer, Require, Solver, farthest};
 use crate::words;
 
 impl Session {
@@ -157,11 +157,10 @@ impl Session {
     /// Begins an attempt with its soft solution, from `start` (`#V by 3`).
     fn soften(&mut self, attempt: Attempt, start: &[Point]) -> Result<bool, Error> {
         let document = self.document_of(&attempt);
-        let make =
-            |problem: Problem<'_>, _: Requirements<'_>, handles: &[Handle], _: &[Point], cache| {
+        let solver =
+            self.with_requirements(&document, &Required::of, |problem, _, handles, _, cache| {
                 Solver::new(&problem, cache, handles.to_vec(), start)
-            };
-        let solver = self.with_requirements(&document, &Required::of, make)?;
+            })?;
         // Without a soft solution, it begins where that would have.
         let Some(Ok(solver)) = solver else { return self.turn_to(attempt, start) };
         let iterations = self.document().solver.iterations;
