@@ -179,7 +179,7 @@ fn an_offer_is_said_in_words() {
     let even = offers(&session(bumpy(4)), &[]);
     assert_eq!(words(&found, "line", "selection"), "1 constraint of 3 vertices.");
     assert_eq!(words(&found, "plane", "each-face"), "17 constraints of 3.9 vertices on average.");
-    let skipped = "16 constraints of 4 vertices. 1 skipped: their number of vertices does not fit.";
+    let skipped = "16 constraints of 4 vertices. 1 skipped: its number of vertices does not fit.";
     assert_eq!(words(&found, "square", "each-face"), skipped);
     // Kinds on edges counted the two ends of each: "16 constraints of 8 vertices".
     assert_eq!(words(&even, "equal-length", "each-face"), "16 constraints of 4 edges.");
