@@ -19,7 +19,7 @@ impl Session {
     /// # Errors
     /// If the scene does not fit the mesh, a row has no constraint, or the system is singular.
     pub fn open(scene: Scene, mesh: Mesh) -> Result<Session, Error> {
-        Checked::new(scene, mesh)?.open()
+        FittingScene::new(scene, mesh)?.open()
     }
 
     /// Opens a copy of a scene that is open elsewhere with this [`Session::generation`], so that what
@@ -44,12 +44,12 @@ impl Session {
         scene: Scene,
         mesh: Mesh,
     ) -> Result<&mut Session, Error> {
-        let checked = Checked::new(scene, mesh)?;
+        let fitting = FittingScene::new(scene, mesh)?;
         let [last, now] = open
             .as_ref()
             .map_or([0; 2], |session| [session.scene.last_generation(), session.generation()]);
         let before = open.take().map(Session::suspend);
-        match checked.open() {
+        match fitting.open() {
             Ok(session) => {
                 let session = open.insert(session);
                 session.scene.follow_generation(last);
@@ -77,24 +77,24 @@ impl Session {
 }
 
 /// A scene that fits its mesh, before its solver is set up.
-struct Checked {
+struct FittingScene {
     scene: Scene,
     rest: RestMesh,
     rows: Vec<ResolvedRow>,
 }
 
-impl Checked {
+impl FittingScene {
     /// Checks the scene with `mesh`, the mesh that `scene.mesh` refers to.
     ///
     /// # Errors
     /// If the scene does not fit the mesh, or a row has no constraint.
-    fn new(scene: Scene, mesh: Mesh) -> Result<Checked, Error> {
+    fn new(scene: Scene, mesh: Mesh) -> Result<FittingScene, Error> {
         scene.validate(&mesh)?;
         check_lesson(&scene, &mesh)?;
         check_presentation(&scene, &mesh)?;
         let rest = RestMesh::new(mesh);
         let rows = resolve_rows(&scene, rest.mesh(), rest.topology())?;
-        Ok(Checked { scene, rest, rows })
+        Ok(FittingScene { scene, rest, rows })
     }
 
     /// Opens the scene at its initial positions.
