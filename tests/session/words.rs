@@ -62,6 +62,14 @@ fn an_exact_shape_is_said_to_be_so_with_and_without_its_error() {
         ["All required constraints are satisfied within 20 mm.", ""]
     );
     assert!(words.suggestions.is_empty());
+    // Of several, the largest was said to be that of all.
+    let several = json!([
+        { "kind": "plane", "on": { "vertices": [0, 1, 2, 3] }, "require": { "within": 0.01 } },
+        { "kind": "plane", "on": "faces", "require": { "within": 0.02 } },
+    ]);
+    let words = solved(&several, &json!([])).exact_words().expect("it was met");
+    let brief = "All required constraints are satisfied within their tolerances, of at most 20 mm.";
+    assert_eq!(words.brief, brief);
     // Of both, only the tolerance was said.
     let both = json!([
         { "kind": "plane", "on": { "vertices": [0, 1, 2, 3] }, "require": "exact" },

@@ -63,11 +63,10 @@ pub(crate) struct Attempts {
 }
 
 impl Attempts {
-    /// Begins with the attempt that the scene names, or at the soft solution. `can_begin_at_rest` is
-    /// whether nothing pulls, `can_be_smoother` whether displacements are smoothed, `can_slide` whether
-    /// vertices are held at their places, `can_ease` whether panels have the tolerance of the search. The
-    /// mesh has this number of faces. The edges are the mean one at rest (unit of the mesh), and that by
-    /// which the place of a shape is judged, infinite if it is not.
+    /// Begins with the attempt that the scene names, or at the soft solution. Others may begin at rest if
+    /// nothing pulls, be smoother if displacements are smoothed, slide if vertices are held at their
+    /// places, and ease if panels have the tolerance of the search. The mesh has this number of faces; the
+    /// edges are its mean one (in its unit), and that to judge the place of a shape by, or infinite.
     pub(crate) fn new(
         search: Search,
         named: ChosenAttempt,
@@ -76,11 +75,8 @@ impl Attempts {
         [mean_edge, edge]: [f64; 2],
     ) -> Attempts {
         let is_on = search != Search::Off;
-        let is_press = matches!(search, Search::Panels(_));
-        let easing = match search {
-            Search::Panels(asked) if can_ease => Easing::new(asked, mean_edge),
-            _ => None,
-        };
+        let asked = if let Search::Panels(asked) = search { Some(asked) } else { None };
+        let eased = asked.filter(|_| can_ease);
         let now = match named.from {
             AttemptStart::Rest if is_on => Attempt::FromRest,
             AttemptStart::Exact if is_on => Attempt::Exact,
@@ -89,11 +85,11 @@ impl Attempts {
         let mut others = Vec::new();
         // What the scene names was chosen after the others had been tried.
         if is_on && named.is_first() {
-            others.extend((is_press && can_slide).then_some(Attempt::OnSurface));
+            others.extend((asked.is_some() && can_slide).then_some(Attempt::OnSurface));
             others.extend(can_begin_at_rest.then_some(Attempt::FromRest));
             let smoother = SMOOTHER.iter().rev().map(|&times| Attempt::Smoother(times));
             others.extend(smoother.filter(|_| can_be_smoother));
-            others.extend((is_press && can_ease).then_some(Attempt::Exact));
+            others.extend(eased.is_some().then_some(Attempt::Exact));
         }
         Attempts {
             search,
@@ -108,7 +104,7 @@ impl Attempts {
             faces,
             edge,
             others,
-            easing,
+            easing: eased.and_then(|asked| Easing::new(asked, mean_edge)),
             work: 0,
         }
     }
@@ -276,7 +272,6 @@ impl Attempts {
         &self.now
     }
 
-    /// Whether the current attempt has ended and is the best so far.
     pub(crate) fn is_best(&self) -> bool {
         self.is_best
     }
@@ -299,7 +294,6 @@ mod tests {
     use super::super::shape_measure::{Bend, BendChange, SurfaceDistance};
     use super::*;
 
-    /// The mean edge of these tests.
     const EDGE: f64 = 1.0;
 
     fn folds(count: u32) -> Outcome {
@@ -496,7 +490,11 @@ mod tests {
     }
 
     #[test]
-    fn while_one_drags_nothing_else_is_tried() {
+    fn nothing_else_is_tried_while_one_drags_or_where_nothing_may_differ() {
         assert_eq!(follow(Search::Off, &[folds(10)]), [(true, None)]);
+        // Exact panels were tried so again, and then within larger tolerances.
+        let (search, named) = (Search::Panels(4e-4), ChosenAttempt::default());
+        let mut press = Attempts::new(search, named, [false; 4], 1000, [EDGE; 2]);
+        assert_eq!(press.after(&folds(3), &|faces| faces.to_vec()), None);
     }
 }
