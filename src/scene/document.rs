@@ -8,7 +8,9 @@ use super::presentation::{Slide, Variants};
 use crate::constraint::{Kind, Selector, Sets};
 use crate::json::{Entries, Object, indices, object, object_or_none, objects, points, present};
 use crate::mesh::{Mesh, Point, Read};
-use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
+use crate::solve::{
+    BoundaryRequire, ClosenessTo, Hold, Require, Smoothness, SolverSettings, Weights,
+};
 use crate::words;
 use serde::ser::{Error, Serializer};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -107,6 +109,15 @@ impl Scene {
     /// Returns a scene without constraints, with the default settings.
     pub fn new(mesh: MeshSource) -> Scene {
         Scene { mesh, ..Scene::default() }
+    }
+
+    /// Takes back what a search has chosen to meet the hard constraints: the settings of its attempt,
+    /// and larger tolerances. The scene is then as it was asked for.
+    pub fn as_asked(&mut self) {
+        let Scene { attempt, weights, closeness, constraints, .. } = self;
+        let (to, boundary) = (&mut closeness.to, &mut closeness.boundary.require);
+        std::mem::take(attempt).take_back(&mut weights.smooth, to, boundary);
+        constraints.iter_mut().for_each(|row| row.eased = None);
     }
 
     /// The positions of the other pose, `#V by 3`, which rest shapes are taken from; none without one.
@@ -304,6 +315,28 @@ impl ChosenAttempt {
     /// is no attempt.
     pub(crate) fn is_first(&self) -> bool {
         self.from == AttemptStart::Soft && self.smoother == 1.0 && !self.on_surface
+    }
+
+    /// Takes back what it has changed: the weight of smoothness, the target of closeness, and how the
+    /// boundary is held.
+    pub(crate) fn take_back(
+        self,
+        smooth: &mut f64,
+        to: &mut ClosenessTo,
+        boundary: &mut BoundaryRequire,
+    ) {
+        if self.smoother != 1.0 {
+            // As many digits as anybody types: without the rounding of product and quotient.
+            *smooth = words::rounded(*smooth / self.smoother, 15);
+        }
+        if self.on_surface {
+            *to = ClosenessTo::Rest;
+        }
+        if self.holds_boundary {
+            *boundary = BoundaryRequire::Off;
+        } else if self.hardens_boundary {
+            *boundary = (*boundary).min(BoundaryRequire::Soft);
+        }
     }
 
     /// Returns the attempt `next` with the settings of this one.

@@ -383,6 +383,19 @@ fn a_mesh_is_refined_and_solved_at_every_level() {
     folder.run(&[&asked[..], &["--adopt", "--report", "adopt.json"]].concat()).done();
     let moved = |file: &str| folder.json(file)["levels"][2]["verdict"]["moved"]["max"].as_f64();
     assert!(2.0 * moved("adopt.json").unwrap() < moved("r.json").unwrap());
+    // The first level was solved with what a search had chosen for other panels.
+    let of_attempt = r#""closeness": { "to": "surface", "boundary": { "corners": 45 } },
+        "attempt": { "on_surface": true, "holds_boundary": true, "smoother": 100 }"#;
+    let levels = [("100", of_attempt), ("1", r#""closeness": { "to": "rest" }"#)].map(|scenes| {
+        let weights =
+            format!(r#""weights": {{ "shape": 10, "close": 1, "smooth": {} }}"#, scenes.0);
+        folder.write("s.json", scene(&format!(", {weights}, {}", scenes.1)));
+        folder.run(&["refine", "s.json", "--panels", "plane", "--report", "r.json"]).done();
+        let mut levels = folder.json("r.json")["levels"].clone();
+        levels.as_array_mut().unwrap().iter_mut().for_each(|level| level["seconds"] = 0.into());
+        levels
+    });
+    assert_eq!(levels[0], levels[1]);
     folder.run(&["refine", "roof.obj", "--levels", "9"]).refused(&["1 to 6"]);
     let levels = |levels| ["refine", "roof.obj", "--panels", "plane", "--levels", levels];
     folder.run(&levels("9")).refused(&["1 to 6"]);

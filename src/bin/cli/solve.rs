@@ -6,7 +6,7 @@ use serde::Serialize;
 use shape_up::constraint::describe;
 use shape_up::session::Error;
 use shape_up::session::{
-    EndWords, ExactReport, Report, Session, VerdictReport, as_asked, tolerance_of,
+    EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of,
 };
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
@@ -28,9 +28,9 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         Failure::Input(format!("{}: {message}", command.input.display()))
     };
     let is_press = command.require == Some(Required::Auto);
-    if command.panels.is_some() || command.require.is_some() {
+    if command.require.is_some() {
         // What a search chose was for other requirements.
-        as_asked(&mut scene);
+        scene.as_asked();
     }
     if let Some(kind) = command.panels.filter(|_| !is_press) {
         scene.request_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;

@@ -46,8 +46,10 @@ pub(crate) fn apply(
             if from != PanelStart::Now {
                 reset(draft, state);
             }
-            // What an earlier search chose is no choice of the user.
-            let settings = Settings::of(&draft.document).before_attempt();
+            let require = within.map_or(Require::Soft, Require::Within);
+            let mesh = draft.mesh();
+            let info = draft.set(|document| document.request_panels(&kind, require, mesh))?;
+            let settings = Settings::of(&draft.document);
             let by =
                 |smoother, on_surface| ChosenAttempt { smoother, on_surface, ..Default::default() };
             let settings = match from {
@@ -57,9 +59,6 @@ pub(crate) fn apply(
                 PanelStart::Now | PanelStart::Original => settings,
             };
             settings.put_in(&mut draft.document);
-            let require = within.map_or(Require::Soft, Require::Within);
-            let mesh = draft.mesh();
-            let info = draft.set(|document| document.request_panels(&kind, require, mesh))?;
             if let Some(length) = within {
                 draft.document.tolerance = tolerance_beside(&draft.document, length);
             }

@@ -25,6 +25,5 @@ pub(crate) use rest_mesh::RestMesh;
 pub use rows::{Paired, ResolvedRow};
 pub(crate) use rows::{acts, edges_among, resolve_row, resolve_rows};
 pub(crate) use scene_state::{Draft, SceneState, same_document, same_handles, same_positions};
-pub use settings::as_asked;
 pub(crate) use settings::{Settings, leave_search};
 pub(crate) use solved_scene::SolvedScene;

@@ -5,7 +5,6 @@ use crate::scene::{
     Scene, Smoothness, SolverSettings, Target, Weights,
 };
 use crate::solve::Problem;
-use crate::words;
 
 /// The settings: numbers and choices.
 #[derive(Clone, PartialEq)]
@@ -18,13 +17,6 @@ pub(crate) struct Settings {
     smoothness: Smoothness,
     solver: SolverSettings,
     attempt: ChosenAttempt,
-}
-
-/// Takes back what a search has chosen to meet the hard constraints of a scene: the settings of its
-/// attempt, and larger tolerances. The scene is then as it was asked for.
-pub fn as_asked(scene: &mut Scene) {
-    Settings::of(scene).before_attempt().put_in(scene);
-    scene.constraints.iter_mut().for_each(|row| row.eased = None);
 }
 
 /// Leaves the search where other hard constraints are asked for than those that it has met, or
@@ -61,18 +53,7 @@ impl Settings {
     /// Returns the settings before a search chose an attempt.
     pub(crate) fn before_attempt(mut self) -> Settings {
         let chosen = std::mem::take(&mut self.attempt);
-        if chosen.smoother != 1.0 {
-            // As many digits as anybody types: without the rounding of product and quotient.
-            self.weights.smooth = words::rounded(self.weights.smooth / chosen.smoother, 15);
-        }
-        if chosen.on_surface {
-            self.to = ClosenessTo::Rest;
-        }
-        if chosen.holds_boundary {
-            self.boundary.require = BoundaryRequire::Off;
-        } else if chosen.hardens_boundary {
-            self.boundary.require = self.boundary.require.min(BoundaryRequire::Soft);
-        }
+        chosen.take_back(&mut self.weights.smooth, &mut self.to, &mut self.boundary.require);
         self
     }
 
