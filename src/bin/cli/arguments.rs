@@ -6,7 +6,7 @@ use super::remesh::Quads;
 use super::words::{MESHES, MESHES_AND_SCENE, Settings, Word, Words};
 use crate::cli::{edit, new_mesh, remesh};
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
-use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryCloseness, BuildSetting, PresetOf};
+use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryRequire, BuildSetting, PresetOf};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use shape_up::words::UNITS;
 use std::ffi::OsString;
@@ -69,8 +69,8 @@ pub(super) struct Solve {
     pub(super) require: Option<Required>,
     /// Whether the energy is reduced further once the constraints are met.
     pub(super) improve: bool,
-    /// The closeness of the boundary; none for that of the scene.
-    pub(super) boundary: Option<BoundaryCloseness>,
+    /// How the boundary is held, and with which weight; none as in the scene.
+    pub(super) boundary: Option<(BoundaryRequire, f64)>,
     pub(super) iterations: Option<u32>,
     pub(super) tolerance: Option<f64>,
     pub(super) accelerator: Option<Accelerator>,

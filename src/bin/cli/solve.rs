@@ -4,6 +4,7 @@ use super::arguments::{Required, Solve};
 use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::constraint::describe;
+use shape_up::scene::BoundaryCloseness;
 use shape_up::session::Error;
 use shape_up::session::{
     EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of,
@@ -45,7 +46,10 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         scene.tolerance = None;
         scene.constraints.iter_mut().for_each(|row| row.require = require);
     }
-    scene.closeness.boundary = command.boundary.unwrap_or(scene.closeness.boundary);
+    if let Some((require, weight)) = command.boundary {
+        let own = scene.closeness.boundary;
+        scene.closeness.boundary = BoundaryCloseness { require, weight, ..own };
+    }
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
     scene.solver.tolerance = command.tolerance.unwrap_or(scene.solver.tolerance);
     scene.solver.accelerator = command.accelerator.unwrap_or(scene.solver.accelerator);

@@ -4,8 +4,7 @@ use lexopt::Arg;
 use serde_json::Value;
 use shape_up::constraint::KINDS;
 use shape_up::scene::{
-    BUILD_PRESETS, BoundaryCloseness, BoundaryRequire, BuildForm, BuildPreset, BuildSetting,
-    NamedEnum, PresetOf,
+    BUILD_PRESETS, BoundaryRequire, BuildForm, BuildPreset, BuildSetting, NamedEnum, PresetOf,
 };
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
@@ -195,16 +194,15 @@ impl Words {
         self.number_that(name, "a number", |_| true)
     }
 
-    /// Returns the value of an option that sets the closeness of the boundary.
-    pub(super) fn boundary(&mut self, name: &str) -> Result<BoundaryCloseness, String> {
+    /// Returns the value of an option that says how the boundary is held, and with which weight.
+    pub(super) fn boundary(&mut self, name: &str) -> Result<(BoundaryRequire, f64), String> {
         let value = self.text(name)?;
-        let held = |require, weight| BoundaryCloseness { require, weight, ..Default::default() };
         if value == BoundaryRequire::Exact.word() {
-            return Ok(held(BoundaryRequire::Exact, 1.0));
+            return Ok((BoundaryRequire::Exact, 1.0));
         }
         let weight = finite(&value).filter(|&weight| weight > 0.0);
         let expected = || format!("{name} takes `exact` or a weight above 0, found `{value}`");
-        weight.map(|weight| held(BoundaryRequire::Soft, weight)).ok_or_else(expected)
+        weight.map(|weight| (BoundaryRequire::Soft, weight)).ok_or_else(expected)
     }
 
     /// Returns the value of an option that takes a positive number.
