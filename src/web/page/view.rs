@@ -3,7 +3,7 @@
 //! Screen positions are CSS pixels from the upper left corner of the canvas. Coordinates are those
 //! of the file. Exceptions are an `Error` whose message is one complete line.
 
-use crate::view::appearance::{ColourMap, ColourScale, RowColours, ValueAxis};
+use crate::view::appearance::{ColourScale, RowColours, ValueAxis};
 use crate::view::gpu::{Device, DeviceError, Loss, Placement, Renderer};
 use crate::view::model::ProjectionMarks;
 use crate::view::pictures::Pictures;
@@ -181,10 +181,11 @@ impl View {
         self.model().set_face_values(values, scale).map_err(thrown)
     }
 
-    /// Returns CSS colours of the full colour map from low to high, for a legend.
+    /// Returns CSS colours of the model's colour map, which is that of its flat map too, from low to
+    /// high, for a legend.
     #[wasm_bindgen(js_name = colourStops)]
     pub fn colour_stops(&self, count: usize) -> Vec<String> {
-        ColourMap::Viridis.stops(count)
+        self.pictures.model().appearance().map().stops(count)
     }
 
     /// Selects the light or the dark theme.
