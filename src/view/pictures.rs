@@ -117,7 +117,7 @@ impl Pictures {
         let drawn = |is_drawn: bool| if is_drawn { per_length } else { 0.0 };
         self.model.scale_checks(drawn(on_model));
         map.scale_checks(drawn(on_map));
-        map.set_face_values(values, scale)
+        map.appearance_mut().set_values(values, scale)
     }
 
     /// Returns the region of the map on the canvas; none without a map.
@@ -192,10 +192,10 @@ mod tests {
             |p| p.set_map_looks(8.0, [true, true], None, ColourScale::linear(1.0, 2.0)).unwrap(),
             |p| p.show_flipped(),
             |p| p.clear_map(),
-            |p| p.model_mut().set_in_bands(true),
+            |p| p.model_mut().appearance_mut().set_in_bands(true),
             |p| p.model_mut().set_dark(true),
-            |p| p.model_mut().select(vec![1], vec![0]).unwrap(),
-            |p| p.model_mut().set_tint(vec![], vec![0], [1.0, 0.0, 0.0]).unwrap(),
+            |p| p.model_mut().marks_mut().select(vec![1], vec![0]).unwrap(),
+            |p| p.model_mut().marks_mut().tint(vec![], vec![0], [1.0, 0.0, 0.0]).unwrap(),
             |p| p.model_mut().set_parallel(true),
         ];
         for (place, change) in changes.into_iter().enumerate() {

@@ -63,7 +63,7 @@ fn a_circle_much_larger_than_the_model_is_in_front_of_the_eye_and_within_its_dep
 fn another_model_of_the_same_faces_keeps_its_digits_wherever_it_is() {
     let mut state = state();
     let here = state.mesh().positions.clone();
-    state.select(vec![3], vec![]).unwrap();
+    state.marks_mut().select(vec![3], vec![]).unwrap();
     let site = [2_679_500.0, 1_247_250.0, 408.0];
     let there: Vec<f64> = floors().iter().zip(site.iter().cycle()).map(|(a, b)| a + b).collect();
     state.set_mesh((vec![0, 4, 8], (0..8).collect()), (vec![], vec![]), &there).unwrap();

@@ -82,7 +82,7 @@ fn an_untouched_view_follows_the_canvas_and_a_touched_one_stays() {
 fn the_same_faces_only_move_and_keep_camera_and_marks() {
     let mut state = state(4, bump);
     state.orbit(50.0, 20.0);
-    state.select(vec![3], vec![]).unwrap();
+    state.marks_mut().select(vec![3], vec![]).unwrap();
     let camera = state.camera();
     state.take_changes();
     let (faces, positions) = sheet(4, DVec3::ZERO, |x, y| 0.5 * bump(x, y));
@@ -163,7 +163,7 @@ fn the_gizmo_is_in_the_middle_of_the_selected_handles() {
     let targets = [at(16), at(32) + DVec3::Z, at(0)];
     let numbers: Vec<f64> = targets.iter().flat_map(|target| target.to_array()).collect();
     state.set_handles(&[16, 32, 0], &[0, 0, 1], &numbers).unwrap();
-    state.select(vec![16, 20, 32], vec![]).unwrap();
+    state.marks_mut().select(vec![16, 20, 32], vec![]).unwrap();
     assert!(state.gizmo().is_none(), "it is not wanted yet");
     state.take_changes();
     state.want_gizmo(|wanted| wanted.shown = true);
@@ -178,7 +178,7 @@ fn the_gizmo_is_in_the_middle_of_the_selected_handles() {
     let way = state.constrain_move(DragDirection::Axis(2), Vec2::new(0.0, -50.0)).unwrap();
     assert!(way.x == 0.0 && way.y == 0.0 && way.z > 0.0);
 
-    state.select(vec![20], vec![]).unwrap();
+    state.marks_mut().select(vec![20], vec![]).unwrap();
     assert!(state.gizmo().is_none(), "a selected vertex is no handle");
 }
 
@@ -307,7 +307,7 @@ fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     model.take_changes();
     follow(&mut map, &model);
     assert!(!map.changes().any());
-    model.select(vec![], vec![3]).unwrap();
+    model.marks_mut().select(vec![], vec![3]).unwrap();
     model.set_dark(true);
     follow(&mut map, &model);
     assert!(map.changes().appearance && map.changes().view && map.is_dark());

@@ -23,7 +23,7 @@ pub fn numbers(state: &ViewState, veil: Colour, placement: Placement) -> Vec<f32
     let [_, _, sky] = camera.up.axes();
     let [low, high] = state.bounds();
     let floor = low.dot(sky).min(high.dot(sky));
-    let [r, g, b] = state.tint();
+    let [r, g, b] = state.appearance().tint_colour;
 
     let mut numbers = Vec::with_capacity(NUMBERS);
     let onto_canvas = Mat4::from_cols(

@@ -57,6 +57,7 @@ impl ViewState {
     pub fn of_flat_map(mesh: RenderMesh, checks: Checks, flipped: Vec<[u32; 2]>) -> ViewState {
         let mut map = ViewState::default();
         (map.content.mesh, map.content.checks, map.content.flipped) = (mesh, checks, flipped);
+        map.look.appearance = Appearance::new(map.counts());
         map.viewpoint.camera.look_from("top").expect("top is a side to look from");
         map
     }
@@ -85,7 +86,7 @@ impl ViewState {
         }
         let mesh = RenderMesh::new(faces, curves, coordinates)?;
         self.content = Content { mesh, ..Content::default() };
-        self.look.appearance = Appearance::default();
+        self.look.appearance = Appearance::new(self.counts());
         self.changes = Changes::ALL;
         self.layer = ShownLayer::default();
         self.viewpoint.camera.section = None;

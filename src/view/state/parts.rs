@@ -28,8 +28,6 @@ pub(super) struct Content {
 #[derive(Debug)]
 pub(super) struct Look {
     pub(super) appearance: Appearance,
-    /// The colour of marked members of a constraint, three components from 0 to 1.
-    pub(super) tint: [f32; 3],
     pub(super) display: Display,
     pub(super) dark: bool,
     /// A grey background for figures, instead of that of the theme.
@@ -42,7 +40,6 @@ impl Default for Look {
     fn default() -> Self {
         Look {
             appearance: Appearance::default(),
-            tint: [0.2, 0.7, 0.3],
             display: Display { edges: true, ..Display::default() },
             dark: false,
             background: None,
