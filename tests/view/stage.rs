@@ -1,10 +1,11 @@
 //! The view without a GPU: framing, picking, selection boxes, dragging.
 
 use glam::{DVec3, Vec2, Vec3};
+use shape_up::view::appearance::ColourMap;
 use shape_up::view::camera::UpAxis;
-use shape_up::view::flat_map::{flat_map, follow, show_flipped};
 use shape_up::view::gizmo::DragDirection;
-use shape_up::view::state::{Changes, Outline, ViewState};
+use shape_up::view::pictures::{flat_map, follow, show_flipped};
+use shape_up::view::state::{Changes, FittedShape, Outline, ViewState};
 
 pub(crate) const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
 
@@ -309,7 +310,10 @@ fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     assert!(!map.changes().any());
     model.marks_mut().select(vec![], vec![3]).unwrap();
     model.set_dark(true);
+    model.appearance_mut().set_map(ColourMap::Cividis, None);
     follow(&mut map, &model);
+    // The legend beside both is of this map.
+    assert_eq!(map.appearance().map(), model.appearance().map());
     assert!(map.changes().appearance && map.changes().view && map.is_dark());
     assert_eq!(map.appearance().bytes(4)[14], 255);
 }
