@@ -8,7 +8,7 @@
 use super::model::ViewError;
 use crate::view::camera::{Eye, Section};
 use crate::view::picking::DepthMap;
-use crate::view::state::ViewState;
+use crate::view::state::{FittedShape, ViewState};
 use glam::{Vec2, Vec3};
 use std::fmt::Write;
 
@@ -86,7 +86,7 @@ pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
             .for_each(|ends| sight.draw([at(ends[0]), at(ends[1])], &[], false, &mut edges));
     }
     if display.shapes {
-        for (centre, radii) in state.circles() {
+        for (centre, radii) in state.shapes().iter().filter_map(FittedShape::radii) {
             let point = |k: usize| {
                 let (sin, cos) = (std::f32::consts::TAU * k as f32 / CHORDS as f32).sin_cos();
                 centre + radii[0] * cos + radii[1] * sin

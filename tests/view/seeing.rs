@@ -46,17 +46,19 @@ fn seen_from_above_in_parallel_the_upper_floor_covers_the_lower_one_exactly() {
 }
 
 #[test]
-fn a_circle_much_larger_than_the_model_is_in_front_of_the_eye_and_within_its_depth() {
-    // That of a shallow arc was cut off where it left the depth of the model.
-    let mut state = parallel();
-    let circle = [0.0, 5.0, 5.0, 4.0, 0.0, 0.0, 1.0, 80.0];
-    let [(near, far), (before, behind)] = [true, false].map(|shows| {
-        state.set_display(Display { shapes: shows, ..state.display() });
-        state.set_shapes(&circle).unwrap();
-        state.depth_range()
-    });
-    assert!(far - near > 100.0 && near > 0.0, "{near} {far}");
-    assert!(behind - before < 40.0, "{before} {behind}");
+fn a_shape_much_larger_than_the_model_is_in_front_of_the_eye_and_within_its_depth() {
+    // The circle of a shallow arc was cut off where it left the depth of the model, and of the sphere of
+    // a shallow cap the far side was drawn where the near one passed the eye.
+    for kind in [0.0, 1.0] {
+        let mut state = parallel();
+        let [(near, far), (before, behind)] = [true, false].map(|shows| {
+            state.set_display(Display { shapes: shows, ..state.display() });
+            state.set_shapes(&[kind, 5.0, 5.0, 4.0, 0.0, 0.0, 1.0, 80.0]).unwrap();
+            state.depth_range()
+        });
+        assert!(far - near > 100.0 && near > 0.0, "{near} {far}");
+        assert!(behind - before < 40.0, "{before} {behind}");
+    }
 }
 
 #[test]

@@ -250,7 +250,7 @@ fn handles_that_do_not_fit_are_refused_and_the_old_ones_stay() {
 fn fitted_shapes_come_into_view_coordinates_with_all_their_digits() {
     let mut state = state(2, |_, _| 0.0);
     state.set_shapes(&[0.0, 5.0, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
-    assert_eq!(state.shapes(), [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 2.0]);
+    assert_eq!(state.shapes(), [FittedShape::Circle(Vec3::Z, Vec3::Z, 2.0)]);
     state.set_shapes(&[1.0, f64::NAN, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
     assert!(state.shapes().is_empty());
     assert!(state.set_shapes(&[0.0; 7]).is_err());
@@ -259,7 +259,7 @@ fn fitted_shapes_come_into_view_coordinates_with_all_their_digits() {
     state.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
     let [x, y, z] = [5.25, 5.0, 1.0].map(|at| 2.0e9 + at);
     state.set_shapes(&[0.0, x, y, z, 0.0, 0.0, 1.0, 2.0]).unwrap();
-    assert_eq!(state.shapes()[1..4], [0.25, 0.0, 1.0]);
+    assert_eq!(state.shapes(), [FittedShape::Circle(Vec3::new(0.25, 0.0, 1.0), Vec3::Z, 2.0)]);
 }
 
 #[test]

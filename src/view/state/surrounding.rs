@@ -1,6 +1,6 @@
 //! The ghost and the ground of a view, its projection, and its depth range.
 
-use super::{ViewState, half_diagonal};
+use super::{FittedShape, ViewState, half_diagonal};
 use crate::view::appearance::LineKind;
 use crate::view::camera::{CameraProjection, Section, depth_range};
 use crate::view::model::{ViewError, check_length, read_points};
@@ -95,18 +95,16 @@ impl ViewState {
         self.around.grid.lines.iter().flatten().copied()
     }
 
-    /// Returns the points beside the mesh that are drawn: targets, grid, and without those of stray
-    /// vertices ghost and layer.
+    /// Returns the points beside the mesh that are drawn: targets, grid, without those of stray vertices
+    /// ghost and layer, and around fitted shapes.
     fn drawn_beside(&self) -> impl Iterator<Item = Vec3> + '_ {
         let mesh = &self.content.mesh;
         let points = mesh.used_of(self.ghost()).chain(mesh.used_of(&self.layer.points));
-        // Of a shallow arc the circle is much larger than the model.
-        let circles = self
-            .circles()
-            .filter(|_| self.look.display.shapes)
-            .flat_map(|(centre, [a, b])| [a + b, a - b, b - a, -a - b].map(|to| centre + to));
+        // Of a shallow arc or cap the circle or sphere is much larger than the model.
+        let shapes = self.content.shapes.iter().filter(|_| self.look.display.shapes);
         let points = points.map(|point| mesh.relative(point));
-        self.targets().chain(self.grid()).chain(points).chain(circles)
+        let points = self.targets().chain(self.grid()).chain(points);
+        points.chain(shapes.flat_map(FittedShape::corners))
     }
 
     /// Returns the lines of ghost and grid: their ends among [`ViewState::surrounding_points`], and
