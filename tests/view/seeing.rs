@@ -62,6 +62,18 @@ fn a_shape_much_larger_than_the_model_is_in_front_of_the_eye_and_within_its_dept
 }
 
 #[test]
+fn the_ground_stays_where_it_is_when_the_original_is_known() {
+    // The shadow of a mesh that had risen jumped when the grid was switched on.
+    let mut state = state();
+    let risen: Vec<f64> = floors().chunks(3).flat_map(|p| [p[0], p[1], p[2] + 3.0]).collect();
+    state.set_positions(&risen).unwrap();
+    let before = state.floor();
+    assert!(before < -2.0);
+    state.set_rest(&floors()).unwrap();
+    assert_eq!(state.floor(), before);
+}
+
+#[test]
 fn another_model_of_the_same_faces_keeps_its_digits_wherever_it_is() {
     let mut state = state();
     let here = state.mesh().positions.clone();
