@@ -266,16 +266,19 @@ fn an_output_replaces_the_file_of_its_name_but_never_the_input() {
         // A scene became the text of a mesh.
         (
             vec!["solve", "s.shapeup.json", "--out", "s.shapeup.json"],
-            "--out writes .obj, .ply, .stl or .mesh",
+            "--out writes .obj, .mesh, .ply or .stl",
         ),
         (vec!["solve", "roof.obj", "--out", "x.off"], "found `x.off`"),
-        (vec!["solve", "roof.obj", "--out", "./roof.obj"], "--out would replace the input"),
-        (vec!["solve", "s.shapeup.json", "--report", "s.shapeup.json"], "--report would replace"),
-        (vec!["check", "roof.obj", "--report", "roof.obj"], "--report would replace"),
-        (vec!["edit", "roof.obj", "triangles", "--out", "roof.obj"], "--out would replace"),
+        (
+            vec!["solve", "roof.obj", "--out", "./roof.obj"],
+            "roof.obj would replace a file that is read",
+        ),
+        (vec!["solve", "s.shapeup.json", "--report", "s.shapeup.json"], "a file that is read"),
+        (vec!["check", "roof.obj", "--report", "roof.obj"], "a file that is read"),
+        (vec!["edit", "roof.obj", "triangles", "--out", "roof.obj"], "a file that is read"),
         (
             vec!["build", "roof.obj", "--report", "x.html", "--report-page", "./x.html"],
-            "the same file",
+            "another file that is written",
         ),
         (
             vec!["build", "roof.obj", "--report-page", "r.pdf"],

@@ -3,7 +3,7 @@
 use super::edit::Remesh;
 use super::new_mesh::New;
 use super::remesh::Quads;
-use super::words::{MESHES, MESHES_AND_SCENE, Settings, Word, Words};
+use super::words::{Settings, Word, Words};
 use crate::cli::{edit, new_mesh, remesh};
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
 use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryRequire, BuildSetting, PresetOf};
@@ -140,10 +140,7 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
     if arguments.iter().take_while(|word| *word != "--").any(|word| asks_for_help(&word)) {
         return Ok(Command::Help);
     }
-    let mut words = Words::new(arguments);
-    let command = command(&mut words)?;
-    words.check_outputs()?;
-    Ok(command)
+    command(&mut Words::new(arguments))
 }
 
 fn command(words: &mut Words) -> Result<Command, String> {
@@ -257,7 +254,7 @@ fn solve(words: &mut Words, command: &str) -> Result<Solve, String> {
             "--improve" => solve.improve = words.flag(&name)?,
             "--boundary" => solve.boundary = Some(words.boundary(&name)?),
             "--trace" => solve.trace = words.flag(&name)?,
-            "--out" => solve.out = Some(words.mesh(&name, MESHES)?),
+            "--out" => solve.out = Some(words.mesh(&name)?),
             "--report" => solve.report = Some(words.output(&name)?),
             "--iterations" => solve.iterations = Some(words.whole(&name, 0)?),
             "--tolerance" => solve.tolerance = Some(words.not_negative(&name)?),
@@ -292,8 +289,7 @@ fn build(words: &mut Words) -> Result<Command, String> {
             "--report-page" => build.report_page = Some(words.page(&name)?),
             "--link" => build.link = Some(words.text(&name)?),
             _ => {
-                let dashed = name.replace('_', "-");
-                let is_named = |one: &&BuildSetting| one.option().as_ref() == Some(&dashed);
+                let is_named = |one: &&BuildSetting| one.option().as_ref() == Some(&name);
                 let Some(setting) = BUILD_SETTINGS.iter().find(is_named) else {
                     return Err(unknown(&Word::Option(name), "build"));
                 };
@@ -319,7 +315,7 @@ fn refine(words: &mut Words) -> Result<Command, String> {
             "--keep" => subdivision.keep = words.not_negative(&name)?,
             "--panels" => panels = Some(words.kind(&name)?),
             "--adopt" => adopt = words.flag(&name)?,
-            "--out" => out = Some(words.mesh(&name, MESHES_AND_SCENE)?),
+            "--out" => out = Some(words.mesh_or_scene(&name)?),
             "--report" => report = Some(words.output(&name)?),
             _ => return Err(unknown(&Word::Option(name), "refine")),
         }
@@ -344,7 +340,7 @@ fn parametrize(words: &mut Words) -> Result<Command, String> {
                 parametrize.weights = words.one_of(&name)?;
             }
             "--norm" => parametrize.norm = words.one_of(&name)?,
-            "--out" => parametrize.out = Some(words.mesh(&name, &["obj"])?),
+            "--out" => parametrize.out = Some(words.file_with(&name, &["obj"])?),
             "--report" => parametrize.report = Some(words.output(&name)?),
             _ => return Err(unknown(&Word::Option(name), "parametrize")),
         }

@@ -1,6 +1,6 @@
 //! `shape-up edit`: applies a mesh operation to a scene or a mesh.
 
-use crate::cli::words::{MESHES_AND_SCENE, Word, Words};
+use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
 use serde_json::{Map, Value, json};
 use shape_up::mesh::{MESH_OPERATIONS, MeshOperation};
@@ -48,7 +48,7 @@ pub(in crate::cli) fn parse(words: &mut Words) -> Result<Remesh, String> {
             ("--vertices" | "--faces", _) => {
                 picked.insert(name[2..].to_owned(), words.text(&name)?.into());
             }
-            ("--out", _) => out = Some(words.mesh(&name, MESHES_AND_SCENE)?),
+            ("--out", _) => out = Some(words.mesh_or_scene(&name)?),
             (_, Some(size)) => sizes[size] = Some(words.number(&name)?),
             (_, None) => {
                 let sizes: Vec<_> = operation.sizes.iter().map(|s| format!("--{}", s.id)).collect();

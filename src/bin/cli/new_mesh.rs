@@ -1,6 +1,6 @@
 //! `shape-up new`: makes a mesh to start from.
 
-use crate::cli::words::{MESHES, Word, Words};
+use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
 use shape_up::generate::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
 use shape_up::mesh::Mesh;
@@ -74,7 +74,7 @@ pub(in crate::cli) fn parse(words: &mut Words) -> Result<New, String> {
             (None, _, "--units") => {
                 units = Some(words.word_of(&name, &UNITS, |unit| unit.symbol)?.symbol);
             }
-            (None, _, "--out") => out = Some(words.mesh(&name, MESHES)?),
+            (None, _, "--out") => out = Some(words.mesh(&name)?),
             (None, ..) => {
                 own.extend(["--units", "--out"].map(str::to_owned));
                 return Err(format!("new {id} takes {}, found `{name}`", own.join(", ")));

@@ -1,7 +1,7 @@
 //! `shape-up remesh`: covers a surface with quads along its lines of curvature.
 
 use crate::cli::arguments::unknown;
-use crate::cli::words::{MESHES, Word, Words};
+use crate::cli::words::{Word, Words};
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
 use shape_up::mesh::Edited;
@@ -83,7 +83,7 @@ pub(in crate::cli) fn parse(words: &mut Words) -> Result<Quads, String> {
                 let all = [Boundary::Followed, Boundary::Cut];
                 options.boundary = *words.word_of(&name, &all, |boundary| boundary.word())?;
             }
-            "--out" => out = Some(words.mesh(&name, MESHES)?),
+            "--out" => out = Some(words.mesh(&name)?),
             "--report" => report = Some(words.output(&name)?),
             _ => return Err(unknown(&Word::Option(name), "remesh")),
         }
@@ -100,6 +100,7 @@ pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
         return Err(Failure::Usage(format!("remesh takes a mesh file, found `{path}`")));
     }
     let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&asked.input)?;
+    output::check(asked.out.iter().chain(&asked.report), None)?;
     let at_input = |error: String| Failure::Input(format!("{path}: {error}"));
     scene.validate(&mesh).map_err(|error| at_input(error.to_string()))?;
     let loaded = clock::now();

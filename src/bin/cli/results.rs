@@ -1,7 +1,7 @@
 //! `shape-up check` of the results of a lesson: of one student (`RESULTS --scene SCENE`), against
 //! the goals; or of a class (`FOLDER [--scene SCENE] [--csv FILE.csv]`), as a table.
 
-use crate::cli::words::place;
+use crate::cli::output::place;
 use crate::cli::{Failure, input, output};
 use shape_up::fabricate::file::not_a_formula;
 use shape_up::scene::{GoalOf, GoalResult, NamedEnum, Results, SceneError};

@@ -6,9 +6,7 @@ use serde::Serialize;
 use shape_up::constraint::describe;
 use shape_up::scene::BoundaryCloseness;
 use shape_up::session::Error;
-use shape_up::session::{
-    EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of,
-};
+use shape_up::session::{EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
 use std::fmt::Write;
@@ -29,6 +27,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         Failure::Input(format!("{}: {message}", command.input.display()))
     };
     let is_press = command.require == Some(Required::Auto);
+    output::check(command.out.iter().chain(&command.report), None)?;
     if command.require.is_some() {
         // What a search chose was for other requirements.
         scene.as_asked();
