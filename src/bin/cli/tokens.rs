@@ -17,28 +17,28 @@ const AUTO: &str = "auto";
 pub(super) type Settings = Vec<(&'static str, Value)>;
 
 /// The remaining arguments of a command.
-pub(super) struct Words {
+pub(super) struct Tokens {
     parser: lexopt::Parser,
     /// The options so far, to reject repetitions.
     seen: Vec<String>,
 }
 
-pub(super) enum Word {
+pub(super) enum Token {
     File(OsString),
     /// The name, including its dashes.
     Option(String),
 }
 
-impl Words {
-    pub(super) fn new(arguments: Vec<OsString>) -> Words {
-        Words { parser: lexopt::Parser::from_args(arguments), seen: Vec::new() }
+impl Tokens {
+    pub(super) fn new(arguments: Vec<OsString>) -> Tokens {
+        Tokens { parser: lexopt::Parser::from_args(arguments), seen: Vec::new() }
     }
 
     /// Returns the next file or option; none at the end.
-    pub(super) fn next(&mut self) -> Result<Option<Word>, String> {
+    pub(super) fn next(&mut self) -> Result<Option<Token>, String> {
         let name = match self.parser.next().map_err(|error| error.to_string())? {
             None => return Ok(None),
-            Some(Arg::Value(file)) => return Ok(Some(Word::File(file))),
+            Some(Arg::Value(file)) => return Ok(Some(Token::File(file))),
             // As in the tables of a build, which have the ids of scenes.
             Some(Arg::Long(name)) => format!("--{}", name.replace('_', "-")),
             Some(Arg::Short(letter)) => format!("-{letter}"),
@@ -47,7 +47,7 @@ impl Words {
             return Err(format!("{name} is given twice"));
         }
         self.seen.push(name.clone());
-        Ok(Some(Word::Option(name)))
+        Ok(Some(Token::Option(name)))
     }
 
     /// Returns the next option of a command that takes one file, and stores the file in `place`.
@@ -55,8 +55,8 @@ impl Words {
         loop {
             match self.next()? {
                 None => return Ok(None),
-                Some(Word::Option(name)) => return Ok(Some(name)),
-                Some(Word::File(file)) => {
+                Some(Token::Option(name)) => return Ok(Some(name)),
+                Some(Token::File(file)) => {
                     let file = self.input(file)?;
                     if let Some(first) = place.replace(file) {
                         let first = first.display();
