@@ -299,7 +299,7 @@ mod tests {
         state.set_mesh((offsets, sides), (vec![0], vec![]), corners.as_flattened()).unwrap();
         state.resize(Vec2::new(800.0, 600.0));
         state.set_parallel(true);
-        state.move_camera(|camera| camera.look_from("front")).unwrap();
+        state.preset("front").unwrap();
         state.set_section(Some((2, 0.1, false))).unwrap();
         let svg = line_drawing(&state).unwrap();
         let size = |name: &str| -> f32 {
@@ -307,7 +307,7 @@ mod tests {
             rest.split_once("mm").unwrap().0.parse().unwrap()
         };
         assert!((size("width") / size("height") - 1.0).abs() < 0.05, "{svg}");
-        state.zoom(40.0, Vec2::new(400.0, 300.0));
+        state.zoom(5.0, Vec2::new(400.0, 300.0));
         assert_eq!(line_drawing(&state), Err(ViewError::Outside));
     }
 
