@@ -57,12 +57,13 @@ const common = () =>
 /** Foreign meshes and expected results, which a clone of the repository alone has not. */
 const shared = at('..', 'shared');
 /**
- * What decides over the tests of Rust, which also read the README, the results that the gallery
- * shows, the script for Rhino and the material beside the project. Steps with `inputs` are skipped while these are unchanged.
+ * What decides over the tests of Rust, which also read the results that the gallery shows, the script
+ * for Rhino and the material beside the project. Steps with `inputs` are skipped while these are
+ * unchanged; what is read of the rest, by `tests/scripts`, is looked at every time.
  */
 const rust = () => [
   ...common(),
-  ...['src', 'README.md', 'www/pictures', 'www/rhino'].map((name) => at(name)),
+  ...['src', 'www/pictures', 'www/rhino'].map((name) => at(name)),
   ...filesUnder(at('tests')).filter(
     (path) => !/^tests\/(page|scripts)\//.test(relative(root, path)),
   ),

@@ -9,7 +9,7 @@ const PRINTED = {
     failed: /test result: \w+\. \d+ passed; (\d+) failed/g,
     skippedTests: /^test (.*) \.\.\. ignored/gm,
     // With `--show-output`: tests that passed, and said that there was nothing for them to look at.
-    unlooked: /^---- (.*) stdout ----\n(?:(?!---- ).*\n)*?skipped: (.*)$/gm,
+    withoutInput: /^---- (.*) stdout ----\n(?:(?!---- ).*\n)*?skipped: (.*)$/gm,
   },
   // Node's test runner, in its TAP format.
   node: {
@@ -41,16 +41,16 @@ export const EXCUSED = [
 /** Adds up the counts in the `output` of a `kind` of test program; names skipped, flaky tests. */
 export function countTests(kind, output) {
   const printed = PRINTED[kind];
-  const unlooked = [...output.matchAll(printed.unlooked ?? /$^/g)].map(
+  const withoutInput = [...output.matchAll(printed.withoutInput ?? /$^/g)].map(
     ([, test, reason]) => `${test}: ${reason}`,
   );
   const found = (pattern) => (pattern ? [...output.matchAll(pattern)].map(([, one]) => one) : []);
   const sum = (pattern) => found(pattern).reduce((total, count) => total + Number(count), 0);
   const lines = (pattern) => found(pattern).flatMap((text) => text.trim().split(/\s*\n\s*/));
   return {
-    passed: sum(printed.passed) - unlooked.length,
+    passed: sum(printed.passed) - withoutInput.length,
     failed: sum(printed.failed),
-    skipped: [...lines(printed.skippedTests), ...unlooked],
+    skipped: [...lines(printed.skippedTests), ...withoutInput],
     flaky: lines(printed.flakyTests),
   };
 }

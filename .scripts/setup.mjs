@@ -8,8 +8,8 @@ import { Problem } from './run.mjs';
 
 const oldestNode = [20, 19];
 
-/** Installs what building needs; with `checks` also what `npm test` needs. */
-export async function setUp({ checks }) {
+/** Installs what building needs; with `checks` also what tests need, some of them a `browser`. */
+export async function setUp({ checks, browser = checks }) {
   const [major, minor] = process.versions.node.split('.').map(Number);
   if (major < oldestNode[0] || (major === oldestNode[0] && minor < oldestNode[1])) {
     throw new Problem(
@@ -18,5 +18,5 @@ export async function setUp({ checks }) {
   }
   await setUpRust({ checks });
   await setUpPackages();
-  if (checks) await setUpBrowser();
+  if (browser) await setUpBrowser();
 }

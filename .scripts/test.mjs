@@ -25,11 +25,12 @@ const add = (a, b) => Object.fromEntries(Object.keys(none).map((key) => [key, a[
 const inWords = ({ passed, failed, skipped, flaky }) =>
   `${passed} passed, ${failed} failed, ${skipped} skipped, ${flaky} flaky`;
 
-/** What runs the steps, beside what the lock files name. */
-const tools = async () => [
-  ...[process.version, outputOf('rustc', ['--version'])],
-  outputOf(await findBrowser(), ['--version']),
-];
+/** What runs the steps, beside what the lock files name; null for a browser that is not there. */
+async function tools() {
+  const browser = await findBrowser();
+  const versions = [process.version, outputOf('rustc', ['--version'])];
+  return [...versions, browser && outputOf(browser, ['--version'])];
+}
 
 /** Prints what is to be said of the tests of a step; returns their numbers, and whether to repeat it. */
 function counted(kind, { ok, output }) {
@@ -81,7 +82,7 @@ await main(async () => {
   // In a fresh clone, recording what the next build could reuse would cost a fifth of this one.
   if (!existsSync(targetFolder)) process.env.CARGO_INCREMENTAL ??= '0';
   const begun = performance.now();
-  await setUp({ checks: true });
+  await setUp({ checks: true, browser: command !== 'check' });
   found = await tools();
   console.log(`- set-up\n    ok (${((performance.now() - begun) / 1000).toFixed(1)} s)`);
   for (const lanes of stages[command]) await Promise.all(lanes.map(lane));

@@ -7,11 +7,9 @@
 //! - The table at the head of a `mod.rs` lists all files and folders beside it. A folder without
 //!   folders needs no table.
 //! - No two public types have the same name.
-//! - The paths, functions and modules that the head of `src/lib.rs` names exist.
 
 use crate::support::sources::{Sources, cycle};
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 
 /// Limit of files per folder; a longer list would not be read.
 const MOST_FILES: usize = 25;
@@ -155,33 +153,4 @@ fn no_two_public_types_have_one_name() {
         .map(|(name, places)| format!("{name}: {places:?}"))
         .collect();
     assert!(wrong.is_empty(), "names of several types, or listed as such:\n{}", wrong.join("\n"));
-}
-
-#[test]
-fn what_the_documentation_of_the_crate_names_is_there() {
-    let sources = Sources::read();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let is_file = |path: &str| {
-        let places = [root.join(path), root.join("src").join(path)];
-        places.iter().any(|place| place.exists() || place.with_extension("rs").exists())
-    };
-    // A function by its type and name, or a module by its path.
-    let is_item = |path: &str| {
-        let name = path.rsplit("::").next().unwrap_or_default();
-        let function = format!("fn {name}(");
-        sources.modules.values().any(|text| text.code.contains(&function))
-            || is_file(&path.replace("::", "/"))
-    };
-    // Names stand in backquotes. Rustdoc checks those in brackets. Blocks of code are no names.
-    let head = sources.modules[&Vec::new()].head.replace("```", "");
-    let mut wrong = Vec::new();
-    for pair in head.split('`').collect::<Vec<_>>().chunks_exact(2) {
-        let [before, name] = [pair[0], pair[1]];
-        let is_name = name.chars().all(|c| c.is_alphanumeric() || "_:/.".contains(c));
-        let is_there = if name.contains('/') { is_file(name) } else { is_item(name) };
-        if is_name && name.contains(['/', ':']) && !before.ends_with('[') && !is_there {
-            wrong.push(name);
-        }
-    }
-    assert!(wrong.is_empty(), "src/lib.rs names what is not there: {wrong:?}");
 }

@@ -14,7 +14,7 @@ import { startBrowser } from './browser.mjs';
 import { startNative } from './native.mjs';
 import { casesOf, measured, parts, tablesOf } from './parts.mjs';
 import { benchFolder, letters } from './problems.mjs';
-import { isQuiet, unrest, unrestText } from './quiet.mjs';
+import { isQuiet, otherLoad, otherLoadText } from './quiet.mjs';
 import { table } from './tables.mjs';
 
 const usual = ['iterations', 'maps', 'convergence', 'start'];
@@ -97,7 +97,7 @@ async function rowsOf(name, options, on) {
 /** Refuses to write numbers of a busy machine into the documentation; they are of use otherwise. */
 function requireQuiet(...moments) {
   if (moments.every(isQuiet)) return;
-  throw new Problem(`${unrestText(...moments)} The tables are not written.`);
+  throw new Problem(`${otherLoadText(...moments)} The tables are not written.`);
 }
 
 /** Describes the command, and what it ran on. */
@@ -110,13 +110,13 @@ function machineText(words, browser) {
   return `\`${command}\` at ${commit} on ${date}, on ${on}.`;
 }
 
-/** Returns the rows of all parts by name, and the unrest before and after. */
+/** Returns the rows of all parts by name, and the load by others before and after. */
 async function measure(options, words) {
   const moment = options.trial ? 50 : 1000;
   const places = await begin(options);
   const on = (place, ...task) => places[place].perform(...task);
-  const moments = [await unrest(moment)];
-  say(unrestText(...moments));
+  const moments = [await otherLoad(moment)];
+  say(otherLoadText(...moments));
   const rows = {};
   try {
     if (options.write) requireQuiet(...moments);
@@ -124,7 +124,7 @@ async function measure(options, words) {
   } finally {
     await places.browser?.close();
   }
-  moments.push(await unrest(moment));
+  moments.push(await otherLoad(moment));
   return { machine: machineText(words, places.browser?.version), moments, rows };
 }
 
@@ -135,7 +135,7 @@ function markdown({ machine, moments, rows }) {
       .map(([title, columns]) => [title, table(columns, all)])
       .filter(([, text]) => text),
   );
-  return [`${machine} ${unrestText(...moments)}`, ...texts.flat()].join('\n\n');
+  return [`${machine} ${otherLoadText(...moments)}`, ...texts.flat()].join('\n\n');
 }
 
 /** The page of the documentation that has the tables, and the lines that enclose them. */

@@ -32,14 +32,14 @@ function stalled(moment) {
 }
 
 /** Measures for two moments, in milliseconds: { busy, stalled }. */
-export async function unrest(moment) {
+export async function otherLoad(moment) {
   return { busy: await busyCores(moment), stalled: stalled(moment) };
 }
 
 export const isQuiet = ({ busy, stalled }) => busy <= MOST.busy && stalled <= MOST.stalled;
 
-/** Describes the measured unrest of some moments. */
-export function unrestText(...moments) {
+/** Describes the measured load by others in some moments. */
+export function otherLoadText(...moments) {
   const words = moments.every(isQuiet) ? 'It was quiet' : 'It was **not quiet**';
   const cores = moments.map(({ busy }) => busy.toFixed(1)).join(' and ');
   const lost = moments.map(({ stalled }) => `${(100 * stalled).toFixed(1)} %`).join(' and ');

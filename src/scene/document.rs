@@ -8,7 +8,9 @@ use super::presentation::{Slide, Variants};
 use crate::constraint::{Kind, Selector, Sets};
 use crate::json::{Entries, Object, indices, object, object_or_none, objects, points, present};
 use crate::mesh::{Mesh, Point, Read};
-use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
+use crate::solve::{
+    BoundaryRequire, ClosenessTo, Hold, Require, Smoothness, SolverSettings, Weights,
+};
 use crate::words;
 use serde::ser::{Error, Serializer};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -107,6 +109,26 @@ impl Scene {
     /// Returns a scene without constraints, with the default settings.
     pub fn new(mesh: MeshSource) -> Scene {
         Scene { mesh, ..Scene::default() }
+    }
+
+    /// Takes back what a search has chosen to meet the hard constraints: the settings of its attempt,
+    /// and larger tolerances. The scene is then as it was asked for.
+    pub fn as_asked(&mut self) {
+        let chosen = std::mem::take(&mut self.attempt);
+        if chosen.smoother != 1.0 {
+            // As many digits as anybody types: without the rounding of product and quotient.
+            self.weights.smooth = words::rounded(self.weights.smooth / chosen.smoother, 15);
+        }
+        if chosen.on_surface {
+            self.closeness.to = ClosenessTo::Rest;
+        }
+        let boundary = &mut self.closeness.boundary.require;
+        if chosen.holds_boundary {
+            *boundary = BoundaryRequire::Off;
+        } else if chosen.hardens_boundary {
+            *boundary = (*boundary).min(BoundaryRequire::Soft);
+        }
+        self.constraints.iter_mut().for_each(|row| row.eased = None);
     }
 
     /// The positions of the other pose, `#V by 3`, which rest shapes are taken from; none without one.

@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::edit::{is_of_solver, settings_of};
-use super::state::{as_asked, resolve_row};
+use super::state::resolve_row;
 use crate::constraint::Selector;
 use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, Stand};
 use crate::mesh::{Mesh, Topology};
@@ -22,7 +22,7 @@ impl Session {
         let goals = self.goals();
         // As it was asked for, before a search chose how to solve it.
         let mut asked = self.scene();
-        as_asked(&mut asked);
+        asked.as_asked();
         let settings = settings_of(&asked).into_iter();
         let Scene { title, constraints, handles, weights, .. } = asked;
         Some(Results {
@@ -95,7 +95,7 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     let (locks, goals) = (lesson.lock.clone(), lesson.goals.clone());
     // The scene as written if it is handed in unchanged.
     let mut given = Session::open(scene.clone(), mesh.clone())?.scene();
-    as_asked(&mut given);
+    given.as_asked();
     let other = other_mesh(results, &mesh)?.map(|other| {
         let topology = Topology::new(&other);
         (other, topology)

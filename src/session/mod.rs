@@ -96,7 +96,7 @@ pub use run::{
     Level, Step, SurfaceDistance, TraceEntry, Tried, max_interactive_faces,
 };
 pub use selection::{Mode, OPERATIONS, Operation, SelectRequest, Selection};
-pub use state::{Paired, ResolvedRow, as_asked, check_targets};
+pub use state::{Paired, ResolvedRow, check_targets};
 pub use trial::{
     BetterPress, BetterPresses, Cost, ExactOffer, ExactShape, ExactTrial, Suggestion, Suggestions,
     VerdictReport,

@@ -3,6 +3,7 @@
 use crate::mesh::{Mesh, Read, ReadError, Weld, read};
 use crate::scene::{MeshSource, Pose, Scene, SceneError, Target, UnitsAndUp};
 use serde::Serialize;
+use std::path::Path;
 
 /// Reads the files that the user opens.
 #[derive(Default)]
@@ -54,22 +55,62 @@ impl FileReader {
         frame: UnitsAndUp,
         unwelded: bool,
     ) -> Result<OpenedFile, ReadError> {
-        let beside = std::mem::take(&mut self.beside);
         if is_scene(name) {
-            let (scene, mut source) = scene_with_files(name, bytes, &beside)?;
-            let mesh = std::mem::take(&mut source.mesh);
-            // The indices in a scene refer to its mesh as it is, so nothing is welded.
-            return Ok(OpenedFile {
-                scene,
-                mesh,
-                weld: None,
-                diagnostics: source,
-                guessed: Guessed::default(),
-            });
+            let scene = OpenedFile::scene_in(bytes);
+            return match scene {
+                Ok(scene) => self.scene_with_files(name, scene),
+                Err(error) => Err(fault(name, error.to_string())),
+            };
         }
+        self.beside.clear();
         let stated = UnitsAndUp::stated(bytes).or(frame);
         Ok(OpenedFile::of_mesh(name, read(name, bytes)?, stated, unwelded))
     }
+
+    /// Inserts the files added before into the scene of the file `name`.
+    ///
+    /// # Errors
+    /// If one was not added, or the problem of one, with its name beside that of the scene.
+    pub fn scene_with_files(
+        &mut self,
+        name: &str,
+        mut scene: Scene,
+    ) -> Result<OpenedFile, ReadError> {
+        let beside = std::mem::take(&mut self.beside);
+        let named = |path: &str| {
+            let (_, bytes) = beside.iter().find(|(other, _)| other == path).ok_or_else(|| {
+                fault(name, format!("it needs the mesh file {path}: open both files together"))
+            })?;
+            let full = Path::new(name).with_file_name(path);
+            Ok::<_, ReadError>((read(&full.to_string_lossy(), bytes)?, UnitsAndUp::stated(bytes)))
+        };
+        let mut source = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
+            MeshSource::Inline(mesh) => {
+                Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() }
+            }
+            MeshSource::File(path) => {
+                let (source, stated) = named(&path)?;
+                scene.mesh = MeshSource::File(path);
+                stated.complete(&mut scene);
+                source
+            }
+        };
+        if let Some(path) = scene.closeness.file_to_read() {
+            scene.closeness.target = Some(Target::Mesh(named(path)?.0.mesh.into()));
+        }
+        if let Some(Pose::File(path)) = &scene.pose {
+            let pose = Pose::of(path, named(path)?.0, &source.mesh);
+            scene.pose = Some(pose.map_err(|error| fault(name, error.to_string()))?);
+        }
+        let mesh = std::mem::take(&mut source.mesh);
+        // The indices in a scene refer to its mesh as it is, so nothing is welded.
+        Ok(OpenedFile { scene, mesh, weld: None, diagnostics: source, guessed: Guessed::default() })
+    }
+}
+
+/// The error of a whole file.
+fn fault(name: &str, message: String) -> ReadError {
+    ReadError { file: name.to_owned(), line: None, text: String::new(), message }
 }
 
 impl OpenedFile {
@@ -104,8 +145,9 @@ pub fn is_scene(name: &str) -> bool {
     name.to_ascii_lowercase().ends_with(".json")
 }
 
-/// Returns the paths of the files that a scene refers to: its mesh, a target surface, a pose.
-pub fn named_files(scene: &Scene) -> impl Iterator<Item = &str> {
+/// Returns the files that a scene refers to, its mesh, a target surface and a pose: where the scene
+/// names each, as a JSON path, and its path.
+pub fn named_files(scene: &Scene) -> impl Iterator<Item = (&'static str, &str)> {
     let mesh = match &scene.mesh {
         MeshSource::File(path) => Some(path.as_str()),
         MeshSource::Inline(_) => None,
@@ -114,45 +156,9 @@ pub fn named_files(scene: &Scene) -> impl Iterator<Item = &str> {
         Some(Pose::File(path)) => Some(path.as_str()),
         _ => None,
     };
-    mesh.into_iter().chain(scene.closeness.file_to_read()).chain(pose)
-}
-
-/// Returns a scene with the contents of the files `beside` it inserted, and the mesh.
-fn scene_with_files(
-    name: &str,
-    bytes: &[u8],
-    beside: &[(String, Vec<u8>)],
-) -> Result<(Scene, Read), ReadError> {
-    let fault = |message: String| ReadError {
-        file: name.to_owned(),
-        line: None,
-        text: String::new(),
-        message,
-    };
-    let named = |path: &str| {
-        let (_, bytes) = beside.iter().find(|(other, _)| other == path).ok_or_else(|| {
-            fault(format!("it needs the mesh file {path}: open both files together"))
-        })?;
-        Ok::<_, ReadError>((read(path, bytes)?, UnitsAndUp::stated(bytes)))
-    };
-    let mut scene = OpenedFile::scene_in(bytes).map_err(|error| fault(error.to_string()))?;
-    let source = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
-        MeshSource::Inline(mesh) => Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() },
-        MeshSource::File(path) => {
-            let (source, stated) = named(&path)?;
-            scene.mesh = MeshSource::File(path);
-            stated.complete(&mut scene);
-            source
-        }
-    };
-    if let Some(path) = scene.closeness.file_to_read() {
-        scene.closeness.target = Some(Target::Mesh(named(path)?.0.mesh.into()));
-    }
-    if let Some(Pose::File(path)) = &scene.pose {
-        let pose = Pose::of(path, named(path)?.0, &source.mesh);
-        scene.pose = Some(pose.map_err(|error| fault(error.to_string()))?);
-    }
-    Ok((scene, source))
+    let target = scene.closeness.file_to_read();
+    let named = [("mesh.file", mesh), ("closeness.to.mesh.file", target), ("pose.file", pose)];
+    named.into_iter().filter_map(|(place, path)| Some((place, path?)))
 }
 
 #[cfg(test)]
@@ -244,7 +250,8 @@ mod tests {
             read_scene(reader, scene(pose).as_bytes())
         };
         let whole = OpenedFile::scene_in(scene("raised.obj").as_bytes()).expect("it is one");
-        assert!(named_files(&whole).eq(["two.obj", "far/other.obj", "raised.obj"]));
+        let named = named_files(&whole).map(|(_, path)| path);
+        assert!(named.eq(["two.obj", "far/other.obj", "raised.obj"]));
         let OpenedFile { scene, .. } = opened("raised.obj").expect("all are there");
         assert!(scene.closeness.target.is_some_and(|target| target.mesh().is_some()));
         let pose = scene.pose.expect("it has one");

@@ -8,7 +8,7 @@
 use super::model::ViewError;
 use crate::view::camera::{Eye, Section};
 use crate::view::picking::DepthMap;
-use crate::view::state::ViewState;
+use crate::view::state::{FittedShape, ViewState};
 use glam::{Vec2, Vec3};
 use std::fmt::Write;
 
@@ -34,7 +34,7 @@ const CIRCLE: u32 = 13;
 /// Draws the visible lines as SVG in millimetres, with groups for circles, edges and outlines.
 ///
 /// # Errors
-/// If nothing of the model is in the picture.
+/// If no line of the model is in the picture.
 pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
     let camera = state.camera();
     let [low, high] = frame(state).ok_or(ViewError::Outside)?;
@@ -86,7 +86,7 @@ pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
             .for_each(|ends| sight.draw([at(ends[0]), at(ends[1])], &[], false, &mut edges));
     }
     if display.shapes {
-        for (centre, radii) in state.circles() {
+        for (centre, radii) in state.shapes().iter().filter_map(FittedShape::radii) {
             let point = |k: usize| {
                 let (sin, cos) = (std::f32::consts::TAU * k as f32 / CHORDS as f32).sin_cos();
                 centre + radii[0] * cos + radii[1] * sin
@@ -106,6 +106,9 @@ pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
         ("edges", "#1d2123", EDGE, edges.on_surface),
         ("outlines", "#000", OUTLINE, edges.outlines),
     ];
+    if pens.iter().all(|(.., data)| data.is_empty()) {
+        return Err(ViewError::Outside);
+    }
     for (id, ink, pen, data) in pens {
         if !data.is_empty() {
             // Writing to a string cannot fail.
@@ -118,11 +121,18 @@ pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
     Ok(svg + "</g></svg>\n")
 }
 
-/// Returns two corners of the part of the canvas that shows the model, with a margin; none if nothing
-/// of it is there.
+/// Returns two corners of the part of the canvas that shows what the section leaves of the model, with
+/// a margin; none if nothing of it is there.
 fn frame(state: &ViewState) -> Option<[Vec2; 2]> {
     let (canvas, eye) = (state.camera().canvas, state.camera().eye());
-    let places = state.mesh().used_positions().map(|point| eye.project(point));
+    let (mesh, section) = (state.mesh(), state.camera().section);
+    let is_kept = |point: &Vec3| section.is_none_or(|section| section.within(*point) >= 0.0);
+    let segments = mesh.curves.iter().flat_map(|curve| curve.windows(2).map(|w| [w[0], w[1]]));
+    let lines = mesh.sides.iter().map(|side| side.0).chain(segments);
+    let lines = lines.map(|ends| ends.map(|vertex| mesh.positions[vertex as usize]));
+    let cut = lines.filter_map(|ends| section?.cut(ends)).flatten();
+    let places = mesh.used_positions().filter(is_kept).chain(cut);
+    let places = places.map(|point| eye.project(point));
     let seen = places.filter(|(_, depth)| *depth > 0.0).map(|(place, _)| place);
     let (low, high) = (seen.clone().reduce(Vec2::min)?, seen.reduce(Vec2::max)?);
     if high.cmple(Vec2::ZERO).any() || low.cmpge(canvas).any() {
@@ -275,6 +285,39 @@ mod tests {
         state.move_camera(|camera| camera.look_from("top")).unwrap();
         assert!(line_drawing(&state).is_ok());
         state.move_camera(|camera| camera.pan(4000.0, 0.0));
+        assert_eq!(line_drawing(&state), Err(ViewError::Outside));
+    }
+
+    #[test]
+    fn what_is_cut_off_takes_no_part_of_the_sheet() {
+        // A tower of which a tenth was kept stood at the foot of an empty sheet.
+        let corner = |k: u8| [f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2) * 10.0];
+        let corners: Vec<[f64; 3]> = (0..8).map(corner).collect();
+        let offsets = (0..=4).map(|k| 4 * k).collect();
+        let sides = vec![0, 1, 5, 4, 1, 3, 7, 5, 3, 2, 6, 7, 2, 0, 4, 6];
+        let mut state = ViewState::default();
+        state.set_mesh((offsets, sides), (vec![0], vec![]), corners.as_flattened()).unwrap();
+        state.resize(Vec2::new(800.0, 600.0));
+        state.set_parallel(true);
+        state.preset("front").unwrap();
+        state.set_section(Some((2, 0.1, false))).unwrap();
+        let svg = line_drawing(&state).unwrap();
+        let size = |name: &str| -> f32 {
+            let (_, rest) = svg.split_once(&format!("{name}=\"")).unwrap();
+            rest.split_once("mm").unwrap().0.parse().unwrap()
+        };
+        assert!((size("width") / size("height") - 1.0).abs() < 0.05, "{svg}");
+        state.zoom(5.0, Vec2::new(400.0, 300.0));
+        assert_eq!(line_drawing(&state), Err(ViewError::Outside));
+    }
+
+    #[test]
+    fn points_have_no_lines() {
+        let mut state = ViewState::default();
+        state
+            .set_mesh((vec![0], vec![]), (vec![0], vec![]), &[0.0, 0.0, 0.0, 1.0, 2.0, 3.0])
+            .unwrap();
+        state.resize(Vec2::new(800.0, 600.0));
         assert_eq!(line_drawing(&state), Err(ViewError::Outside));
     }
 

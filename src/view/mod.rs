@@ -15,7 +15,7 @@
 //! | `gizmo` | arrows and squares for dragging handles |
 //! | `overlay` | ghost, ground, scale bar |
 //! | `state` | the state that determines a picture, and what has changed since the last one |
-//! | `pictures`, `flat_map` | the model, and its flat map beside it on one canvas |
+//! | `pictures` | the model, and its flat map beside it on one canvas |
 //! | `line_drawing` | the line drawing for print, as SVG |
 //! | `gpu` | pictures with wgpu |
 //!
@@ -25,7 +25,6 @@
 
 pub mod appearance;
 pub mod camera;
-pub mod flat_map;
 pub mod gizmo;
 pub mod gpu;
 pub mod line_drawing;

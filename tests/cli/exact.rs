@@ -1,6 +1,6 @@
 //! `shape-up solve` with hard constraints.
 
-use crate::cli::folder::{Folder, ROOF, scene};
+use crate::cli::folder::{Folder, PLANES, ROOF, scene};
 use serde_json::Value;
 
 fn number(value: &Value) -> f64 {
@@ -190,6 +190,15 @@ fn a_boundary_is_held_exactly_or_nearly() {
         [off(&[]), off(&["--boundary", "100000"]), off(&["--boundary", "exact"])];
     assert!(exact <= 1e-15, "{exact}");
     assert!(exact < nearly && nearly < free, "{nearly} {free}");
+    // The corners of the scene were replaced by those of the default.
+    let [own, default] = ["120", "45"].map(|corners| {
+        let boundary = format!(r#""boundary": {{ "corners": {corners} }}"#);
+        let close = format!(r#", "weights": {{ "close": 1 }}, "closeness": {{ {boundary} }}"#);
+        folder.write("s.json", scene(&format!("{PLANES}{close}")));
+        folder.run(&["solve", "s.json", "--boundary", "exact", "--out", "own.obj"]).done();
+        folder.read("own.obj")
+    });
+    assert_ne!(own, default);
     folder.run(&["solve", "roof.obj", "--boundary", "tight"]).misused("`exact` or a weight");
 }
 

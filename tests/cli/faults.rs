@@ -163,7 +163,7 @@ fn a_wrong_call_says_how_it_is_called() {
         (vec!["solve", "roof.obj", "--panels", "plane", "--out", "--trace"], "--out needs a value"),
         (
             vec!["solve", "roof.obj", "--panels", "plane", "--out", "x", "--report", "x"],
-            "same file",
+            "another file that is written",
         ),
         (vec!["solve", "roof.obj", "--panels", "plane", "--iterations", "-1"], "`-1`"),
         (vec!["solve", "roof.obj", "--panels", "plane", "--iterations", "2.5"], "`2.5`"),

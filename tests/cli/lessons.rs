@@ -112,7 +112,7 @@ fn a_folder_of_results_becomes_a_table() {
     let scene = folder.read("bad.json");
     let at = scene.find("\"scene\": \"").unwrap() + 10;
     let strange = format!("{}0000000000000000{}", &scene[..at], &scene[at + 16..]);
-    folder.write("class/3.results.json", strange.replace("Ada Lovelace", "Charles Babbage"));
+    folder.write("class/3.results.JSON", strange.replace("Ada Lovelace", "Charles Babbage"));
     let out = folder.run(&["check", "class", "--csv", "t.csv"]).done();
     let lines: Vec<&str> = out.lines().collect();
     assert_eq!(lines.len(), 5, "{out}");

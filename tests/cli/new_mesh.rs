@@ -29,7 +29,7 @@ fn a_new_mesh_is_written_with_its_unit_and_can_be_checked() {
     assert!(printed.contains("units: mm") && printed.contains("\nf "), "{printed}");
     folder.run(&["new", "barrel", "--out", "b.ply"]).done();
     assert!(std::fs::read(folder.0.join("b.ply")).unwrap().starts_with(b"ply\n"));
-    folder.run(&["new", "barrel", "--out", "b.off"]).misused("--out writes .obj, .ply");
+    folder.run(&["new", "barrel", "--out", "b.off"]).misused("--out writes .obj, .mesh");
 }
 
 #[test]

@@ -105,7 +105,7 @@ fn what_remesh_cannot_do_is_one_line_and_no_file() {
         (vec!["tube.obj", "--quads", "9", "--size", "1"], "--quads or --size"),
         (vec!["tube.obj", "--follow", "2"], "0 to 1"),
         (vec!["tube.obj", "--boundary", "keep"], "follow or cut"),
-        (vec!["tube.obj", "--out", "out.off"], ".obj, .ply, .stl or .mesh"),
+        (vec!["tube.obj", "--out", "out.off"], ".obj, .mesh, .ply or .stl"),
         (vec!["tube.obj", "--trace"], "`--trace`"),
         (vec!["s.json"], "mesh file"),
     ] {

@@ -9,7 +9,7 @@ import { marks, optionsOf, page, writeTables } from '../../.scripts/bench/bench.
 import { casesOf, parts, tablesOf } from '../../.scripts/bench/parts.mjs';
 import { peers } from '../../.scripts/bench/peers.mjs';
 import { problems } from '../../.scripts/bench/problems.mjs';
-import { isQuiet, unrestText } from '../../.scripts/bench/quiet.mjs';
+import { isQuiet, otherLoadText } from '../../.scripts/bench/quiet.mjs';
 import { median, medians } from '../../.scripts/bench/statistics.mjs';
 import { number, table } from '../../.scripts/bench/tables.mjs';
 import { at } from '../../.scripts/project.mjs';
@@ -74,10 +74,10 @@ test('peers get problems that exist', () => {
 test('a machine is not quiet if others compute, or take our core', () => {
   assert.ok(isQuiet(quiet));
   assert.ok(!isQuiet(busy) && !isQuiet({ ...quiet, stalled: 0.1 }));
-  assert.match(unrestText(quiet, busy), /not quiet.* 0\.1 and 1\.0 cores/);
+  assert.match(otherLoadText(quiet, busy), /not quiet.* 0\.1 and 1\.0 cores/);
 });
 
-/** Writes results of a machine with some unrest into an empty page; returns what it is then. */
+/** Writes results of a machine with some other load into an empty page; returns what it is then. */
 function written(...moments) {
   const folder = mkdtempSync(join(tmpdir(), 'shape-up-bench-'));
   const path = join(folder, 'page.md');

@@ -46,24 +46,38 @@ fn seen_from_above_in_parallel_the_upper_floor_covers_the_lower_one_exactly() {
 }
 
 #[test]
-fn a_circle_much_larger_than_the_model_is_in_front_of_the_eye_and_within_its_depth() {
-    // That of a shallow arc was cut off where it left the depth of the model.
-    let mut state = parallel();
-    let circle = [0.0, 5.0, 5.0, 4.0, 0.0, 0.0, 1.0, 80.0];
-    let [(near, far), (before, behind)] = [true, false].map(|shows| {
-        state.set_display(Display { shapes: shows, ..state.display() });
-        state.set_shapes(&circle).unwrap();
-        state.depth_range()
-    });
-    assert!(far - near > 100.0 && near > 0.0, "{near} {far}");
-    assert!(behind - before < 40.0, "{before} {behind}");
+fn a_shape_much_larger_than_the_model_is_in_front_of_the_eye_and_within_its_depth() {
+    // The circle of a shallow arc was cut off where it left the depth of the model, and of the sphere of
+    // a shallow cap the far side was drawn where the near one passed the eye.
+    for kind in [0.0, 1.0] {
+        let mut state = parallel();
+        let [(near, far), (before, behind)] = [true, false].map(|shows| {
+            state.set_display(Display { shapes: shows, ..state.display() });
+            state.set_shapes(&[kind, 5.0, 5.0, 4.0, 0.0, 0.0, 1.0, 80.0]).unwrap();
+            state.depth_range()
+        });
+        assert!(far - near > 100.0 && near > 0.0, "{near} {far}");
+        assert!(behind - before < 40.0, "{before} {behind}");
+    }
+}
+
+#[test]
+fn the_ground_stays_where_it_is_when_the_original_is_known() {
+    // The shadow of a mesh that had risen jumped when the grid was switched on.
+    let mut state = state();
+    let risen: Vec<f64> = floors().chunks(3).flat_map(|p| [p[0], p[1], p[2] + 3.0]).collect();
+    state.set_positions(&risen).unwrap();
+    let before = state.floor();
+    assert!(before < -2.0);
+    state.set_rest(&floors()).unwrap();
+    assert_eq!(state.floor(), before);
 }
 
 #[test]
 fn another_model_of_the_same_faces_keeps_its_digits_wherever_it_is() {
     let mut state = state();
     let here = state.mesh().positions.clone();
-    state.select(vec![3], vec![]).unwrap();
+    state.marks_mut().select(vec![3], vec![]).unwrap();
     let site = [2_679_500.0, 1_247_250.0, 408.0];
     let there: Vec<f64> = floors().iter().zip(site.iter().cycle()).map(|(a, b)| a + b).collect();
     state.set_mesh((vec![0, 4, 8], (0..8).collect()), (vec![], vec![]), &there).unwrap();

@@ -1,10 +1,11 @@
 //! The view without a GPU: framing, picking, selection boxes, dragging.
 
 use glam::{DVec3, Vec2, Vec3};
+use shape_up::view::appearance::ColourMap;
 use shape_up::view::camera::UpAxis;
-use shape_up::view::flat_map::{flat_map, follow, show_flipped};
 use shape_up::view::gizmo::DragDirection;
-use shape_up::view::state::{Changes, Outline, ViewState};
+use shape_up::view::pictures::{flat_map, follow, show_flipped};
+use shape_up::view::state::{Changes, FittedShape, Outline, ViewState};
 
 pub(crate) const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
 
@@ -82,7 +83,7 @@ fn an_untouched_view_follows_the_canvas_and_a_touched_one_stays() {
 fn the_same_faces_only_move_and_keep_camera_and_marks() {
     let mut state = state(4, bump);
     state.orbit(50.0, 20.0);
-    state.select(vec![3], vec![]).unwrap();
+    state.marks_mut().select(vec![3], vec![]).unwrap();
     let camera = state.camera();
     state.take_changes();
     let (faces, positions) = sheet(4, DVec3::ZERO, |x, y| 0.5 * bump(x, y));
@@ -163,7 +164,7 @@ fn the_gizmo_is_in_the_middle_of_the_selected_handles() {
     let targets = [at(16), at(32) + DVec3::Z, at(0)];
     let numbers: Vec<f64> = targets.iter().flat_map(|target| target.to_array()).collect();
     state.set_handles(&[16, 32, 0], &[0, 0, 1], &numbers).unwrap();
-    state.select(vec![16, 20, 32], vec![]).unwrap();
+    state.marks_mut().select(vec![16, 20, 32], vec![]).unwrap();
     assert!(state.gizmo().is_none(), "it is not wanted yet");
     state.take_changes();
     state.want_gizmo(|wanted| wanted.shown = true);
@@ -178,7 +179,7 @@ fn the_gizmo_is_in_the_middle_of_the_selected_handles() {
     let way = state.constrain_move(DragDirection::Axis(2), Vec2::new(0.0, -50.0)).unwrap();
     assert!(way.x == 0.0 && way.y == 0.0 && way.z > 0.0);
 
-    state.select(vec![20], vec![]).unwrap();
+    state.marks_mut().select(vec![20], vec![]).unwrap();
     assert!(state.gizmo().is_none(), "a selected vertex is no handle");
 }
 
@@ -249,7 +250,7 @@ fn handles_that_do_not_fit_are_refused_and_the_old_ones_stay() {
 fn fitted_shapes_come_into_view_coordinates_with_all_their_digits() {
     let mut state = state(2, |_, _| 0.0);
     state.set_shapes(&[0.0, 5.0, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
-    assert_eq!(state.shapes(), [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 2.0]);
+    assert_eq!(state.shapes(), [FittedShape::Circle(Vec3::Z, Vec3::Z, 2.0)]);
     state.set_shapes(&[1.0, f64::NAN, 5.0, 1.0, 0.0, 0.0, 1.0, 2.0]).unwrap();
     assert!(state.shapes().is_empty());
     assert!(state.set_shapes(&[0.0; 7]).is_err());
@@ -258,7 +259,7 @@ fn fitted_shapes_come_into_view_coordinates_with_all_their_digits() {
     state.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
     let [x, y, z] = [5.25, 5.0, 1.0].map(|at| 2.0e9 + at);
     state.set_shapes(&[0.0, x, y, z, 0.0, 0.0, 1.0, 2.0]).unwrap();
-    assert_eq!(state.shapes()[1..4], [0.25, 0.0, 1.0]);
+    assert_eq!(state.shapes(), [FittedShape::Circle(Vec3::new(0.25, 0.0, 1.0), Vec3::Z, 2.0)]);
 }
 
 #[test]
@@ -307,9 +308,12 @@ fn a_flat_map_has_the_marks_and_the_theme_of_the_model() {
     model.take_changes();
     follow(&mut map, &model);
     assert!(!map.changes().any());
-    model.select(vec![], vec![3]).unwrap();
+    model.marks_mut().select(vec![], vec![3]).unwrap();
     model.set_dark(true);
+    model.appearance_mut().set_map(ColourMap::Cividis, None);
     follow(&mut map, &model);
+    // The legend beside both is of this map.
+    assert_eq!(map.appearance().map(), model.appearance().map());
     assert!(map.changes().appearance && map.changes().view && map.is_dark());
     assert_eq!(map.appearance().bytes(4)[14], 255);
 }

@@ -58,16 +58,22 @@ export function showValues(view: View, state: State, geometry: Geometry | null) 
   const { heldOriginal } = state;
   const isCurrent = geometry?.measure === state.measure && !state.flatMap && !heldOriginal;
   view.setCornerValues((isCurrent && geometry?.corners) || undefined);
-  if (state.flatMap) return view.setFaceValues(...modelErrors(state.flatMap));
+  if (state.flatMap) {
+    // Distortion has one look on the model, on the map and in the legend, whatever is chosen for measures.
+    view.setColourMap('viridis');
+    view.setBands(false);
+    return view.setFaceValues(...modelErrors(state.flatMap));
+  }
   // Just after the measure was changed, the values are still the old ones, or have no range yet.
   const isRanged = geometry?.measure === state.measure && state.spread;
   const values = isRanged ? (heldOriginal ?? geometry)?.values : null;
-  const { full, log, map } = state.display;
+  const { bands, full, log, map } = state.display;
   const about = declared(state, state.measure);
   const allowed = about && toleranceOf(state, about);
   const tolerance = full ? null : allowed;
   const isLog = log && !about?.signed;
   view.setColourMap(map, allowed ?? undefined);
+  view.setBands(bands);
   view.setFaceValues(values ?? undefined, ...state.range, tolerance ?? undefined, isLog);
 }
 
@@ -81,7 +87,6 @@ export function showDisplay(view: View, state: State) {
     : [showsFitted(state), display.outlines || halfway, display.arrows];
   view.setDisplay(edges, vertices, shapes, outlines, arrows);
   view.setSurroundings(display.ghost, display.ground);
-  view.setBands(display.bands);
   view.setGizmo(display.gizmo && !areHandlesLocked(document), FINGERS.matches);
 }
 

@@ -1,12 +1,12 @@
 //! Parser of the commands and their arguments.
 
-use super::edit::Remesh;
+use super::edit::Edit;
 use super::new_mesh::New;
-use super::remesh::Quads;
-use super::words::{MESHES, MESHES_AND_SCENE, Settings, Word, Words};
+use super::remesh::Remesh;
+use super::tokens::{Settings, Token, Tokens};
 use crate::cli::{edit, new_mesh, remesh};
 use shape_up::mesh::{KEPT_TURN, Scheme, Subdivision};
-use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryCloseness, BuildSetting, PresetOf};
+use shape_up::scene::{Accelerator, BUILD_SETTINGS, BoundaryRequire, BuildSetting, PresetOf};
 use shape_up::solve::{ConformalNorm, ConformalWeights, Require};
 use shape_up::words::UNITS;
 use std::ffi::OsString;
@@ -35,8 +35,8 @@ pub(super) enum Command {
         csv: Option<PathBuf>,
     },
     Refine(Refine),
-    Edit(Remesh),
-    Remesh(Quads),
+    Edit(Edit),
+    Remesh(Remesh),
     New(New),
     Parametrize(Parametrize),
     Examples {
@@ -69,8 +69,8 @@ pub(super) struct Solve {
     pub(super) require: Option<Required>,
     /// Whether the energy is reduced further once the constraints are met.
     pub(super) improve: bool,
-    /// The closeness of the boundary; none for that of the scene.
-    pub(super) boundary: Option<BoundaryCloseness>,
+    /// How the boundary is held, and with which weight; none as in the scene.
+    pub(super) boundary: Option<(BoundaryRequire, f64)>,
     pub(super) iterations: Option<u32>,
     pub(super) tolerance: Option<f64>,
     pub(super) accelerator: Option<Accelerator>,
@@ -140,45 +140,42 @@ pub(super) fn parse(arguments: Vec<OsString>) -> Result<Command, String> {
     if arguments.iter().take_while(|word| *word != "--").any(|word| asks_for_help(&word)) {
         return Ok(Command::Help);
     }
-    let mut words = Words::new(arguments);
-    let command = command(&mut words)?;
-    words.check_outputs()?;
-    Ok(command)
+    command(&mut Tokens::new(arguments))
 }
 
-fn command(words: &mut Words) -> Result<Command, String> {
-    let command = match words.next()?.ok_or("expected a command")? {
-        Word::File(command) => command.to_string_lossy().into_owned(),
-        Word::Option(name) => name,
+fn command(tokens: &mut Tokens) -> Result<Command, String> {
+    let command = match tokens.next()?.ok_or("expected a command")? {
+        Token::File(command) => command.to_string_lossy().into_owned(),
+        Token::Option(name) => name,
     };
     match command.as_str() {
-        "solve" => solve(words, "solve").map(Command::Solve),
+        "solve" => solve(tokens, "solve").map(Command::Solve),
         "watch" => {
-            let solve = solve(words, "watch")?;
+            let solve = solve(tokens, "watch")?;
             match solve.out {
                 Some(_) => Ok(Command::Watch(solve)),
                 None => Err("watch needs --out, the file that another program reads".to_owned()),
             }
         }
-        "build" => build(words),
-        "check" => check(words),
-        "refine" => refine(words),
-        "edit" => edit::parse(words).map(Command::Edit),
-        "remesh" => remesh::parse(words).map(Command::Remesh),
-        "new" => new_mesh::parse(words).map(Command::New),
-        "parametrize" => parametrize(words),
+        "build" => build(tokens),
+        "check" => check(tokens),
+        "refine" => refine(tokens),
+        "edit" => edit::parse(tokens).map(Command::Edit),
+        "remesh" => remesh::parse(tokens).map(Command::Remesh),
+        "new" => new_mesh::parse(tokens).map(Command::New),
+        "parametrize" => parametrize(tokens),
         "examples" => {
             let mut out = None;
-            while let Some(word) = words.next()? {
+            while let Some(word) = tokens.next()? {
                 match word {
-                    Word::Option(name) if name == "--out" => out = Some(words.output(&name)?),
+                    Token::Option(name) if name == "--out" => out = Some(tokens.output(&name)?),
                     word => return Err(unknown(&word, "examples")),
                 }
             }
             Ok(Command::Examples { out })
         }
-        "experiment" => experiment(words),
-        "operators" => match words.next()? {
+        "experiment" => experiment(tokens),
+        "operators" => match tokens.next()? {
             None => Ok(Command::Operators),
             Some(word) => Err(unknown(&word, "operators")),
         },
@@ -190,14 +187,14 @@ fn command(words: &mut Words) -> Result<Command, String> {
     }
 }
 
-fn check(words: &mut Words) -> Result<Command, String> {
+fn check(tokens: &mut Tokens) -> Result<Command, String> {
     let (mut mesh, mut report, mut scene, mut csv) = (None, None, None, None);
-    while let Some(name) = words.option(&mut mesh)? {
+    while let Some(name) = tokens.option(&mut mesh)? {
         match name.as_str() {
-            "--report" => report = Some(words.output(&name)?),
-            "--csv" => csv = Some(words.output(&name)?),
-            "--scene" => scene = Some(words.file(&name)?),
-            _ => return Err(unknown(&Word::Option(name), "check")),
+            "--report" => report = Some(tokens.output(&name)?),
+            "--csv" => csv = Some(tokens.output(&name)?),
+            "--scene" => scene = Some(tokens.file(&name)?),
+            _ => return Err(unknown(&Token::Option(name), "check")),
         }
     }
     let file = mesh.ok_or("check needs a mesh file, a results file or a folder of results")?;
@@ -219,15 +216,15 @@ fn check(words: &mut Words) -> Result<Command, String> {
     }
 }
 
-fn experiment(words: &mut Words) -> Result<Command, String> {
+fn experiment(tokens: &mut Tokens) -> Result<Command, String> {
     let (mut experiment, mut on) = (Experiment::default(), None);
-    while let Some(name) = words.option(&mut on)? {
+    while let Some(name) = tokens.option(&mut on)? {
         match name.as_str() {
-            "--iterations" => experiment.iterations = Some(words.whole(&name, 0)?),
-            "--seconds" => experiment.seconds = Some(words.not_negative(&name)?),
-            "--csv" => experiment.csv = Some(words.output(&name)?),
-            "--svg" => experiment.svg = Some(words.output(&name)?),
-            _ => return Err(unknown(&Word::Option(name), "experiment")),
+            "--iterations" => experiment.iterations = Some(tokens.whole(&name, 0)?),
+            "--seconds" => experiment.seconds = Some(tokens.not_negative(&name)?),
+            "--csv" => experiment.csv = Some(tokens.output(&name)?),
+            "--svg" => experiment.svg = Some(tokens.output(&name)?),
+            _ => return Err(unknown(&Token::Option(name), "experiment")),
         }
     }
     match on {
@@ -237,34 +234,34 @@ fn experiment(words: &mut Words) -> Result<Command, String> {
     }
 }
 
-fn solve(words: &mut Words, command: &str) -> Result<Solve, String> {
+fn solve(tokens: &mut Tokens, command: &str) -> Result<Solve, String> {
     let (mut solve, mut input) = (Solve::default(), None);
-    while let Some(name) = words.option(&mut input)? {
+    while let Some(name) = tokens.option(&mut input)? {
         match name.as_str() {
-            "--panels" => solve.panels = Some(words.kind(&name)?),
+            "--panels" => solve.panels = Some(tokens.kind(&name)?),
             "--exact" => {
-                words.flag(&name)?;
+                tokens.flag(&name)?;
                 require(&mut solve, command, Required::Is(Require::Exact))?;
             }
             "--within" => {
-                let within = words.positive_or_auto(&name)?;
+                let within = tokens.positive_or_auto(&name)?;
                 require(
                     &mut solve,
                     command,
                     within.map_or(Required::Auto, |length| Required::Is(Require::Within(length))),
                 )?;
             }
-            "--improve" => solve.improve = words.flag(&name)?,
-            "--boundary" => solve.boundary = Some(words.boundary(&name)?),
-            "--trace" => solve.trace = words.flag(&name)?,
-            "--out" => solve.out = Some(words.mesh(&name, MESHES)?),
-            "--report" => solve.report = Some(words.output(&name)?),
-            "--iterations" => solve.iterations = Some(words.whole(&name, 0)?),
-            "--tolerance" => solve.tolerance = Some(words.not_negative(&name)?),
+            "--improve" => solve.improve = tokens.flag(&name)?,
+            "--boundary" => solve.boundary = Some(tokens.boundary(&name)?),
+            "--trace" => solve.trace = tokens.flag(&name)?,
+            "--out" => solve.out = Some(tokens.mesh(&name)?),
+            "--report" => solve.report = Some(tokens.output(&name)?),
+            "--iterations" => solve.iterations = Some(tokens.whole(&name, 0)?),
+            "--tolerance" => solve.tolerance = Some(tokens.not_negative(&name)?),
             "--accelerator" => {
-                solve.accelerator = Some(words.one_of(&name)?);
+                solve.accelerator = Some(tokens.one_of(&name)?);
             }
-            _ => return Err(unknown(&Word::Option(name), command)),
+            _ => return Err(unknown(&Token::Option(name), command)),
         }
     }
     solve.input = input.ok_or_else(|| format!("{command} needs a scene or a mesh file"))?;
@@ -276,28 +273,27 @@ fn solve(words: &mut Words, command: &str) -> Result<Solve, String> {
     Ok(solve)
 }
 
-fn build(words: &mut Words) -> Result<Command, String> {
+fn build(tokens: &mut Tokens) -> Result<Command, String> {
     let (mut build, mut input) = (Build::default(), None);
-    while let Some(name) = words.option(&mut input)? {
+    while let Some(name) = tokens.option(&mut input)? {
         match name.as_str() {
             "--units" => {
-                let unit = words.word_of(&name, &UNITS, |unit| unit.symbol)?;
+                let unit = tokens.word_of(&name, &UNITS, |unit| unit.symbol)?;
                 build.units = Some(unit.symbol);
             }
-            "--machine" => build.presets.extend(words.preset(&name, PresetOf::Machine)?),
-            "--sheet" => build.presets.extend(words.sheet(&name)?),
-            "--material" => build.presets.extend(words.material(&name)?),
-            "--out" => build.out = Some(words.output(&name)?),
-            "--report" => build.report = Some(words.output(&name)?),
-            "--report-page" => build.report_page = Some(words.page(&name)?),
-            "--link" => build.link = Some(words.text(&name)?),
+            "--machine" => build.presets.extend(tokens.preset(&name, PresetOf::Machine)?),
+            "--sheet" => build.presets.extend(tokens.sheet(&name)?),
+            "--material" => build.presets.extend(tokens.material(&name)?),
+            "--out" => build.out = Some(tokens.output(&name)?),
+            "--report" => build.report = Some(tokens.output(&name)?),
+            "--report-page" => build.report_page = Some(tokens.page(&name)?),
+            "--link" => build.link = Some(tokens.text(&name)?),
             _ => {
-                let dashed = name.replace('_', "-");
-                let is_named = |one: &&BuildSetting| one.option().as_ref() == Some(&dashed);
+                let is_named = |one: &&BuildSetting| one.option().as_ref() == Some(&name);
                 let Some(setting) = BUILD_SETTINGS.iter().find(is_named) else {
-                    return Err(unknown(&Word::Option(name), "build"));
+                    return Err(unknown(&Token::Option(name), "build"));
                 };
-                build.settings.push((setting.id, words.setting(&name, setting)?));
+                build.settings.push((setting.id, tokens.setting(&name, setting)?));
             }
         }
     }
@@ -308,20 +304,20 @@ fn build(words: &mut Words) -> Result<Command, String> {
     Ok(Command::Build(build))
 }
 
-fn refine(words: &mut Words) -> Result<Command, String> {
+fn refine(tokens: &mut Tokens) -> Result<Command, String> {
     let (mut panels, mut out, mut report, mut input) = (None, None, None, None);
     let mut adopt = false;
     let mut subdivision = Subdivision { scheme: Scheme::CatmullClark, levels: 1, keep: KEPT_TURN };
-    while let Some(name) = words.option(&mut input)? {
+    while let Some(name) = tokens.option(&mut input)? {
         match name.as_str() {
-            "--scheme" => subdivision.scheme = words.one_of(&name)?,
-            "--levels" => subdivision.levels = words.whole(&name, 1)?,
-            "--keep" => subdivision.keep = words.not_negative(&name)?,
-            "--panels" => panels = Some(words.kind(&name)?),
-            "--adopt" => adopt = words.flag(&name)?,
-            "--out" => out = Some(words.mesh(&name, MESHES_AND_SCENE)?),
-            "--report" => report = Some(words.output(&name)?),
-            _ => return Err(unknown(&Word::Option(name), "refine")),
+            "--scheme" => subdivision.scheme = tokens.one_of(&name)?,
+            "--levels" => subdivision.levels = tokens.whole(&name, 1)?,
+            "--keep" => subdivision.keep = tokens.not_negative(&name)?,
+            "--panels" => panels = Some(tokens.kind(&name)?),
+            "--adopt" => adopt = tokens.flag(&name)?,
+            "--out" => out = Some(tokens.mesh_or_scene(&name)?),
+            "--report" => report = Some(tokens.output(&name)?),
+            _ => return Err(unknown(&Token::Option(name), "refine")),
         }
     }
     let input = input.ok_or("refine needs a scene or a mesh file")?;
@@ -336,27 +332,27 @@ fn require(solve: &mut Solve, command: &str, require: Required) -> Result<(), St
     }
 }
 
-fn parametrize(words: &mut Words) -> Result<Command, String> {
+fn parametrize(tokens: &mut Tokens) -> Result<Command, String> {
     let (mut parametrize, mut mesh) = (Parametrize::default(), None);
-    while let Some(name) = words.option(&mut mesh)? {
+    while let Some(name) = tokens.option(&mut mesh)? {
         match name.as_str() {
             "--weights" => {
-                parametrize.weights = words.one_of(&name)?;
+                parametrize.weights = tokens.one_of(&name)?;
             }
-            "--norm" => parametrize.norm = words.one_of(&name)?,
-            "--out" => parametrize.out = Some(words.mesh(&name, &["obj"])?),
-            "--report" => parametrize.report = Some(words.output(&name)?),
-            _ => return Err(unknown(&Word::Option(name), "parametrize")),
+            "--norm" => parametrize.norm = tokens.one_of(&name)?,
+            "--out" => parametrize.out = Some(tokens.file_with(&name, &["obj"])?),
+            "--report" => parametrize.report = Some(tokens.output(&name)?),
+            _ => return Err(unknown(&Token::Option(name), "parametrize")),
         }
     }
     parametrize.mesh = mesh.ok_or("parametrize needs a mesh file")?;
     Ok(Command::Parametrize(parametrize))
 }
 
-pub(super) fn unknown(word: &Word, command: &str) -> String {
-    let word = match word {
-        Word::File(file) => file.to_string_lossy(),
-        Word::Option(name) => name.into(),
+pub(super) fn unknown(token: &Token, command: &str) -> String {
+    let word = match token {
+        Token::File(file) => file.to_string_lossy(),
+        Token::Option(name) => name.into(),
     };
     format!("{command} does not take `{word}`")
 }

@@ -1,6 +1,5 @@
 //! `shape-up build`: panels on sheets, the build check, and their files.
 
-use super::output::MadeFolders;
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
     Advice, AdvisedValue, Build, BuildFile, BuildReport, BuildWords, CardWords, CheckRow,
@@ -32,9 +31,6 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
         let why = report.card.problems.iter().chain(&said.warnings).cloned().collect::<Vec<_>>();
         return Err(at(format!("nothing can be cut: {}", why.join(" "))));
     }
-    let _made = asked.out.as_deref().map(MadeFolders::make).transpose()?;
-    let of_parts = asked.out.as_ref().filter(|_| settings.one_file_each);
-    let _made_in_it = of_parts.map(|out| MadeFolders::make(&out.join(PARTS))).transpose()?;
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     if let Some(folder) = &asked.out {
         let drawn = build.files(scene.up == Up::Z).into_iter();
@@ -53,6 +49,10 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
             link: asked.link.clone().unwrap_or_default(),
         };
         files.push((path.clone(), build.report_page(&view).into_bytes()));
+    }
+    output::check(files.iter().map(|(path, _)| path), asked.out.as_deref())?;
+    if let Some(out) = &asked.out {
+        output::make_folder(&if settings.one_file_each { out.join(PARTS) } else { out.clone() })?;
     }
     output::write(&files)?;
     let left_over =
@@ -143,8 +143,10 @@ fn paper_line(paper: &PaperReport) -> String {
 
 /// An advice, with the options that follow it.
 fn advice_line(Advice { words, choices }: &Advice) -> String {
-    let option = |choice: &AdvisedValue| format!("--{} {}", choice.setting, choice.value);
-    let options: Vec<String> = choices.iter().map(option).collect();
+    let option = |choice: &AdvisedValue| {
+        Some(format!("{} {}", declared(choice.setting)?.option()?, choice.value))
+    };
+    let options: Vec<String> = choices.iter().filter_map(option).collect();
     format!("{words} Try {}.", options.join(" or "))
 }
 

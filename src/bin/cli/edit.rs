@@ -1,16 +1,16 @@
 //! `shape-up edit`: applies a mesh operation to a scene or a mesh.
 
-use crate::cli::words::{MESHES_AND_SCENE, Word, Words};
+use crate::cli::tokens::{Token, Tokens};
 use crate::cli::{Failure, input, output};
 use serde_json::{Map, Value, json};
 use shape_up::mesh::{MESH_OPERATIONS, MeshOperation};
-use shape_up::session::{Edit, Error, Session};
+use shape_up::session::{self, Error, Session};
 use shape_up::words;
 use std::path::PathBuf;
 
 /// `shape-up edit`.
 #[derive(Debug, PartialEq)]
-pub(in crate::cli) struct Remesh {
+pub(in crate::cli) struct Edit {
     input: PathBuf,
     /// The id of the operation.
     operation: &'static str,
@@ -22,13 +22,13 @@ pub(in crate::cli) struct Remesh {
 }
 
 /// Parses the arguments: input, operation, then the options, which depend on the operation.
-pub(in crate::cli) fn parse(words: &mut Words) -> Result<Remesh, String> {
+pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Edit, String> {
     let known = || MESH_OPERATIONS.iter().map(|it| it.id).collect::<Vec<_>>().join(", ");
-    let Some(Word::File(input)) = words.next()? else {
+    let Some(Token::File(input)) = tokens.next()? else {
         return Err("edit needs a scene or a mesh file first".to_owned());
     };
-    let input = words.input(input)?;
-    let Some(Word::File(id)) = words.next()? else {
+    let input = tokens.input(input)?;
+    let Some(Token::File(id)) = tokens.next()? else {
         return Err(format!("edit needs an operation after the file: {}", known()));
     };
     let id = id.to_string_lossy();
@@ -36,20 +36,20 @@ pub(in crate::cli) fn parse(words: &mut Words) -> Result<Remesh, String> {
         MeshOperation::of(&id).map_err(|_| format!("edit does {}, found `{id}`", known()))?;
     let mut sizes = vec![None; operation.sizes.len()];
     let (mut picked, mut out) = (Map::new(), None);
-    while let Some(word) = words.next()? {
+    while let Some(word) = tokens.next()? {
         let name = match word {
-            Word::Option(name) => name,
-            Word::File(file) => {
+            Token::Option(name) => name,
+            Token::File(file) => {
                 return Err(format!("edit does not take `{}`", file.to_string_lossy()));
             }
         };
         let size = operation.sizes.iter().position(|size| name.strip_prefix("--") == Some(size.id));
         match (name.as_str(), size) {
             ("--vertices" | "--faces", _) => {
-                picked.insert(name[2..].to_owned(), words.text(&name)?.into());
+                picked.insert(name[2..].to_owned(), tokens.text(&name)?.into());
             }
-            ("--out", _) => out = Some(words.mesh(&name, MESHES_AND_SCENE)?),
-            (_, Some(size)) => sizes[size] = Some(words.number(&name)?),
+            ("--out", _) => out = Some(tokens.mesh_or_scene(&name)?),
+            (_, Some(size)) => sizes[size] = Some(tokens.number(&name)?),
             (_, None) => {
                 let sizes: Vec<_> = operation.sizes.iter().map(|s| format!("--{}", s.id)).collect();
                 let takes = [sizes.join(", "), "--vertices, --faces, --out".to_owned()];
@@ -59,11 +59,11 @@ pub(in crate::cli) fn parse(words: &mut Words) -> Result<Remesh, String> {
             }
         }
     }
-    Ok(Remesh { input, operation: operation.id, sizes, picked, out })
+    Ok(Edit { input, operation: operation.id, sizes, picked, out })
 }
 
 /// Applies the operation and prints the result.
-pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
+pub(in crate::cli) fn edit(command: &Edit) -> Result<(), Failure> {
     let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&command.input)?;
     let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
@@ -75,7 +75,7 @@ pub(in crate::cli) fn edit(command: &Remesh) -> Result<(), Failure> {
     let mut asked = command.picked.clone();
     asked.insert("operation".to_owned(), command.operation.into());
     asked.insert("sizes".to_owned(), json!(sizes));
-    let asked = Edit::from_json(&json!({ "remesh": asked }).to_string());
+    let asked = session::Edit::from_json(&json!({ "remesh": asked }).to_string());
     let before = session.mesh().faces.len();
     session.edit(asked.map_err(|error| at_input(error.into()))?).map_err(at_input)?;
 

@@ -1,6 +1,5 @@
 //! `shape-up examples`: lists the examples, or writes their scenes and models.
 
-use super::output::MadeFolders;
 use super::{Failure, output};
 use shape_up::generate::example::example_files;
 use shape_up::generate::example::{EXAMPLES, Example};
@@ -15,9 +14,9 @@ pub(super) fn list() -> Result<(), Failure> {
 
 /// Writes the files of all examples.
 pub(super) fn write(folder: &Path) -> Result<(), Failure> {
-    let _made = MadeFolders::make(folder)?;
     let named = example_files().into_iter().map(|(name, text)| (folder.join(name), text));
     let files: Vec<(PathBuf, String)> = named.collect();
+    output::make_folder(folder)?;
     output::write(&files)?;
     let names: Vec<_> = files.iter().map(|(path, _)| format!("{}\n", path.display())).collect();
     output::print(&names.concat())

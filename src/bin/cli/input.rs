@@ -2,8 +2,8 @@
 
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
-use shape_up::scene::{MeshSource, Pose, Scene, Target, UnitsAndUp, Up};
-use shape_up::session::OpenedFile;
+use shape_up::scene::{Scene, UnitsAndUp, Up};
+use shape_up::session::{self, FileReader, OpenedFile, named_files};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -25,9 +25,9 @@ pub(super) struct Input {
     pub(super) remarks: Vec<String>,
 }
 
-/// Whether the extension is that of a scene.
+/// Whether the name is that of a scene.
 pub(super) fn is_scene(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
+    session::is_scene(&path.to_string_lossy())
 }
 
 /// Reads a scene and its mesh, or a mesh with the default scene of an opened mesh.
@@ -38,8 +38,8 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
 /// As [`read`], with another unit than that of the file, or a guessed one.
 pub(super) fn read_in(units: Option<&str>, path: &Path) -> Result<Input, Failure> {
     let asked = UnitsAndUp { units: units.map(str::to_owned), up: None };
+    let bytes = bytes(path)?;
     if !is_scene(path) {
-        let bytes = bytes(path)?;
         let source = mesh::read(&path.to_string_lossy(), &bytes)
             .map_err(|error| Failure::Input(error.to_string()))?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -57,36 +57,23 @@ pub(super) fn read_in(units: Option<&str>, path: &Path) -> Result<Input, Failure
         let frame = UnitsAndUp { units, up: Some(scene.up) };
         return Ok(Input { scene, mesh, weld, frame, remarks });
     }
-    let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
-    let text = String::from_utf8(bytes(path)?)
-        .map_err(|_| at("the file is not UTF-8 text, expected a scene in JSON".to_owned()))?;
-    let mut scene = Scene::from_json(&text).map_err(|error| at(error.to_string()))?;
-    if let Some(file) = scene.closeness.file_to_read() {
-        let (read, _) = named_mesh(path, "closeness.to.mesh.file", file)?;
-        scene.closeness.target = Some(Target::Mesh(read.mesh.into()));
+    let scene = OpenedFile::scene_in(&bytes)
+        .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    let mut reader = FileReader::default();
+    for (place, file) in named_files(&scene) {
+        reader.add_file(file, named_file(path, place, file)?);
     }
-    let (mesh, remarks, stated) = match &scene.mesh {
-        MeshSource::Inline(mesh) => ((**mesh).clone(), Vec::new(), UnitsAndUp::default()),
-        MeshSource::File(file) => {
-            let (read, stated) = named_mesh(path, "mesh.file", file)?;
-            let remarks = remarks(&read);
-            (read.mesh, remarks, stated)
-        }
-    };
-    stated.complete(&mut scene);
+    let opened = reader.scene_with_files(&path.to_string_lossy(), scene);
+    let opened = opened.map_err(|error| Failure::Input(error.to_string()))?;
+    let OpenedFile { mut scene, mesh, weld, diagnostics, .. } = opened;
     scene.units = asked.units.unwrap_or(scene.units);
-    if let Some(Pose::File(file)) = &scene.pose {
-        let (posed, _) = named_mesh(path, "pose.file", file)?;
-        let pose = Pose::of(file, posed, &mesh).map_err(|error| at(error.to_string()))?;
-        scene.pose = Some(pose);
-    }
     let frame = UnitsAndUp { units: Some(scene.units.clone()), up: Some(scene.up) };
-    Ok(Input { scene, mesh, weld: None, frame, remarks })
+    Ok(Input { scene, mesh, weld, frame, remarks: remarks(&diagnostics) })
 }
 
-/// Reads the mesh file named in a scene at the JSON path `place`, and what it states.
-fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<(Read, UnitsAndUp), Failure> {
-    let beside = scene.parent().unwrap_or(Path::new("")).join(file);
+/// Returns the bytes of the file named in a scene at the JSON path `place`.
+fn named_file(scene: &Path, place: &str, file: &str) -> Result<Vec<u8>, Failure> {
+    let beside = scene.with_file_name(file);
     let unread = |why: String| {
         Failure::Input(format!(
             "{}: {place}: cannot read {}: {why}, expected a mesh file beside the scene",
@@ -99,10 +86,7 @@ fn named_mesh(scene: &Path, place: &str, file: &str) -> Result<(Read, UnitsAndUp
     if !about.is_file() {
         return Err(unread("it is not a regular file".to_owned()));
     }
-    let bytes = read_whole(&beside).map_err(|error| unread(error.to_string()))?;
-    let read = mesh::read(&beside.to_string_lossy(), &bytes)
-        .map_err(|error| Failure::Input(error.to_string()))?;
-    Ok((read, UnitsAndUp::stated(&bytes)))
+    read_whole(&beside).map_err(|error| unread(error.to_string()))
 }
 
 /// Reads a mesh file for measurement, welded as [`read`] welds it, and what it states.

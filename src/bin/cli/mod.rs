@@ -3,12 +3,13 @@
 //! | file | holds |
 //! |---|---|
 //! | `arguments` | parser of the commands and their arguments |
-//! | `words` | lexer of the command line: files, options and their values |
+//! | `tokens` | lexer of the command line: files, options and their values |
 //! | `usage` | the usage text |
 //! | `input` | reading of mesh and scene files |
 //! | `output` | atomic writing of files, mesh files of sessions, output folders, and standard output |
 //! | `watch` | `solve` again whenever the file is saved |
-//! | `solve`, `build`, `check`, `edit`, `refine`, `remesh`, `parametrize`, `examples`, `experiment` | the commands of these names |
+//! | `solve`, `build`, `check`, `edit`, `refine` | the commands of these names |
+//! | `remesh`, `parametrize`, `examples`, `experiment` | further ones |
 //! | `new_mesh` | the command `new` |
 //! | `results` | `check` of students' results |
 
@@ -26,9 +27,9 @@ mod refine;
 mod remesh;
 mod results;
 mod solve;
+mod tokens;
 mod usage;
 mod watch;
-mod words;
 
 use arguments::Command;
 use std::ffi::OsString;

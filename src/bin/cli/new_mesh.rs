@@ -1,6 +1,6 @@
 //! `shape-up new`: makes a mesh to start from.
 
-use crate::cli::words::{MESHES, Word, Words};
+use crate::cli::tokens::{Token, Tokens};
 use crate::cli::{Failure, input, output};
 use shape_up::generate::{NEW_KINDS, NewKind, Plan, SpanCurve, fill, loft};
 use shape_up::mesh::Mesh;
@@ -44,12 +44,12 @@ struct Span {
 const PANEL: f64 = 0.05;
 
 /// Parses the arguments: the kind, then a file or the sizes, and the options, which depend on the kind.
-pub(in crate::cli) fn parse(words: &mut Words) -> Result<New, String> {
+pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<New, String> {
     let known = || {
         NEW_KINDS.iter().map(|kind| kind.id).collect::<Vec<_>>().join(", ")
             + " or plan, loft, fill FILE"
     };
-    let Some(Word::File(id)) = words.next()? else {
+    let Some(Token::File(id)) = tokens.next()? else {
         return Err(format!("new needs a kind first: {}", known()));
     };
     let id = id.to_string_lossy();
@@ -66,15 +66,15 @@ pub(in crate::cli) fn parse(words: &mut Words) -> Result<New, String> {
         kind.iter().flat_map(|kind| kind.sizes).map(|size| format!("--{}", size.id)).collect();
     own.extend(count.iter().flat_map(|_| ["--curves", "--size"].map(str::to_owned)));
     let (mut units, mut out, mut file, mut curves, mut size) = (None, None, None, None, None);
-    while let Some(name) = words.option(&mut file)? {
+    while let Some(name) = tokens.option(&mut file)? {
         match (own.iter().position(|own| *own == name), count, name.as_str()) {
-            (Some(k), None, _) => sizes[k] = words.not_negative(&name)?,
-            (Some(0), Some(count), _) => curves = Some(numbers(&words.text(&name)?, count)?),
-            (Some(_), Some(_), _) => size = Some(words.positive(&name)?),
+            (Some(k), None, _) => sizes[k] = tokens.not_negative(&name)?,
+            (Some(0), Some(count), _) => curves = Some(numbers(&tokens.text(&name)?, count)?),
+            (Some(_), Some(_), _) => size = Some(tokens.positive(&name)?),
             (None, _, "--units") => {
-                units = Some(words.word_of(&name, &UNITS, |unit| unit.symbol)?.symbol);
+                units = Some(tokens.word_of(&name, &UNITS, |unit| unit.symbol)?.symbol);
             }
-            (None, _, "--out") => out = Some(words.mesh(&name, MESHES)?),
+            (None, _, "--out") => out = Some(tokens.mesh(&name)?),
             (None, ..) => {
                 own.extend(["--units", "--out"].map(str::to_owned));
                 return Err(format!("new {id} takes {}, found `{name}`", own.join(", ")));

@@ -3,7 +3,6 @@
 
 use super::Failure;
 use crate::cli::input;
-use crate::cli::words::place as place_of;
 use serde::Serialize;
 use shape_up::mesh::{Circularity, FileFormat, Mesh, Planarity, write_with_ending};
 use shape_up::scene::{NamedEnum, UnitsAndUp};
@@ -15,26 +14,46 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// Writes all files, or none in part: each is written under a temporary name beside its
-/// destination, and all are renamed once all are complete.
+/// Checks that files can be written: they replace neither one that was read nor each other, and their
+/// folders are there, or are in the one that is `made` before.
 ///
 /// # Errors
-/// If one would replace a file that was read or another of these, or cannot be written.
-pub(super) fn write(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> Result<(), Failure> {
+/// The first file that cannot.
+pub(super) fn check(
+    files: impl IntoIterator<Item = impl AsRef<Path>>,
+    made: Option<&Path>,
+) -> Result<(), Failure> {
+    let absolute = |path: &Path| std::path::absolute(path).unwrap_or_default();
+    let is_made = |file: &Path| made.is_some_and(|it| absolute(file).starts_with(absolute(it)));
     let mut places = BTreeSet::new();
-    for (path, _) in files {
-        if let Place::File { place, .. } = Place::of(path.as_ref())? {
+    for path in files {
+        let path = path.as_ref();
+        if let Place::File { place, .. } = Place::of(path)? {
+            if !is_made(path) {
+                let folder = place.parent().unwrap_or(&place);
+                fs::metadata(folder).map_err(|error| cannot(path, &error))?;
+            }
             let what = match input::was_read(&place) {
                 true => "a file that is read",
-                false if places.insert(place_of(&place)) => continue,
+                false if places.insert(place) => continue,
                 false => "another file that is written",
             };
-            let path = path.as_ref().display();
+            let path = path.display();
             return Err(Failure::Usage(format!(
                 "{path} would replace {what}, expected another file"
             )));
         }
     }
+    Ok(())
+}
+
+/// Writes all files, or none in part: each is written under a temporary name beside its
+/// destination, and all are renamed once all are complete.
+///
+/// # Errors
+/// Those of [`check`], or if one cannot be written.
+pub(super) fn write(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> Result<(), Failure> {
+    check(files.iter().map(|(path, _)| path), None)?;
     let mut complete: Vec<Complete<'_>> = Vec::new();
     let result = files
         .iter()
@@ -90,7 +109,7 @@ enum Place {
 
 impl Place {
     fn of(path: &Path) -> Result<Place, Failure> {
-        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let place = place(path);
         let Some(name) = place.file_name().filter(|_| !place.is_dir()) else {
             return Err(Failure::Input(format!(
                 "{}: cannot be written: it is a folder, expected the name of a file",
@@ -233,36 +252,25 @@ pub(super) fn left_out(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> Option<S
     Some(format!("{} is {name}, which cannot store {parts}", path.display()))
 }
 
-/// Folders made for output. On drop, those that are empty are removed.
-pub(super) struct MadeFolders(Vec<PathBuf>);
-
-impl MadeFolders {
-    /// Makes a folder and its missing ancestors.
-    ///
-    /// # Errors
-    /// If the folder cannot be made.
-    pub(super) fn make(folder: &Path) -> Result<MadeFolders, Failure> {
-        let missing = folder
-            .ancestors()
-            .take_while(|path| !path.as_os_str().is_empty() && !path.exists())
-            .map(Path::to_owned);
-        // Recorded first, so that they are removed even if only some can be made.
-        let made = MadeFolders(missing.collect());
-        fs::create_dir_all(folder).map_err(|error| {
-            Failure::Input(format!(
-                "{}: cannot be made: {error}, expected the name of a folder",
-                folder.display()
-            ))
-        })?;
-        Ok(made)
-    }
+/// Makes a folder and its missing ancestors.
+///
+/// # Errors
+/// If the folder cannot be made.
+pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|error| {
+        Failure::Input(format!(
+            "{}: cannot be made: {error}, expected the name of a folder",
+            folder.display()
+        ))
+    })
 }
 
-impl Drop for MadeFolders {
-    fn drop(&mut self) {
-        for folder in &self.0 {
-            // Fails for a folder with contents, which is kept.
-            let _ = fs::remove_dir(folder);
-        }
-    }
+/// Returns the absolute path of a file that may not exist yet, with links resolved.
+pub(super) fn place(path: &Path) -> PathBuf {
+    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let of_folder = || {
+        let folder = absolute.parent()?.canonicalize().ok()?;
+        Some(folder.join(absolute.file_name()?))
+    };
+    absolute.canonicalize().ok().or_else(of_folder).unwrap_or(absolute)
 }

@@ -1,7 +1,7 @@
 //! `shape-up remesh`: covers a surface with quads along its lines of curvature.
 
 use crate::cli::arguments::unknown;
-use crate::cli::words::{MESHES, Word, Words};
+use crate::cli::tokens::{Token, Tokens};
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
 use shape_up::mesh::Edited;
@@ -20,7 +20,7 @@ const NO_CREASE: f64 = 180.0;
 
 /// `shape-up remesh`.
 #[derive(Debug, PartialEq)]
-pub(in crate::cli) struct Quads {
+pub(in crate::cli) struct Remesh {
     input: PathBuf,
     options: MapOptions,
     out: Option<PathBuf>,
@@ -59,47 +59,48 @@ struct Seconds {
 }
 
 /// Parses the arguments.
-pub(in crate::cli) fn parse(words: &mut Words) -> Result<Quads, String> {
+pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Remesh, String> {
     let mut options = MapOptions::of_size(PanelSize::Count(QUADS));
     let (mut out, mut report, mut input, mut sized) = (None, None, None, None);
-    while let Some(name) = words.option(&mut input)? {
+    while let Some(name) = tokens.option(&mut input)? {
         match name.as_str() {
             "--quads" | "--size" => {
                 if let Some(first) = sized.replace(name.clone()) {
                     return Err(format!("remesh takes {first} or {name}, not both"));
                 }
                 options.size = match name.as_str() {
-                    "--quads" => PanelSize::Count(words.whole(&name, 1)? as usize),
-                    _ => PanelSize::Length(words.positive(&name)?),
+                    "--quads" => PanelSize::Count(tokens.whole(&name, 1)? as usize),
+                    _ => PanelSize::Length(tokens.positive(&name)?),
                 };
             }
-            "--follow" => options.follow = follow_weight(words.share(&name)?),
-            "--even" => options.direction = direction_weight(words.share(&name)?),
+            "--follow" => options.follow = follow_weight(tokens.share(&name)?),
+            "--even" => options.direction = direction_weight(tokens.share(&name)?),
             "--crease" => {
-                let degrees = words.not_negative(&name)?;
+                let degrees = tokens.not_negative(&name)?;
                 options.crease = (degrees < NO_CREASE).then_some(degrees);
             }
             "--boundary" => {
                 let all = [Boundary::Followed, Boundary::Cut];
-                options.boundary = *words.word_of(&name, &all, |boundary| boundary.word())?;
+                options.boundary = *tokens.word_of(&name, &all, |boundary| boundary.word())?;
             }
-            "--out" => out = Some(words.mesh(&name, MESHES)?),
-            "--report" => report = Some(words.output(&name)?),
-            _ => return Err(unknown(&Word::Option(name), "remesh")),
+            "--out" => out = Some(tokens.mesh(&name)?),
+            "--report" => report = Some(tokens.output(&name)?),
+            _ => return Err(unknown(&Token::Option(name), "remesh")),
         }
     }
     let input = input.ok_or("remesh needs a mesh file")?;
-    Ok(Quads { input, options, out, report })
+    Ok(Remesh { input, options, out, report })
 }
 
 /// Covers the surface, and writes the files.
-pub(in crate::cli) fn run(asked: &Quads) -> Result<(), Failure> {
+pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
     let started = clock::now();
     let path = asked.input.display();
     if input::is_scene(&asked.input) {
         return Err(Failure::Usage(format!("remesh takes a mesh file, found `{path}`")));
     }
     let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&asked.input)?;
+    output::check(asked.out.iter().chain(&asked.report), None)?;
     let at_input = |error: String| Failure::Input(format!("{path}: {error}"));
     scene.validate(&mesh).map_err(|error| at_input(error.to_string()))?;
     let loaded = clock::now();

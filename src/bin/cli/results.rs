@@ -1,7 +1,7 @@
 //! `shape-up check` of the results of a lesson: of one student (`RESULTS --scene SCENE`), against
 //! the goals; or of a class (`FOLDER [--scene SCENE] [--csv FILE.csv]`), as a table.
 
-use crate::cli::words::place;
+use crate::cli::output::place;
 use crate::cli::{Failure, input, output};
 use shape_up::fabricate::file::not_a_formula;
 use shape_up::scene::{GoalOf, GoalResult, NamedEnum, Results, SceneError};
@@ -46,7 +46,7 @@ pub(crate) fn check_class(
 ) -> Result<(), Failure> {
     let at = |message: String| Failure::Input(format!("{}: {message}", folder.display()));
     let (scenes, handed_in): (Vec<PathBuf>, Vec<PathBuf>) =
-        files(folder)?.into_iter().partition(|path| name(path).ends_with(SCENE));
+        files(folder)?.into_iter().partition(|path| name(path).to_lowercase().ends_with(SCENE));
     let scene = match (scene, &*scenes) {
         (Some(scene), _) => scene,
         (None, [one]) => one,
@@ -99,7 +99,7 @@ fn files(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     })?;
     let paths = entries.filter_map(|entry| entry.ok().map(|entry| entry.path()));
     let mut paths: Vec<PathBuf> =
-        paths.filter(|path| path.is_file() && name(path).ends_with(".json")).collect();
+        paths.filter(|path| path.is_file() && input::is_scene(path)).collect();
     paths.sort();
     Ok(paths)
 }

@@ -4,10 +4,9 @@ use super::arguments::{Required, Solve};
 use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::constraint::describe;
+use shape_up::scene::BoundaryCloseness;
 use shape_up::session::Error;
-use shape_up::session::{
-    EndWords, ExactReport, Report, Session, VerdictReport, as_asked, tolerance_of,
-};
+use shape_up::session::{EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
 use std::fmt::Write;
@@ -28,9 +27,10 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         Failure::Input(format!("{}: {message}", command.input.display()))
     };
     let is_press = command.require == Some(Required::Auto);
-    if command.panels.is_some() || command.require.is_some() {
+    output::check(command.out.iter().chain(&command.report), None)?;
+    if command.require.is_some() {
         // What a search chose was for other requirements.
-        as_asked(&mut scene);
+        scene.as_asked();
     }
     if let Some(kind) = command.panels.filter(|_| !is_press) {
         scene.request_panels(kind, Require::Soft, &mesh).map_err(|error| at_input(error.into()))?;
@@ -45,7 +45,10 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         scene.tolerance = None;
         scene.constraints.iter_mut().for_each(|row| row.require = require);
     }
-    scene.closeness.boundary = command.boundary.unwrap_or(scene.closeness.boundary);
+    if let Some((require, weight)) = command.boundary {
+        let own = scene.closeness.boundary;
+        scene.closeness.boundary = BoundaryCloseness { require, weight, ..own };
+    }
     scene.solver.iterations = command.iterations.unwrap_or(scene.solver.iterations);
     scene.solver.tolerance = command.tolerance.unwrap_or(scene.solver.tolerance);
     scene.solver.accelerator = command.accelerator.unwrap_or(scene.solver.accelerator);

@@ -13,31 +13,32 @@ use shape_up::words::UNITS;
 
 /// Returns the usage text.
 pub(super) fn usage() -> String {
+    let meshes = format!(".{}", FileFormat::written_meshes().join("|."));
     format!(
         "\
 usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH|auto]
                 [--improve] [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
-                [--out FILE.obj|.ply|.stl|.mesh] [--report FILE.json] [--trace]
+                [--out FILE{meshes}] [--report FILE.json] [--trace]
        shape-up watch SCENE|MESH --out FILE [options of solve]
        shape-up build SCENE|MESH [--SETTING VALUE ...] [--sheet WxH|a3]
                 [--machine {}] [--units {}]
                 [--out DIR] [--report FILE.json] [--report-page FILE.html [--link URL]]
        shape-up refine SCENE|MESH [--scheme {}] [--levels N]
                 [--keep DEGREES] [--panels KIND] [--adopt]
-                [--out FILE.obj|.ply|.stl|.mesh|.json] [--report FILE.json]
+                [--out FILE{meshes}|.json] [--report FILE.json]
        shape-up remesh MESH [--quads N | --size LENGTH] [--follow 0..1] [--even 0..1]
                 [--crease DEGREES] [--boundary follow|cut]
-                [--out FILE.obj|.ply|.stl|.mesh] [--report FILE.json]
+                [--out FILE{meshes}] [--report FILE.json]
        shape-up edit SCENE|MESH OPERATION [--SIZE VALUE ...] [--vertices LIST] [--faces LIST]
-                [--out FILE.obj|.ply|.stl|.mesh|.json]
+                [--out FILE{meshes}|.json]
        shape-up check MESH [--report FILE.json]
        shape-up check RESULTS --scene SCENE
        shape-up check FOLDER [--scene SCENE] [--csv FILE.csv]
-       shape-up new KIND [--SIZE VALUE ...] [--units UNIT] [--out FILE.obj|.ply|.stl|.mesh]
-       shape-up new plan PLAN.json [--units UNIT] [--out FILE.obj|.ply|.stl|.mesh]
+       shape-up new KIND [--SIZE VALUE ...] [--units UNIT] [--out FILE{meshes}]
+       shape-up new plan PLAN.json [--units UNIT] [--out FILE{meshes}]
        shape-up new loft|fill MESH [--curves N[,N]] [--size LENGTH] [--units UNIT]
-                [--out FILE.obj|.ply|.stl|.mesh]
+                [--out FILE{meshes}]
        shape-up parametrize MESH [--weights {}] [--norm {}]
                 [--out UV.obj] [--report FILE.json]
        shape-up examples [--out DIR]

@@ -76,9 +76,8 @@ fn inputs(path: &Path) -> Vec<PathBuf> {
     if input::is_scene(path) {
         let text = fs::read_to_string(path).unwrap_or_default();
         let scene = Scene::from_json(&text);
-        let folder = path.parent().unwrap_or(Path::new(""));
         let named = scene.iter().flat_map(named_files);
-        all.extend(named.map(|name| folder.join(name)));
+        all.extend(named.map(|(_, name)| path.with_file_name(name)));
     }
     all
 }

@@ -196,6 +196,12 @@ impl FileFormat {
         !self.reads.is_empty() && !self.on_page_only && self.endings != ["json"]
     }
 
+    /// The endings of the mesh files that are written, without the dot.
+    pub fn written_meshes() -> Vec<&'static str> {
+        let written = FILE_FORMATS.iter().filter(|it| it.is_mesh() && !it.writes.is_empty());
+        written.map(|format| format.endings[0]).collect()
+    }
+
     /// One line for each format, in columns.
     pub fn table() -> String {
         let line = |format: &FileFormat| {

@@ -68,7 +68,8 @@ impl Scene {
     /// returns the declaration of the kind. An existing constraint of this kind without
     /// parameters of its own on all faces is enabled instead, and stays exact if it was. Constraints of
     /// other offered kinds on all faces are disabled. Weights that would not keep the mesh intact are
-    /// set by [`Scene::set_opened_defaults`].
+    /// set by [`Scene::set_opened_defaults`]. What a search has chosen for other panels is taken back
+    /// first: see [`Scene::as_asked`].
     ///
     /// # Errors
     /// If there is no such kind, or no face suits it.
@@ -98,6 +99,7 @@ impl Scene {
             )));
         }
 
+        self.as_asked();
         for row in self.constraints.iter_mut().filter(|row| row.on == all_faces()) {
             let other = row.kind.info();
             if info.panels.is_some() && other.panels.is_some() && other.id != info.id {
@@ -111,7 +113,6 @@ impl Scene {
                 row.enabled = true;
                 if require.is_hard() && row.require != Require::Exact {
                     row.require = require;
-                    row.eased = None;
                 }
             }
             None => self.constraints.push(ConstraintSpec {

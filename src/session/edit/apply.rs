@@ -17,7 +17,7 @@ use crate::scene::{
 };
 use crate::session::report::{check_lesson, check_presentation, panel_row};
 use crate::session::state::{
-    Draft, as_asked, asks_otherwise, choose_attempt, hold_boundary, leave_search, uses,
+    Draft, asks_otherwise, choose_attempt, hold_boundary, leave_search, uses,
 };
 use crate::solve::{Handle, HandleIndex, Require};
 use crate::words;
@@ -48,8 +48,9 @@ pub(crate) fn apply(
             if from != PanelStart::Now {
                 reset(draft, state);
             }
-            // What an earlier search chose is no choice of the user.
-            as_asked(&mut draft.document);
+            let require = within.map_or(Require::Soft, Require::Within);
+            let mesh = draft.mesh();
+            let info = draft.set(|document| document.request_panels(&kind, require, mesh))?;
             let document = &mut draft.document;
             let by =
                 |smoother, on_surface| ChosenAttempt { smoother, on_surface, ..Default::default() };
@@ -59,9 +60,6 @@ pub(crate) fn apply(
                 PanelStart::Boundary => hold_boundary(document, BoundaryRequire::Exact),
                 PanelStart::Now | PanelStart::Original => {}
             }
-            let require = within.map_or(Require::Soft, Require::Within);
-            let mesh = draft.mesh();
-            let info = draft.set(|document| document.request_panels(&kind, require, mesh))?;
             if let Some(length) = within {
                 draft.document.tolerance = explicit_tolerance(&draft.document, length);
             }
@@ -236,7 +234,7 @@ pub(crate) fn apply(
             }
             draft.document.lesson = lesson;
             if unsolved {
-                as_asked(&mut draft.document);
+                draft.document.as_asked();
                 back_to_rest(Variants::default(), draft, state);
                 renumber_variants(draft, |_| None);
             }

@@ -9,7 +9,7 @@ use crate::constraint::{Element, Selector, describe, resolve};
 use crate::math::marked;
 use crate::mesh::{Edited, Origins, Point, Topology};
 use crate::scene::{ConstraintSpec, Hold, Lock, MeshSource, Pose, Scene};
-use crate::session::state::{RestMesh, as_asked, resolve_row};
+use crate::session::state::{RestMesh, resolve_row};
 use crate::solve::Handle;
 use crate::words;
 use serde_json::Value;
@@ -61,7 +61,7 @@ pub(crate) fn carry(
     // No file contains this mesh.
     document.mesh = MeshSource::default();
     // How the constraints were met says nothing about another mesh: it has the user's settings.
-    as_asked(&mut document);
+    document.as_asked();
     if let Some(Pose::Positions(pose)) = &mut document.pose {
         *pose = moved(pose).into();
     }

@@ -2,7 +2,7 @@
 
 use super::edit_list::Edit;
 use crate::scene::{ConstraintSpec, Lesson, Lock, Scene, SceneError, Variant, Variants};
-use crate::session::state::{Draft, as_asked, other_sets, uses};
+use crate::session::state::{Draft, other_sets, uses};
 use crate::solve::Handle;
 
 /// Refuses `edit` before it is tried, if the lesson of `document` locks what it is sure to change.
@@ -69,7 +69,7 @@ fn locks_between(before: &Scene, now: &Scene) -> Vec<Lock> {
     let mut add_if = |differs: bool, lock| changed.extend(differs.then_some(lock));
     // That a search has chosen settings is no change of the user, nor that they are left again.
     let mut asked = before.clone();
-    as_asked(&mut asked);
+    asked.as_asked();
     let own = |it: &Scene| (it.weights, it.closeness.to, it.closeness.boundary, it.smoothness);
     add_if(![before, &asked].map(own).contains(&own(now)), Lock::Weights);
     let [from, to] = [before, now].map(|it| (&it.closeness.target, &it.pose));

@@ -1,27 +1,6 @@
 //! What a search for a shape has changed of the settings of a scene.
 
 use crate::scene::{AttemptStart, BoundaryRequire, ChosenAttempt, ClosenessTo, Scene};
-use crate::words;
-
-/// Takes back what a search has chosen to meet the hard constraints of a scene: the settings of its
-/// attempt, and larger tolerances. The scene is then as it was asked for.
-pub fn as_asked(scene: &mut Scene) {
-    let chosen = std::mem::take(&mut scene.attempt);
-    if chosen.smoother != 1.0 {
-        // As many digits as anybody types: without the rounding of product and quotient.
-        scene.weights.smooth = words::rounded(scene.weights.smooth / chosen.smoother, 15);
-    }
-    if chosen.on_surface {
-        scene.closeness.to = ClosenessTo::Rest;
-    }
-    let boundary = &mut scene.closeness.boundary.require;
-    if chosen.holds_boundary {
-        *boundary = BoundaryRequire::Off;
-    } else if chosen.hardens_boundary {
-        *boundary = (*boundary).min(BoundaryRequire::Soft);
-    }
-    scene.constraints.iter_mut().for_each(|row| row.eased = None);
-}
 
 /// Leaves the search where other hard constraints are asked for than those that it has met, or
 /// elsewhere: how it met them, and its larger tolerances, say nothing about these.
@@ -82,7 +61,7 @@ mod tests {
             let exact = BoundaryCloseness { require: BoundaryRequire::Exact, ..own };
             hold_boundary(&mut scene, BoundaryRequire::Exact);
             assert_eq!(scene.closeness.boundary, exact);
-            as_asked(&mut scene);
+            scene.as_asked();
             assert_eq!(scene.closeness.boundary, own);
         }
     }

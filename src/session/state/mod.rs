@@ -18,7 +18,6 @@ mod rows;
 mod scene_state;
 mod solved_scene;
 
-pub use chosen_attempt::as_asked;
 pub(crate) use chosen_attempt::{choose_attempt, hold_boundary, leave_search};
 pub(crate) use comparison::{asks_otherwise, other_sets, same_problem, uses};
 pub use handles::check_targets;

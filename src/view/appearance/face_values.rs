@@ -39,6 +39,8 @@ impl FaceColour {
 /// Values and marks of the faces and vertices.
 #[derive(Clone, Debug, Default)]
 pub struct Appearance {
+    /// The numbers of vertices and faces.
+    counts: (usize, usize),
     /// Values of the faces and their scale, or none for the plain material.
     values: Option<(Vec<f32>, ColourScale)>,
     /// #V, of which each face has the largest as its value; none without vertex values.
@@ -55,11 +57,18 @@ pub struct Appearance {
     selected_faces: Vec<u32>,
     tinted_vertices: Vec<u32>,
     tinted_faces: Vec<u32>,
+    /// The colour of tinted faces and vertices, three components from 0 to 1.
+    pub tint_colour: [f32; 3],
     /// Colours of the rows of constraints; values take precedence.
     pub rows: RowColours,
 }
 
 impl Appearance {
+    /// The plain material on as many vertices and faces.
+    pub fn new(counts: (usize, usize)) -> Appearance {
+        Appearance { counts, ..Appearance::default() }
+    }
+
     /// Colours faces by `values` (#F) on a scale; `None` restores the plain material.
     ///
     /// # Errors
@@ -68,10 +77,9 @@ impl Appearance {
         &mut self,
         values: Option<Vec<f32>>,
         scale: ColourScale,
-        faces: usize,
     ) -> Result<(), ViewError> {
         if let Some(values) = &values {
-            check_length("face values", values.len(), faces)?;
+            check_length("face values", values.len(), self.counts.1)?;
         }
         self.values = values.map(|values| (values, scale));
         self.update_bands();
@@ -95,13 +103,9 @@ impl Appearance {
     ///
     /// # Errors
     /// A wrong number of values.
-    pub fn set_corners(
-        &mut self,
-        corners: Option<Vec<f32>>,
-        vertices: usize,
-    ) -> Result<(), ViewError> {
+    pub fn set_corners(&mut self, corners: Option<Vec<f32>>) -> Result<(), ViewError> {
         if let Some(corners) = &corners {
-            check_length("corner values", corners.len(), vertices)?;
+            check_length("corner values", corners.len(), self.counts.0)?;
         }
         self.corners = corners;
         Ok(())
@@ -178,14 +182,9 @@ impl Appearance {
     ///
     /// # Errors
     /// An index out of range.
-    pub fn select(
-        &mut self,
-        mut vertices: Vec<u32>,
-        faces: Vec<u32>,
-        (vertex_count, face_count): (usize, usize),
-    ) -> Result<(), ViewError> {
-        check_indices("selected vertices", &vertices, vertex_count)?;
-        check_indices("selected faces", &faces, face_count)?;
+    pub fn select(&mut self, mut vertices: Vec<u32>, faces: Vec<u32>) -> Result<(), ViewError> {
+        check_indices("selected vertices", &vertices, self.counts.0)?;
+        check_indices("selected faces", &faces, self.counts.1)?;
         vertices.sort_unstable();
         (self.selected_vertices, self.selected_faces) = (vertices, faces);
         Ok(())
@@ -196,7 +195,7 @@ impl Appearance {
         self.selected_vertices.binary_search(&vertex).is_ok()
     }
 
-    /// Sets the vertices and faces that are marked as members of a constraint.
+    /// Sets the vertices and faces that are marked as members of a constraint, and their colour.
     ///
     /// # Errors
     /// An index out of range.
@@ -204,11 +203,12 @@ impl Appearance {
         &mut self,
         vertices: Vec<u32>,
         faces: Vec<u32>,
-        (vertex_count, face_count): (usize, usize),
+        colour: [f32; 3],
     ) -> Result<(), ViewError> {
-        check_indices("tinted vertices", &vertices, vertex_count)?;
-        check_indices("tinted faces", &faces, face_count)?;
+        check_indices("tinted vertices", &vertices, self.counts.0)?;
+        check_indices("tinted faces", &faces, self.counts.1)?;
         (self.tinted_vertices, self.tinted_faces) = (vertices, faces);
+        self.tint_colour = colour;
         Ok(())
     }
 
@@ -217,6 +217,7 @@ impl Appearance {
         (self.map, self.middle) = (other.map, other.middle);
         self.selected_faces.clone_from(&other.selected_faces);
         self.tinted_faces.clone_from(&other.tinted_faces);
+        self.tint_colour = other.tint_colour;
     }
 
     /// Returns the tinted vertices that need a dot; none if whole faces are tinted.
@@ -274,9 +275,9 @@ mod tests {
 
     #[test]
     fn within_the_tolerance_faces_keep_the_material() {
-        let mut appearance = Appearance::default();
+        let mut appearance = Appearance::new((1, 5));
         let scale = ColourScale { tolerance: Some(0.2), ..ColourScale::linear(0.2, 1.0) };
-        appearance.set_values(Some(vec![0.1, 0.2, 0.21, 1.0, f32::NAN]), scale, 5).unwrap();
+        appearance.set_values(Some(vec![0.1, 0.2, 0.21, 1.0, f32::NAN]), scale).unwrap();
         let colours = [0, 1, 2, 3, 4].map(|face| appearance.colour_of(face));
         assert_eq!(colours[..2], [FaceColour::Plain, FaceColour::Plain]);
         assert_eq!(colours[3..], [FaceColour::Beyond(255), FaceColour::NoValue]);
@@ -288,40 +289,40 @@ mod tests {
         assert_eq!(appearance.band_of(0), appearance.band_of(1));
         assert_ne!(appearance.band_of(1), appearance.band_of(2));
         assert_eq!(appearance.colour_of(1), FaceColour::Plain);
-        appearance.set_corners(Some(vec![0.2]), 1).unwrap();
+        appearance.set_corners(Some(vec![0.2])).unwrap();
         assert_eq!(appearance.tolerance_in_steps(), appearance.corner_in_steps(0));
     }
 
     #[test]
     fn a_diverging_map_turns_where_its_middle_is_in_the_range() {
-        let mut appearance = Appearance::default();
+        let mut appearance = Appearance::new((0, 1));
         assert_eq!(appearance.map(), ColourMap::Viridis);
         appearance.set_map(ColourMap::Diverging(0.5), Some(2.5));
-        appearance.set_values(Some(vec![1.0]), ColourScale::linear(0.0, 10.0), 1).unwrap();
+        appearance.set_values(Some(vec![1.0]), ColourScale::linear(0.0, 10.0)).unwrap();
         assert_eq!(appearance.map(), ColourMap::Diverging(0.25));
         assert!(appearance.has_full_map());
         // Values within a tolerance keep the material, whatever the map.
         let scale = ColourScale { tolerance: Some(2.5), ..ColourScale::linear(2.5, 10.0) };
-        appearance.set_values(Some(vec![1.0]), scale, 1).unwrap();
+        appearance.set_values(Some(vec![1.0]), scale).unwrap();
         assert_eq!(appearance.map(), ColourMap::Beyond);
     }
 
     #[test]
     fn values_and_marks_end_in_their_bytes() {
-        let mut appearance = Appearance::default();
-        appearance.set_values(Some(vec![0.0, f32::NAN, 1.0]), UNIT, 3).unwrap();
-        appearance.select(vec![], vec![2], (0, 3)).unwrap();
-        appearance.tint(vec![], vec![0], (0, 3)).unwrap();
+        let mut appearance = Appearance::new((0, 3));
+        appearance.set_values(Some(vec![0.0, f32::NAN, 1.0]), UNIT).unwrap();
+        appearance.select(vec![], vec![2]).unwrap();
+        appearance.tint(vec![], vec![0], [0.0; 3]).unwrap();
         assert_eq!(appearance.bytes(3), [0, 127, 0, 255, 0, 255, 0, 0, 255, 127, 255, 0]);
-        appearance.set_values(None, UNIT, 3).unwrap();
+        appearance.set_values(None, UNIT).unwrap();
         assert_eq!(appearance.bytes(3)[..4], [0, 0, 0, 255]);
     }
 
     #[test]
     fn in_bands_values_of_one_band_look_alike() {
-        let mut appearance = Appearance::default();
+        let mut appearance = Appearance::new((3, 4));
         let to_ten = ColourScale::linear(0.0, 10.0);
-        appearance.set_values(Some(vec![0.1, 1.9, 2.1, f32::NAN]), to_ten, 4).unwrap();
+        appearance.set_values(Some(vec![0.1, 1.9, 2.1, f32::NAN]), to_ten).unwrap();
         assert_ne!(appearance.colour_of(0), appearance.colour_of(1));
         appearance.set_in_bands(true);
         assert_eq!(appearance.colour_of(0), appearance.colour_of(1));
@@ -329,8 +330,8 @@ mod tests {
         assert_eq!(appearance.colour_of(3), FaceColour::NoValue);
         assert_eq!([0, 2, 3].map(|face| appearance.band_of(face)), [Some(0), Some(1), None]);
         assert_eq!(appearance.corner_steps(), None);
-        assert!(appearance.set_corners(Some(vec![0.0; 2]), 3).is_err());
-        appearance.set_corners(Some(vec![0.0, 2.0, f32::NAN]), 3).unwrap();
+        assert!(appearance.set_corners(Some(vec![0.0; 2])).is_err());
+        appearance.set_corners(Some(vec![0.0, 2.0, f32::NAN])).unwrap();
         let [begins, ends] = appearance.corner_steps().unwrap();
         assert_eq!((ends - begins, appearance.corner_in_steps(1)), (5.0, begins + 1.0));
         assert_eq!(appearance.corner_in_steps(2), begins);
@@ -339,9 +340,9 @@ mod tests {
 
     #[test]
     fn values_of_both_signs_lie_around_the_middle_of_a_map_of_their_own() {
-        let mut appearance = Appearance::default();
+        let mut appearance = Appearance::new((0, 4));
         let scale = ColourScale::linear(-2.0, 2.0);
-        appearance.set_values(Some(vec![-2.0, 0.0, 5.0, f32::NAN]), scale, 4).unwrap();
+        appearance.set_values(Some(vec![-2.0, 0.0, 5.0, f32::NAN]), scale).unwrap();
         let colours = [0, 1, 2, 3].map(|face| appearance.colour_of(face));
         let [low, middle, high] = [0, 128, 255].map(FaceColour::Value);
         assert_eq!(colours, [low, middle, high, FaceColour::NoValue]);
@@ -353,17 +354,17 @@ mod tests {
     #[test]
     fn colours_of_rows_are_seen_where_there_are_no_values() {
         let rows = RowColours::new(vec![0, 2], vec![], &[0.5; 6], (3, 2)).unwrap();
-        let mut appearance = Appearance { rows, ..Appearance::default() };
+        let mut appearance = Appearance { rows, ..Appearance::new((3, 2)) };
         assert_eq!(appearance.bytes(2), [0, 0, 0, 0, 2, 64, 0, 0]);
-        appearance.set_values(Some(vec![0.0, 1.0]), UNIT, 2).unwrap();
+        appearance.set_values(Some(vec![0.0, 1.0]), UNIT).unwrap();
         assert_eq!(appearance.bytes(2), [0, 127, 0, 0, 255, 127, 0, 0]);
     }
 
     #[test]
     fn marks_on_things_that_do_not_exist_are_refused() {
-        let mut appearance = Appearance::default();
-        assert!(appearance.set_values(Some(vec![1.0]), UNIT, 2).is_err());
-        assert!(appearance.select(vec![4], vec![], (4, 2)).is_err());
-        assert!(appearance.tint(vec![], vec![2], (4, 2)).is_err());
+        let mut appearance = Appearance::new((4, 2));
+        assert!(appearance.set_values(Some(vec![1.0]), UNIT).is_err());
+        assert!(appearance.select(vec![4], vec![]).is_err());
+        assert!(appearance.tint(vec![], vec![2], [0.0; 3]).is_err());
     }
 }

@@ -21,9 +21,7 @@ pub fn numbers(state: &ViewState, veil: Colour, placement: Placement) -> Vec<f32
     let [x, y, right, up] = placement.transform();
     let (near, far) = state.depth_range();
     let [_, _, sky] = camera.up.axes();
-    let [low, high] = state.bounds();
-    let floor = low.dot(sky).min(high.dot(sky));
-    let [r, g, b] = state.tint();
+    let [r, g, b] = state.appearance().tint_colour;
 
     let mut numbers = Vec::with_capacity(NUMBERS);
     let onto_canvas = Mat4::from_cols(
@@ -37,7 +35,7 @@ pub fn numbers(state: &ViewState, veil: Colour, placement: Placement) -> Vec<f32
     for axis in [eye.right, eye.up, eye.forward] {
         numbers.extend(Vec3::extend(axis, 0.0).to_array());
     }
-    numbers.extend(sky.extend(floor).to_array());
+    numbers.extend(sky.extend(state.floor()).to_array());
     let pixel = 1.0 / (eye.focal * ratio);
     let (width, height) = placement.canvas;
     numbers.extend(Vec4::new(width as f32, height as f32, ratio, pixel).to_array());

@@ -4,7 +4,6 @@ use super::device::{Device, DeviceError};
 use super::gpu_tables::GpuTables;
 use super::placement::Placement;
 use crate::view::camera::{Camera, Section};
-use crate::view::flat_map::Region;
 use crate::view::gizmo::triangles;
 use crate::view::gpu::primitive::{
     Backdrop, Faces, Instances, Lines, Occlusion, Points, ProjectionLines, SurroundingLines,
@@ -12,6 +11,7 @@ use crate::view::gpu::primitive::{
 };
 use crate::view::model::RenderMesh;
 use crate::view::overlay::GroundShadow;
+use crate::view::pictures::Region;
 use crate::view::state::ViewState;
 use glam::Vec2;
 

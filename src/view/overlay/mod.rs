@@ -19,6 +19,8 @@ use glam::DVec3;
 pub struct Surroundings {
     /// Positions of the mesh as it was opened, #V in file coordinates; empty if not known.
     pub(in crate::view) rest: Vec<DVec3>,
+    /// Corners of the box around these, or around the mesh as it was first shown until they are known.
+    pub(in crate::view) extent: [DVec3; 2],
     pub(in crate::view) ghost: bool,
     pub(in crate::view) ground: bool,
     /// The grid, if it is shown and the rest positions are known.

@@ -35,9 +35,10 @@ pub fn first_hit(
     nearest
 }
 
-/// Returns the place of the first of the `triangles` that hides a vertex from an eye, if any. Triangles at the vertex do not count,
-/// nor does anything nearer to it than `tolerance` (units of length), so that corners on the
-/// outline and coincident vertices stay visible; nor do points for which `is_there` is false.
+/// Returns the place of the first of the `triangles` that hides a vertex from an eye, if any. Triangles
+/// at the vertex do not count, nor does anything nearer to it than `tolerance` (units of length), so
+/// that corners on the outline and coincident vertices stay visible; nor do points for which
+/// `is_there` is false.
 pub fn hider(
     mesh: &RenderMesh,
     triangles: &[[u32; 3]],

@@ -10,7 +10,7 @@ pub mod select_region;
 mod set_look;
 pub mod surrounding;
 
-pub use parts::{Changes, Display, HandleMark, SHAPE_NUMBERS};
+pub use parts::{Changes, Display, FittedShape, HandleMark};
 pub use select_region::{Outline, RegionMode};
 
 use crate::view::appearance::{Appearance, DotKind};
@@ -57,6 +57,7 @@ impl ViewState {
     pub fn of_flat_map(mesh: RenderMesh, checks: Checks, flipped: Vec<[u32; 2]>) -> ViewState {
         let mut map = ViewState::default();
         (map.content.mesh, map.content.checks, map.content.flipped) = (mesh, checks, flipped);
+        map.look.appearance = Appearance::new(map.counts());
         map.viewpoint.camera.look_from("top").expect("top is a side to look from");
         map
     }
@@ -85,7 +86,7 @@ impl ViewState {
         }
         let mesh = RenderMesh::new(faces, curves, coordinates)?;
         self.content = Content { mesh, ..Content::default() };
-        self.look.appearance = Appearance::default();
+        self.look.appearance = Appearance::new(self.counts());
         self.changes = Changes::ALL;
         self.layer = ShownLayer::default();
         self.viewpoint.camera.section = None;
@@ -151,33 +152,27 @@ impl ViewState {
         Ok(())
     }
 
-    /// Sets the fitted shapes: eight numbers each, centres in file coordinates.
+    /// Sets the fitted shapes, eight numbers each: kind (0 circle, else sphere), centre in file
+    /// coordinates, normal, radius. Those with a number that is not finite are left out.
     ///
     /// # Errors
     /// A length that is not a multiple of eight.
     pub fn set_shapes(&mut self, shapes: &[f64]) -> Result<(), ViewError> {
-        check_length("shapes", shapes.len(), shapes.len().next_multiple_of(SHAPE_NUMBERS))?;
-        let (rows, _) = shapes.as_chunks::<SHAPE_NUMBERS>();
-        self.content.shapes.clear();
-        for row in rows.iter().filter(|row| row.iter().all(|&x| (x as f32).is_finite())) {
-            let centre = self.content.mesh.relative(DVec3::new(row[1], row[2], row[3]));
-            self.content.shapes.push(row[0] as f32);
-            self.content.shapes.extend(centre.to_array());
-            self.content.shapes.extend(row[4..].iter().map(|&x| x as f32));
-        }
+        check_length("shapes", shapes.len(), shapes.len().next_multiple_of(8))?;
+        let (rows, _) = shapes.as_chunks::<8>();
+        let rows = rows.iter().filter(|row| row.iter().all(|&x| (x as f32).is_finite()));
+        let mesh = &self.content.mesh;
+        let shapes = rows.map(|&[kind, x, y, z, nx, ny, nz, radius]| {
+            let (centre, radius) = (mesh.relative(DVec3::new(x, y, z)), radius as f32);
+            match kind == 0.0 {
+                true => FittedShape::Circle(centre, DVec3::new(nx, ny, nz).as_vec3(), radius),
+                false => FittedShape::Sphere(centre, radius),
+            }
+        });
+        self.content.shapes = shapes.collect();
         self.changes.shapes = true;
         self.keep_reach();
         Ok(())
-    }
-
-    /// Returns the fitted circles: the centre, and two perpendicular radii.
-    pub(crate) fn circles(&self) -> impl Iterator<Item = (Vec3, [Vec3; 2])> + '_ {
-        let shapes = self.content.shapes.chunks_exact(SHAPE_NUMBERS);
-        shapes.filter(|shape| shape[0] == 0.0).map(|shape| {
-            let normal = Vec3::from_slice(&shape[4..7]);
-            let u = normal.any_orthonormal_vector() * shape[7];
-            (Vec3::from_slice(&shape[1..4]), [u, normal.cross(u)])
-        })
     }
 
     /// Sets the projections of the constraints.
@@ -196,7 +191,7 @@ impl ViewState {
 
     /// Returns the number of segments of a fitted circle: fewer for thousands of small ones.
     pub fn circle_pieces(&self) -> u32 {
-        if self.content.shapes.len() > 1000 * SHAPE_NUMBERS { 32 } else { 96 }
+        if self.content.shapes.len() > 1000 { 32 } else { 96 }
     }
 
     /// Requests a redraw without new data.
@@ -225,8 +220,8 @@ impl ViewState {
         &self.content.handles
     }
 
-    /// Returns the fitted shapes in view coordinates, [`SHAPE_NUMBERS`] numbers each.
-    pub fn shapes(&self) -> &[f32] {
+    /// Returns the fitted shapes.
+    pub fn shapes(&self) -> &[FittedShape] {
         &self.content.shapes
     }
 

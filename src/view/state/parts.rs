@@ -15,8 +15,7 @@ pub(super) struct Content {
     /// `#E by 2`: the edges that can be picked and selected.
     pub(super) edges: Vec<[u32; 2]>,
     pub(super) handles: Vec<HandleMark>,
-    /// Fitted shapes in view coordinates, [`super::SHAPE_NUMBERS`] numbers each.
-    pub(super) shapes: Vec<f32>,
+    pub(super) shapes: Vec<FittedShape>,
     pub(super) projections: ProjectionMarks,
     pub(super) checks: Checks,
     /// Sides of the faces that a flat map flips: `#sides by 2`.
@@ -28,8 +27,6 @@ pub(super) struct Content {
 #[derive(Debug)]
 pub(super) struct Look {
     pub(super) appearance: Appearance,
-    /// The colour of marked members of a constraint, three components from 0 to 1.
-    pub(super) tint: [f32; 3],
     pub(super) display: Display,
     pub(super) dark: bool,
     /// A grey background for figures, instead of that of the theme.
@@ -42,7 +39,6 @@ impl Default for Look {
     fn default() -> Self {
         Look {
             appearance: Appearance::default(),
-            tint: [0.2, 0.7, 0.3],
             display: Display { edges: true, ..Display::default() },
             dark: false,
             background: None,
@@ -51,8 +47,30 @@ impl Default for Look {
     }
 }
 
-/// Numbers per fitted shape: kind (0 circle, 1 sphere), centre, normal, radius.
-pub const SHAPE_NUMBERS: usize = 8;
+/// A shape fitted to points, relative to the view's centre.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FittedShape {
+    /// A circle: centre, unit normal, radius.
+    Circle(Vec3, Vec3, f32),
+    /// A sphere: centre, radius.
+    Sphere(Vec3, f32),
+}
+
+impl FittedShape {
+    /// Returns the centre of a circle and two perpendicular radii; none of a sphere.
+    pub fn radii(&self) -> Option<(Vec3, [Vec3; 2])> {
+        let FittedShape::Circle(centre, normal, radius) = *self else { return None };
+        let u = normal.any_orthonormal_vector() * radius;
+        Some((centre, [u, normal.cross(u)]))
+    }
+
+    /// Returns the corners of a cube around it.
+    pub fn corners(&self) -> [Vec3; 8] {
+        let (FittedShape::Circle(centre, _, radius) | FittedShape::Sphere(centre, radius)) = *self;
+        let side = |k: usize| if k & 1 == 0 { radius } else { -radius };
+        std::array::from_fn(|k| centre + Vec3::new(side(k), side(k >> 1), side(k >> 2)))
+    }
+}
 
 /// A handle: a vertex that is held softly or exactly.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,20 +2,12 @@
 
 use super::ViewState;
 use super::parts::Display;
-use crate::view::appearance::{
-    Appearance, Colour, ColourMap, ColourScale, DARK, LIGHT, Palette, RowColours,
-};
-use crate::view::model::ViewError;
+use crate::view::appearance::{Appearance, Colour, DARK, LIGHT, Palette};
 
 impl ViewState {
     /// Returns the values and marks of faces and vertices.
     pub fn appearance(&self) -> &Appearance {
         &self.look.appearance
-    }
-
-    /// Returns the colour of marked members of a constraint, three components from 0 to 1.
-    pub fn tint(&self) -> [f32; 3] {
-        self.look.tint
     }
 
     /// Returns which parts of the view are switched on.
@@ -77,89 +69,22 @@ impl ViewState {
         self.keep_reach();
     }
 
-    /// Colours faces by `values` (#F) on a scale; `None` restores the plain material.
-    ///
-    /// # Errors
-    /// A wrong number of values.
-    pub fn set_face_values(
-        &mut self,
-        values: Option<Vec<f32>>,
-        scale: ColourScale,
-    ) -> Result<(), ViewError> {
-        let (_, faces) = self.counts();
-        self.look.appearance.set_values(values, scale, faces)?;
+    /// Returns the values of faces and their colours, to be changed.
+    pub fn appearance_mut(&mut self) -> &mut Appearance {
         self.changes.appearance = true;
-        Ok(())
+        &mut self.look.appearance
     }
 
-    /// Sets the values of the vertices (#V) of which each face has the largest. Bands then run
-    /// through the faces.
-    ///
-    /// # Errors
-    /// A wrong number of values.
-    pub fn set_corner_values(&mut self, values: Option<Vec<f32>>) -> Result<(), ViewError> {
-        let (vertices, _) = self.counts();
-        self.look.appearance.set_corners(values, vertices)?;
-        self.changes.appearance = true;
-        Ok(())
+    /// Returns the marks of faces and vertices, to be changed: other dots and lines may be drawn then.
+    pub fn marks_mut(&mut self) -> &mut Appearance {
+        self.changes.marks = true;
+        self.appearance_mut()
     }
 
-    /// Shows values of faces in bands, or continuously.
-    pub fn set_in_bands(&mut self, in_bands: bool) {
-        self.look.appearance.set_in_bands(in_bands);
-        self.changes.appearance = true;
-    }
-
-    /// Sets the colour map for values on all faces; see [`ColourMap::named`].
-    ///
-    /// # Errors
-    /// An unknown name of a map.
-    pub fn set_colour_map(&mut self, name: &str, middle: Option<f32>) -> Result<(), ViewError> {
-        self.look.appearance.set_map(ColourMap::named(name)?, middle);
-        self.changes.appearance = true;
-        Ok(())
-    }
-
-    /// Colours faces and vertices by the rows of constraints that act on them.
-    pub fn set_row_colours(&mut self, rows: RowColours) {
-        self.look.appearance.rows = rows;
-        (self.changes.appearance, self.changes.marks) = (true, true);
-    }
-
-    /// Sets the selected vertices and faces.
-    ///
-    /// # Errors
-    /// An index out of range.
-    pub fn select(&mut self, vertices: Vec<u32>, faces: Vec<u32>) -> Result<(), ViewError> {
-        let counts = self.counts();
-        self.look.appearance.select(vertices, faces, counts)?;
-        (self.changes.appearance, self.changes.marks) = (true, true);
-        Ok(())
-    }
-
-    /// Sets the marked members of a constraint, and their colour (components from 0 to 1).
-    ///
-    /// # Errors
-    /// An index out of range.
-    pub fn set_tint(
-        &mut self,
-        vertices: Vec<u32>,
-        faces: Vec<u32>,
-        colour: [f32; 3],
-    ) -> Result<(), ViewError> {
-        let counts = self.counts();
-        self.look.appearance.tint(vertices, faces, counts)?;
-        self.look.tint = colour;
-        (self.changes.appearance, self.changes.marks) = (true, true);
-        Ok(())
-    }
-
-    /// Copies marks and tint of `model`, if they have changed.
+    /// Copies the marks of faces and the map of `model`, if they have changed.
     pub fn follow_marks(&mut self, model: &ViewState) {
         if model.changes.appearance {
-            self.look.appearance.mark_as(&model.look.appearance);
-            self.look.tint = model.look.tint;
-            self.changes.appearance = true;
+            self.appearance_mut().mark_as(&model.look.appearance);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The ghost and the ground of a view, its projection, and its depth range.
 
-use super::{ViewState, half_diagonal};
+use super::{FittedShape, ViewState, half_diagonal};
 use crate::view::appearance::LineKind;
 use crate::view::camera::{CameraProjection, Section, depth_range};
 use crate::view::model::{ViewError, check_length, read_points};
@@ -20,6 +20,7 @@ impl ViewState {
         let expected = self.content.mesh.exact.len() * 3;
         check_length("positions at rest", coordinates.len(), expected)?;
         self.around.rest = read_points(coordinates)?;
+        self.around.extent = extent(self.content.mesh.used_of(&self.around.rest));
         self.surround();
         Ok(())
     }
@@ -32,9 +33,11 @@ impl ViewState {
         }
     }
 
-    /// Removes the rest positions of the previous mesh.
+    /// Removes the rest positions of the previous mesh. Until those of the new one are known, it counts
+    /// as opened where it is.
     pub(crate) fn leave_surroundings(&mut self) {
         self.around.rest.clear();
+        self.around.extent = extent(self.content.mesh.used_of(&self.content.mesh.exact));
         self.surround();
     }
 
@@ -43,26 +46,20 @@ impl ViewState {
     /// both does.
     pub fn floor(&self) -> f32 {
         let [_, _, sky] = self.viewpoint.camera.up.axes();
-        let mesh = &self.content.mesh;
-        let rest = mesh.used_of(&self.around.rest).map(|point| mesh.relative(point));
-        let (low, high) = (rest.clone().reduce(Vec3::min), rest.reduce(Vec3::max));
-        let rest = low.zip(high).map_or(self.bounds(), |(low, high)| [low, high]);
+        let rest = self.around.extent.map(|point| self.content.mesh.relative(point));
         let lowest = rest[0].dot(sky).min(self.bounds()[0].dot(sky));
         lowest - BELOW * half_diagonal(rest)
     }
 
     /// Returns the grid around the mesh as it was opened, if it is shown.
     fn ground(&self) -> Ground {
-        let mesh = &self.content.mesh;
-        let rest = mesh.used_of(&self.around.rest);
-        let (low, high) = (rest.clone().reduce(DVec3::min), rest.reduce(DVec3::max));
-        let (Some(low), Some(high), true) = (low, high, self.around.ground) else {
+        if self.around.rest.is_empty() || !self.around.ground {
             return Ground::default();
-        };
-        let up = self.viewpoint.camera.up;
+        }
+        let (up, centre) = (self.viewpoint.camera.up, self.content.mesh.centre);
         let [_, _, sky] = up.axes();
-        let floor = f64::from(self.floor()) + mesh.centre.dot(sky.as_dvec3());
-        Ground::new([low, high], floor, up, mesh.centre)
+        let floor = f64::from(self.floor()) + centre.dot(sky.as_dvec3());
+        Ground::new(self.around.extent, floor, up, centre)
     }
 
     /// Lowers or lifts the grid after the mesh has moved.
@@ -95,18 +92,16 @@ impl ViewState {
         self.around.grid.lines.iter().flatten().copied()
     }
 
-    /// Returns the points beside the mesh that are drawn: targets, grid, and without those of stray
-    /// vertices ghost and layer.
+    /// Returns the points beside the mesh that are drawn: targets, grid, without those of stray vertices
+    /// ghost and layer, and around fitted shapes.
     fn drawn_beside(&self) -> impl Iterator<Item = Vec3> + '_ {
         let mesh = &self.content.mesh;
         let points = mesh.used_of(self.ghost()).chain(mesh.used_of(&self.layer.points));
-        // Of a shallow arc the circle is much larger than the model.
-        let circles = self
-            .circles()
-            .filter(|_| self.look.display.shapes)
-            .flat_map(|(centre, [a, b])| [a + b, a - b, b - a, -a - b].map(|to| centre + to));
+        // Of a shallow arc or cap the circle or sphere is much larger than the model.
+        let shapes = self.content.shapes.iter().filter(|_| self.look.display.shapes);
         let points = points.map(|point| mesh.relative(point));
-        self.targets().chain(self.grid()).chain(points).chain(circles)
+        let points = self.targets().chain(self.grid()).chain(points);
+        points.chain(shapes.flat_map(FittedShape::corners))
     }
 
     /// Returns the lines of ghost and grid: their ends among [`ViewState::surrounding_points`], and
@@ -189,4 +184,9 @@ impl ViewState {
         let farthest = all.map(Vec3::length_squared).fold(0.0, f32::max).sqrt();
         farthest + 0.1 * self.size()
     }
+}
+
+/// Returns the corners of the box around some points, in file coordinates; the origin without any.
+fn extent(points: impl Iterator<Item = DVec3> + Clone) -> [DVec3; 2] {
+    [points.clone().reduce(DVec3::min), points.reduce(DVec3::max)].map(Option::unwrap_or_default)
 }

@@ -2,7 +2,7 @@
 
 use super::view::View;
 use crate::view::appearance::ColourScale;
-use crate::view::flat_map::Region;
+use crate::view::pictures::Region;
 use crate::web::thrown;
 use glam::Vec2;
 use wasm_bindgen::prelude::*;

@@ -1,7 +1,7 @@
 //! Display options: projection, occlusion, section, ghost, ground, layer, bands, tape.
 
 use super::view::View;
-use crate::view::appearance::{Bands, LineKind};
+use crate::view::appearance::{Bands, ColourMap, LineKind};
 use crate::view::line_drawing::line_drawing;
 use crate::view::overlay::{SurfaceLines, scale_bar};
 use crate::web::thrown;
@@ -57,7 +57,9 @@ impl View {
     /// Any other name.
     #[wasm_bindgen(js_name = setColourMap)]
     pub fn set_colour_map(&mut self, name: &str, middle: Option<f32>) -> Result<(), JsValue> {
-        self.model().set_colour_map(name, middle).map_err(thrown)
+        let map = ColourMap::named(name).map_err(thrown)?;
+        self.model().appearance_mut().set_map(map, middle);
+        Ok(())
     }
 
     /// Sets the positions of the mesh as it was opened, #V by 3, for ghost, ground and tape.
@@ -135,7 +137,7 @@ impl View {
     /// Shows values of faces in bands, or continuously.
     #[wasm_bindgen(js_name = setBands)]
     pub fn set_bands(&mut self, in_bands: bool) {
-        self.model().set_in_bands(in_bands);
+        self.model().appearance_mut().set_in_bands(in_bands);
     }
 
     /// Sets the values of the vertices, #V, of which each face has the largest as its value; null
@@ -145,7 +147,7 @@ impl View {
     /// A wrong number of values.
     #[wasm_bindgen(js_name = setCornerValues)]
     pub fn set_corner_values(&mut self, values: Option<Vec<f32>>) -> Result<(), JsValue> {
-        self.model().set_corner_values(values).map_err(thrown)
+        self.model().appearance_mut().set_corners(values).map_err(thrown)
     }
 
     /// Returns the spacing of the band limits, in the unit of the values or of their log10;

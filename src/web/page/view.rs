@@ -3,7 +3,7 @@
 //! Screen positions are CSS pixels from the upper left corner of the canvas. Coordinates are those
 //! of the file. Exceptions are an `Error` whose message is one complete line.
 
-use crate::view::appearance::{ColourMap, ColourScale, RowColours, ValueAxis};
+use crate::view::appearance::{ColourScale, RowColours, ValueAxis};
 use crate::view::gpu::{Device, DeviceError, Loss, Placement, Renderer};
 use crate::view::model::ProjectionMarks;
 use crate::view::pictures::Pictures;
@@ -178,13 +178,14 @@ impl View {
     ) -> Result<(), JsValue> {
         let axis = ValueAxis::new(low, high, logarithmic.unwrap_or_default());
         let scale = ColourScale { axis, tolerance };
-        self.model().set_face_values(values, scale).map_err(thrown)
+        self.model().appearance_mut().set_values(values, scale).map_err(thrown)
     }
 
-    /// Returns CSS colours of the full colour map from low to high, for a legend.
+    /// Returns CSS colours of the model's colour map, which is that of its flat map too, from low to
+    /// high, for a legend.
     #[wasm_bindgen(js_name = colourStops)]
     pub fn colour_stops(&self, count: usize) -> Vec<String> {
-        ColourMap::Viridis.stops(count)
+        self.pictures.model().appearance().map().stops(count)
     }
 
     /// Selects the light or the dark theme.
@@ -232,7 +233,7 @@ impl View {
     /// An index out of range.
     #[wasm_bindgen(js_name = setSelection)]
     pub fn set_selection(&mut self, vertices: Vec<u32>, faces: Vec<u32>) -> Result<(), JsValue> {
-        self.model().select(vertices, faces).map_err(thrown)
+        self.model().marks_mut().select(vertices, faces).map_err(thrown)
     }
 
     /// Sets the edges that can be picked, as pairs of vertices, in this order. A new mesh has none.
@@ -266,7 +267,7 @@ impl View {
         green: f32,
         blue: f32,
     ) -> Result<(), JsValue> {
-        self.model().set_tint(vertices, faces, [red, green, blue]).map_err(thrown)
+        self.model().marks_mut().tint(vertices, faces, [red, green, blue]).map_err(thrown)
     }
 
     /// Colours faces and vertices by the row of constraints that acts on them: per face (#F) and
@@ -284,7 +285,7 @@ impl View {
     ) -> Result<(), JsValue> {
         let counts = self.pictures.model().counts();
         let rows = RowColours::new(faces, vertices, palette, counts).map_err(thrown)?;
-        self.model().set_row_colours(rows);
+        self.model().marks_mut().rows = rows;
         Ok(())
     }
 

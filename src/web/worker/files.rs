@@ -16,7 +16,7 @@ impl Solver {
     #[wasm_bindgen(js_name = sceneFiles)]
     pub fn scene_files(&self, bytes: &[u8]) -> Result<Vec<String>, JsValue> {
         let scene = OpenedFile::scene_in(bytes).map_err(thrown)?;
-        Ok(named_files(&scene).map(str::to_owned).collect())
+        Ok(named_files(&scene).map(|(_, path)| path.to_owned()).collect())
     }
 
     /// Supplies a file for the next scene, under the path by which the scene names it.

@@ -12,6 +12,7 @@ import { box, tube, wavyGrid } from '../meshes.ts';
 import { differingBytes } from '../picture.ts';
 import {
   boxOf,
+  drawn,
   expect,
   looks,
   openPage,
@@ -95,6 +96,33 @@ test('an example is flattened, and Escape returns to the model', looks, async ({
   await expect(map(page)).toBeHidden();
   await expect(page.getByRole('heading', { name: 'Flat map' })).toBeHidden();
 });
+
+test(
+  'the distortion has the colours of its legend, whatever is chosen for measures',
+  looks,
+  async ({ page }) => {
+    await openPage(page);
+    await waitForState(page, (now) => now.renderer.startsWith('web'));
+    await openExample(page, 'Hypar');
+    const flattened = async () => {
+      await parametrize(page);
+      await page.getByLabel('On the model').selectOption('errors');
+      await drawn(page);
+      const view = page.getByRole('application', { name: '3D view' });
+      const ramp = await map(page).locator('.ramp').getAttribute('style');
+      return [ramp, await pictureOf(page, view), await pictureOf(page, map(page))] as const;
+    };
+    const [ramp, ...pictures] = await flattened();
+    await page.keyboard.press('Escape');
+    await page.getByLabel('Colour map', { exact: true }).selectOption('Turbo');
+    await page.getByLabel('Colours in bands').check();
+    const [rampThen, ...picturesThen] = await flattened();
+    expect(rampThen).toBe(ramp);
+    pictures.forEach((before, i) => {
+      expect(differingBytes(picturesThen[i], before)).toBeLessThan(0.001 * before.pixels.length);
+    });
+  },
+);
 
 test('the numbers and the file equal those of the command line', async ({ page }) => {
   await openPage(page);

@@ -2,7 +2,7 @@
 //! (`shaders/circles.wgsl`) and spheres (`shaders/spheres.wgsl`), and the gizmo (`shaders/gizmo.wgsl`).
 
 use crate::view::gpu::{CIRCLES, GIZMO, GpuTables, Layer, Recipe, SPHERES, VertexBuffer, build};
-use crate::view::state::SHAPE_NUMBERS;
+use crate::view::state::FittedShape;
 
 const CIRCLE: [wgpu::VertexAttribute; 3] =
     wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32];
@@ -79,14 +79,20 @@ impl Instances {
     }
 }
 
-/// Returns the circles among fitted shapes in view coordinates: centre, normal, radius.
-pub fn circles(shapes: &[f32]) -> Vec<[f32; 7]> {
-    let own = shapes.chunks_exact(SHAPE_NUMBERS).filter(|shape| shape[0] == 0.0);
-    own.map(|shape| std::array::from_fn(|i| shape[i + 1])).collect()
+/// Returns the circles among fitted shapes: centre, normal, radius.
+pub fn circles(shapes: &[FittedShape]) -> Vec<[f32; 7]> {
+    let circle = |shape: &FittedShape| match *shape {
+        FittedShape::Circle(c, n, radius) => Some([c.x, c.y, c.z, n.x, n.y, n.z, radius]),
+        FittedShape::Sphere(..) => None,
+    };
+    shapes.iter().filter_map(circle).collect()
 }
 
-/// Returns the spheres among fitted shapes in view coordinates: centre, radius.
-pub fn spheres(shapes: &[f32]) -> Vec<[f32; 4]> {
-    let own = shapes.chunks_exact(SHAPE_NUMBERS).filter(|shape| shape[0] == 1.0);
-    own.map(|shape| [shape[1], shape[2], shape[3], shape[7]]).collect()
+/// Returns the spheres among fitted shapes: centre, radius.
+pub fn spheres(shapes: &[FittedShape]) -> Vec<[f32; 4]> {
+    let sphere = |shape: &FittedShape| match *shape {
+        FittedShape::Sphere(centre, radius) => Some(centre.extend(radius).to_array()),
+        FittedShape::Circle(..) => None,
+    };
+    shapes.iter().filter_map(sphere).collect()
 }

@@ -3,12 +3,12 @@
 use lexopt::Arg;
 use serde_json::Value;
 use shape_up::constraint::KINDS;
+use shape_up::mesh::FileFormat;
 use shape_up::scene::{
-    BUILD_PRESETS, BoundaryCloseness, BoundaryRequire, BuildForm, BuildPreset, BuildSetting,
-    NamedEnum, PresetOf,
+    BUILD_PRESETS, BoundaryRequire, BuildForm, BuildPreset, BuildSetting, NamedEnum, PresetOf,
 };
 use std::ffi::{OsStr, OsString};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The word for the absent value of a setting.
 const AUTO: &str = "auto";
@@ -17,46 +17,37 @@ const AUTO: &str = "auto";
 pub(super) type Settings = Vec<(&'static str, Value)>;
 
 /// The remaining arguments of a command.
-pub(super) struct Words {
+pub(super) struct Tokens {
     parser: lexopt::Parser,
     /// The options so far, to reject repetitions.
     seen: Vec<String>,
-    /// The places of the files that are read.
-    read: Vec<PathBuf>,
-    /// The places of the files that are written, with their options.
-    written: Vec<(String, PathBuf)>,
 }
 
-pub(super) enum Word {
+pub(super) enum Token {
     File(OsString),
     /// The name, including its dashes.
     Option(String),
 }
 
-/// Endings of the mesh files that are written.
-pub(super) const MESHES: &[&str] = &["obj", "ply", "stl", "mesh"];
-/// Endings of the mesh files that are written, and of scenes.
-pub(super) const MESHES_AND_SCENE: &[&str] = &["obj", "ply", "stl", "mesh", "json"];
-
-impl Words {
-    pub(super) fn new(arguments: Vec<OsString>) -> Words {
-        let (seen, read, written) = Default::default();
-        Words { parser: lexopt::Parser::from_args(arguments), seen, read, written }
+impl Tokens {
+    pub(super) fn new(arguments: Vec<OsString>) -> Tokens {
+        Tokens { parser: lexopt::Parser::from_args(arguments), seen: Vec::new() }
     }
 
     /// Returns the next file or option; none at the end.
-    pub(super) fn next(&mut self) -> Result<Option<Word>, String> {
+    pub(super) fn next(&mut self) -> Result<Option<Token>, String> {
         let name = match self.parser.next().map_err(|error| error.to_string())? {
             None => return Ok(None),
-            Some(Arg::Value(file)) => return Ok(Some(Word::File(file))),
-            Some(Arg::Long(name)) => format!("--{name}"),
+            Some(Arg::Value(file)) => return Ok(Some(Token::File(file))),
+            // As in the tables of a build, which have the ids of scenes.
+            Some(Arg::Long(name)) => format!("--{}", name.replace('_', "-")),
             Some(Arg::Short(letter)) => format!("-{letter}"),
         };
         if self.seen.contains(&name) {
             return Err(format!("{name} is given twice"));
         }
         self.seen.push(name.clone());
-        Ok(Some(Word::Option(name)))
+        Ok(Some(Token::Option(name)))
     }
 
     /// Returns the next option of a command that takes one file, and stores the file in `place`.
@@ -64,8 +55,8 @@ impl Words {
         loop {
             match self.next()? {
                 None => return Ok(None),
-                Some(Word::Option(name)) => return Ok(Some(name)),
-                Some(Word::File(file)) => {
+                Some(Token::Option(name)) => return Ok(Some(name)),
+                Some(Token::File(file)) => {
                     let file = self.input(file)?;
                     if let Some(first) = place.replace(file) {
                         let first = first.display();
@@ -76,31 +67,12 @@ impl Words {
         }
     }
 
-    /// Returns the name of a file that is read.
-    pub(super) fn input(&mut self, file: OsString) -> Result<PathBuf, String> {
-        if file.is_empty() {
-            return Err("the name of a file is empty".to_owned());
+    /// Returns the name of a file that is read, and that may be an example.
+    pub(super) fn input(&self, file: OsString) -> Result<PathBuf, String> {
+        match file.is_empty() {
+            true => Err("the name of a file is empty".to_owned()),
+            false => Ok(file.into()),
         }
-        let file = PathBuf::from(file);
-        // It may be the name of an example.
-        self.read.extend(file.is_file().then(|| place(&file)));
-        Ok(file)
-    }
-
-    /// Checks that the files to be written replace neither one that is read nor each other.
-    pub(super) fn check_outputs(&self) -> Result<(), String> {
-        for (i, (name, path)) in self.written.iter().enumerate() {
-            if self.read.contains(path) {
-                let path = path.display();
-                return Err(format!(
-                    "{name} would replace the input {path}, expected another file"
-                ));
-            }
-            if let Some((earlier, _)) = self.written[..i].iter().find(|(_, other)| other == path) {
-                return Err(format!("{earlier} and {name} name the same file"));
-            }
-        }
-        Ok(())
     }
 
     /// Returns true for an option that takes no value.
@@ -128,14 +100,22 @@ impl Words {
 
     /// Returns the value of an option that takes the name of a file or folder to write.
     pub(super) fn output(&mut self, name: &str) -> Result<PathBuf, String> {
-        let path = PathBuf::from(self.value(name)?);
-        self.written.push((name.to_owned(), place(&path)));
-        Ok(path)
+        self.value(name).map(PathBuf::from)
     }
 
-    /// Returns the value of an option that takes the name of a mesh file to write, in one of the
-    /// `formats`: by its ending, or without one.
-    pub(super) fn mesh(&mut self, name: &str, formats: &[&str]) -> Result<PathBuf, String> {
+    /// Returns the value of an option that takes the name of a mesh file to write.
+    pub(super) fn mesh(&mut self, name: &str) -> Result<PathBuf, String> {
+        self.file_with(name, &FileFormat::written_meshes())
+    }
+
+    /// Returns the value of an option that takes the name of a mesh file or a scene to write.
+    pub(super) fn mesh_or_scene(&mut self, name: &str) -> Result<PathBuf, String> {
+        self.file_with(name, &[&FileFormat::written_meshes()[..], &["json"]].concat())
+    }
+
+    /// Returns the value of an option that takes the name of a file to write, with one of these
+    /// endings or without one.
+    pub(super) fn file_with(&mut self, name: &str, formats: &[&str]) -> Result<PathBuf, String> {
         let path = self.output(name)?;
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_ascii_lowercase());
         if ending.is_some_and(|ending| !formats.contains(&&*ending)) {
@@ -195,16 +175,15 @@ impl Words {
         self.number_that(name, "a number", |_| true)
     }
 
-    /// Returns the value of an option that sets the closeness of the boundary.
-    pub(super) fn boundary(&mut self, name: &str) -> Result<BoundaryCloseness, String> {
+    /// Returns the value of an option that says how the boundary is held, and with which weight.
+    pub(super) fn boundary(&mut self, name: &str) -> Result<(BoundaryRequire, f64), String> {
         let value = self.text(name)?;
-        let held = |require, weight| BoundaryCloseness { require, weight, ..Default::default() };
         if value == BoundaryRequire::Exact.word() {
-            return Ok(held(BoundaryRequire::Exact, 1.0));
+            return Ok((BoundaryRequire::Exact, 1.0));
         }
         let weight = finite(&value).filter(|&weight| weight > 0.0);
         let expected = || format!("{name} takes `exact` or a weight above 0, found `{value}`");
-        weight.map(|weight| held(BoundaryRequire::Soft, weight)).ok_or_else(expected)
+        weight.map(|weight| (BoundaryRequire::Soft, weight)).ok_or_else(expected)
     }
 
     /// Returns the value of an option that takes a positive number.
@@ -344,14 +323,4 @@ impl Words {
 /// Returns the finite number that a text states.
 fn finite(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite())
-}
-
-/// Returns the absolute path of a file that may not exist yet, with links resolved.
-pub(super) fn place(path: &Path) -> PathBuf {
-    let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    let of_folder = || {
-        let folder = absolute.parent()?.canonicalize().ok()?;
-        Some(folder.join(absolute.file_name()?))
-    };
-    absolute.canonicalize().ok().or_else(of_folder).unwrap_or(absolute)
 }
