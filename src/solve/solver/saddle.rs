@@ -105,7 +105,7 @@ impl Solver {
             1 => beside[i.min(j)],
             _ => 0.0,
         });
-        let (values, vectors) = symmetric_eigen(&matrix);
+        let (values, vectors) = symmetric_eigen(&matrix)?;
         let least = (0..n).min_by(|&a, &b| values[a].total_cmp(&values[b]))?;
         if values[least] > LEADS_DOWN {
             return None;
