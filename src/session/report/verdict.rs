@@ -39,9 +39,13 @@ pub struct Verdict {
     pub worst_face: u32,
     /// Number of faces of the mesh that are folded or dented but were not at rest.
     pub folded: usize,
-    /// The panels within a larger tolerance only, because they would fold within this one.
+    /// The panels within a larger tolerance only.
     #[serde(skip)]
     pub eased: Option<EasedPanels>,
+    /// Whether the search that found the shape has seen faces fold within the required tolerance; false
+    /// where that is not known, as after opening a file.
+    #[serde(skip)]
+    pub would_fold: bool,
     /// Distances of the vertices from their rest positions.
     pub moved: Moved,
     /// Distances between the surface and the original.
@@ -182,6 +186,7 @@ impl Session {
             worst_face,
             folded: measure.folded.len(),
             eased,
+            would_fold: search.and_then(|met| met.report.eased).is_some_and(|it| it.folded > 0),
             moved: measure.moved,
             surface: measure.surface,
             is_on_other: measure.is_on_other,
