@@ -103,7 +103,8 @@ impl HardRows {
         }
     }
 
-    /// Whether any constraint must be exact.
+    /// Whether any constraint must be exact, or the guard, which has no slack where edges may not become
+    /// shorter at all.
     pub(in crate::solve) fn any_exact(&self) -> bool {
         self.batches.iter().any(|hard| hard.within.is_none())
     }
