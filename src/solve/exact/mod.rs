@@ -212,7 +212,7 @@ impl Exact {
     }
 
     /// Ends the approach early; the polish starts from its positions.
-    pub fn hurry(&mut self) {
+    pub fn end_approach_early(&mut self) {
         if matches!(self.stage, Stage::Approach | Stage::Round) {
             self.end_approach();
         }

@@ -22,12 +22,12 @@ impl Solver {
     ///
     /// # Errors
     /// If the normal matrix is not positive definite.
-    pub fn hold(
+    pub fn set_handles(
         &mut self,
         handles: Vec<Handle>,
         positions: Option<&[Point]>,
     ) -> Result<(), SolveError> {
-        if self.factored && self.holds_alike(&handles) {
+        if self.factored && self.differ_only_in_targets(&handles) {
             self.handles = handles;
             self.place(positions);
             self.retarget();
@@ -69,7 +69,7 @@ impl Solver {
     }
 
     /// Whether `handles` differ from the current ones only in their targets.
-    fn holds_alike(&self, handles: &[Handle]) -> bool {
+    fn differ_only_in_targets(&self, handles: &[Handle]) -> bool {
         let alike = |(a, b): (&Handle, &Handle)| a.vertex == b.vertex && a.hold == b.hold;
         handles.len() == self.handles.len() && handles.iter().zip(&self.handles).all(alike)
     }
@@ -88,7 +88,7 @@ impl Solver {
     }
 
     /// Replaces the weights of Eq. 13, if [`Solver::can_reweigh`], and the rest as
-    /// [`Solver::hold`]; the matrix is factored again.
+    /// [`Solver::set_handles`]; the matrix is factored again.
     ///
     /// # Errors
     /// If the normal matrix is not positive definite.
@@ -101,7 +101,7 @@ impl Solver {
         assert!(self.can_reweigh(weights), "energies come and go with a new solver");
         self.parts.energies.weights = weights;
         self.factored = false;
-        self.hold(handles, positions)
+        self.set_handles(handles, positions)
     }
 
     /// Returns the diagonal updates that lead to the matrix of `handles`, if these are the current

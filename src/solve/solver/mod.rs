@@ -84,7 +84,7 @@ impl Solver {
             accelerated: false,
             seconds: IterateSeconds::default(),
         };
-        solver.hold(handles, None)?;
+        solver.set_handles(handles, None)?;
         Ok(solver)
     }
 
