@@ -47,7 +47,7 @@ mod unit_polygon;
 mod vec3;
 
 pub use alignment::Alignment;
-pub use circle_fit::{CircleFit, PrincipalCircle};
+pub use circle_fit::CircleFit;
 pub use cubic::Cubic;
 pub use dense::{orthonormalise, symmetric_eigen};
 pub use ears::{
