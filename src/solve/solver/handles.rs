@@ -171,23 +171,7 @@ impl Solver {
 
     /// Moves fixed vertices to their targets and evaluates again.
     pub(super) fn retarget(&mut self) {
-        let node_of = self.parts.node_of();
-        let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
-        let fixed = fixed.map(|handle| (handle.vertex, handle.target));
-        let exact = self.parts.gliding.is_some();
-        let releases = |handle: &Handle| !exact || handle.hold == Hold::Fixed;
-        let handle = |v: u32| self.handle_index.get(v).map(|place| &self.handles[place]);
-        let corners =
-            self.parts.corners.iter().copied().filter(|&(v, _)| !handle(v).is_some_and(releases));
-        for (vertex, target) in corners.chain(fixed) {
-            self.x[node_of[vertex as usize] as usize] = relative(target, self.parts.centre);
-            self.put[vertex as usize] = target;
-        }
-        self.parts.energies.handles =
-            PositionalConstraints::new(&self.handles, node_of, self.parts.centre);
-        if let Some(gliding) = &mut self.parts.gliding {
-            gliding.place(&mut self.x, &self.handles);
-        }
+        self.parts.place(&self.handles, &self.handle_index, &mut self.x, &mut self.put);
         self.evaluate();
         self.start_anew();
     }

@@ -124,11 +124,7 @@ impl Solver {
     fn position(&self, vertex: u32) -> Point {
         let row = self.x[self.parts.system.node_of()[vertex as usize] as usize];
         let put = self.put[vertex as usize];
-        if row == relative(put, self.parts.centre) {
-            put
-        } else {
-            std::array::from_fn(|i| row[i] + self.parts.centre[i])
-        }
+        if row == relative(put, self.parts.centre) { put } else { self.parts.to_point(row) }
     }
 
     /// The energies at the current positions.
