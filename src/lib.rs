@@ -194,7 +194,7 @@
 //! | satisfied, in the code met | within the length that is required |
 //! | press | making all panels circular or flat, by one button: a row of hard constraints and a run |
 //! | attempt | one way to meet hard constraints; a run tries several |
-//! | relaxed tolerance, in the code eased | a larger tolerance for some panels, so that none folds |
+//! | relaxed tolerance, in the code eased | a larger tolerance for some panels, where no shape within the required one can be built |
 //! | estimate, in the code forecast | said before a press: how far it will move the mesh |
 //! | suggestion | an edit that helps, tried before it is offered |
 //!

@@ -378,6 +378,11 @@ impl Batch {
         }
     }
 
+    /// Whether its projections depend on those of the last local step.
+    pub fn is_guarded(&self) -> bool {
+        self.guarded
+    }
+
     /// Undoes the last local step: its positions were rejected, and the guard needs the projections
     /// before.
     pub fn undo_step(&mut self) {

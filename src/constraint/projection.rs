@@ -22,12 +22,6 @@ pub trait Projection: Clone + PartialEq + std::fmt::Debug + 'static {
     /// closest point that the total energy would rise by more than a few digits.
     const GUARDED: bool = false;
 
-    /// Whether the projection is the closest point of the set with these parameters;
-    /// [`Info::exact`] refers to the default ones.
-    fn is_exact(&self) -> bool {
-        Self::INFO.exact
-    }
-
     /// Gives the operator the reference geometry. Called once, before anything else.
     fn bind(&mut self, reference: &Reference<'_>) {
         let _ = reference;

@@ -2,10 +2,10 @@
 //! eigenvector of the smallest eigenvalue of their scatter matrix; within the plane it is the
 //! circle of Thomas and Chan, see [`Round`].
 //!
-//! [`CircleFit`] is the closed form, in lanes. [`PrincipalCircle`] and
-//! [`crate::math::PrincipalRound`] are accurate where it is not.
+//! [`CircleFit`] is the closed form, in lanes. [`crate::math::PrincipalRound`] is accurate where it is
+//! not.
 
-use crate::math::{Lane, PrincipalAxes, Round, RoundWithin, Scatter, Vec3};
+use crate::math::{Lane, Round, RoundWithin, Scatter, Vec3};
 
 /// A circle fitted in closed form.
 #[derive(Clone, Copy, Debug)]
@@ -96,33 +96,10 @@ impl<S: Lane> CircleFit<S> {
     }
 }
 
-/// A circle fitted in principal axes: slower, but accurate for every input.
-#[derive(Clone, Copy, Debug)]
-pub struct PrincipalCircle {
-    axes: PrincipalAxes,
-    round: Round<f64>,
-}
-
-impl PrincipalCircle {
-    /// Fits mean-centred points, and replaces the points by their principal coordinates.
-    pub fn rotate(points: &mut [Vec3<f64>]) -> Self {
-        let axes = PrincipalAxes::rotate(points);
-        PrincipalCircle { axes, round: Round::fit_principal(points, 2) }
-    }
-
-    /// As [`CircleFit::height_and_step`], for the point with principal coordinates `v`. Lengths are
-    /// those in space; the step is along the principal axes. Lines and the centre are treated as in
-    /// [`Round::step_or_chosen`].
-    pub fn height_and_step(&self, v: Vec3<f64>) -> (f64, Vec3<f64>) {
-        let step = self.round.step_or_chosen(Vec3::new(v.x, v.y, 0.0));
-        (v.z * self.axes.scale, step * self.axes.scale)
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{CircleFit, PrincipalCircle};
-    use crate::math::{Vec3, centre};
+    use super::CircleFit;
+    use crate::math::{PrincipalRound, Vec3, centre};
 
     /// All quads made from a square of side two by moving each corner by `step`, or not at all,
     /// along one coordinate.
@@ -145,7 +122,7 @@ mod tests {
                 centre(&mut quad);
                 let circle = CircleFit::of(&quad).expect("the heights are far below the width");
                 let mut principal = quad;
-                let slow = PrincipalCircle::rotate(&mut principal);
+                let slow = PrincipalRound::rotate(&mut principal, 2, |radius| radius);
                 for (v, w) in quad.into_iter().zip(principal) {
                     let (height, step_to) = circle.height_and_step(v);
                     let (slow_height, slow_step) = slow.height_and_step(w);

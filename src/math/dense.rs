@@ -7,13 +7,13 @@ use nalgebra::{ComplexField, DMatrix, SymmetricEigen};
 const ITERATIONS: usize = 1000;
 
 /// Returns the eigenvalues of the symmetric part of a matrix, the greatest first, and their unit
-/// eigenvectors, the columns of the second matrix.
-///
-/// # Panics
-/// If an entry is not finite: no tolerance would end the iteration.
-pub fn symmetric_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
+/// eigenvectors, the columns of the second matrix. `None` if the matrix is empty, or if an entry is
+/// not finite: no tolerance would end the iteration.
+pub fn symmetric_eigen(matrix: &DMatrix<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
     let symmetric = (matrix + matrix.transpose()) * 0.5;
-    assert!(symmetric.iter().all(|entry| entry.is_finite()), "the matrix of a subspace is finite");
+    if symmetric.is_empty() || !symmetric.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
     let mut tolerance = f64::EPSILON;
     // Rounding errors may prevent the iteration from ending at this tolerance (nalgebra, issue
     // 1025), but not at every looser one.
@@ -26,7 +26,7 @@ pub fn symmetric_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
     let order = argsort(found.eigenvalues.iter().map(|&value| !key_of_number(value)));
     let order: Vec<usize> = order.into_iter().map(|k| k as usize).collect();
     let values = order.iter().map(|&k| found.eigenvalues[k]).collect();
-    (values, found.eigenvectors.select_columns(&order))
+    Some((values, found.eigenvectors.select_columns(&order)))
 }
 
 /// Orthonormalises the columns of a matrix, each against those before it. One with at most the
@@ -64,7 +64,7 @@ mod tests {
             let matrix = DMatrix::from_fn(5, 5, |i, j| {
                 entries[5 * i.min(j) + i.max(j)] * size[i] * size[j]
             });
-            let (values, vectors) = symmetric_eigen(&matrix);
+            let (values, vectors) = symmetric_eigen(&matrix).expect("all entries are finite");
             prop_assert!(values.is_sorted_by(|a, b| a >= b));
             prop_assert!((vectors.tr_mul(&vectors) - DMatrix::identity(5, 5)).amax() < 1e-13);
             let images = &matrix * &vectors;
@@ -77,10 +77,16 @@ mod tests {
 
     #[test]
     fn nothing_has_nothing_and_a_diagonal_stays() {
-        assert_eq!(symmetric_eigen(&DMatrix::zeros(3, 3)).0, [0.0; 3]);
-        let diagonal = DMatrix::from_row_slice(2, 2, &[2.0, 0.0, 0.0, -1.0]);
-        let (values, vectors) = symmetric_eigen(&diagonal);
+        let found = |matrix| symmetric_eigen(&matrix).expect("all entries are finite");
+        assert_eq!(found(DMatrix::zeros(3, 3)).0, [0.0; 3]);
+        let (values, vectors) = found(DMatrix::from_row_slice(2, 2, &[2.0, 0.0, 0.0, -1.0]));
         assert_eq!((values, vectors.abs()), (vec![2.0, -1.0], DMatrix::identity(2, 2)));
+    }
+
+    #[test]
+    fn what_is_empty_or_not_finite_has_no_eigenvalues() {
+        assert_eq!(symmetric_eigen(&DMatrix::zeros(0, 0)), None);
+        assert_eq!(symmetric_eigen(&DMatrix::from_element(2, 2, f64::NAN)), None);
     }
 
     #[test]

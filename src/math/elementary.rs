@@ -71,6 +71,15 @@ pub fn round_up(least: f64) -> f64 {
     powers_below(least, &ENDS).and_then(|mut powers| powers.find(is_enough)).unwrap_or(0.0)
 }
 
+/// Returns the nearest of one, two and five times a power of ten; none unless `number` is positive and
+/// finite.
+pub fn nearest_round(number: f64) -> Option<f64> {
+    let mut bounds = powers_below(number, &[15, 35, 75])?;
+    // The bounds are compared as decimal numbers too: 0.0015 is rounded up.
+    powers_below(number, &[10, 20, 50, 100])?
+        .find(|_| bounds.next().is_none_or(|bound| number < bound))
+}
+
 /// Returns the step of a grid with about `count` steps over a length: the smallest of 1, 2 or 5 times
 /// a power of ten with no more steps; zero unless the length is positive and finite.
 pub fn grid_step(length: f64, count: f64) -> f64 {
@@ -173,6 +182,24 @@ mod tests {
         }
         for nothing in [0.0, -3.0, f64::NAN, f64::INFINITY] {
             assert_eq!(round_down(nothing), 0.0);
+        }
+    }
+
+    #[test]
+    fn the_nearest_round_number_may_be_above_or_below() {
+        for (number, round) in [
+            (0.0013, 0.001),
+            (0.0015, 0.002),
+            (0.0017, 0.002),
+            (4.9, 5.0),
+            (0.08, 0.1),
+            (730.0, 500.0),
+            (2.2e-7, 2e-7),
+        ] {
+            assert_eq!(nearest_round(number), Some(round));
+        }
+        for nothing in [0.0, -3.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(nearest_round(nothing), None);
         }
     }
 

@@ -47,7 +47,7 @@ mod unit_polygon;
 mod vec3;
 
 pub use alignment::Alignment;
-pub use circle_fit::{CircleFit, PrincipalCircle};
+pub use circle_fit::CircleFit;
 pub use cubic::Cubic;
 pub use dense::{orthonormalise, symmetric_eigen};
 pub use ears::{
@@ -55,8 +55,8 @@ pub use ears::{
 };
 pub use eigenvector::Eigenvector;
 pub use elementary::{
-    angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, grid_step, round_down,
-    round_up, sine,
+    angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, grid_step, nearest_round,
+    round_down, round_up, sine,
 };
 pub use indices::{Ragged, argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};

@@ -131,13 +131,9 @@ impl Round<f64> {
         Round::new(Vec3::from(a), least, squares.iter().sum())
     }
 
-    /// The closest point, defined everywhere. Points that are all on a line (for a sphere, in a
-    /// plane) stay; a point at the centre goes to where the first axis meets the circle.
-    pub fn closest_or_chosen(&self, v: Vec3<f64>) -> Vec3<f64> {
-        v + self.step_or_chosen(v)
-    }
-
-    /// The displacement from `v` to [`Round::closest_or_chosen`].
+    /// The displacement from `v` to its closest point, defined everywhere. Points that are all on a
+    /// line (for a sphere, in a plane) stay; a point at the centre goes to where the first axis meets
+    /// the circle.
     pub fn step_or_chosen(&self, v: Vec3<f64>) -> Vec3<f64> {
         if self.reach == 0.0 {
             return Vec3::zero();

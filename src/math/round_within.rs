@@ -219,18 +219,30 @@ impl PrincipalRound {
     /// Returns the closest point, in space, to the point with principal coordinates `v`. A point at
     /// the centre goes to where the first axis meets the circle or sphere.
     pub fn closest(&self, v: Vec3<f64>) -> Vec3<f64> {
-        if self.is_point {
-            return Vec3::zero();
-        }
         let v = with_dimensions(v, self.dimensions);
+        self.axes.point(v + self.step(v))
+    }
+
+    /// For a circle, as [`CircleFit::height_and_step`](crate::math::CircleFit::height_and_step), for the
+    /// point with principal coordinates `v`. Lengths are those in space; the step is along the principal
+    /// axes.
+    pub fn height_and_step(&self, v: Vec3<f64>) -> (f64, Vec3<f64>) {
+        let step = self.step(with_dimensions(v, 2));
+        (v.z * self.axes.scale, step * self.axes.scale)
+    }
+
+    /// The displacement from `v`, in its dimensions, to its closest point, in principal coordinates.
+    fn step(&self, v: Vec3<f64>) -> Vec3<f64> {
         let RoundWithin { round, limited, .. } = self.within;
-        self.axes.point(if limited == 0.0 {
-            round.closest_or_chosen(v)
+        if self.is_point {
+            -v
+        } else if limited == 0.0 {
+            round.step_or_chosen(v)
         } else if self.within.is_straight() {
-            with_dimensions(v, self.dimensions - 1)
+            with_dimensions(v, self.dimensions - 1) - v
         } else {
-            v + self.within.limited_step(v, axis(0), &mut 1.0)
-        })
+            self.within.limited_step(v, axis(0), &mut 1.0)
+        }
     }
 
     /// As [`Round::centre_and_radius`], in space.

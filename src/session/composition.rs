@@ -95,10 +95,10 @@ impl Session {
         self.guard.collapse()
     }
 
-    /// Whether the last iteration changed the total by no more than the tolerance, or the hard
-    /// constraints are met. Always false for a collapsed shape.
+    /// Whether the last iteration changed the total by no more than the tolerance, or a run has met the
+    /// hard constraints as well as it can. Always false for a collapsed shape.
     pub fn converged(&self) -> bool {
-        (self.scene.solver().converged() || self.is_met()) && self.collapse().is_none()
+        (self.scene.solver().converged() || self.is_searched()) && self.collapse().is_none()
     }
 
     /// Whether a drag is under way; an edit that has an effect ends it.

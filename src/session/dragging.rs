@@ -207,7 +207,7 @@ impl Session {
     pub fn end_run(&mut self) -> Option<Collapse> {
         let met = self.end_meeting(false).expect("the state was solvable before");
         let transaction = self.transaction.take_if(|t| t.is_run())?;
-        if self.is_met() {
+        if self.is_searched() {
             self.search = self.search_of_scene();
         } else if !met {
             self.scene.settle();

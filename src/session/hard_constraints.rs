@@ -60,9 +60,10 @@ impl Session {
         self.met.as_ref().filter(|met| met.is_of(&self.scene))
     }
 
-    /// Whether hard constraints were met as well as possible, and nothing has changed since.
-    pub(super) fn is_met(&self) -> bool {
-        self.met_here().is_some_and(|met| met.is_all(&self.scene))
+    /// Whether all attempts to meet the hard constraints have ended, met or not, and nothing has
+    /// changed since.
+    pub(super) fn is_searched(&self) -> bool {
+        self.met_here().is_some_and(|met| met.is_searched(&self.scene))
     }
 
     /// Begins to meet the hard constraints; returns false if there are none.

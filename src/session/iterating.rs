@@ -16,7 +16,7 @@ impl Session {
     }
 
     /// Runs one iteration as a run of its own, with hard constraints as soft ones, because they are
-    /// met only at the end of a run. It has no effect if they are already met.
+    /// met only at the end of a run. It has no effect after a run that has tried to.
     ///
     /// # Errors
     /// As [`Session::step`].
@@ -33,7 +33,7 @@ impl Session {
         if let Some(step) = self.meeting_step(improves)? {
             return Ok(step);
         }
-        if self.is_met() {
+        if self.is_searched() {
             return Ok(Step { converged: self.converged(), ended: true });
         }
         let dragging = self.is_dragging();
@@ -83,9 +83,10 @@ impl Session {
             self.progress.begin_half();
             return Ok(HalfStep::Local { fitted: fitted(self.scene.rows()) });
         }
-        if self.is_met() {
+        if self.is_searched() {
             self.progress.leave_half();
-            return Ok(HalfStep::Satisfied);
+            let met = self.met_here().is_some_and(|met| met.report.met);
+            return Ok(HalfStep::Held { met });
         }
         let Step { converged, .. } = self.single_step()?;
         Ok(HalfStep::Global { converged, accelerated: self.scene.solver().accelerated() })

@@ -62,9 +62,9 @@ impl Variations {
     /// Applies the coefficients as far as the constraints can be met again.
     ///
     /// # Errors
-    /// As [`ShapeSpace::go`].
+    /// As [`ShapeSpace::move_along`].
     pub fn go(&mut self, coefficients: &[f64]) -> Result<Varied, Error> {
-        let reached = self.space.go(coefficients)?;
+        let reached = self.space.move_along(coefficients)?;
         let report = ExactReport::new(reached.answer, &self.places);
         Ok(Varied { positions: reached.positions, part: reached.part, report })
     }

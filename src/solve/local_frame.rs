@@ -9,6 +9,11 @@ pub(super) fn relative(point: Point, centre: Point) -> Row {
     [point[0] - centre[0], point[1] - centre[1], point[2] - centre[2], 0.0]
 }
 
+/// Returns points relative to `centre`, a row for each.
+pub(super) fn rows(points: &[Point], centre: Point) -> Vec<Row> {
+    points.iter().map(|&point| relative(point, centre)).collect()
+}
+
 /// The rest surface, relative to `centre`.
 pub(super) fn rest_surface(mesh: &Mesh, centre: Point) -> Surface {
     let around_centre = |p: &Point| std::array::from_fn(|i| p[i] - centre[i]);

@@ -50,9 +50,9 @@ pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds}
 pub use error::SolveError;
 pub use exact::{
     Exact, ExactAnswer, Improved, Moved, Require, Requirements, Stage, Unmet, coordinate_rounding,
-    exact_tolerance, farthest, least_move,
+    exact_tolerance, farthest, least_move, rest_projections,
 };
-pub use parts::{SetupCache, rest_projections};
+pub use parts::SetupCache;
 pub use problem::Problem;
 
 pub use settings::{

@@ -7,7 +7,7 @@
 use super::assemble::Terms;
 use super::clock;
 use super::energy::{
-    CloseEnergy, Constraints, Energies, Handle, Hold, PositionalConstraints, RestShape,
+    CloseEnergy, Energies, Handle, HandleIndex, Hold, PositionalConstraints, RestShape,
     ShapeEnergy, SmoothEnergy, pins, smooth_terms,
 };
 use super::gliding::Gliding;
@@ -15,7 +15,7 @@ use super::local_frame::{centre_and_extent, relative, rest_surface};
 use super::problem::Problem;
 use super::settings::{BoundaryRequire, SmoothnessOf};
 use super::system::System;
-use crate::constraint::{Projected, Reference, Row};
+use crate::constraint::{Reference, Row};
 use crate::mesh::{Mesh, Point, Surface};
 use crate::sparse::SymbolicAnalysis;
 use std::borrow::Cow;
@@ -172,6 +172,39 @@ impl Parts {
         to_rows(positions, self.node_of(), self.held.len(), self.centre)
     }
 
+    /// Converts a row to a position.
+    pub(super) fn to_point(&self, row: Row) -> Point {
+        std::array::from_fn(|i| row[i] + self.centre[i])
+    }
+
+    /// Puts what does not move freely at its place, given at most one handle for each vertex: fixed
+    /// vertices at their targets, corners of the boundary at rest unless a handle frees them, and
+    /// vertices on curves at their closest points there. `x` are the positions by nodes, `put` those at
+    /// which vertices were put, `#V by 3`.
+    pub(super) fn place(
+        &mut self,
+        handles: &[Handle],
+        index: &HandleIndex,
+        x: &mut [Row],
+        put: &mut [Point],
+    ) {
+        let node_of = &self.system.node_of()[..self.n_vertices];
+        // On a boundary that stays exactly on its curves, corners ignore soft handles.
+        let is_exact = self.gliding.is_some();
+        let frees = |handle: &Handle| !is_exact || handle.hold == Hold::Fixed;
+        let is_freed = |v: u32| index.get(v).is_some_and(|place| frees(&handles[place]));
+        let corners = self.corners.iter().copied().filter(|&(v, _)| !is_freed(v));
+        let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
+        for (vertex, target) in corners.chain(fixed.map(|handle| (handle.vertex, handle.target))) {
+            x[node_of[vertex as usize] as usize] = relative(target, self.centre);
+            put[vertex as usize] = target;
+        }
+        self.energies.handles = PositionalConstraints::new(handles, node_of, self.centre);
+        if let Some(gliding) = &mut self.gliding {
+            gliding.place(x, handles);
+        }
+    }
+
     /// Moves vertices to the points of their curves given by the unknowns after a step.
     pub(super) fn put_on_curves(&mut self, x: &mut [Row]) {
         if let Some(gliding) = &mut self.gliding {
@@ -283,25 +316,4 @@ impl SetupCache {
         self.target = Some((mesh, Rc::clone(&surface)));
         surface
     }
-}
-
-/// Calls `each` with the vertices of every constraint and the displacements to their projected
-/// points, at the rest shape of `mesh` and in its unit. Kinds take their rest shape from the
-/// `pose`, `#V by 3`, if given.
-pub fn rest_projections(
-    mesh: &Mesh,
-    pose: Option<&[Point]>,
-    constraints: &[Constraints],
-    mut each: impl FnMut(&Projected),
-) {
-    let (centre, _) = centre_and_extent(mesh);
-    let rows = |positions: &[Point]| -> Vec<Row> {
-        positions.iter().map(|&point| relative(point, centre)).collect()
-    };
-    let (rest, pose) = (rows(&mesh.positions), pose.map(rows));
-    let own_nodes: Vec<u32> = (0..rest.len() as u32).collect();
-    let surface = || Rc::new(rest_surface(mesh, centre));
-    let reference = Reference { surface: &surface, pose: pose.as_deref() };
-    let mut energy = ShapeEnergy::new(constraints, &own_nodes, &rest, false, &reference);
-    energy.projected(&rest, |_, points| each(points));
 }

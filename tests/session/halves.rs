@@ -128,6 +128,19 @@ fn the_global_step_is_the_least_squares_answer() {
     }
 }
 
+/// Both rows were said to be satisfied.
+#[test]
+fn after_a_run_that_failed_the_global_step_is_held_without_what_is_required() {
+    let text = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "file": "grid.obj" },
+        "constraints": [
+            { "kind": "line-segment", "on": { "vertices": [0, 1] }, "length": 1, "require": "exact" },
+            { "kind": "line-segment", "on": { "vertices": [0, 1] }, "length": 1.2, "require": "exact" }] }"#;
+    let scene = Scene::from_json(text).expect("the scene is valid");
+    let mut session = Session::open(scene, bumpy(4)).expect("it can be solved");
+    session.solve(false).expect("positions stay finite");
+    assert_eq!(whole(&mut session), HalfStep::Held { met: false });
+}
+
 fn add(a: Point, b: Point) -> Point {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }

@@ -175,7 +175,7 @@ fn a_single_step_iterates_softly_and_leaves_the_rest_to_a_run() {
     assert!(single.ended, "what is met stays");
     // It was said to have moved as the last soft step had.
     assert!(matches!(session.half_step(), Ok(HalfStep::Local { .. })));
-    assert_eq!(session.half_step(), Ok(HalfStep::Satisfied));
+    assert_eq!(session.half_step(), Ok(HalfStep::Held { met: true }));
     assert!(!session.halfway());
     assert_eq!(session.positions(), exact);
 }

@@ -201,6 +201,7 @@ fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
         assert!(2 * eased.panels < verdict.of, "{verdict:?}");
         assert!(verdict.worst > asked && verdict.worst <= eased.within, "{verdict:?}");
         assert!(exact.eased.is_some_and(|it| it.folded > 0 && it.panels == eased.panels));
+        assert!(verdict.would_fold);
         // Another run changes nothing and is one step of undo.
         let after = session.scene();
         session.begin_run();
@@ -218,6 +219,23 @@ fn a_press_that_would_fold_eases_the_panels_that_would_and_no_others() {
         assert!(again.exact().is_some_and(|exact| exact.met));
         assert_eq!(again.verdict(asked).expect("it is asked").eased, Some(eased));
     }
+}
+
+/// Handles that hold the corners of a panel out of a plane need a larger tolerance, but nothing folds:
+/// it was said to be relaxed so that none does.
+#[test]
+fn a_tolerance_that_handles_leave_no_shape_within_is_not_said_to_avoid_folds() {
+    let height = |at| if at == (4, 4) { 0.02 } else { 0.0 };
+    let mesh = grid(8, 8, |i, j| [f64::from(i), f64::from(j), height((i, j))]);
+    let mut session = session(mesh, "");
+    let corners = vec![40, 41, 50, 49];
+    session.edit(Edit::AddHandles { vertices: corners, fixed: true }).expect("they are there");
+    session.make_panels("plane", session.tolerance(), PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    let verdict = verdict(&mut session);
+    assert!(verdict.eased.is_some() && !verdict.would_fold, "{verdict:?}");
+    let words = verdict.words("m", 8.0, 1.0).full();
+    assert!(words.contains("relaxed tolerance") && !words.contains("fold"), "{words}");
 }
 
 #[test]

@@ -43,3 +43,14 @@ fn a_hypar_made_flat_does_not_end_at_a_saddle() {
     assert!(session.converged());
     assert!((total - 16.452).abs() < 0.01, "{total}");
 }
+
+/// The step for differences of gradients is a fraction of the extent: without one it was 0, and an
+/// assertion about the matrix failed.
+#[test]
+fn vertices_that_all_lie_at_one_place_converge_there() {
+    let mesh = grid(3, 3, |_, _| [1.0, 2.0, 3.0]);
+    let mut session = Session::open(Scene::opened("own.obj"), mesh).expect("it fits");
+    session.solve(false).expect("it stays finite");
+    assert!(session.converged());
+    assert!(session.positions().iter().all(|&place| place == [1.0, 2.0, 3.0]));
+}

@@ -251,6 +251,17 @@ fn vertices_that_nothing_acts_on_are_found() {
     // An opened mesh has none.
     session.edit(Edit::Preset { id: "opened".to_owned() }).expect("it is declared");
     assert_eq!((find(&mut session), session.free().len()), (0, 0));
+    // A soft boundary without weight takes its vertices from the surface, and keeps them nowhere; the
+    // four corners stay. They were not counted.
+    for edit in [
+        r#"{ "setWeights": { "smooth": 0 } }"#,
+        r#"{ "set": { "id": "boundary", "value": "soft" } }"#,
+        r#"{ "set": { "id": "boundary-weight", "value": 0 } }"#,
+        r#"{ "removeConstraint": { "index": 0 } }"#,
+    ] {
+        session.edit(Edit::from_json(edit).expect("it is an edit")).expect("it can be met");
+    }
+    assert_eq!(session.free().len(), 16);
 }
 
 #[test]

@@ -76,12 +76,13 @@ fn the_worst_constraint_of_a_row_has_the_worst_error_of_that_row() {
            { "kind": "circle", "on": "faces", "weight": 2 },
            { "kind": "line-segment", "on": "edges", "length": 1 },
            { "kind": "sphere", "on": "rings" },
-           { "kind": "line", "on": { "vertices": [0, 1, 8] }, "name": "Rim" }"#,
+           { "kind": "line", "on": { "vertices": [0, 1, 8] }, "name": "Rim" },
+           { "kind": "on-surface", "on": { "vertices": [9] } }"#,
     );
     for _ in 0..3 {
         session.step().expect("positions stay finite");
         let errors = worst_of_rows(&session);
-        for (found, row) in [0, 2, 3, 4, 5].into_iter().enumerate() {
+        for (found, row) in [0, 2, 3, 4, 5, 6].into_iter().enumerate() {
             let worst = session.worst_constraints(row, 8);
             let near = (worst[0].value - errors[found]).abs() <= 1e-9 * errors[found];
             assert!(near, "row {row}: {} is not {}", worst[0].value, errors[found]);
@@ -103,6 +104,7 @@ fn the_worst_constraint_of_a_row_has_the_worst_error_of_that_row() {
     let rim = &session.worst_constraints(5, 3);
     assert_eq!((rim.len(), rim[0].element.as_str()), (1, "3 vertices"));
     assert_eq!(rim[0].constraint, "Rim");
+    assert_eq!(session.worst_constraints(6, 1)[0].element, "1 vertex");
 }
 
 #[test]

@@ -304,7 +304,7 @@ fn it_can_be_stopped_after_any_round_and_begun_again() {
     assert!(exact.worst_excess() < before && exact.answer().refactorizations == 12);
     let (_, answer) = run(&case, &halfway);
     assert!(answer.met);
-    exact.hurry();
+    exact.end_approach_early();
     exact.run().expect("its systems are regular");
     assert!(exact.answer().met && exact.answer().refactorizations == 12);
 }

@@ -118,22 +118,22 @@ fn steps_and_sums_of_them_end_on_the_constraints_and_nothing_stays() {
             let mut alone = [0.0; 8];
             for end in [*least, *greatest] {
                 alone[k] = end;
-                let reached = space.go(&alone).expect("its systems are regular");
+                let reached = space.move_along(&alone).expect("its systems are regular");
                 assert!(end == 0.0 || reached.part == 1.0, "{kind}: mode {k} to {end}");
                 assert!(reached.answer.met && reached.answer.max_distance <= 1e-12 * case.size());
                 assert!(reached.answer.shortest_edge.expect("a guard") >= 0.3 * (1.0 - 1e-9));
             }
         }
         let sum = [0.02, -0.015, 0.0, 0.01, 0.0, 0.0, 0.0, 0.0];
-        let reached = space.go(&sum).expect("its systems are regular");
+        let reached = space.move_along(&sum).expect("its systems are regular");
         assert!(reached.part == 1.0 && reached.answer.met);
         assert!(reached.answer.moved.max >= 0.01 * case.size());
         // The same step from the same shape gives the same bits, and a step of zero leaves every
         // bit.
-        assert_eq!(space.go(&sum).expect("regular").positions, reached.positions);
-        assert_eq!(space.go(&[0.0; 8]).expect("regular").positions, shape);
+        assert_eq!(space.move_along(&sum).expect("regular").positions, reached.positions);
+        assert_eq!(space.move_along(&[0.0; 8]).expect("regular").positions, shape);
         // A step of zero from there leaves the shape.
-        let again = self::space(&case, &reached.positions, false).go(&[0.0; 8]);
+        let again = self::space(&case, &reached.positions, false).move_along(&[0.0; 8]);
         assert_eq!(again.expect("regular").positions, reached.positions);
     }
 }
@@ -197,7 +197,7 @@ fn symmetric_shapes_have_symmetric_ways() {
             symmetric += 1;
             let mut alone = [0.0; 8];
             alone[k] = 0.03;
-            let there = space.go(&alone).expect("regular").positions;
+            let there = space.move_along(&alone).expect("regular").positions;
             for c in 0..2 {
                 let off = longest(&difference(&there, &mirrored(&there, c)));
                 assert!(off <= 1e-6 * case.size(), "mode {k} about {c}: {off:e}");
@@ -217,7 +217,8 @@ fn what_is_fixed_stays_and_what_is_within_stays_within() {
     for require in [Require::Exact, Require::Within(within)] {
         case.requires = vec![require];
         let mut space = space(&case, &shape, false);
-        let reached = space.go(&[0.03, 0.02, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).expect("regular");
+        let reached =
+            space.move_along(&[0.03, 0.02, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).expect("regular");
         assert!(reached.part > 0.0 && reached.answer.met);
         for handle in &case.handles {
             let v = handle.vertex as usize;
@@ -245,7 +246,7 @@ fn shapes_without_ways_and_degenerate_ones_end_too() {
             }
             let mut space = space(&case, &shape, true);
             let coefficients = vec![0.01; space.modes().len()];
-            let reached = space.go(&coefficients).expect("regular");
+            let reached = space.move_along(&coefficients).expect("regular");
             let finite = |points: &[Point]| points.as_flattened().iter().all(|x| x.is_finite());
             assert!(finite(&reached.positions));
             assert!(space.modes().iter().all(|mode| finite(&mode.displacement)));
@@ -267,7 +268,7 @@ fn corners_that_closeness_to_the_boundary_fixes_stay_in_every_variation() {
     let space = ShapeSpace::new(&problem, &requirements, &[], &shape, SetupCache::default());
     let mut space = space.expect("its systems are regular");
     while !space.has_modes() && space.step().expect("its systems are regular") {}
-    let reached = space.go(&[0.03, 0.02, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).expect("regular");
+    let reached = space.move_along(&[0.03, 0.02, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]).expect("regular");
     assert!(reached.part > 0.0 && reached.answer.met);
     assert!(longest(&difference(&reached.positions, &shape)) > 0.01);
     // What a solver of the same problem would move the corners back from.

@@ -33,8 +33,10 @@ export function halfStepWords(done: HalfStep) {
         : 'nothing to fit';
     return `Local step done: ${fitted}; next: global step`;
   }
-  if (done.half === 'satisfied')
-    return 'Nothing moved: what is required is satisfied already, and the global step would leave it';
+  if (done.half === 'held')
+    return done.met
+      ? 'Nothing moved: what is required is satisfied already, and the global step would leave it'
+      : 'Nothing moved: Run found no closer shape, and the global step would leave this one';
   const where = done.accelerated ? 'beyond the' : 'to the';
   const why = done.accelerated ? ', because steps are accelerated' : '';
   const next = done.converged ? 'converged' : 'next: local step';

@@ -159,7 +159,7 @@ export class Scheduler {
     const wasDragging = this.#drag !== null;
     const done = this.#afterDrag(() => this.#solver.halfStep());
     if (done.half !== 'local') {
-      this.#isSettled = done.half === 'satisfied' || done.converged;
+      this.#isSettled = done.half === 'held' || done.converged;
       this.#activityDue = true;
       this.changed();
     } else if (wasDragging) {

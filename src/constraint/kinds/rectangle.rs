@@ -66,10 +66,6 @@ impl Projection for Rectangle {
         ..Info::PLAIN
     };
 
-    fn is_exact(&self) -> bool {
-        self.fit == Fit::Closest
-    }
-
     fn closed_form<S: Lane>(
         &self,
         _rest: &[Vec3<S>],

@@ -44,16 +44,6 @@ macro_rules! kinds {
                 match self { $(Kind::$Kind(_) => &$module::$Kind::INFO),* }
             }
 
-            /// Whether its projection is the closest point of the set with these parameters.
-            pub fn is_exact(&self) -> bool {
-                match self { $(Kind::$Kind(p) => p.is_exact()),* }
-            }
-
-            /// Whether the total energy can rise with it if the scene has no `monotone` guard.
-            pub fn can_rise(&self) -> bool {
-                match self { $(Kind::$Kind(p) => !(p.is_exact() || $module::$Kind::GUARDED)),* }
-            }
-
             /// The parameters as in a scene file.
             pub fn params(&self) -> serde_json::Value {
                 match self { $(Kind::$Kind(p) => serde_json::to_value(p)),* }

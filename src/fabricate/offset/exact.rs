@@ -108,7 +108,8 @@ pub(super) fn can_be_exact(
     })
 }
 
-/// The minimum over `n` of the sum of `(N . n - 1)^2` over some unit normals `N`.
+/// The minimum over `n` of the sum of `(N . n - 1)^2` over some unit normals `N`; infinite unless all
+/// are finite.
 fn cone_error(normals: &[Vec3<f64>]) -> f64 {
     let mut matrix = DMatrix::zeros(3, 3);
     let mut sum = Vec3::zero();
@@ -119,7 +120,7 @@ fn cone_error(normals: &[Vec3<f64>]) -> f64 {
         }
         sum += normal;
     }
-    let (values, vectors) = symmetric_eigen(&matrix);
+    let Some((values, vectors)) = symmetric_eigen(&matrix) else { return f64::INFINITY };
     let mut axis = Vec3::zero();
     for (value, direction) in values.iter().zip(vectors.column_iter()) {
         if *value > ONE_PLANE * values[0] {

@@ -14,7 +14,7 @@ pub use dihedral::{folded_faces, mean_dihedral_angle};
 pub use histogram::{Histogram, angle_histogram};
 pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};
 
-use crate::math::{CircleFit, PrincipalCircle, Vec3, centre};
+use crate::math::{CircleFit, PrincipalRound, Vec3, centre};
 use crate::mesh::{Point, Ragged};
 use serde::Serialize;
 
@@ -138,7 +138,7 @@ fn face_errors(corners: &mut [Vec3<f64>]) -> [[f64; 2]; 2] {
     match CircleFit::of(corners) {
         Some(circle) => errors(corners, |p| circle.height_and_step(p)),
         None => {
-            let circle = PrincipalCircle::rotate(corners);
+            let circle = PrincipalRound::rotate(corners, 2, |radius| radius);
             errors(corners, |p| circle.height_and_step(p))
         }
     }

@@ -3,7 +3,7 @@
 
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Kind, Selector};
-use crate::scene::{BoundaryRequire, ClosenessTo, Scene, all_faces};
+use crate::scene::{Scene, all_faces};
 use crate::session::state::acts;
 use crate::session::{ResolvedRow, Session};
 
@@ -110,23 +110,8 @@ impl Session {
         if weights.smooth > 0.0 {
             act_on(self.topology().edges().as_flattened());
         }
-        let closeness = &document.closeness;
-        let on_curve = match closeness.boundary.require {
-            BoundaryRequire::Off => false,
-            BoundaryRequire::Soft => weights.close > 0.0,
-            BoundaryRequire::Exact => true,
-        };
-        if weights.close > 0.0 || on_curve {
-            let factors = self.closeness_factors();
-            let mut hold = |vertex: u32| {
-                acted_on[vertex as usize] |= factors[vertex as usize] > 0.0;
-            };
-            if closeness.to != ClosenessTo::None && weights.close > 0.0 {
-                (0..count as u32).for_each(&mut hold);
-            } else if on_curve {
-                let loops = self.topology().boundary_loops();
-                loops.indices().iter().copied().for_each(&mut hold);
-            }
+        for (acted_on, is_kept) in acted_on.iter_mut().zip(self.solver().is_kept_close()) {
+            *acted_on |= is_kept;
         }
         (0..).zip(acted_on).filter(|(_, acted_on)| !acted_on).map(|(vertex, _)| vertex).collect()
     }

@@ -3,6 +3,7 @@
 
 use super::inspect::{is_usual, panel_row};
 use crate::constraint::Info;
+use crate::math::nearest_round;
 use crate::mesh::{Mesh, Topology};
 use crate::session::Session;
 use crate::session::run::{Bend, Flaw, Level, SurfaceDistance, Tried};
@@ -39,9 +40,13 @@ pub struct Verdict {
     pub worst_face: u32,
     /// Number of faces of the mesh that are folded or dented but were not at rest.
     pub folded: usize,
-    /// The panels within a larger tolerance only, because they would fold within this one.
+    /// The panels within a larger tolerance only.
     #[serde(skip)]
     pub eased: Option<EasedPanels>,
+    /// Whether the search that found the shape has seen faces fold within the required tolerance; false
+    /// where that is not known, as after opening a file.
+    #[serde(skip)]
+    pub would_fold: bool,
     /// Distances of the vertices from their rest positions.
     pub moved: Moved,
     /// Distances between the surface and the original.
@@ -152,28 +157,14 @@ impl Session {
             let beyond = beyond.filter(|&far| far > tolerance && far <= eased.within).count();
             (beyond > 0).then_some(EasedPanels { panels: beyond, within: eased.within })
         });
-        let is_met = within + eased.map_or(0, |eased| eased.panels) == faces.len();
         let measure = self.measured.shape_measure(&self.scene, &self.rest);
-        let (mut level, mut flaws) = match is_met {
-            true => measure.level(eased.is_some(), self.edge_of_design()),
-            false => (Level::Poor, Vec::new()),
-        };
         let seam = self.rest.seam_at(self.scene.positions());
-        if seam > tolerance {
-            flaws.insert(0, Flaw::SeamOpened);
-            level = level.max(Level::Fair);
-        }
         let search = self.met_here();
-        let tried = search.and_then(|met| met.tried.get(met.chosen?));
-        let chosen = tried.map(|tried| tried.name.clone());
-        // Without the search itself, as after opening a file, the scene names the attempt.
-        let named = || self.document().attempt.name();
-        let chosen = chosen.or_else(|| (required.is_some() && is_met).then(named));
-        Some(Verdict {
+        let mut verdict = Verdict {
             kind: kind.id,
             adjective,
-            level,
-            flaws,
+            level: Level::Poor,
+            flaws: Vec::new(),
             within,
             of: faces.len(),
             tolerance,
@@ -182,6 +173,7 @@ impl Session {
             worst_face,
             folded: measure.folded.len(),
             eased,
+            would_fold: search.and_then(|met| met.report.eased).is_some_and(|it| it.folded > 0),
             moved: measure.moved,
             surface: measure.surface,
             is_on_other: measure.is_on_other,
@@ -191,8 +183,22 @@ impl Session {
             area_lost: measure.area_lost,
             seam,
             attempts: search.map_or_else(Vec::new, |met| met.tried.clone()),
-            chosen: chosen.unwrap_or_default(),
-        })
+            chosen: String::new(),
+        };
+        if verdict.is_met() {
+            (verdict.level, verdict.flaws) = measure.level(eased.is_some(), self.edge_of_design());
+        }
+        if seam > tolerance {
+            verdict.flaws.insert(0, Flaw::SeamOpened);
+            verdict.level = verdict.level.max(Level::Fair);
+        }
+        // Without the search itself, as after opening a file, the scene names the attempt.
+        if let Some(tried) = search.and_then(|met| met.tried.get(met.chosen?)) {
+            verdict.chosen.clone_from(&tried.name);
+        } else if required.is_some() && verdict.is_met() {
+            verdict.chosen = self.document().attempt.name();
+        }
+        Some(verdict)
     }
 
     /// Says how many panels are within `tolerance` so far; none if no row constrains panels. It takes no
@@ -217,50 +223,12 @@ pub(super) fn count_in_words(adjective: &str, within: usize, of: usize, toleranc
 }
 
 /// Returns a tolerance for distances on a mesh: about a thousandth of the mean edge, rounded to 1,
-/// 2 or 5 times a power of ten, in the unit of the mesh.
+/// 2 or 5 times a power of ten, in the unit of the mesh; 1 for a mesh of no size.
 pub fn tolerance_of(mesh: &Mesh) -> f64 {
     tolerance(Topology::new(mesh).mean_edge(&mesh.positions), mesh.size())
 }
 
 /// The same for a mesh of this mean `edge` and this `size`.
 pub(crate) fn tolerance(edge: f64, size: f64) -> f64 {
-    round_number(1e-3 * if edge > 0.0 { edge } else { size })
-}
-
-/// Rounds to 1, 2 or 5 times a power of ten; returns 1 for anything not positive.
-fn round_number(number: f64) -> f64 {
-    if number.is_nan() || number <= 0.0 {
-        return 1.0;
-    }
-    // Computed in decimal, so that the result equals its decimal notation.
-    let text = format!("{number:e}");
-    let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    let mantissa: f64 = mantissa.parse().unwrap_or(1.0);
-    let step = match mantissa {
-        ..1.5 => "1",
-        1.5..3.5 => "2",
-        3.5..7.5 => "5",
-        _ => "10",
-    };
-    format!("{step}e{exponent}").parse().unwrap_or(number)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_tolerance_is_a_number_that_one_says() {
-        for (number, round) in [
-            (0.0013, 0.001),
-            (0.0017, 0.002),
-            (4.9, 5.0),
-            (0.08, 0.1),
-            (730.0, 500.0),
-            (2.2e-7, 2e-7),
-            (0.0, 1.0),
-        ] {
-            assert_eq!(round_number(number), round);
-        }
-    }
+    nearest_round(1e-3 * if edge > 0.0 { edge } else { size }).unwrap_or(1.0)
 }

@@ -131,18 +131,17 @@ impl Verdict {
     }
 
     /// Says how many panels have their shape, with those that are within a larger tolerance only; if
-    /// these are most, that is the tolerance of all. The reason, that no face folds, is said while none does: a shape that follows
-    /// a handle keeps its tolerances.
+    /// these are most, that is the tolerance of all.
     fn reached(&self, units: &str) -> String {
         if let Some(relaxed) = self.relaxed_for_most() {
             let [relaxed, required] =
                 [relaxed, self.tolerance].map(|it| limit_like(it, units, self.tolerance));
             let met = |within: &str| count_in_words(self.adjective, self.of, self.of, within);
-            return match self.folded {
-                0 => {
+            return match self.would_fold {
+                true => {
                     format!("{} With a tolerance of {required}, panels would fold.", met(&relaxed))
                 }
-                _ => met(&format!("a relaxed tolerance of {relaxed}")),
+                false => met(&format!("a relaxed tolerance of {relaxed}")),
             };
         }
         let required = limit_like(self.tolerance, units, self.tolerance);
@@ -155,7 +154,7 @@ impl Verdict {
             (some, _) => format!("{} more", group_digits(some)),
         };
         let met = met.trim_end_matches('.');
-        let reason = if self.folded == 0 { ", so that none folds" } else { "" };
+        let reason = if self.would_fold { ", so that none folds" } else { "" };
         format!("{met}, {others} within a relaxed tolerance of {larger}{reason}.")
     }
 
@@ -219,6 +218,7 @@ mod tests {
             worst_face: 3,
             folded: 0,
             eased: None,
+            would_fold: false,
             moved: Moved { max: 0.2134, mean: 0.0512 },
             surface: SurfaceDistance { rms: 0.01, max: 0.03 },
             is_on_other: false,
@@ -313,12 +313,16 @@ mod tests {
     fn panels_with_a_larger_tolerance_are_counted_apart() {
         let eased = |panels, within| {
             let eased = Some(EasedPanels { panels, within: 0.12 });
-            full(&Verdict { within, eased, ..verdict() })
+            full(&Verdict { within, eased, would_fold: true, ..verdict() })
         };
         let some = "798 of 800 panels are flat within 1 mm, the other 2 within a relaxed tolerance of 120 mm, so that none folds. ";
         assert!(eased(2, 798).starts_with(some), "{}", eased(2, 798));
-        // It was also said beside panels that a drag had folded since.
+        // The reason was also given where only constraints had not been met, and beside panels that a
+        // drag had folded since.
         let relaxed = Some(EasedPanels { panels: 2, within: 0.12 });
+        let missed = full(&Verdict { within: 798, eased: relaxed, ..verdict() });
+        let unfolded = "798 of 800 panels are flat within 1 mm, the other 2 within a relaxed tolerance of 120 mm. Worst ";
+        assert!(missed.starts_with(unfolded), "{missed}");
         let dragged = full(&Verdict { within: 798, eased: relaxed, folded: 3, ..verdict() });
         let folded = "798 of 800 panels are flat within 1 mm, the other 2 within a relaxed tolerance of 120 mm. But 3 panels are folded or dented. ";
         assert!(dragged.starts_with(folded), "{dragged}");

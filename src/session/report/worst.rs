@@ -5,7 +5,7 @@ use super::face_measure::FaceMeasure;
 use crate::constraint::{Element, Selector};
 use crate::math::{argsort, key_of_number};
 use crate::session::Session;
-use crate::words::MeasureUnit;
+use crate::words::{MeasureUnit, count};
 use serde::Serialize;
 
 /// An element that is far from its constraint or has a large value of a measure.
@@ -182,7 +182,7 @@ fn name_of(on: &Selector, faces: &[u32], vertices: &[u32]) -> String {
     let Selector::Each { element, radius, .. } = on else {
         return match on {
             Selector::Set(name) => name.clone(),
-            _ => format!("{} vertices", vertices.len()),
+            _ => count(vertices.len(), "vertex", "vertices"),
         };
     };
     match (element, radius, vertices) {

@@ -6,8 +6,8 @@
 //! one thing: panels with a tolerance become exact (the approach then ends earlier, and the polish
 //! moves little, which may avoid a few folds), displacements are smoothed more, the start is the rest
 //! shape, or vertices are kept on the surface instead of at their places. None is left out because an
-//! earlier one collapsed or was not met, but none begins after [`MOST_WORK`]. If all fold faces, and
-//! the tolerance may be eased, it is: see [`Easing`].
+//! earlier one collapsed or was not met, but none begins after [`MOST_WORK`]. If all fold faces or are
+//! not met, and the tolerance may be eased, it is: see [`Easing`].
 //!
 //! Of two shapes one is taken for better only if it is so by a margin: results within rounding of
 //! each other do not change the choice. A scene that names an attempt is solved by that one alone.
@@ -133,7 +133,7 @@ impl Attempts {
             self.smoothness_helps = self.is_fairer_than_first(outcome);
         }
         let first = self.first.get_or_insert_with(|| outcome.clone());
-        let folds = !first.is_whole();
+        let is_flawed = !first.is_whole();
         if let Some(easing) = &mut self.easing {
             easing.expect(around(&first.resisting()));
         }
@@ -150,7 +150,7 @@ impl Attempts {
             }
         }
         let is_whole = self.has_whole();
-        let is_fine = !folds || (is_whole && self.best.as_ref()?.1.keeps_design());
+        let is_fine = !is_flawed || (is_whole && self.best.as_ref()?.1.keeps_design());
         self.is_whole_without_easing = is_whole;
         let easing = self.easing.as_ref().filter(|_| !is_fine)?;
         Some(Attempt::Eased(easing.tolerances()))

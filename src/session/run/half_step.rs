@@ -32,9 +32,12 @@ pub enum HalfStep {
         /// scene accelerates its steps.
         accelerated: bool,
     },
-    /// Instead of the global step, nothing: a run has met the hard constraints, and vertices that moved
-    /// to the least-squares solution would leave them.
-    Satisfied,
+    /// Instead of the global step, nothing: vertices that moved to the least-squares solution would
+    /// leave the shape that a run has found for the hard constraints.
+    Held {
+        /// Whether it meets them.
+        met: bool,
+    },
 }
 
 /// Number of constraints of a kind.

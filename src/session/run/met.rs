@@ -40,12 +40,12 @@ impl Met {
     }
 
     /// Whether another run cannot improve the current state of the scene.
-    pub(crate) fn is_all(&self, scene: &SolvedScene) -> bool {
+    pub(crate) fn is_searched(&self, scene: &SolvedScene) -> bool {
         self.is_whole && same_handles(&self.state.handles, scene.handles())
     }
 }
 
-/// Panels with a larger tolerance than required, so that no face is folded.
+/// Panels with a larger tolerance than required, within which a shape was found that folds no face.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Eased {
@@ -55,7 +55,8 @@ pub struct Eased {
     pub within: f64,
     /// Number of faces with the larger tolerance.
     pub panels: usize,
-    /// Number of faces that were folded within the required tolerance.
+    /// Number of faces that were folded within the required tolerance; 0 if constraints were only not
+    /// met.
     pub folded: usize,
 }
 

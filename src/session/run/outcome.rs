@@ -54,7 +54,7 @@ const SHORT: f64 = 0.2;
 const SHRUNK: f64 = 0.05;
 /// Nothing is left of the design farther than this fraction of the size of the mesh, if that is more
 /// than an edge.
-const DESIGN_LOST: f64 = 0.15;
+const LOST_DISTANCE: f64 = 0.15;
 /// Nothing is left of the design with more than this fraction of the area lost.
 const MOST_SHRUNK: f64 = 0.25;
 
@@ -67,7 +67,7 @@ impl ShapeMeasure {
         }
         let flaws = self.flaws(is_eased, edge);
         let is_away = flaws.contains(&Flaw::Away);
-        let is_far = self.surface.max > edge.max(DESIGN_LOST * self.size);
+        let is_far = self.surface.max > edge.max(LOST_DISTANCE * self.size);
         let is_lost = is_far || self.bend.is_hardly_bent() || self.area_lost > MOST_SHRUNK;
         if is_away && is_lost {
             return (Level::Poor, flaws);

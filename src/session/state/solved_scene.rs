@@ -280,8 +280,8 @@ impl SolvedScene {
             Effect::Nothing => match handles {
                 Some(handles) => {
                     let old = self.solver.handles().to_vec();
-                    if let Err(error) = self.solver.hold(handles, positions) {
-                        self.solver.hold(old, None)?;
+                    if let Err(error) = self.solver.set_handles(handles, positions) {
+                        self.solver.set_handles(old, None)?;
                         return Err(error.into());
                     }
                 }

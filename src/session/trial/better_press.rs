@@ -53,8 +53,7 @@ pub struct VerdictReport {
     /// The numbers.
     #[serde(flatten)]
     pub numbers: Verdict,
-    /// Number of panels within a larger tolerance only, because they would fold within the required
-    /// one.
+    /// Number of panels within a larger tolerance only.
     pub eased: usize,
     /// That tolerance, in the unit of the mesh.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -196,7 +196,7 @@ impl ExactTrial {
         match std::mem::replace(&mut self.stage, TrialStage::Ended) {
             TrialStage::Far if !self.rows.is_empty() && self.costs_more(own, session) => {
                 let Some(mut near) = session.meeting_with(&exactly)? else { return Ok(false) };
-                near.hurry();
+                near.end_approach_early();
                 let far = std::mem::replace(&mut self.exact, near);
                 self.stage = TrialStage::Near(Box::new(far), own);
                 Ok(true)

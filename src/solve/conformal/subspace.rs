@@ -56,7 +56,7 @@ pub(super) fn smallest(
             entry(&solution, nodes[counted[k] as usize], j)
         });
         centre(&mut y);
-        mix = principal(&x.ad_mul(&y));
+        mix = principal(&x.ad_mul(&y))?;
         y *= &mix;
         orthonormalise(&mut y, INDEPENDENT);
         // The part of the first new vector that is no complex multiple of the first old one.
@@ -85,8 +85,9 @@ fn entry(solution: &[[f64; VECTORS]], [real, imaginary]: [u32; 2], j: usize) -> 
 
 /// Returns the eigenvectors of a Hermitian matrix, by descending eigenvalues. They are found as
 /// those of the real matrix `[Re H, -Im H; Im H, Re H]`, in which each eigenvalue occurs twice: the
-/// functions of complex numbers of nalgebra give other bits on other platforms.
-fn principal(matrix: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
+/// functions of complex numbers of nalgebra give other bits on other platforms. `None` unless all
+/// entries are finite.
+fn principal(matrix: &DMatrix<Complex<f64>>) -> Option<DMatrix<Complex<f64>>> {
     let n = matrix.nrows();
     let real = DMatrix::from_fn(2 * n, 2 * n, |i, j| {
         let entry = matrix[(i % n, j % n)];
@@ -96,7 +97,7 @@ fn principal(matrix: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
             (false, true) => entry.im,
         }
     });
-    let (_, vectors) = symmetric_eigen(&real);
+    let (_, vectors) = symmetric_eigen(&real)?;
     // The two real vectors of an eigenvalue are complex multiples of each other.
     let mut mix = DMatrix::zeros(n, n);
     let mut taken = 0;
@@ -112,7 +113,7 @@ fn principal(matrix: &DMatrix<Complex<f64>>) -> DMatrix<Complex<f64>> {
             taken += 1;
         }
     }
-    mix
+    Some(mix)
 }
 
 /// Subtracts the mean of a map and scales it to length one, over the counted unknowns.

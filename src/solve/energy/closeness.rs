@@ -22,13 +22,13 @@ struct SurfaceTargets {
     /// surface, so that its tree stays in the cache.
     vertices: Vec<SurfaceTarget>,
     /// The foot point of the last search for each vertex, from which the next search starts.
-    footings: Vec<ClosestPointCache>,
+    caches: Vec<ClosestPointCache>,
 }
 
 impl SurfaceTargets {
     fn new(on: Rc<Surface>, vertices: Vec<SurfaceTarget>) -> SurfaceTargets {
-        let footings = vec![ClosestPointCache::unknown(); vertices.len()];
-        SurfaceTargets { on, vertices, footings }
+        let caches = vec![ClosestPointCache::unknown(); vertices.len()];
+        SurfaceTargets { on, vertices, caches }
     }
 }
 
@@ -36,7 +36,7 @@ impl SurfaceTargets {
 struct SurfaceTarget {
     node: u32,
     /// The result of the last search.
-    warm: u32,
+    hint: u32,
     /// `k_v`, positive.
     factor: f64,
 }
@@ -74,7 +74,7 @@ impl CloseEnergy {
         let &RestShape { rest, node_of, topology, surface, ref target } = rest_shape;
         let on_surface = |v: u32| SurfaceTarget {
             node: node_of[v as usize],
-            warm: Surface::NO_HINT,
+            hint: Surface::NO_HINT,
             factor: factors[v as usize],
         };
         let at_point = |v: u32| PointTarget {
@@ -82,7 +82,7 @@ impl CloseEnergy {
             factor: factors[v as usize],
             target: rest[node_of[v as usize] as usize],
         };
-        let mut elsewhere: Vec<bool> = factors.iter().map(|&factor| factor == 0.0).collect();
+        let mut is_taken: Vec<bool> = factors.iter().map(|&factor| factor == 0.0).collect();
         let mut energy = CloseEnergy { surfaces: Vec::new(), points: Vec::new() };
         let mut corners = Vec::new();
         if boundary.require == BoundaryRequire::Soft {
@@ -99,7 +99,7 @@ impl CloseEnergy {
                 target.factor *= weight;
                 target
             };
-            let mut take = |v: &u32| !std::mem::replace(&mut elsewhere[*v as usize], true);
+            let mut take = |v: &u32| !std::mem::replace(&mut is_taken[*v as usize], true);
             corners = boundary.corners.into_iter().filter(&mut take).collect();
             energy.points.extend(corners.iter().copied().map(at_point));
             for curve in boundary.curves {
@@ -109,7 +109,7 @@ impl CloseEnergy {
                 energy.surfaces.push(SurfaceTargets::new(Rc::new(curve.curve), vertices));
             }
         }
-        let others = (0..).zip(&elsewhere).filter(|(_, elsewhere)| !**elsewhere).map(|(v, _)| v);
+        let others = (0..).zip(&is_taken).filter(|(_, is_taken)| !**is_taken).map(|(v, _)| v);
         match to {
             ClosenessTo::None => {}
             ClosenessTo::Rest => energy.points.extend(others.map(at_point)),
@@ -151,11 +151,10 @@ impl CloseEnergy {
                 gradient[i] += lambda * away;
             }
         };
-        for SurfaceTargets { on, vertices, footings } in &mut self.surfaces {
-            for (SurfaceTarget { node, warm, factor }, footing) in vertices.iter_mut().zip(footings)
-            {
+        for SurfaceTargets { on, vertices, caches } in &mut self.surfaces {
+            for (SurfaceTarget { node, hint, factor }, cache) in vertices.iter_mut().zip(caches) {
                 let [px, py, pz, _] = x[*node as usize];
-                pull(*node, *factor, on.closest_from([px, py, pz], warm, footing));
+                pull(*node, *factor, on.closest_from([px, py, pz], hint, cache));
             }
         }
         for &PointTarget { node, factor, target: [px, py, pz, _] } in &self.points {

@@ -110,6 +110,11 @@ impl ShapeEnergy {
         ShapeEnergy { rows }
     }
 
+    /// Whether projections of a constraint depend on those of the last local step.
+    pub(crate) fn is_guarded(&self) -> bool {
+        self.rows.iter().flat_map(|row| &row.batches).any(Batch::is_guarded)
+    }
+
     /// Undoes the last local step: see `Batch::undo_step`.
     pub(crate) fn undo_step(&mut self) {
         self.rows.iter_mut().flat_map(|row| &mut row.batches).for_each(|batch| batch.undo_step());

@@ -3,14 +3,13 @@
 
 use super::hard_rows::{HardBatch, HardRows};
 use super::model::Model;
-use super::requirement::{GUARD_MARGIN, Require};
-use crate::constraint::{Reference, Row};
+use super::requirement::GUARD_MARGIN;
+use crate::constraint::Row;
 use crate::math::{Lane, key_of_number, sort_by_number};
 use crate::mesh::{Mesh, Point};
 use crate::solve::energy::Constraints;
-use crate::solve::local_frame::{centre_and_extent, relative, rest_surface};
+use crate::solve::local_frame::{centre_and_extent, rows};
 use serde::{Deserialize, Serialize};
-use std::rc::Rc;
 
 /// A constraint that is not met.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -104,11 +103,7 @@ impl Model {
         let node_of = self.parts.system.node_of();
         let given = self.put.iter().zip(node_of).map(|(&put, &node)| {
             let row = x[node as usize];
-            if row == self.start[node as usize] {
-                put
-            } else {
-                std::array::from_fn(|i| row[i] + self.parts.centre[i])
-            }
+            if row == self.start[node as usize] { put } else { self.parts.to_point(row) }
         });
         given.collect()
     }
@@ -224,15 +219,6 @@ pub fn farthest(
     positions: &[Point],
     constraints: &Constraints,
 ) -> f64 {
-    let (centre, _) = centre_and_extent(mesh);
-    let rows = |points: &[Point]| -> Vec<Row> {
-        points.iter().map(|&point| relative(point, centre)).collect()
-    };
-    let surface = || Rc::new(rest_surface(mesh, centre));
-    let pose = pose.map(rows);
-    let reference = Reference { surface: &surface, pose: pose.as_deref() };
-    let own_nodes: Vec<u32> = (0..positions.len() as u32).collect();
-    let hard = [(constraints, None, Require::Exact)];
-    HardRows::new(&hard, &own_nodes, &rows(&mesh.positions), &reference)
-        .worst_excess(&rows(positions))
+    let positions = rows(positions, centre_and_extent(mesh).0);
+    HardRows::at_rest(mesh, pose, std::slice::from_ref(constraints)).worst_excess(&positions)
 }

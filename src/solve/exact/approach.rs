@@ -28,19 +28,19 @@ struct Rounds {
 /// The rounds of an approach at first, and those after some iterations, which must end at the price
 /// of some energy.
 struct Schedule {
-    patient: Rounds,
-    hurried: Rounds,
+    first: Rounds,
+    late: Rounds,
     /// Number of iterations after which an approach has to end, and the factor of the greatest number.
-    patience: u32,
+    late_after: u32,
     longer: u32,
 }
 
 /// The schedule if some rows must be exact.
 const TO_THE_SHAPE: Schedule = Schedule {
-    patient: Rounds { growth: 1.5, most: 60, least_gain: 1e-4 },
+    first: Rounds { growth: 1.5, most: 60, least_gain: 1e-4 },
     // With long rounds and a steeply growing weight, the horse model ends where no polish succeeds.
-    hurried: Rounds { growth: 1.3, most: 20, least_gain: 3e-4 },
-    patience: PATIENCE,
+    late: Rounds { growth: 1.3, most: 20, least_gain: 3e-4 },
+    late_after: LATE_AFTER,
     longer: 1,
 };
 
@@ -49,9 +49,9 @@ const TO_THE_SHAPE: Schedule = Schedule {
 /// surfaces: with at most 20 iterations, the vertices of a wavy grid of 10,000 flat panels moved
 /// nine times as far.
 const INTO_BANDS: Schedule = Schedule {
-    patient: Rounds { growth: 1.2, most: 60, least_gain: 1e-4 },
-    hurried: Rounds { growth: 1.4, most: 20, least_gain: 3e-4 },
-    patience: PATIENCE,
+    first: Rounds { growth: 1.2, most: 60, least_gain: 1e-4 },
+    late: Rounds { growth: 1.4, most: 20, least_gain: 3e-4 },
+    late_after: LATE_AFTER,
     longer: 1,
 };
 
@@ -59,15 +59,15 @@ const INTO_BANDS: Schedule = Schedule {
 /// a symmetry, or faces are about to fold, rounds that end before that lead where their rounding
 /// errors do: noise of a millionth of an edge decided which of the attempts of a search succeeded.
 const INTO_BANDS_OF_SMALL: Schedule = Schedule {
-    patient: Rounds { growth: 1.5, most: 1000, least_gain: 1e-6 },
-    hurried: Rounds { growth: 1.4, most: 200, least_gain: 1e-5 },
-    patience: Requirements::LONGER * PATIENCE,
+    first: Rounds { growth: 1.5, most: 1000, least_gain: 1e-6 },
+    late: Rounds { growth: 1.4, most: 200, least_gain: 1e-5 },
+    late_after: Requirements::LONGER * LATE_AFTER,
     longer: Requirements::LONGER,
 };
 const SMALL: usize = 100;
 
 /// Number of iterations after which an approach has to end.
-const PATIENCE: u32 = 900;
+const LATE_AFTER: u32 = 900;
 
 /// Upper bound of the weight, relative to the same as [`START`]: the metric is in single precision,
 /// and must still resolve the energies.
@@ -122,7 +122,7 @@ impl Approach {
             rho: Lane::max(START * unit, 0.05 * model.parts.energies.weights.shape),
             most: MOST * unit,
             schedule,
-            round: schedule.patient,
+            round: schedule.first,
             left: 0,
             in_round: 0,
             still: 0,
@@ -165,8 +165,8 @@ impl Approach {
     }
 
     fn begin_round(&mut self, model: &mut Model) -> Result<(), SolveError> {
-        let Schedule { patient, hurried, .. } = *self.schedule;
-        self.round = if self.is_long() { hurried } else { patient };
+        let Schedule { first, late, .. } = *self.schedule;
+        self.round = if self.is_long() { late } else { first };
         let growth = Lane::min(self.round.growth, self.most / self.rho);
         if growth > 1.0 || self.rounds == 0 {
             self.rho *= growth;
@@ -189,7 +189,7 @@ impl Approach {
 
     /// Whether there were so many iterations that it has to end.
     pub(super) fn is_long(&self) -> bool {
-        self.iterations >= self.schedule.patience
+        self.iterations >= self.schedule.late_after
     }
 
     /// The factor of the greatest number of iterations.

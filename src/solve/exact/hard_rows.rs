@@ -9,7 +9,10 @@
 use super::requirement::Require;
 use crate::constraint::{Batch, Reference, Row, batches};
 use crate::math::{LANES, Lane, Lanes, Vec3};
+use crate::mesh::{Mesh, Point};
 use crate::solve::energy::Constraints;
+use crate::solve::local_frame::{centre_and_extent, rest_surface, rows};
+use std::rc::Rc;
 
 /// Bands are aimed at from inside, at this fraction of their width: the approach ends on one side
 /// of its aim.
@@ -79,6 +82,24 @@ impl HardRows {
         HardRows { batches: all }
     }
 
+    /// Batches `constraints` as exact ones whose rest shape is `mesh`, each vertex its own node, in
+    /// coordinates relative to the centre of the mesh. Kinds take their rest shape from the `pose`,
+    /// `#V by 3`, if given.
+    pub(in crate::solve) fn at_rest(
+        mesh: &Mesh,
+        pose: Option<&[Point]>,
+        constraints: &[Constraints],
+    ) -> HardRows {
+        let (centre, _) = centre_and_extent(mesh);
+        let pose = pose.map(|pose| rows(pose, centre));
+        let surface = || Rc::new(rest_surface(mesh, centre));
+        let reference = Reference { surface: &surface, pose: pose.as_deref() };
+        let exact = |row| (row, None, Require::Exact);
+        let exact: Vec<HardRow<'_>> = constraints.iter().map(exact).collect();
+        let own_nodes: Vec<u32> = (0..mesh.positions.len() as u32).collect();
+        HardRows::new(&exact, &own_nodes, &rows(&mesh.positions, centre), &reference)
+    }
+
     /// The local step with shifts: adds half the gradient of `rho * E` to `gradient`, and returns
     /// `E`.
     pub(in crate::solve) fn local_step(
@@ -103,7 +124,8 @@ impl HardRows {
         }
     }
 
-    /// Whether any constraint must be exact.
+    /// Whether any constraint must be exact, or the guard, which has no slack where edges may not become
+    /// shorter at all.
     pub(in crate::solve) fn any_exact(&self) -> bool {
         self.batches.iter().any(|hard| hard.within.is_none())
     }

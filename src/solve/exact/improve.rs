@@ -84,7 +84,7 @@ impl Improve {
         polish: &mut Polish,
     ) -> Result<bool, SolveError> {
         self.from.copy_from_slice(&model.x);
-        let stepped = self.go(model, polish);
+        let stepped = self.try_step(model, polish);
         if !matches!(stepped, Ok(true)) {
             model.x.copy_from_slice(&self.from);
         }
@@ -93,7 +93,7 @@ impl Improve {
     }
 
     /// Returns whether a step was found that gains.
-    fn go(&mut self, model: &mut Model, polish: &mut Polish) -> Result<bool, SolveError> {
+    fn try_step(&mut self, model: &mut Model, polish: &mut Polish) -> Result<bool, SolveError> {
         polish.begin_at(model)?;
         let nodes = polish.system.node_of().iter().zip(model.parts.system.node_of());
         for (&own, &node) in nodes {
@@ -133,7 +133,7 @@ fn bring_back(model: &mut Model, polish: &mut Polish) -> Result<bool, SolveError
     let (goal, began) = (model.goal(), polish.factors);
     while !model.is_met(goal) {
         let polished = polish.try_step(model, began)?;
-        if polished != Some(Polished::Goes) || polish.factors - began > MOST_FACTORS {
+        if polished != Some(Polished::Continues) || polish.factors - began > MOST_FACTORS {
             return Ok(false);
         }
     }

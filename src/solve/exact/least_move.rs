@@ -1,16 +1,14 @@
-//! The least distances that vertices must move for constraints to hold, to first order, without a
-//! solver.
+//! What constraints ask of a mesh at rest, without a solver: their projections, and the least
+//! distances that vertices must move for them to hold, to first order.
 
 use super::answer::Moved;
-use super::hard_rows::{HardRow, HardRows};
+use super::hard_rows::HardRows;
 use super::normal_space::{Differences, Linear};
-use super::requirement::Require;
-use crate::constraint::{Reference, Row};
+use crate::constraint::Projected;
 use crate::math::Vec3;
-use crate::mesh::{Mesh, Ragged};
+use crate::mesh::{Mesh, Point, Ragged};
 use crate::solve::energy::Constraints;
-use crate::solve::local_frame::{centre_and_extent, relative, rest_surface};
-use std::rc::Rc;
+use crate::solve::local_frame::{centre_and_extent, rows};
 
 /// Greatest number of steps of conjugate gradients; with fewer the movement is smaller, never
 /// greater.
@@ -26,14 +24,9 @@ const RANK: f64 = 1e-3;
 /// are in the unit of the mesh.
 pub fn least_move(mesh: &Mesh, constraints: &[Constraints]) -> Moved {
     let (centre, extent) = centre_and_extent(mesh);
-    let x: Vec<Row> = mesh.positions.iter().map(|&point| relative(point, centre)).collect();
-    let surface = || Rc::new(rest_surface(mesh, centre));
-    let reference = Reference { surface: &surface, pose: None };
-    let own_nodes: Vec<u32> = (0..x.len() as u32).collect();
-    let rows: Vec<HardRow<'_>> =
-        constraints.iter().map(|row| (row, None, Require::Exact)).collect();
+    let x = rows(&mesh.positions, centre);
     let mut conditions = Conditions::default();
-    for hard in &HardRows::new(&rows, &own_nodes, &x, &reference).batches {
+    for hard in &HardRows::at_rest(mesh, None, constraints).batches {
         let (points, count) = (hard.batch.points(), hard.batch.count());
         let size = 3 * points;
         let mut residuals = vec![0.0; size * count];
@@ -49,6 +42,21 @@ pub fn least_move(mesh: &Mesh, constraints: &[Constraints]) -> Moved {
     }
     let step = conditions.least_step(x.len());
     Moved::of(step.iter().map(|displacement| displacement.length()))
+}
+
+/// Calls `each` with the vertices of every constraint and the displacements to their projected
+/// points, at the rest shape of `mesh` and in its unit. Kinds take their rest shape from the
+/// `pose`, `#V by 3`, if given.
+pub fn rest_projections(
+    mesh: &Mesh,
+    pose: Option<&[Point]>,
+    constraints: &[Constraints],
+    mut each: impl FnMut(&Projected),
+) {
+    let x = rows(&mesh.positions, centre_and_extent(mesh).0);
+    for hard in &mut HardRows::at_rest(mesh, pose, constraints).batches {
+        hard.batch.projected(&x, &mut each);
+    }
 }
 
 /// Linear conditions `direction . (residual + change) = 0` on the points of single constraints.

@@ -24,7 +24,7 @@ mod requirement;
 
 pub use answer::{ExactAnswer, Improved, Moved, Unmet};
 pub use answer::{coordinate_rounding, exact_tolerance, farthest};
-pub use least_move::least_move;
+pub use least_move::{least_move, rest_projections};
 pub use requirement::{Require, Requirements};
 
 use super::clock;
@@ -110,6 +110,8 @@ pub struct Exact {
     began: (u32, Vec<Row>),
     most_iterations: u32,
     can_polish: bool,
+    /// Whether rows must be exact, but the problem is too large for the polish.
+    too_large: bool,
     contradicts: bool,
     /// Number of approaches that have ended, and of polishes after the last one.
     tries: u32,
@@ -153,6 +155,7 @@ impl Exact {
             began: (0, Vec::new()),
             most_iterations,
             can_polish,
+            too_large: !can_polish && !requirements.all_within(),
             contradicts: false,
             tries: 0,
             polishes: 0,
@@ -209,7 +212,7 @@ impl Exact {
     }
 
     /// Ends the approach early; the polish starts from its positions.
-    pub fn hurry(&mut self) {
+    pub fn end_approach_early(&mut self) {
         if matches!(self.stage, Stage::Approach | Stage::Round) {
             self.end_approach();
         }
@@ -406,7 +409,7 @@ impl Exact {
             contradiction: self.contradicts
                 && !measured.met
                 && self.worst_excess() > NEARLY_MET * self.model.tolerance(),
-            too_large: !self.can_polish && self.model.hard.any_exact(),
+            too_large: self.too_large,
             ..measured
         }
     }
@@ -426,8 +429,8 @@ impl Exact {
         requirements: &Requirements<'_>,
         nonzeros: usize,
     ) -> Option<f64> {
-        let asked = requirements.rows.contains(&Require::Exact);
-        let is_too_large = asked && !polish_fits(problem, requirements, nonzeros);
+        let is_too_large =
+            !requirements.all_within() && !polish_fits(problem, requirements, nonzeros);
         is_too_large.then(|| NEAR * centre_and_extent(problem.mesh).1)
     }
 

@@ -8,10 +8,10 @@ use crate::constraint::{Centring, Reference, Row};
 use crate::mesh::{Laplacian, Point};
 use crate::solve::assemble::Terms;
 use crate::solve::energy::{
-    BIG, Constraints, Handle, HandleIndex, Hold, PositionalConstraints, extra_unknowns, shape_terms,
+    BIG, Constraints, Handle, HandleIndex, Hold, extra_unknowns, shape_terms,
 };
 use crate::solve::gliding::Gliding;
-use crate::solve::local_frame::{relative, rest_surface};
+use crate::solve::local_frame::rest_surface;
 use crate::solve::parts::SetupCache;
 use crate::solve::parts::{Added, Holding, Parts};
 use crate::solve::problem::Problem;
@@ -70,9 +70,9 @@ impl Model {
         let soft_problem = Problem { constraints: &soft, ..*problem };
         let first_mean = soft_problem.n_unknowns();
         let ratio = requirements.shortest_edge.filter(|ratio| *ratio > 0.0);
-        let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
         let guard = ratio.and_then(|ratio| {
-            let fixed = fixed.clone().map(|handle| handle.vertex).collect();
+            let fixed = handles.iter().filter(|handle| handle.hold == Hold::Fixed);
+            let fixed = fixed.map(|handle| handle.vertex).collect();
             let guard = Guard::new(&hard, problem, &fixed, ratio, requirements.all_within())?;
             let ends = guard.row.members.iter().map(|ends| [ends[0], ends[1]]).collect();
             hard.push(guard.row);
@@ -96,22 +96,13 @@ impl Model {
             || Rc::clone(parts.surface.get_or_init(|| Rc::new(rest_surface(mesh, centre))));
         let reference = Reference { surface: &surface, pose: parts.pose.as_deref() };
         let hard_rows = HardRows::new(&rows, node_of, &parts.rest, &reference);
-        parts.energies.handles = PositionalConstraints::new(handles, node_of, centre);
 
         let mut holding = parts.holding(handles);
-        let mut x = parts.to_rows(start);
-        if let Some(gliding) = &mut parts.gliding {
-            gliding.place(&mut x, handles);
-            // The approach moves them along their curves, the polish lets them stay.
-            gliding.vertices().for_each(|(_, node)| holding.fixed[node as usize] = true);
-        }
-        let mut put = start.to_vec();
-        let index = HandleIndex::new(n_vertices, handles);
-        let corners = parts.corners.iter().copied().filter(|&(v, _)| index.get(v).is_none());
-        for (vertex, target) in corners.chain(fixed.map(|handle| (handle.vertex, handle.target))) {
-            x[parts.system.node_of()[vertex as usize] as usize] = relative(target, centre);
-            put[vertex as usize] = target;
-        }
+        // The approach moves them along their curves, the polish lets them stay.
+        let gliding = parts.gliding.iter().flat_map(Gliding::vertices);
+        gliding.for_each(|(_, node)| holding.fixed[node as usize] = true);
+        let (mut x, mut put) = (parts.to_rows(start), start.to_vec());
+        parts.place(handles, &HandleIndex::new(n_vertices, handles), &mut x, &mut put);
         let cliques = [without_means(&soft, problem.settings.mean_centring), coupled(&hard)];
         let mut model = Model {
             parts,

@@ -63,7 +63,7 @@ pub(in crate::solve) struct Polish {
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(in crate::solve) enum Polished {
     /// There is another step to take.
-    Goes,
+    Continues,
     /// No step gains any more.
     Ended,
     /// The constraints contradict each other.
@@ -202,7 +202,7 @@ impl Polish {
         } else {
             self.taken.clear();
         }
-        Ok(Polished::Goes)
+        Ok(Polished::Continues)
     }
 
     /// Corrects a step by what previous steps with the same factor have shown: Broyden's method,

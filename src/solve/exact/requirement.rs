@@ -38,8 +38,8 @@ pub struct Requirements<'a> {
     /// The least ratio of an edge between vertices of hard constraints to its length at rest, at
     /// most one; `None` is no bound.
     pub shortest_edge: Option<f64>,
-    /// Greatest number of iterations of the approach; on meshes of at most a hundred vertices, whose rounds
-    /// settle, [`LONGER`](Requirements::LONGER) times as many.
+    /// Greatest number of iterations of the approach; on meshes of at most a hundred vertices, whose
+    /// rounds settle, [`LONGER`](Requirements::LONGER) times as many.
     pub iterations: u32,
 }
 
@@ -71,9 +71,9 @@ impl Guard {
     /// Guards the edges of the `hard` constraints, which stay at least `ratio` times as long as at
     /// rest; `None` if there are no such edges.
     ///
-    /// Not guarded are an edge with a hard constraint on its ends alone, other than a line segment that
-    /// lets it be as long and shorter, and one whose ends are both `fixed` vertices: nothing could be
-    /// done about it.
+    /// Not guarded are an edge with a hard constraint on its ends alone, other than a line segment
+    /// that lets it be as long and shorter, and one whose ends are both `fixed` vertices: nothing could
+    /// be done about it.
     pub(super) fn new(
         hard: &[Constraints],
         problem: &Problem<'_>,

@@ -22,12 +22,12 @@ impl Solver {
     ///
     /// # Errors
     /// If the normal matrix is not positive definite.
-    pub fn hold(
+    pub fn set_handles(
         &mut self,
         handles: Vec<Handle>,
         positions: Option<&[Point]>,
     ) -> Result<(), SolveError> {
-        if self.factored && self.holds_alike(&handles) {
+        if self.factored && self.differ_only_in_targets(&handles) {
             self.handles = handles;
             self.place(positions);
             self.retarget();
@@ -69,7 +69,7 @@ impl Solver {
     }
 
     /// Whether `handles` differ from the current ones only in their targets.
-    fn holds_alike(&self, handles: &[Handle]) -> bool {
+    fn differ_only_in_targets(&self, handles: &[Handle]) -> bool {
         let alike = |(a, b): (&Handle, &Handle)| a.vertex == b.vertex && a.hold == b.hold;
         handles.len() == self.handles.len() && handles.iter().zip(&self.handles).all(alike)
     }
@@ -88,7 +88,7 @@ impl Solver {
     }
 
     /// Replaces the weights of Eq. 13, if [`Solver::can_reweigh`], and the rest as
-    /// [`Solver::hold`]; the matrix is factored again.
+    /// [`Solver::set_handles`]; the matrix is factored again.
     ///
     /// # Errors
     /// If the normal matrix is not positive definite.
@@ -101,7 +101,7 @@ impl Solver {
         assert!(self.can_reweigh(weights), "energies come and go with a new solver");
         self.parts.energies.weights = weights;
         self.factored = false;
-        self.hold(handles, positions)
+        self.set_handles(handles, positions)
     }
 
     /// Returns the diagonal updates that lead to the matrix of `handles`, if these are the current
@@ -171,23 +171,7 @@ impl Solver {
 
     /// Moves fixed vertices to their targets and evaluates again.
     pub(super) fn retarget(&mut self) {
-        let node_of = self.parts.node_of();
-        let fixed = self.handles.iter().filter(|handle| handle.hold == Hold::Fixed);
-        let fixed = fixed.map(|handle| (handle.vertex, handle.target));
-        let exact = self.parts.gliding.is_some();
-        let releases = |handle: &Handle| !exact || handle.hold == Hold::Fixed;
-        let handle = |v: u32| self.handle_index.get(v).map(|place| &self.handles[place]);
-        let corners =
-            self.parts.corners.iter().copied().filter(|&(v, _)| !handle(v).is_some_and(releases));
-        for (vertex, target) in corners.chain(fixed) {
-            self.x[node_of[vertex as usize] as usize] = relative(target, self.parts.centre);
-            self.put[vertex as usize] = target;
-        }
-        self.parts.energies.handles =
-            PositionalConstraints::new(&self.handles, node_of, self.parts.centre);
-        if let Some(gliding) = &mut self.parts.gliding {
-            gliding.place(&mut self.x, &self.handles);
-        }
+        self.parts.place(&self.handles, &self.handle_index, &mut self.x, &mut self.put);
         self.evaluate();
         self.start_anew();
     }

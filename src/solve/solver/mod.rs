@@ -10,8 +10,9 @@ mod saddle;
 mod step;
 
 use super::descent::Descent;
-use super::energy::{Energy, Handle, HandleIndex, IterateSeconds};
+use super::energy::{CloseEnergy, Energy, Handle, HandleIndex, IterateSeconds};
 use super::error::SolveError;
+use super::gliding::Gliding;
 use super::local_frame::{relative, rest_surface};
 use super::parts::{Added, Parts, SetupCache};
 use super::problem::Problem;
@@ -83,7 +84,7 @@ impl Solver {
             accelerated: false,
             seconds: IterateSeconds::default(),
         };
-        solver.hold(handles, None)?;
+        solver.set_handles(handles, None)?;
         Ok(solver)
     }
 
@@ -123,11 +124,7 @@ impl Solver {
     fn position(&self, vertex: u32) -> Point {
         let row = self.x[self.parts.system.node_of()[vertex as usize] as usize];
         let put = self.put[vertex as usize];
-        if row == relative(put, self.parts.centre) {
-            put
-        } else {
-            std::array::from_fn(|i| row[i] + self.parts.centre[i])
-        }
+        if row == relative(put, self.parts.centre) { put } else { self.parts.to_point(row) }
     }
 
     /// The energies at the current positions.
@@ -151,6 +148,17 @@ impl Solver {
     /// The handles, in the order in which they were made; targets in the unit of the mesh.
     pub fn handles(&self) -> &[Handle] {
         &self.handles
+    }
+    /// Returns for each vertex whether closeness or the boundary keeps it near a place, `#V`.
+    pub(crate) fn is_kept_close(&self) -> Vec<bool> {
+        let Parts { energies, gliding, corners, .. } = &self.parts;
+        let close = energies.close.iter().flat_map(CloseEnergy::held).map(|(node, _)| node);
+        let gliding = gliding.iter().flat_map(Gliding::vertices).map(|(_, node)| node);
+        let mut by_node = vec![false; self.x.len()];
+        close.chain(gliding).for_each(|node| by_node[node as usize] = true);
+        let node_of = self.parts.node_of();
+        corners.iter().for_each(|&(v, _)| by_node[node_of[v as usize] as usize] = true);
+        node_of.iter().map(|&node| by_node[node as usize]).collect()
     }
     /// Vertices that are pinned because nothing else holds their component.
     pub fn pinned(&self) -> &[u32] {

@@ -37,9 +37,9 @@ impl Solver {
     /// Moves down from a saddle, if the positions are at one; returns whether they were. The total
     /// has then fallen by more than `least`.
     pub(super) fn leave_saddle(&mut self, least: f64) -> bool {
-        // Along curves the gradient is another one, and with `monotone` all projections depend on the last
-        // ones.
-        let is_plain = self.parts.gliding.is_none() && !self.settings.monotone;
+        // Along curves the gradient is another one, and the differences of gradients would mix guarded
+        // projections with those before.
+        let is_plain = self.parts.gliding.is_none() && !self.parts.energies.shape.is_guarded();
         // What nothing but handles holds has no original to come near: a flat sheet that is stretched
         // is to stay flat.
         let is_plain = is_plain && self.parts.energies.weights.close > 0.0;
@@ -105,7 +105,7 @@ impl Solver {
             1 => beside[i.min(j)],
             _ => 0.0,
         });
-        let (values, vectors) = symmetric_eigen(&matrix);
+        let (values, vectors) = symmetric_eigen(&matrix)?;
         let least = (0..n).min_by(|&a, &b| values[a].total_cmp(&values[b]))?;
         if values[least] > LEADS_DOWN {
             return None;

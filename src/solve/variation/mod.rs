@@ -201,7 +201,7 @@ impl ShapeSpace {
     ///
     /// # Errors
     /// If a system is not positive definite.
-    pub fn go(&mut self, coefficients: &[f64]) -> Result<Reached, SolveError> {
+    pub fn move_along(&mut self, coefficients: &[f64]) -> Result<Reached, SolveError> {
         let mut reached = 0.0;
         if coefficients.iter().any(|coefficient| *coefficient != 0.0) {
             for part in SHORTER {
@@ -308,7 +308,7 @@ impl ShapeSpace {
         while !model.is_met(goal) {
             let polished = polish.try_step(model, began);
             self.is_at_shape &= matches!(polished, Ok(Some(_))) && polish.factors == began;
-            if polished? != Some(Polished::Goes) || polish.factors - began > factors {
+            if polished? != Some(Polished::Continues) || polish.factors - began > factors {
                 return Ok(false);
             }
         }

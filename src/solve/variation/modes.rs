@@ -88,7 +88,7 @@ fn symmetrise(subspace: &mut Subspace, mirrors: &[Mirror]) -> Vec<Vec<f64>> {
         sum += image * weight;
         weight *= 0.37;
     }
-    let (_, factors) = symmetric_eigen(&sum);
+    let Some((_, factors)) = symmetric_eigen(&sum) else { return Vec::new() };
     let along = |matrix: &DMatrix<f64>| -> Vec<f64> {
         factors.column_iter().map(|mode| mode.dot(&(matrix * mode))).collect()
     };
@@ -151,7 +151,7 @@ impl Mirror {
             let p = relative(node);
             (0..9).for_each(|k| scatter[(k / 3, k % 3)] += p[k / 3] * p[k % 3]);
         }
-        let (_, axes) = symmetric_eigen(&scatter);
+        let Some((_, axes)) = symmetric_eigen(&scatter) else { return Vec::new() };
         let principal = axes.column_iter().map(|axis| [axis[0], axis[1], axis[2]]);
         let coordinate = (0..3).map(|c| std::array::from_fn(|k| f64::from(u8::from(k == c))));
         // Sorted along a direction that is unlikely to be the normal of a plane of symmetry.

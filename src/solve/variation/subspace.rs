@@ -59,7 +59,9 @@ impl Subspace {
         let mut next = self.vectors.clone();
         solve(system, &mut next);
         project_out(&mut next, &self.motions);
-        let (compliances, factors) = symmetric_eigen(&self.vectors.tr_mul(&next));
+        let Some((compliances, factors)) = symmetric_eigen(&self.vectors.tr_mul(&next)) else {
+            return false;
+        };
         next *= factors;
         orthonormalise(&mut next, INDEPENDENT);
         self.vectors = next;
@@ -136,7 +138,9 @@ pub(super) fn kept_motions(system: &mut BlockSystem, at: &[Row], nodes: &[u32]) 
         }
     }
     let across = DMatrix::from_fn(across[0].len(), MOTIONS, |i, k| across[k][i]);
-    let (values, mut factors) = symmetric_eigen(&across.tr_mul(&across));
+    let Some((values, mut factors)) = symmetric_eigen(&across.tr_mul(&across)) else {
+        return DMatrix::zeros(motions.nrows(), MOTIONS);
+    };
     for (value, mut factors) in values.iter().zip(factors.column_iter_mut()) {
         if *value > KEPT {
             factors.fill(0.0);
