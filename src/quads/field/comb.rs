@@ -1,8 +1,7 @@
 //! One of the four directions of each cross, chosen so that they agree from triangle to triangle
 //! along a spanning tree, and the singularities that are left.
 
-use super::complex::{Complex, argument};
-use super::frames::Frames;
+use super::frames::{Complex, Frames, argument};
 use crate::math::angle_between;
 use crate::quads::{Side, Triangulation};
 use std::collections::VecDeque;
