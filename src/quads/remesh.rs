@@ -136,7 +136,7 @@ impl Remesher {
             let mut cover = |place: &mut Option<GridMapper>, longest_loop: f64| {
                 let mut mapper = match place.take() {
                     Some(mapper) => mapper,
-                    None => GridMapper::new(surface.prepare_over(longest_loop, size, options)?),
+                    None => GridMapper::new(surface.prepare(longest_loop, size, options)?),
                 };
                 let part = asked.part(&mut mapper, &mut of_part);
                 // After other errors it may be unfinished.

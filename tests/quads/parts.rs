@@ -146,7 +146,7 @@ fn check_named_size(mesh: &Mesh, error: &RemeshError, fits: &str) {
     let length: f64 = number.replace('−', "-").parse().expect("it is a number");
     let size = PanelSize::Length(length);
     let part = &InputSurface::parts(mesh, &[]).unwrap().surfaces[0];
-    assert!(part.prepare(length, &MapOptions::of_size(size)).is_ok(), "{words}");
+    assert!(part.prepare(2.0, length, &MapOptions::of_size(size)).is_ok(), "{words}");
 }
 
 #[test]

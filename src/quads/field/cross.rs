@@ -231,7 +231,7 @@ mod tests {
         }
         let parts = InputSurface::parts(&mesh, &[]).unwrap().surfaces;
         let options = MapOptions { boundary, ..MapOptions::of_size(PanelSize::Length(0.2)) };
-        parts[0].prepare(0.2, &options).unwrap()
+        parts[0].prepare(2.0, 0.2, &options).unwrap()
     }
 
     /// The largest difference of a cross from those along `direction`.

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `frames` | a frame in each triangle, transport between frames |
 //! | `cross` | the smoothest field that follows features and curvature |
-//! | `comb` | agreeing directions, jumps, singularities |
+//! | `comb` | agreeing directions, jumps, indices of vertices |
 //! | `cut` | the cut graph |
 
 mod comb;

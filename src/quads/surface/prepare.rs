@@ -107,17 +107,12 @@ pub struct PrepareNotes {
 }
 
 impl InputSurface {
-    /// Prepares the surface for panels of the side `size`.
+    /// Prepares the surface for panels of the side `size`. Openings less than `longest_loop` panels around
+    /// are covered, as far as they can be; those of less than two have to be.
     ///
     /// # Errors
     /// If the size is out of range for this surface.
-    pub fn prepare(&self, size: f64, options: &MapOptions) -> Result<Prepared, RemeshError> {
-        self.prepare_over(SHORTEST_LOOP, size, options)
-    }
-
-    /// The same, with openings covered that are less than this many panels around, as far as they can
-    /// be.
-    pub(crate) fn prepare_over(
+    pub fn prepare(
         &self,
         longest_loop: f64,
         size: f64,
