@@ -94,7 +94,7 @@ impl Connection {
 
     /// Solves in place; where values are given, `right` has them.
     fn solve(&mut self, right: &mut [Complex]) {
-        let mut x: Vec<[f64; 1]> = right.iter().flat_map(|z| z.map(|part| [part])).collect();
+        let mut x: Vec<[f64; 1]> = right.iter().flat_map(|z| [[z.re], [z.im]]).collect();
         self.system.solve(&mut x);
         let pairs = x.chunks_exact(2).map(|pair| Complex::new(pair[0][0], pair[1][0]));
         right.iter_mut().zip(pairs).for_each(|(to, z)| *to = z);

@@ -9,11 +9,10 @@
 //! | `features` | creases |
 //! | `refine` | subdivision |
 //! | `chains` | feature chains, their corners and tangents |
-//! | `cones` | sharp wedges between features |
+//! | `wedges` | sharp wedges between features |
 //! | `prepare` | all of these, for panels of one size |
 
 mod chains;
-mod cones;
 mod edges;
 mod features;
 mod input;
@@ -21,6 +20,7 @@ mod openings;
 mod prepare;
 mod refine;
 mod slivers;
+mod wedges;
 
 pub(super) use edges::Edges;
 pub(super) use input::Tensor;

@@ -82,12 +82,12 @@ impl InputSurface {
         }
     }
 
-    /// The openings that are less than `shortest` around, with their vertices: the surface is on the
+    /// The openings that are less than `longest` around, with their vertices: the surface is on the
     /// left of them in this order.
-    fn openings(&self, edges: &Edges, shortest: f64) -> Vec<(Opening, Vec<usize>)> {
+    fn openings(&self, edges: &Edges, longest: f64) -> Vec<(Opening, Vec<usize>)> {
         let is_boundary: Vec<bool> = edges.sides.iter().map(|sides| sides.len() == 1).collect();
         let chains = Chains::new(&self.positions, edges, &is_boundary);
-        let short = chains.all().filter(|(length, _)| *length < shortest);
+        let short = chains.all().filter(|(length, _)| *length < longest);
         let opening = |(length, vertices): (f64, &[usize])| {
             let at = mean(vertices.iter().map(|&v| self.positions[v]));
             let mut ring = vertices.to_vec();

@@ -2,12 +2,12 @@
 //! (sections 4.1 and 4.2 of `reference/quads.md`).
 
 use super::chains::Chains;
-use super::cones::cones;
 use super::edges::Edges;
 use super::features;
 use super::input::{InputSurface, Tensor};
 use super::openings::{Opening, SHORTEST_LOOP};
 use super::refine::{Line, Refined};
+use super::wedges::wedges;
 use crate::math::Vec3;
 use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
 
@@ -28,7 +28,7 @@ pub struct Prepared {
     /// `#T by 3`: for feature sides the tangent of the feature, in the direction of the side.
     pub(crate) tangents: Vec<[Vec3<f64>; 3]>,
     /// `#T`: a direction of the field given by a sharp wedge.
-    pub(crate) cones: Vec<Option<Vec3<f64>>>,
+    pub(crate) wedges: Vec<Option<Vec3<f64>>>,
     /// What the panels cannot follow.
     pub notes: PrepareNotes,
 }
@@ -56,7 +56,7 @@ impl Prepared {
             edges.sides[e].iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
         }
         // Beside a crease that is dropped there is no wedge.
-        let cones = cones(&surface, size);
+        let wedges = wedges(&surface, size);
         let of_side = |t: usize| {
             [0, 1, 2].map(|k| {
                 let e = edges.of_side[t][k];
@@ -65,7 +65,7 @@ impl Prepared {
             })
         };
         let tangents = (0..surface.triangles.len()).map(of_side).collect();
-        Prepared { surface, size, tensors, tangents, cones, notes }
+        Prepared { surface, size, tensors, tangents, wedges, notes }
     }
 
     /// The same surface without the connected creases on which these sides lie: the grid cannot
