@@ -24,8 +24,7 @@ mod wedges;
 
 pub(super) use edges::Edges;
 pub(super) use input::Tensor;
-pub use input::{InputParts, InputSurface, LeftPart};
+pub use input::{InputParts, InputSurface, StayingPart};
 pub use openings::Opening;
 pub(super) use openings::SHORTEST_LOOP;
-pub(super) use prepare::MOST_PANELS;
 pub use prepare::{PrepareNotes, Prepared};
