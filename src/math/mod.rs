@@ -11,7 +11,7 @@
 //! | `alignment`, `orthogonal_pair` | the closest rotation and scale, the closest square frame |
 //! | `round`, `round_within`, `circle_fit` | fitted circles and spheres |
 //! | `nearest_centre` | the closest circle or sphere of a given radius, searched from many starts |
-//! | `nearest_points` | the nearest of many points |
+//! | `nearest_points` | the nearest of many points, and those within a length |
 //! | `product` | the closest numbers with a given product |
 //! | `polygon`, `unit_polygon` | sides and corners of polygons, regular polygons |
 //! | `plane` | points and vectors of the plane, area of a polygon |
@@ -61,7 +61,7 @@ pub use elementary::{
 pub use indices::{Ragged, argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};
 pub use limited_memory::{LimitedMemory, inner_product};
-pub use nearest_points::NearestPoints;
+pub use nearest_points::{Cells, NearestPoints};
 pub use orthogonal_pair::OrthogonalPair;
 pub use polygon::{plane_frame, polygon_corners, polygon_sides, twice_vector_area};
 pub use principal::PrincipalAxes;

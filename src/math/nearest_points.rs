@@ -1,8 +1,10 @@
 //! The nearest of many points, by a k-d tree (Bentley, *Multidimensional binary search trees used for
-//! associative searching*, 1975) without stored nodes: the middle of each range divides it.
+//! associative searching*, 1975) without stored nodes: the middle of each range divides it. And the points
+//! within a length, by cubic cells, while points come and go.
 
 use super::key_of_number;
 use super::vec3::Vec3;
+use std::collections::HashMap;
 
 /// Ranges of at most so many points are searched one by one.
 const LEAF: usize = 8;
@@ -85,6 +87,62 @@ impl<'a> NearestPoints<'a> {
     }
 }
 
+/// Points with an item each, in cubic cells, to be searched for those within a length of a place.
+pub struct Cells<T> {
+    reach: f64,
+    /// By the bits of the coordinates of the cells, which are whole numbers.
+    cells: HashMap<[u64; 3], Vec<(Vec3<f64>, T)>>,
+}
+
+/// Side of a cell, in reaches: above two by more than rounding takes, so that what is within the reach is in
+/// at most two cells along each axis.
+const SIDE: f64 = 2.5;
+
+impl<T: Copy> Cells<T> {
+    /// No points yet, to be searched within `reach`, a positive length.
+    pub fn new(reach: f64) -> Cells<T> {
+        Cells { reach, cells: HashMap::new() }
+    }
+
+    /// Adds a point.
+    pub fn add(&mut self, point: Vec3<f64>, item: T) {
+        self.cells.entry(self.cell(point)).or_default().push((point, item));
+    }
+
+    /// Returns the items of at least all points within the reach of a place, and their distances.
+    pub fn near(&self, place: Vec3<f64>) -> impl Iterator<Item = (T, f64)> {
+        let points = self.around(place).filter_map(|cell| self.cells.get(&cell)).flatten();
+        points.map(move |&(point, item)| (item, (point - place).length()))
+    }
+
+    /// Takes out the points that are nearer to a place than the reach, and returns their items.
+    pub fn take(&mut self, place: Vec3<f64>) -> Vec<T> {
+        let mut taken = Vec::new();
+        for cell in self.around(place) {
+            let Some(points) = self.cells.get_mut(&cell) else { continue };
+            let near = |point: &mut (Vec3<f64>, T)| (point.0 - place).length() < self.reach;
+            taken.extend(points.extract_if(.., near).map(|(_, item)| item));
+        }
+        taken
+    }
+
+    fn cell(&self, point: Vec3<f64>) -> [u64; 3] {
+        // Adding zero turns -0 into +0.
+        let cell = |x: f64| ((x / (SIDE * self.reach)).floor() + 0.0).to_bits();
+        <[f64; 3]>::from(point).map(cell)
+    }
+
+    /// The cells within the reach of a place.
+    fn around(&self, place: Vec3<f64>) -> impl Iterator<Item = [u64; 3]> + use<T> {
+        let reach = Vec3::new(self.reach, self.reach, self.reach);
+        let [low, high] = [place - reach, place + reach].map(|corner| self.cell(corner));
+        let is_new = move |k: &usize| (0..3).all(|i| k >> i & 1 == 0 || low[i] != high[i]);
+        let cell =
+            move |k: usize| [0, 1, 2].map(|i| if k >> i & 1 == 0 { low[i] } else { high[i] });
+        (0..8).filter(is_new).map(cell)
+    }
+}
+
 fn coordinate(point: Vec3<f64>, axis: u8) -> f64 {
     match axis {
         0 => point.x,
@@ -96,6 +154,22 @@ fn coordinate(point: Vec3<f64>, axis: u8) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn cells_hold_all_points_within_their_reach() {
+        // Multiples of it, whose neighbours on both sides are at the sides of cells.
+        for reach in [0.1, 1.0 / 3.0, 1e-12] {
+            let point = |k: i32| Vec3::new(reach * f64::from(k), -reach * f64::from(k), 0.0);
+            let mut cells = Cells::new(reach);
+            (-20..20).for_each(|k| cells.add(point(k), k));
+            for k in -20..20 {
+                let place = point(k) + Vec3::new(0.0, 0.0, 0.9 * reach);
+                let near = cells.near(place).filter(|(_, distance)| *distance < reach);
+                assert_eq!(near.map(|(item, _)| item).collect::<Vec<_>>(), [k], "{reach}");
+            }
+            assert_eq!((cells.take(point(3)), cells.take(point(3))), (vec![3], vec![]));
+        }
+    }
 
     #[test]
     fn it_is_that_of_a_search_through_all() {

@@ -1,7 +1,7 @@
 //! Vertices at one place, up to rounding.
 
 use super::{Mesh, Point, diagonal};
-use crate::math::{Vec3, argsort, key_of_number, polygon_sides};
+use crate::math::{Cells, Vec3, polygon_sides};
 
 /// Upper bound on the welding distance, as a fraction of the diagonal of the bounding box.
 const TOLERANCE: f64 = 1e-6;
@@ -54,53 +54,18 @@ pub(super) fn within_face(mesh: &Mesh, first: &[u32]) -> Vec<bool> {
 /// Returns for each position the first one of its group within `tolerance` that is not itself
 /// merged.
 fn first_within(positions: &[Point], groups: &[u32], tolerance: f64) -> Vec<u32> {
-    // With cells of twice the tolerance, all points within the tolerance are in at most 8 cells.
-    // Adding zero turns -0 into +0.
-    let cell = |x: f64| (x / (2.0 * tolerance)).floor() + 0.0;
-    let cell_of = |p: Point| p.map(cell);
-    let by_cell = |a: [f64; 3], b: [f64; 3]| {
-        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
+    // Those that are not merged so far.
+    let mut apart = Cells::new(tolerance);
+    let first = |(vertex, &here): (usize, &Point)| {
+        let here = Vec3::from(here);
+        let is_own = |&(other, distance): &(u32, f64)| {
+            groups[other as usize] == groups[vertex] && distance <= tolerance
+        };
+        let first = apart.near(here).filter(is_own).map(|(other, _)| other).min();
+        if first.is_none() {
+            apart.add(here, vertex as u32);
+        }
+        first.unwrap_or(vertex as u32)
     };
-    let cell_at = |v: u32| cell_of(positions[v as usize]);
-    let order = sorted_by_cell(positions.iter().copied().map(cell_of).collect());
-    let begin = |near: [f64; 3]| order.partition_point(|&v| by_cell(cell_at(v), near).is_lt());
-    // The vertices of each cell that are not merged so far, from the place where it begins in
-    // `order`, and their number.
-    let mut apart = vec![0; positions.len()];
-    let mut counts = vec![0; positions.len()];
-    let mut first: Vec<u32> = (0..positions.len() as u32).collect();
-    for (vertex, &here) in positions.iter().enumerate() {
-        let [low, high] = [-tolerance, tolerance].map(|by| here.map(|x| cell(x + by)));
-        let mut nearest = vertex as u32;
-        for corner in 0..8 {
-            let near: [f64; 3] =
-                std::array::from_fn(|i| if corner >> i & 1 == 0 { low[i] } else { high[i] });
-            let begin = begin(near);
-            // Without such a cell this is the next one, whose vertices are too far away.
-            let count = counts.get(begin).copied().unwrap_or(0);
-            for &other in apart.iter().skip(begin).take(count) {
-                let away = Vec3::from(positions[other as usize]) - Vec3::from(here);
-                if groups[other as usize] == groups[vertex] && away.length() <= tolerance {
-                    nearest = nearest.min(other);
-                }
-            }
-        }
-        first[vertex] = nearest;
-        if nearest as usize == vertex {
-            let begin = begin(cell_of(here));
-            apart[begin + counts[begin]] = nearest;
-            counts[begin] += 1;
-        }
-    }
-    first
-}
-
-/// Returns the indices of cells sorted by (x, y, z, index), by stable sorts by z, then y, then x.
-fn sorted_by_cell(cells: Vec<[f64; 3]>) -> Vec<u32> {
-    let mut order: Vec<u32> = (0..cells.len() as u32).collect();
-    for axis in [2, 1, 0] {
-        let keys = order.iter().map(|&v| key_of_number(cells[v as usize][axis]));
-        order = argsort(keys).into_iter().map(|place| order[place as usize]).collect();
-    }
-    order
+    positions.iter().enumerate().map(first).collect()
 }

@@ -1,6 +1,7 @@
 //! Why a surface cannot be remeshed, with the place.
 
 use super::fault::ResultFault;
+use super::options::MOST_PANELS;
 use crate::math::Vec3;
 use crate::words;
 use std::fmt;
@@ -10,6 +11,8 @@ use std::fmt;
 pub enum RemeshError {
     /// There are no faces of positive area.
     Empty,
+    /// All faces are to stay as they are.
+    AllStay,
     /// The mesh has tetrahedra: with other faces they would have another surface.
     Tetrahedra,
     /// A part of the surface has too few triangles to have a curvature.
@@ -90,6 +93,7 @@ impl RemeshError {
         !matches!(
             self,
             RemeshError::Empty
+                | RemeshError::AllStay
                 | RemeshError::Tetrahedra
                 | RemeshError::SizeTooSmall { .. }
                 | RemeshError::Cancelled
@@ -107,6 +111,7 @@ impl RemeshError {
         let side = |size: f64| words::limit_like(words::rounded(size, 3), units, 1.0);
         match self {
             RemeshError::Empty => "there are no faces with an area".to_owned(),
+            RemeshError::AllStay => "all faces are to stay as they are".to_owned(),
             RemeshError::Tetrahedra => "the mesh has tetrahedra, expected a surface".to_owned(),
             RemeshError::TooFewTriangles { .. } => {
                 "a part of the surface has fewer than ten triangles".to_owned()
@@ -115,6 +120,7 @@ impl RemeshError {
                 "three or more faces meet in an edge: split the surface there".to_owned()
             }
             RemeshError::BranchingEdge { count, .. } => {
+                let count = words::group_digits(*count);
                 format!("three or more faces meet in {count} edges: split the surface there")
             }
             RemeshError::OneSided { .. } => {
@@ -122,9 +128,8 @@ impl RemeshError {
             }
             RemeshError::SizeTooSmall { least } => {
                 let least = side(least * (1.0 + SAFE));
-                format!(
-                    "there would be more than 100 000 panels, expected sides of {least} or more"
-                )
+                let most = words::group_digits(MOST_PANELS as usize);
+                format!("there would be more than {most} panels, expected sides of {least} or more")
             }
             RemeshError::SizeTooLarge { greatest, .. } => {
                 let greatest = side(greatest * (1.0 - SAFE));
@@ -145,10 +150,12 @@ impl RemeshError {
             RemeshError::Opening { length, greatest, stays, .. } => {
                 let greatest = side(greatest * (1.0 - SAFE));
                 let length = words::limit(words::rounded(*length, 3), units);
-                let [beside, or] =
-                    if *stays { [" beside faces that stay", ""] } else { ["", "close it, or "] };
+                let [beside, mend] = match stays {
+                    true => [" beside faces that stay", "expected"],
+                    false => ["", "close it, or make"],
+                };
                 format!(
-                    "an opening{beside} is {length} around, less than two panels: {or}expected sides of {greatest} or less"
+                    "an opening{beside} is {length} around, less than two panels: {mend} sides of {greatest} or less"
                 )
             }
             RemeshError::NotFollowed { fault } => {

@@ -94,11 +94,6 @@ impl Triangulation {
         }
         found
     }
-
-    /// The sum of the areas of the triangles.
-    pub fn area(&self) -> f64 {
-        (0..self.triangles.len()).map(|t| 0.5 * self.area_vector(t).length()).sum()
-    }
 }
 
 /// A map of each triangle to the plane, with transitions that carry the integer grid over every side.

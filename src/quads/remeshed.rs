@@ -1,9 +1,10 @@
 //! All parts in one mesh: measured, and put into words.
 
 use super::RemeshError;
+use super::options::MOST_PANELS;
 use super::part::Part;
 use super::result::{Distances, RemeshMeasures, Tally, places, places_near};
-use super::surface::{LeftPart, Opening};
+use super::surface::{Opening, StayingPart};
 use crate::math::{Vec3, marked};
 use crate::mesh::{Mesh, Point, Surface};
 use crate::words;
@@ -109,9 +110,9 @@ impl Remeshed {
 }
 
 /// Says which parts stay as they are, and why; `units` is the symbol of the unit.
-pub(super) fn notes_on(left: &[LeftPart], units: &str) -> Vec<RemeshNote> {
+pub(super) fn notes_on(staying: &[StayingPart], units: &str) -> Vec<RemeshNote> {
     let mut notes: Vec<(String, usize, Vec<Vec3<f64>>)> = Vec::new();
-    for part in left {
+    for part in staying {
         // Of a small part the whole is the place.
         let (why, at) = match part.error {
             RemeshError::TooFewTriangles { .. } => (String::new(), part.at),
@@ -166,7 +167,8 @@ fn not_followed(
 /// Says what panels of the side `size` take, unless it is below `least`.
 fn takes(size: f64, least: f64, units: &str) -> String {
     if size < least {
-        return "would take nearly 100 000 panels, or more".to_owned();
+        let most = words::group_digits(MOST_PANELS as usize);
+        return format!("would take nearly {most} panels, or more");
     }
     format!("takes sides of {} or less", words::rough_length(size, units))
 }
@@ -178,11 +180,11 @@ fn covered(parts: &[Part], least: f64, units: &str) -> Option<RemeshNote> {
     let shortest = openings.iter().map(|opening| opening.length).reduce(f64::min)?;
     let takes = takes(SHORT * shortest, least, units);
     let words = match openings.len() {
-        1 => format!("1 opening is too small for these panels and covered: to keep it {takes}"),
+        1 => format!("1 opening is too small for these panels and covered: keeping it {takes}"),
         count => {
             let count = words::group_digits(count);
             format!(
-                "{count} openings are too small for these panels and covered: to keep them {takes}"
+                "{count} openings are too small for these panels and covered: keeping them {takes}"
             )
         }
     };
@@ -248,6 +250,6 @@ mod tests {
         };
         let place = "1 place is smaller than a panel: to follow it";
         assert_eq!(said(0.05), format!("{place} takes sides of 80 mm or less"));
-        assert_eq!(said(0.1), format!("{place} would take nearly 100 000 panels, or more"));
+        assert_eq!(said(0.1), format!("{place} would take nearly 100\u{2009}000 panels, or more"));
     }
 }

@@ -363,6 +363,13 @@ fn vertices_are_welded_merged_and_snapped() {
     assert_eq!(origins.vertices[6], Some(1));
     assert_eq!(Topology::new(&welded).boundary_loops().len(), 1);
     assert!(apply(&soup, "weld", Some(&[1e-4]), &Picked::default()).is_err());
+    // Places that are odd multiples of the distance.
+    let mut row = flat(1, 1);
+    row.positions.iter_mut().flatten().for_each(|x| *x *= 0.3);
+    row.positions.push(row.positions[1]);
+    row.faces.push(&[1, 4, 3]);
+    let row = apply(&row, "weld", Some(&[0.1]), &Picked::default()).unwrap();
+    assert_eq!(row.origins.vertices[4], Some(1));
     let one = apply(&welded, "merge-vertices", None, &with_vertices(&[0, 3])).unwrap().mesh;
     assert_eq!(one.positions[0], [0.0, 0.5, 0.0]);
     assert_eq!(one.faces.row(0).len(), 3);

@@ -1,7 +1,7 @@
 //! Surfaces prepared for the map: parts, refinement, features, and what is refused.
 
 use super::surfaces::{parametric, plate, torus, tube};
-use shape_up::math::{cosine, sine};
+use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::quads::{
     Boundary, InputParts, InputSurface, MapOptions, PanelSize, Prepared, RemeshError, Side,
@@ -14,15 +14,15 @@ fn options() -> MapOptions {
 
 /// The parts that can be covered: all of them.
 fn surfaces(mesh: &Mesh) -> Vec<InputSurface> {
-    let InputParts { surfaces, left } = InputSurface::parts(mesh, &[]).unwrap();
-    assert!(left.is_empty(), "{left:?}");
+    let InputParts { surfaces, staying } = InputSurface::parts(mesh, &[]).unwrap();
+    assert!(staying.is_empty(), "{staying:?}");
     surfaces
 }
 
 fn prepared(mesh: &Mesh, size: f64) -> Prepared {
     let parts = surfaces(mesh);
     assert_eq!(parts.len(), 1);
-    parts[0].prepare(size, &options()).unwrap()
+    parts[0].prepare(2.0, size, &options()).unwrap()
 }
 
 /// Two triangles to each square of a grid.
@@ -36,7 +36,9 @@ fn triangles_are_short_and_features_are_apart() {
     for (mesh, size) in [(plate(), 0.3), (tube(), 0.4), (torus(), 0.5), (roof.clone(), 0.7)] {
         let whole: f64 = surfaces(&mesh).iter().map(InputSurface::area).sum();
         let Prepared { surface, .. } = prepared(&mesh, size);
-        assert!((surface.area() - whole).abs() < 1e-12 * whole, "nothing is lost");
+        let area = |t: usize| 0.5 * surface.area_vector(t).length();
+        let area: f64 = (0..surface.triangles.len()).map(area).sum();
+        assert!((area - whole).abs() < 1e-12 * whole, "nothing is lost");
         let mut on_feature = vec![false; surface.positions.len()];
         for side in surface.sides().filter(|&side| surface.is_feature(side)) {
             on_feature[surface.corner(side.triangle, side.side)] = true;
@@ -59,11 +61,41 @@ fn triangles_are_short_and_features_are_apart() {
     };
     assert!(creases(&prepared(&roof, 0.7).surface) > 0, "the ridge is a crease");
     let parts = surfaces(&roof);
-    let smooth = parts[0].prepare(0.7, &MapOptions { crease: None, ..options() }).unwrap();
+    let smooth = parts[0].prepare(2.0, 0.7, &MapOptions { crease: None, ..options() }).unwrap();
     assert_eq!(creases(&smooth.surface), 0);
     let cut = MapOptions { boundary: Boundary::Cut, crease: None, ..options() };
-    let cut = parts[0].prepare(0.7, &cut).unwrap();
+    let cut = parts[0].prepare(2.0, 0.7, &cut).unwrap();
     assert!(cut.surface.feature.as_flattened().iter().all(|is| !is), "a cut boundary is none");
+}
+
+/// The normal of a thin triangle is that of rounding: its sides were creases that the grid had to follow.
+#[test]
+fn a_thin_triangle_makes_no_crease() {
+    // A plate whose diagonal has vertices beside it, a little above.
+    let mut mesh = sheet(6, |u, v| [10.0 * u, 10.0 * v, 0.0]);
+    let mut faces = Ragged::default();
+    for face in mesh.faces.iter() {
+        let at = |k: usize| Vec3::from(mesh.positions[face[k % 3] as usize]);
+        let diagonal = (0..3).find(|&k| {
+            let along = at(k + 1) - at(k);
+            along.x > 0.0 && along.y > 0.0 && face[(k + 1) % 3] % 7 == face[(k + 1) % 3] / 7
+        });
+        let Some(k) = diagonal else {
+            faces.push(face);
+            continue;
+        };
+        let [a, b, c] = [0, 1, 2].map(|j| face[(k + j) % 3]);
+        let middle = mesh.positions.len() as u32;
+        mesh.positions.push(((at(k) + at(k + 1)) * 0.5 + Vec3::new(0.0, 0.0, 2e-6)).into());
+        faces.push(&[a, middle, c]);
+        faces.push(&[middle, b, c]);
+        faces.push(&[a, b, middle]);
+    }
+    assert_eq!(faces.len(), mesh.faces.len() + 12);
+    mesh.faces = faces;
+    let surface = prepared(&mesh, 0.5).surface;
+    let inner = |side: &Side| surface.across(*side).is_some() && surface.is_feature(*side);
+    assert_eq!(surface.sides().filter(inner).count(), 0);
 }
 
 #[test]
@@ -108,7 +140,7 @@ fn touching_and_separate_parts_are_told_apart() {
 #[test]
 fn what_cannot_be_remeshed_is_refused_with_the_place() {
     let error = |mesh: &Mesh| match InputSurface::parts(mesh, &[]) {
-        Ok(parts) => parts.left[0].error.clone(),
+        Ok(parts) => parts.staying[0].error.clone(),
         Err(error) => error,
     };
     assert_eq!(error(&Mesh::default()), RemeshError::Empty);
@@ -144,7 +176,7 @@ fn what_cannot_be_remeshed_is_refused_with_the_place() {
     }
     assert!(matches!(error(&strip), RemeshError::OneSided { .. }));
     let part = &surfaces(&tube())[0];
-    let size = |size: f64| part.prepare(size, &options()).map(|_| ());
+    let size = |size: f64| part.prepare(2.0, size, &options()).map(|_| ());
     assert!(
         matches!(size(1e-3), Err(RemeshError::SizeTooSmall { least }) if size(least) == Ok(()))
     );

@@ -4,7 +4,7 @@
 //! that a loop still crosses gets a vertex at the crossing. The part of each cell inside the
 //! outline is a face: whole cells stay squares, and no face is a sliver.
 
-use super::declaration::{PlanError, entry};
+use super::declaration::{MOST_CELLS, PlanError};
 use super::kept::{boundary, is_kept};
 use super::outline::{Ground, Loop, along, closest};
 use crate::generate::quads::check_face_count;
@@ -22,12 +22,9 @@ const SLIVER: f64 = 0.02;
 /// Tolerance of the polylines that replace arcs, in sides of a cell.
 const FLAT: f64 = 1e-3;
 
-/// Limit of the cells of the grid, most of which a narrow plan leaves empty: they are all in memory.
-const MOST_CELLS: f64 = 1e6;
-
 /// Position relative to the loops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Lies {
+enum Location {
     Inside,
     Outside,
     /// On the loop of this index.
@@ -42,7 +39,7 @@ struct Cells {
     polygons: Vec<Vec<Point2>>,
     /// Positions of the grid vertices, then of the crossings.
     places: Vec<Point2>,
-    lies: Vec<Lies>,
+    locations: Vec<Location>,
     /// The vertex on each grid edge that a loop crosses.
     crossings: BTreeMap<[u32; 2], u32>,
 }
@@ -63,10 +60,8 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     });
     let inside = areas.reduce(|outline, hole| outline - hole).unwrap_or(0.0);
     check_face_count((inside / (step[0] * step[1])).round()).map_err(PlanError::TooManyFaces)?;
-    let all = count[0] * count[1];
-    if all > MOST_CELLS {
-        let expected = format!("expected at most {MOST_CELLS} panels over the extent of the plan");
-        return Err(entry("size", format!("{expected}, found {all}")));
+    if count[0] * count[1] > MOST_CELLS {
+        return Err(PlanError::TooManyCells);
     }
     let to_grid = |place: Point2| {
         let place = minus(rotated(place, [c, -s]), low);
@@ -97,7 +92,7 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     }
     let boundary = boundary(&faces);
     for (l, polygon) in cells.polygons.iter().enumerate() {
-        let on_it = boundary.iter().filter(|&&v| cells.lies[v as usize] == Lies::On(l));
+        let on_it = boundary.iter().filter(|&&v| cells.locations[v as usize] == Location::On(l));
         if !is_kept(polygon, on_it.map(|&v| cells.places[v as usize])) {
             return Err(PlanError::TooCoarse(l.checked_sub(1)));
         }
@@ -114,22 +109,22 @@ impl Cells {
         let [nx, ny] = count;
         let places: Vec<Point2> =
             (0..=ny).flat_map(|j| (0..=nx).map(move |i| [i as f64, j as f64])).collect();
-        let mut lies = Vec::with_capacity(places.len());
+        let mut locations = Vec::with_capacity(places.len());
         // The sides are visited once for each row.
         for j in 0..=ny {
             let row: Vec<Vec<f64>> =
                 polygons.iter().map(|one| crossings(one, j as f64).collect()).collect();
-            lies.extend((0..=nx).map(|i| {
+            locations.extend((0..=nx).map(|i| {
                 // As `is_inside`.
                 let is_in =
                     |at: &Vec<f64>| at.iter().filter(|at| (i as f64) < **at).count() % 2 == 1;
                 match is_in(&row[0]) && !row[1..].iter().any(is_in) {
-                    true => Lies::Inside,
-                    false => Lies::Outside,
+                    true => Location::Inside,
+                    false => Location::Outside,
                 }
             }));
         }
-        Cells { count, polygons, places, lies, crossings: BTreeMap::new() }
+        Cells { count, polygons, places, locations, crossings: BTreeMap::new() }
     }
 
     fn vertex(&self, i: usize, j: usize) -> u32 {
@@ -154,15 +149,16 @@ impl Cells {
     fn corner(&mut self, place: Point2, on: usize) -> Option<u32> {
         let far = |&v: &u32| {
             let by = minus(self.places[v as usize], place);
-            let is_kept = self.lies[v as usize] != Lies::Outside;
+            let is_kept = self.locations[v as usize] != Location::Outside;
             let square = dot(by, by);
             if square > NEAR * NEAR && is_kept { 4.0 + square } else { square }
         };
-        let free =
-            self.around(place, 0.0).filter(|&v| !matches!(self.lies[v as usize], Lies::On(_)));
+        let free = self
+            .around(place, 0.0)
+            .filter(|&v| !matches!(self.locations[v as usize], Location::On(_)));
         let nearest = free.min_by(|a, b| far(a).total_cmp(&far(b)))?;
         self.places[nearest as usize] = place;
-        self.lies[nearest as usize] = Lies::On(on);
+        self.locations[nearest as usize] = Location::On(on);
         Some(nearest)
     }
 
@@ -189,9 +185,9 @@ impl Cells {
             }
         }
         for (v, (_, place, l)) in nearest {
-            if !matches!(self.lies[v as usize], Lies::On(_)) {
+            if !matches!(self.locations[v as usize], Location::On(_)) {
                 self.places[v as usize] = place;
-                self.lies[v as usize] = Lies::On(l);
+                self.locations[v as usize] = Location::On(l);
             }
         }
     }
@@ -205,21 +201,22 @@ impl Cells {
             .chain(up)
             .map(|(a, b)| [a, b].map(|[i, j]| self.vertex(i, j)))
             .filter(|ends| {
-                let lies = ends.map(|v| self.lies[v as usize]);
-                matches!(lies, [Lies::Inside, Lies::Outside] | [Lies::Outside, Lies::Inside])
+                use Location::{Inside, Outside};
+                let locations = ends.map(|v| self.locations[v as usize]);
+                matches!(locations, [Inside, Outside] | [Outside, Inside])
             })
             .collect();
         for ends in edges {
             let (place, l) = self.crossing(ends);
             self.crossings.insert(ends, self.places.len() as u32);
             self.places.push(place);
-            self.lies.push(Lies::On(l));
+            self.locations.push(Location::On(l));
         }
     }
 
     /// The crossing of a loop with an edge nearest to its inner end, and the loop.
     fn crossing(&self, ends: [u32; 2]) -> (Point2, usize) {
-        let is_turned = self.lies[ends[0] as usize] == Lies::Outside;
+        let is_turned = self.locations[ends[0] as usize] == Location::Outside;
         let [p, q] = ends.map(|v| self.places[v as usize]);
         let [p, q] = if is_turned { [q, p] } else { [p, q] };
         let by = minus(q, p);
@@ -250,7 +247,7 @@ impl Cells {
                 let cell = cell.map(|[i, j]| self.vertex(i, j));
                 let mut face = Vec::new();
                 for [a, b] in polygon_sides(&cell) {
-                    if self.lies[a as usize] != Lies::Outside {
+                    if self.locations[a as usize] != Location::Outside {
                         face.push(a);
                     }
                     face.extend(self.crossings.get(&[a.min(b), a.max(b)]));
@@ -278,8 +275,9 @@ impl Cells {
             is_inside(&self.polygons[0], middle)
                 && !self.polygons[1..].iter().any(|hole| is_inside(hole, middle))
         };
-        let inner: Vec<usize> =
-            (0..face.len()).filter(|&k| self.lies[face[k] as usize] == Lies::Inside).collect();
+        let inner: Vec<usize> = (0..face.len())
+            .filter(|&k| self.locations[face[k] as usize] == Location::Inside)
+            .collect();
         if inner.is_empty() {
             if is_middle_in() && self.area(&face) > SLIVER {
                 faces.push(face);
@@ -309,18 +307,21 @@ impl Cells {
         }
         let mut named = Ragged::from_iter(faces);
         named.rename(&name);
-        let used_on = |on: Lies| {
-            (0..name.len()).filter(move |&v| self.lies[v] == on).filter(|&v| name[v] != u32::MAX)
+        let used_on = |on: Location| {
+            (0..name.len())
+                .filter(move |&v| self.locations[v] == on)
+                .filter(|&v| name[v] != u32::MAX)
         };
         // A tip without a face is cut off: its foot is where the rest of the loop is nearest.
         let foot = |&(corner, hole): &(u32, Option<usize>)| {
             let corner = corner as usize;
             let away = |v: &usize| distance(self.places[*v], self.places[corner]);
-            let nearest = used_on(self.lies[corner]).min_by(|a, b| away(a).total_cmp(&away(b)));
+            let nearest =
+                used_on(self.locations[corner]).min_by(|a, b| away(a).total_cmp(&away(b)));
             nearest.map(|v| (name[v], hole))
         };
         Ground {
-            outline: used_on(Lies::On(0)).map(|v| name[v]).collect(),
+            outline: used_on(Location::On(0)).map(|v| name[v]).collect(),
             corners: corners.iter().filter_map(foot).collect(),
             mesh: Mesh { positions, faces: named, ..Mesh::default() },
         }

@@ -2,8 +2,8 @@
 
 use super::outline::along;
 use crate::math::plane::{Point2, dot, minus};
-use crate::math::polygon_sides;
-use std::collections::{BTreeMap, BTreeSet};
+use crate::math::{Cells, Vec3, polygon_sides};
+use std::collections::BTreeSet;
 
 /// A loop is kept if each of its points is nearer than this to a vertex of the boundary on it, in sides
 /// of a cell. Where it passes through a cell alone, it has one on the sides of the cell.
@@ -24,20 +24,11 @@ pub(super) fn boundary(faces: &[Vec<u32>]) -> BTreeSet<u32> {
 
 /// Whether a loop is kept by a surface with these boundary vertices on it; cells have side 1.
 pub(super) fn is_kept(polygon: &[Point2], on_it: impl Iterator<Item = Point2>) -> bool {
-    let cell = |[x, y]: Point2| [x.floor() as i64, y.floor() as i64];
-    let mut cells: BTreeMap<[i64; 2], Vec<Point2>> = BTreeMap::new();
-    on_it.for_each(|place| cells.entry(cell(place)).or_default().push(place));
-    let reach = NEAR.ceil() as i64;
-    let has_near = |place: Point2| {
-        let [x, y] = cell(place);
-        let around = (x - reach..=x + reach)
-            .flat_map(|x| (y - reach..=y + reach).map(move |y| [x, y]))
-            .filter_map(|cell| cells.get(&cell));
-        around.flatten().any(|&vertex| {
-            let away = minus(vertex, place);
-            dot(away, away) <= NEAR * NEAR
-        })
-    };
+    let in_space = |[x, y]: Point2| Vec3::new(x, y, 0.0);
+    let mut vertices = Cells::new(NEAR);
+    on_it.for_each(|place| vertices.add(in_space(place), ()));
+    let has_near =
+        |place: Point2| vertices.near(in_space(place)).any(|(_, distance)| distance <= NEAR);
     let walk = Walk::new(polygon);
     let tips = walk.tips();
     let mut so_far = 0.0;

@@ -4,7 +4,7 @@
 
 use super::field::{CurvatureField, Family, SurfacePoint};
 use super::trace::{CurvatureLine, Heading, comes_back};
-use crate::math::Vec3;
+use crate::math::{Cells, Vec3};
 use crate::mesh::Point;
 
 /// Least distance to other lines at the beginning of a line, as a fraction of the spacing.
@@ -23,7 +23,7 @@ impl CurvatureField {
     pub fn spaced_lines(&self, family: Family, distance: f64) -> Vec<CurvatureLine> {
         assert!(distance > 0.0, "lines have a distance");
         let mut lines: Vec<CurvatureLine> = Vec::new();
-        let mut taken = Cells::new(distance);
+        let mut taken = Cells::new(BEGIN * distance);
         for centre in self.centres() {
             // Seeds beside the newest lines come before the next face.
             let mut next = vec![centre];
@@ -31,7 +31,7 @@ impl CurvatureField {
                 let Some(line) = self.line_beside(point, family, distance, &taken) else {
                     continue;
                 };
-                line.points.iter().for_each(|point| taken.add(point.at));
+                line.points.iter().for_each(|point| taken.add(point.at, ()));
                 next.extend(self.beside(&line, distance));
                 lines.push(line);
             }
@@ -46,14 +46,15 @@ impl CurvatureField {
         point: SurfacePoint,
         family: Family,
         distance: f64,
-        taken: &Cells,
+        taken: &Cells<()>,
     ) -> Option<CurvatureLine> {
-        if taken.is_near(point.at, BEGIN * distance) {
+        if is_near(taken, point.at, BEGIN * distance) {
             return None;
         }
         let end = END * distance;
         let line = self.line_until(point, family, |points| {
-            points.last().is_some_and(|last| taken.is_near(last.at, end)) || comes_back(points, end)
+            points.last().is_some_and(|last| is_near(taken, last.at, end))
+                || comes_back(points, end)
         })?;
         let length: f64 =
             line.points.windows(2).map(|ends| (ends[1].at - ends[0].at).length()).sum();
@@ -80,50 +81,9 @@ impl CurvatureField {
     }
 }
 
-/// Hash grid of points.
-struct Cells {
-    side: f64,
-    /// Cells with the same hash share an entry; the distance test sorts their points out.
-    table: Vec<Vec<Vec3<f64>>>,
-}
-
-impl Cells {
-    const SIZE: usize = 1 << 12;
-
-    fn new(side: f64) -> Cells {
-        Cells { side, table: vec![Vec::new(); Self::SIZE] }
-    }
-
-    fn add(&mut self, point: Vec3<f64>) {
-        let cell = self.cell(point);
-        self.table[Self::bucket(cell)].push(point);
-    }
-
-    /// Whether a stored point is nearer than `distance`, which is at most the side of a cell.
-    fn is_near(&self, point: Vec3<f64>, distance: f64) -> bool {
-        let [x, y, z] = self.cell(point);
-        let around = |from: i64| from - 1..=from + 1;
-        around(x).any(|x| {
-            around(y).any(|y| {
-                around(z).any(|z| {
-                    let near = |other: &Vec3<f64>| (*other - point).length() < distance;
-                    self.table[Self::bucket([x, y, z])].iter().any(near)
-                })
-            })
-        })
-    }
-
-    fn cell(&self, point: Vec3<f64>) -> [i64; 3] {
-        [point.x, point.y, point.z].map(|coordinate| (coordinate / self.side).floor() as i64)
-    }
-
-    fn bucket([x, y, z]: [i64; 3]) -> usize {
-        let mixed = x
-            .wrapping_mul(73_856_093)
-            .wrapping_add(y.wrapping_mul(19_349_663))
-            .wrapping_add(z.wrapping_mul(83_492_791));
-        mixed.rem_euclid(Self::SIZE as i64) as usize
-    }
+/// Whether a taken point is nearer than `distance`.
+fn is_near(taken: &Cells<()>, point: Vec3<f64>, distance: f64) -> bool {
+    taken.near(point).any(|(_, other)| other < distance)
 }
 
 /// Half the length of a stroke, as a fraction of the mean edge.

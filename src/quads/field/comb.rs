@@ -1,8 +1,7 @@
 //! One of the four directions of each cross, chosen so that they agree from triangle to triangle
-//! along a spanning tree, and the singularities that are left.
+//! along a spanning tree, and the indices of vertices.
 
-use super::complex::{Complex, argument};
-use super::frames::Frames;
+use super::frames::{Complex, Frames, argument};
 use crate::math::angle_between;
 use crate::quads::{Side, Triangulation};
 use std::collections::VecDeque;
@@ -54,12 +53,6 @@ impl Combed {
             turns[back.triangle][back.side] = -rest;
         }
         Combed { angles, jumps, tree, indices: indices(surface, &turns) }
-    }
-
-    /// The inner vertices of index other than zero, with the index.
-    pub(crate) fn singularities(&self) -> Vec<(usize, i32)> {
-        let singular = self.indices.iter().copied().enumerate();
-        singular.filter(|&(_, index)| index != 0).collect()
     }
 }
 

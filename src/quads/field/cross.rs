@@ -7,8 +7,7 @@
 //! a panel, cancels. Then it is normalised and smoothed in turns (Merriman-Bence-Osher steps; Viertel
 //! and Osting 2019), which cancels pairs of singularities that are near to each other.
 
-use super::complex::{Complex, size, squared, unit};
-use super::frames::Frames;
+use super::frames::{Complex, Frames, unit};
 use crate::quads::surface::Prepared;
 use crate::quads::system::SymmetricSystem;
 use crate::quads::{RemeshError, Side, Triangulation};
@@ -78,7 +77,7 @@ impl Connection {
         }
         for &(side, back, weight, entries) in places.iter() {
             let weight = times * weight;
-            let [re, im] = frames.transport(side, back, power).map(|part| -weight * part);
+            let Complex { re, im } = frames.transport(side, back, power) * -weight;
             for (place, value) in entries.into_iter().zip([re, -im, im, re]) {
                 values[place] += value;
             }
@@ -95,9 +94,9 @@ impl Connection {
 
     /// Solves in place; where values are given, `right` has them.
     fn solve(&mut self, right: &mut [Complex]) {
-        let mut x: Vec<[f64; 1]> = right.iter().flat_map(|z| z.map(|part| [part])).collect();
+        let mut x: Vec<[f64; 1]> = right.iter().flat_map(|z| [[z.re], [z.im]]).collect();
         self.system.solve(&mut x);
-        let pairs = x.chunks_exact(2).map(|pair| [pair[0][0], pair[1][0]]);
+        let pairs = x.chunks_exact(2).map(|pair| Complex::new(pair[0][0], pair[1][0]));
         right.iter_mut().zip(pairs).for_each(|(to, z)| *to = z);
     }
 }
@@ -132,7 +131,7 @@ pub(crate) fn cross_field(
     connection.set(frames, 2, time, |f| frames.area[f]);
     connection.factor(&vec![false; n])?;
     for (z, area) in anisotropy.iter_mut().zip(&frames.area) {
-        *z = z.map(|part| part * area);
+        *z *= *area;
     }
     connection.solve(&mut anisotropy);
     go_on(0.5)?;
@@ -142,17 +141,18 @@ pub(crate) fn cross_field(
         .iter()
         .zip(&frames.area)
         .map(|(&z, area)| {
-            let difference = (2.0 * size(z)).min(1.0 / h);
+            let difference = (2.0 * z.norm_sqr().sqrt()).min(1.0 / h);
             steering.follow * area * difference * difference
         })
         .collect();
     let pull: Vec<Complex> = anisotropy
         .iter()
         .zip(&weight)
-        .map(|(&z, weight)| unit(z).map_or([0.0; 2], |z| squared(z).map(|part| part * weight)))
+        .map(|(&z, &weight)| unit(z).map_or(Complex::default(), |z| z * z * weight))
         .collect();
     let right = |f: usize| given[f].unwrap_or(pull[f]);
-    let directs = |f: usize| is_given[f] || size(pull[f]) > 1e-9 * frames.area[f] / (h * h);
+    let directs =
+        |f: usize| is_given[f] || pull[f].norm_sqr().sqrt() > 1e-9 * frames.area[f] / (h * h);
     let mut crosses: Vec<Complex>;
     // A trace of mass keeps the matrix regular where neither feature nor curvature holds the field.
     let trace = |f: usize| 1e-7 * frames.area[f] / (h * h);
@@ -162,17 +162,17 @@ pub(crate) fn cross_field(
         crosses = (0..n).map(right).collect();
         connection.solve(&mut crosses);
     } else {
-        crosses = vec![[1.0, 0.0]; n];
+        crosses = vec![Complex::new(1.0, 0.0); n];
         for _ in 0..INVERSE_ITERATIONS {
-            let norm = crosses.iter().map(|z| z[0] * z[0] + z[1] * z[1]).sum::<f64>().sqrt();
+            let norm = crosses.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
             for (z, area) in crosses.iter_mut().zip(&frames.area) {
-                *z = z.map(|part| part * area / norm);
+                *z = *z * *area / norm;
             }
             connection.solve(&mut crosses);
         }
     }
     go_on(0.75)?;
-    let mut before = vec![[1.0, 0.0]; n];
+    let mut before = vec![Complex::new(1.0, 0.0); n];
     normalise(&mut crosses, &before);
     let rate = 1.0 / (steering.step * h * h);
     connection.set(frames, 4, 1.0, |f| weight[f] + trace(f) + rate * frames.area[f]);
@@ -181,8 +181,7 @@ pub(crate) fn cross_field(
         before.copy_from_slice(&crosses);
         for f in 0..n {
             let mass = rate * frames.area[f];
-            let stepped = [0, 1].map(|k| pull[f][k] + mass * before[f][k]);
-            crosses[f] = given[f].unwrap_or(stepped);
+            crosses[f] = given[f].unwrap_or(pull[f] + before[f] * mass);
         }
         connection.solve(&mut crosses);
         normalise(&mut crosses, &before);
@@ -194,9 +193,9 @@ pub(crate) fn cross_field(
 /// The crosses that features and wedges give, `#T`; those of wedges where both do.
 fn given(prepared: &Prepared, frames: &Frames) -> Vec<Option<Complex>> {
     let surface = &prepared.surface;
-    let cross = |direction: Complex| squared(squared(direction));
+    let cross = |direction: Complex| (direction * direction) * (direction * direction);
     let of_triangle = |triangle: usize| {
-        let wedge = prepared.cones[triangle].and_then(|d| unit(frames.of(triangle, d)));
+        let wedge = prepared.wedges[triangle].and_then(|d| unit(frames.of(triangle, d)));
         let mut sides = (0..3).map(|side| Side { triangle, side });
         let feature = sides.find(|&side| surface.is_feature(side));
         wedge.or(feature.map(|side| frames.tangent(prepared, side))).map(cross)
@@ -232,7 +231,7 @@ mod tests {
         }
         let parts = InputSurface::parts(&mesh, &[]).unwrap().surfaces;
         let options = MapOptions { boundary, ..MapOptions::of_size(PanelSize::Length(0.2)) };
-        parts[0].prepare(0.2, &options).unwrap()
+        parts[0].prepare(2.0, 0.2, &options).unwrap()
     }
 
     /// The largest difference of a cross from those along `direction`.
@@ -241,8 +240,8 @@ mod tests {
         let steering = Steering { follow, smoothing: 0.5, step: 1.0 };
         let found = cross_field(prepared, &frames, steering, &mut |_| true).unwrap();
         let difference = |(t, &cross): (usize, &Complex)| {
-            let along = squared(squared(unit(frames.of(t, direction)).unwrap()));
-            size([cross[0] - along[0], cross[1] - along[1]])
+            let along = unit(frames.of(t, direction)).unwrap();
+            (cross - along * along * along * along).norm_sqr().sqrt()
         };
         found.crosses.iter().enumerate().map(difference).fold(0.0, f64::max)
     }

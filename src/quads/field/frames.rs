@@ -1,10 +1,27 @@
 //! A frame in each triangle, its first axis along the first side, and what is measured in it.
 
-use super::complex::{Complex, argument, conjugate, times, unit};
 use crate::math::Vec3;
 use crate::mesh::form_on;
 use crate::quads::surface::Prepared;
 use crate::quads::{Side, Triangulation};
+
+/// A vector in the frame of a triangle.
+pub(crate) type Complex = nalgebra::Complex<f64>;
+
+/// The number of absolute value one in the same direction; `None` of zero.
+pub(crate) fn unit(z: Complex) -> Option<Complex> {
+    let scale = z.re.abs().max(z.im.abs());
+    if scale == 0.0 || !scale.is_finite() {
+        return None;
+    }
+    let z = z / scale;
+    Some(z / z.norm_sqr().sqrt())
+}
+
+/// The angle in radians, from -pi to pi, of the same bits natively and in wasm.
+pub(crate) fn argument(z: Complex) -> f64 {
+    libm::atan2(z.im, z.re)
+}
 
 /// The frames of a triangulation, `#T` each.
 pub(crate) struct Frames {
@@ -39,7 +56,7 @@ impl Frames {
             let y = normal.cross(x);
             let side = |side: usize| {
                 let along = surface.along(Side { triangle, side });
-                unit([along.dot(x), along.dot(y)]).unwrap_or([1.0, 0.0])
+                unit(Complex::new(along.dot(x), along.dot(y))).unwrap_or(Complex::new(1.0, 0.0))
             };
             let sides = [side(0), side(1), side(2)];
             frames.area.push(0.5 * doubled);
@@ -53,7 +70,7 @@ impl Frames {
 
     /// A vector in the frame of a triangle.
     pub(crate) fn of(&self, triangle: usize, vector: Vec3<f64>) -> Complex {
-        [vector.dot(self.x[triangle]), vector.dot(self.y[triangle])]
+        Complex::new(vector.dot(self.x[triangle]), vector.dot(self.y[triangle]))
     }
 
     /// The direction of the feature along a side, in the frame of its triangle: that of its tangent,
@@ -61,7 +78,7 @@ impl Frames {
     pub(crate) fn tangent(&self, prepared: &Prepared, Side { triangle, side }: Side) -> Complex {
         let tangent = prepared.tangents[triangle][side];
         let flat = self.of(triangle, tangent);
-        let seen = flat[0] * flat[0] + flat[1] * flat[1] > 1e-6 * tangent.length_squared();
+        let seen = flat.norm_sqr() > 1e-6 * tangent.length_squared();
         unit(flat).filter(|_| seen).unwrap_or(self.sides[triangle][side])
     }
 
@@ -78,7 +95,7 @@ impl Frames {
             }
             let on = |a: Vec3<f64>, b: Vec3<f64>| form_on(&tensor, a, b);
             let (x, y) = (self.x[t], self.y[t]);
-            [0.5 * (on(x, x) - on(y, y)), on(x, y)]
+            Complex::new(0.5 * (on(x, x) - on(y, y)), on(x, y))
         };
         (0..self.area.len()).map(of_triangle).collect()
     }
@@ -88,7 +105,7 @@ impl Frames {
     pub(crate) fn transport(&self, side: Side, back: Side, power: u32) -> Complex {
         let from = self.sides[side.triangle][side.side];
         let to = self.sides[back.triangle][back.side];
-        let turn = times(to, conjugate(from));
-        (1..power).fold(turn, |product, _| times(product, turn))
+        let turn = to * from.conj();
+        (1..power).fold(turn, |product, _| product * turn)
     }
 }

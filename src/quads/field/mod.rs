@@ -2,20 +2,17 @@
 //!
 //! | file | holds |
 //! |---|---|
-//! | `complex` | complex numbers |
 //! | `frames` | a frame in each triangle, transport between frames |
 //! | `cross` | the smoothest field that follows features and curvature |
-//! | `comb` | agreeing directions, jumps, singularities |
+//! | `comb` | agreeing directions, jumps, indices of vertices |
 //! | `cut` | the cut graph |
 
 mod comb;
-mod complex;
 mod cross;
 mod cut;
 mod frames;
 
 pub(super) use comb::Combed;
-pub(super) use complex::{argument, at_angle, size};
 pub(super) use cross::{Cross, Steering, cross_field};
 pub(super) use cut::cut_sides;
-pub(super) use frames::Frames;
+pub(super) use frames::{Frames, argument};

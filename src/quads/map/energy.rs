@@ -9,9 +9,11 @@
 //! ```
 
 use super::seams::Seams;
-use crate::quads::field::{Combed, Cross, Frames, at_angle, size};
+use crate::math::{cosine, sine};
+use crate::quads::field::{Combed, Cross, Frames};
 use crate::quads::surface::Prepared;
 use crate::quads::system::SymmetricSystem;
+use std::f64::consts::TAU;
 
 /// Turn of a panel, in radians, at which half of the weight of directions applies.
 const TURN: f64 = 0.05;
@@ -155,14 +157,14 @@ fn element(
 ) -> Element {
     let h = prepared.size;
     let area = frames.area[t];
-    let turn = 2.0 * size(cross.anisotropy[t]) * h;
+    let turn = 2.0 * cross.anisotropy[t].norm_sqr().sqrt() * h;
     let stiff = 1.0 + direction * turn * turn / (turn * turn + TURN * TURN);
-    let [c, s] = at_angle(combed.angles[t]);
+    let [c, s] = [cosine, sine].map(|of| of(combed.angles[t] / TAU));
     // Gradients of the hat functions along both directions: the normal times the opposite side.
     let slopes = [0, 1, 2].map(|k| {
         let side = prepared.surface.at(t, k + 2) - prepared.surface.at(t, k + 1);
-        let [x, y] = frames.of(t, side).map(|part| part / (2.0 * area));
-        let [gx, gy] = [-y, x];
+        let side = frames.of(t, side) / (2.0 * area);
+        let [gx, gy] = [-side.im, side.re];
         [gx * c + gy * s, -gx * s + gy * c]
     });
     let mut element = Element { matrix: [[0.0; 9]; 2], right: [[0.0; 3]; 2] };

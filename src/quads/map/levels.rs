@@ -27,11 +27,6 @@ pub struct MapNotes {
     pub flipped: Vec<usize>,
     /// The level of the field: 0 follows curvature as asked, 3 not at all.
     pub level: u32,
-    /// The inner vertices where other than four quads meet: vertex of the surface, and 4 less the
-    /// number of quads.
-    pub singularities: Vec<(usize, i32)>,
-    /// Number of quads by the area of the map.
-    pub quads: f64,
     /// Number of integer unknowns that were rounded.
     pub integers: usize,
     /// Crease edges dropped because they are nearer to each other than a panel.
@@ -185,8 +180,6 @@ impl CreaseSet {
             let notes = MapNotes {
                 flipped: (0..map.corners.len()).filter(|&t| map.doubled_area(t) <= 0).collect(),
                 level: level as u32,
-                singularities: field.combed.singularities(),
-                quads: best.quads,
                 integers: relaxed.integers.count(),
                 dropped_creases: prepared.notes.dropped.len(),
             };

@@ -99,7 +99,7 @@ impl Relaxed {
     }
 
     /// Rounds at the scale for `wanted` quads times `factor`; anew with separations as long as points
-    /// or lines are thrown together, then untangled. If creases are in the way, and may be dropped,
+    /// or lines are rounded onto each other, then untangled. If creases are in the way, and may be dropped,
     /// these are returned.
     ///
     /// # Errors

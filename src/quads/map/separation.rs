@@ -1,4 +1,4 @@
-//! Pairs of integer points and lines that rounding has thrown together: singular vertices on one point,
+//! Pairs of integer points and lines that rounding has put onto each other: singular vertices on one point,
 //! or on the wrong side of a feature. Nothing unfolds a map there; so the integers between them are
 //! given before rounding again.
 
@@ -179,7 +179,7 @@ impl Finder<'_> {
         (0..2).all(|axis| self.is_integer(self.seams.corner(t, corner, axis)))
     }
 
-    /// Finds the points and lines that are thrown together with an integer point.
+    /// Finds the points and lines that are rounded onto an integer point.
     fn of_point(&self, t: usize, corner: usize, found: &mut Vec<Separation>) {
         let at = self.surface.at(t, corner);
         let vertex = self.surface.triangles[t][corner];

@@ -71,7 +71,8 @@ impl<'a> Untangling<'a> {
             .collect();
         let shape = |t: usize| {
             let sides = [1, 2].map(|k| surface.at(t, k) - surface.at(t, 0));
-            let [[a, c], [b, d]] = sides.map(|side| frames.of(t, side).map(|x| x / size));
+            let [first, second] = sides.map(|side| frames.of(t, side) / size);
+            let [a, b, c, d] = [first.re, second.re, first.im, second.im];
             let doubled = a * d - b * c;
             let (p, q) = (a - b, c - d);
             let longest = (a * a + c * c).max(b * b + d * d).max(p * p + q * q);

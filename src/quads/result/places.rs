@@ -1,27 +1,19 @@
 //! Places that the panels cannot follow, because the surface has details there smaller than a panel.
 
-use crate::math::{Vec3, mean};
-use std::collections::BTreeMap;
+use crate::math::{Cells, Vec3, mean};
 
 /// Gathers points that are nearer to each other than `near`, directly or over others, and returns the
 /// mean of each group, the largest group first.
 pub(in crate::quads) fn places(points: &[Vec3<f64>], near: f64) -> Vec<Vec3<f64>> {
     // Those that are in no group yet.
     let mut left = cells(points, near);
-    let mut take = |cell: [i64; 3], is_taken: &dyn Fn(usize) -> bool| -> Vec<usize> {
-        let cell = left.get_mut(&cell);
-        cell.map_or_else(Vec::new, |cell| cell.extract_if(.., |k| is_taken(*k)).collect())
-    };
     let mut groups: Vec<Vec<usize>> = Vec::new();
-    for first in 0..points.len() {
-        let mut group = take(cell_of(points[first], near), &|k| k == first);
+    for &first in points {
+        let mut group = left.take(first);
         let mut at = 0;
         while let Some(&k) = group.get(at) {
             at += 1;
-            for beside in cells_around(points[k], near) {
-                let is_near = |other: usize| (points[other] - points[k]).length() < near;
-                group.extend(take(beside, &is_near));
-            }
+            group.extend(left.take(points[k]));
         }
         group.sort_unstable();
         groups.push(group);
@@ -38,29 +30,17 @@ pub(in crate::quads) fn places_near(
     near: f64,
 ) -> impl Iterator<Item = Vec<usize>> {
     let cells = cells(places, near);
-    points.iter().map(move |&point| {
-        let around = cells_around(point, near).filter_map(|cell| cells.get(&cell)).flatten();
-        around.copied().filter(|&k| (places[k] - point).length() < near).collect()
-    })
+    let of_point = move |&point: &Vec3<f64>| {
+        let near = cells.near(point).filter(|(_, distance)| *distance < near);
+        near.map(|(place, _)| place).collect()
+    };
+    points.iter().map(of_point)
 }
 
-/// Points by the cells of this size in which they are.
-fn cells(points: &[Vec3<f64>], size: f64) -> BTreeMap<[i64; 3], Vec<usize>> {
-    let mut cells: BTreeMap<_, Vec<usize>> = BTreeMap::new();
-    for (k, &point) in points.iter().enumerate() {
-        cells.entry(cell_of(point, size)).or_default().push(k);
-    }
+fn cells(points: &[Vec3<f64>], reach: f64) -> Cells<usize> {
+    let mut cells = Cells::new(reach);
+    points.iter().enumerate().for_each(|(k, &point)| cells.add(point, k));
     cells
-}
-
-fn cell_of(point: Vec3<f64>, size: f64) -> [i64; 3] {
-    <[f64; 3]>::from(point).map(|x| (x / size).floor() as i64)
-}
-
-/// The cell of a point and those beside it.
-fn cells_around(point: Vec3<f64>, size: f64) -> impl Iterator<Item = [i64; 3]> {
-    let [x, y, z] = cell_of(point, size);
-    (0..27).map(move |k| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1])
 }
 
 #[cfg(test)]

@@ -1,9 +1,8 @@
 //! Whether the faces are a surface like the input: the result is checked itself, not the map from
 //! which it comes.
 
-use crate::mesh::components;
+use crate::mesh::{Mesh, Ragged, Topology, around, components};
 use crate::quads::fault::ResultFault;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// The shape of a surface as far as deformations keep it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,13 +13,6 @@ pub(in crate::quads) struct Shape {
     pub(in crate::quads) loops: usize,
     /// Number of connected parts.
     pub(in crate::quads) parts: usize,
-}
-
-/// The shape of faces, and what keeps them from being a surface: numbers of edges and of vertices.
-struct Found {
-    shape: Shape,
-    edges: usize,
-    vertices: usize,
 }
 
 /// Checks faces against those of the input. `fits` says whether a face may have its number of
@@ -36,7 +28,19 @@ pub(in crate::quads) fn verify<F: AsRef<[usize]>>(
         corners.windows(2).any(|pair| pair[0] == pair[1])
     };
     let wrong = |face: &&F| !fits(face.as_ref()) || repeats(face.as_ref());
-    let found = examine(faces);
+    let mesh = as_mesh(faces);
+    let topology = Topology::new(&mesh);
+    let found = shape(&mesh, &topology);
+    let is_wrong_edge = |&e: &u32| match topology.edge_faces().row(e as usize) {
+        [_] => false,
+        [_, _] => topology.agreement(e) < 0.0,
+        _ => true,
+    };
+    let is_wrong_vertex = |&v: &u32| {
+        !topology.vertex_faces().row(v as usize).is_empty() && around(&mesh, &topology, v).is_none()
+    };
+    let edges = (0..topology.edges().len() as u32).filter(is_wrong_edge).count();
+    let vertices = (0..mesh.positions.len() as u32).filter(is_wrong_vertex).count();
     let mut faults = Vec::new();
     let mut count = |count: usize, fault: fn(usize) -> ResultFault| {
         if count > 0 {
@@ -44,121 +48,47 @@ pub(in crate::quads) fn verify<F: AsRef<[usize]>>(
         }
     };
     count(faces.iter().filter(wrong).count(), |count| ResultFault::Face { count });
-    count(found.edges, |count| ResultFault::Edge { count });
-    count(found.vertices, |count| ResultFault::Vertex { count });
-    if found.shape.loops != expected.loops {
-        faults.push(ResultFault::Loops { expected: expected.loops, found: found.shape.loops });
+    count(edges, |count| ResultFault::Edge { count });
+    count(vertices, |count| ResultFault::Vertex { count });
+    if found.loops != expected.loops {
+        faults.push(ResultFault::Loops { expected: expected.loops, found: found.loops });
     }
-    if found.shape.euler != expected.euler {
-        faults.push(ResultFault::Euler { expected: expected.euler, found: found.shape.euler });
+    if found.euler != expected.euler {
+        faults.push(ResultFault::Euler { expected: expected.euler, found: found.euler });
     }
     // A torus would otherwise be no faces at all, which have as many loops and the same Euler number.
-    if found.shape.parts != expected.parts {
-        faults.push(ResultFault::Parts { expected: expected.parts, found: found.shape.parts });
+    if found.parts != expected.parts {
+        faults.push(ResultFault::Parts { expected: expected.parts, found: found.parts });
     }
-    (found.shape, faults)
+    (found, faults)
 }
 
 impl Shape {
     /// The shape of faces that are a surface.
     pub(in crate::quads) fn of<F: AsRef<[usize]>>(faces: &[F]) -> Shape {
-        examine(faces).shape
+        let mesh = as_mesh(faces);
+        shape(&mesh, &Topology::new(&mesh))
     }
 }
 
-fn examine<F: AsRef<[usize]>>(faces: &[F]) -> Found {
-    // Each side as its lower end, its higher end, and whether it ascends.
-    let mut sides: Vec<(usize, usize, bool)> = Vec::new();
-    // At each corner the nodes before and after it, counterclockwise around it.
-    let mut corners: Vec<(usize, usize, usize)> = Vec::new();
-    for face in faces {
-        let face = face.as_ref();
-        let count = face.len();
-        for k in 0..count {
-            let (a, b) = (face[k], face[(k + 1) % count]);
-            sides.push((a.min(b), a.max(b), a < b));
-            corners.push((a, b, face[(k + count - 1) % count]));
-        }
-    }
-    sides.sort_unstable();
-    let (mut edges, mut wrong_edges) = (0, 0);
-    let mut outer: Vec<(usize, usize)> = Vec::new();
-    for same in sides.chunk_by(|x, y| (x.0, x.1) == (y.0, y.1)) {
-        edges += 1;
-        match *same {
-            [(a, b, ascends)] => outer.push(if ascends { (a, b) } else { (b, a) }),
-            [(_, _, first), (_, _, second)] if first != second => {}
-            _ => wrong_edges += 1,
-        }
-    }
-    corners.sort_unstable();
-    let (mut vertices, mut wrong_vertices) = (0, 0);
-    for around in corners.chunk_by(|x, y| x.0 == y.0) {
-        vertices += 1;
-        if !is_fan(around) {
-            wrong_vertices += 1;
-        }
-    }
-    let euler = vertices - edges + faces.len() as i64;
-    let shape = Shape { euler, loops: loops(outer), parts: parts(faces) };
-    Found { shape, edges: wrong_edges, vertices: wrong_vertices }
+/// The faces as a mesh, of which only the connectivity counts.
+fn as_mesh<F: AsRef<[usize]>>(faces: &[F]) -> Mesh {
+    let corners = |face: &F| face.as_ref().iter().map(|&v| v as u32).collect::<Vec<u32>>();
+    let faces: Ragged = faces.iter().map(corners).collect();
+    let count = faces.indices().iter().max().map_or(0, |&last| last as usize + 1);
+    Mesh { positions: vec![[0.0; 3]; count], faces, ..Mesh::default() }
 }
 
-/// Number of parts whose faces share vertices.
-fn parts<F: AsRef<[usize]>>(faces: &[F]) -> usize {
-    let faces: Vec<Vec<u32>> =
-        faces.iter().map(|face| face.as_ref().iter().map(|&node| node as u32).collect()).collect();
-    let count = faces.iter().flatten().max().map_or(0, |&last| last as usize + 1);
-    let part_of = components(count, faces.iter().map(Vec::as_slice));
-    let mut parts: Vec<u32> = faces.iter().flatten().map(|&v| part_of[v as usize]).collect();
-    parts.sort_unstable();
-    parts.dedup();
-    parts.len()
-}
-
-/// Whether the corners at a vertex, with the next and the last node of their faces, follow each other
-/// in one fan.
-fn is_fan(around: &[(usize, usize, usize)]) -> bool {
-    // The corner whose face comes next counterclockwise begins where this one ends.
-    let mut begins = BTreeMap::new();
-    for (corner, &(_, first, _)) in around.iter().enumerate() {
-        begins.entry(first).or_insert(corner);
+fn shape(mesh: &Mesh, topology: &Topology) -> Shape {
+    let count = mesh.positions.len();
+    let unused = topology.vertex_faces().iter().filter(|faces| faces.is_empty()).count();
+    // Parts share vertices; each unused one would be another.
+    let parts = components(count, mesh.faces.iter()).into_iter().max().map_or(0, |last| last + 1);
+    Shape {
+        euler: (count - unused + mesh.faces.len()) as i64 - topology.edges().len() as i64,
+        loops: topology.boundary_loops().len(),
+        parts: parts as usize - unused,
     }
-    let ends: BTreeSet<usize> = around.iter().map(|&(_, _, last)| last).collect();
-    let start = around.iter().position(|(_, first, _)| !ends.contains(first)).unwrap_or(0);
-    let (mut at, mut walked) = (start, 1);
-    while let Some(&next) = begins.get(&around[at].2) {
-        if next == start || walked > around.len() {
-            break;
-        }
-        at = next;
-        walked += 1;
-    }
-    walked == around.len()
-}
-
-/// Number of loops of directed boundary sides.
-fn loops(mut sides: Vec<(usize, usize)>) -> usize {
-    sides.sort_unstable();
-    let mut walked = vec![false; sides.len()];
-    let mut count = 0;
-    for first in 0..sides.len() {
-        let mut at = first;
-        let mut is_new = false;
-        while !walked[at] {
-            walked[at] = true;
-            is_new = true;
-            let end = sides[at].1;
-            let from = sides.partition_point(|side| side.0 < end);
-            let next = (from..sides.len()).take_while(|&k| sides[k].0 == end);
-            match next.into_iter().find(|&k| !walked[k]) {
-                Some(next) => at = next,
-                None => break,
-            }
-        }
-        count += usize::from(is_new);
-    }
-    count
 }
 
 #[cfg(test)]

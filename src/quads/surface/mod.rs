@@ -9,11 +9,10 @@
 //! | `features` | creases |
 //! | `refine` | subdivision |
 //! | `chains` | feature chains, their corners and tangents |
-//! | `cones` | sharp wedges between features |
+//! | `wedges` | sharp wedges between features |
 //! | `prepare` | all of these, for panels of one size |
 
 mod chains;
-mod cones;
 mod edges;
 mod features;
 mod input;
@@ -21,11 +20,11 @@ mod openings;
 mod prepare;
 mod refine;
 mod slivers;
+mod wedges;
 
 pub(super) use edges::Edges;
 pub(super) use input::Tensor;
-pub use input::{InputParts, InputSurface, LeftPart};
+pub use input::{InputParts, InputSurface, StayingPart};
 pub use openings::Opening;
 pub(super) use openings::SHORTEST_LOOP;
-pub(super) use prepare::MOST_PANELS;
 pub use prepare::{PrepareNotes, Prepared};

@@ -2,19 +2,18 @@
 //! (sections 4.1 and 4.2 of `reference/quads.md`).
 
 use super::chains::Chains;
-use super::cones::cones;
 use super::edges::Edges;
 use super::features;
 use super::input::{InputSurface, Tensor};
 use super::openings::{Opening, SHORTEST_LOOP};
 use super::refine::{Line, Refined};
+use super::wedges::wedges;
 use crate::math::Vec3;
+use crate::quads::options::MOST_PANELS;
 use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
 
 /// Connected creases shorter than this many panels are noise.
 const SHORTEST_CREASE: f64 = 6.0;
-/// More panels than this are refused.
-pub(in crate::quads) const MOST_PANELS: f64 = 100_000.0;
 
 /// A connected surface, ready for its field.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +27,7 @@ pub struct Prepared {
     /// `#T by 3`: for feature sides the tangent of the feature, in the direction of the side.
     pub(crate) tangents: Vec<[Vec3<f64>; 3]>,
     /// `#T`: a direction of the field given by a sharp wedge.
-    pub(crate) cones: Vec<Option<Vec3<f64>>>,
+    pub(crate) wedges: Vec<Option<Vec3<f64>>>,
     /// What the panels cannot follow.
     pub notes: PrepareNotes,
 }
@@ -56,7 +55,7 @@ impl Prepared {
             edges.sides[e].iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
         }
         // Beside a crease that is dropped there is no wedge.
-        let cones = cones(&surface, size);
+        let wedges = wedges(&surface, size);
         let of_side = |t: usize| {
             [0, 1, 2].map(|k| {
                 let e = edges.of_side[t][k];
@@ -65,7 +64,7 @@ impl Prepared {
             })
         };
         let tangents = (0..surface.triangles.len()).map(of_side).collect();
-        Prepared { surface, size, tensors, tangents, cones, notes }
+        Prepared { surface, size, tensors, tangents, wedges, notes }
     }
 
     /// The same surface without the connected creases on which these sides lie: the grid cannot
@@ -107,17 +106,12 @@ pub struct PrepareNotes {
 }
 
 impl InputSurface {
-    /// Prepares the surface for panels of the side `size`.
+    /// Prepares the surface for panels of the side `size`. Openings less than `longest_loop` panels around
+    /// are covered, as far as they can be; those of less than two have to be.
     ///
     /// # Errors
     /// If the size is out of range for this surface.
-    pub fn prepare(&self, size: f64, options: &MapOptions) -> Result<Prepared, RemeshError> {
-        self.prepare_over(SHORTEST_LOOP, size, options)
-    }
-
-    /// The same, with openings covered that are less than this many panels around, as far as they can
-    /// be.
-    pub(crate) fn prepare_over(
+    pub fn prepare(
         &self,
         longest_loop: f64,
         size: f64,

@@ -19,7 +19,7 @@ struct Wedge {
 
 /// Returns the direction of the field in the triangles of sharp wedges within the length `size` of
 /// their vertex, `#T`.
-pub(super) fn cones(surface: &Triangulation, size: f64) -> Vec<Option<Vec3<f64>>> {
+pub(super) fn wedges(surface: &Triangulation, size: f64) -> Vec<Option<Vec3<f64>>> {
     let mut directions = vec![None; surface.triangles.len()];
     for side in surface.sides().filter(|&side| surface.is_feature(side)) {
         let Some(wedge) = wedge(surface, side) else { continue };
