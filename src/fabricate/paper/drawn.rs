@@ -66,25 +66,12 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
     let (net, piece) = (&model.net, model.pieces[number]);
     let (outline, place) = outline(model, piece, inside);
     let mut part = CutPart { name: format!("S{}", number + 1), outline, ..CutPart::default() };
-    for &f in &net.pieces[piece as usize] {
-        for k in 0..net.facets[f as usize].corners.len() as u32 {
-            let Some(joint) = net.facets[f as usize].joints[k as usize] else { continue };
-            let own = &net.joints[joint as usize];
-            let is_drawn = match model.joint_kinds[joint as usize] {
-                // Only once, from the first of its sides.
-                JointKind::Folded => own.sides[0] == (f, k) && own.kind() != FoldKind::Flat,
-                JointKind::Tab(tab) => tab.side == OutlineSide { facet: f, side: k },
-                JointKind::Bare => false,
-            };
-            if !is_drawn {
-                continue;
-            }
-            let [p, q] = net.fold_line((f, k)).map(|point| place.put(point));
-            // A tab is folded back where its panels are coplanar too.
-            match (own.kind() != FoldKind::Valley) != inside {
-                true => part.ridges.push(vec![p, q]),
-                false => part.valleys.extend(dashes(p, q)),
-            }
+    for (side, kind) in model.scores(piece) {
+        let [p, q] = net.fold_line(side).map(|point| place.put(point));
+        // A tab is folded back where its panels are coplanar too.
+        match (kind != FoldKind::Valley) != inside {
+            true => part.ridges.push(vec![p, q]),
+            false => part.valleys.extend(dashes(p, q)),
         }
     }
     part.panels =

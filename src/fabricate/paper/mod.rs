@@ -132,6 +132,24 @@ impl PaperModel {
         }
     }
 
+    /// The sides of facets along which a piece is scored, each fold once, and how it is folded.
+    pub fn scores(&self, piece: u32) -> impl Iterator<Item = ((u32, u32), FoldKind)> {
+        let facets = self.net.pieces[piece as usize].iter();
+        let sides = facets.flat_map(|&f| {
+            (0..self.net.facets[f as usize].corners.len() as u32).map(move |k| (f, k))
+        });
+        sides.filter_map(|side| {
+            let (joint, _) = self.net.across(side)?;
+            let own = &self.net.joints[joint as usize];
+            let is_scored = match self.joint_kinds[joint as usize] {
+                JointKind::Folded => own.sides[0] == side && own.kind() != FoldKind::Flat,
+                JointKind::Tab(tab) => (tab.side.facet, tab.side.side) == side,
+                JointKind::Bare => false,
+            };
+            is_scored.then(|| (side, own.kind()))
+        })
+    }
+
     /// The tabs of a piece.
     pub fn tabs(&self, piece: u32) -> impl Iterator<Item = &Tab> {
         let joints = self.tab_joints[piece as usize].iter();
