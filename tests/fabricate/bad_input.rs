@@ -405,7 +405,8 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
     // A smaller cube beside it, which its volume alone does not show.
     let mut beside = hollow.clone();
     beside.positions[8..].iter_mut().for_each(|point| point[0] += 5.0);
-    let all = [(cube, false), (reversed, true), (hollow, false), (open, false), (beside, true)];
+    let all =
+        [(cube, false), (reversed, true), (hollow.clone(), false), (open, false), (beside, true)];
     for (mesh, is_inside_out) in all {
         let problems = build(&mesh, &BuildSettings::default()).card().problems;
         assert_eq!(problems.iter().any(|words| words.contains("inwards")), is_inside_out);
@@ -419,7 +420,11 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
     // So is one beside a vertex that has no face.
     let mut stray = two.clone();
     stray.positions.push([9.0; 3]);
-    for mesh in [&both, &stray] {
+    // And a solid with a hole, inside out as a whole.
+    let mut solid = hollow.clone();
+    solid.faces =
+        hollow.faces.iter().map(|face| face.iter().rev().copied().collect::<Vec<_>>()).collect();
+    for mesh in [&both, &stray, &solid] {
         let problems = build(mesh, &BuildSettings::default()).card().problems;
         assert!(problems[0].ends_with("apply Flip faces, in Edit mesh."), "{problems:?}");
     }
