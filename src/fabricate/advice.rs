@@ -2,7 +2,8 @@
 
 use super::beam::Frame;
 use super::build::Build;
-use super::panel::smallest_box_within;
+use super::cutting::distinct_corners;
+use super::panel::{inset, smallest_box_within};
 use super::report::BuildReport;
 use crate::scene::{BuildSettings, Product};
 use crate::words;
@@ -72,12 +73,16 @@ impl Build {
         let width = (OF_THICKNESS * thickness).max(NARROWEST);
         // Those of a type are cut alike.
         let mut tried = BTreeSet::new();
-        let mut large =
-            self.layout.too_large.iter().map(|&part| &self.parts[part]).filter(|part| {
-                let kind = part.panels.first().and_then(|&panel| self.types.of[panel as usize]);
-                kind.is_none_or(|kind| tried.insert(kind))
-            });
-        large.all(|part| self.spliced(&part.outline, width).is_some()).then(|| Advice {
+        let panels = self.layout.too_large.iter().flat_map(|&part| &self.parts[part].panels);
+        let mut large = panels
+            .filter(|&&panel| self.types.of[panel as usize].is_none_or(|kind| tried.insert(kind)));
+        // Reliefs are cut into its pieces, not into the whole panel.
+        let can_be_spliced = |&panel: &u32| {
+            let whole = self.cut[panel as usize].as_ref().map(|cut| &cut.whole);
+            let outline = whole.and_then(|whole| inset(whole, self.panel_inset()))?;
+            self.spliced(&distinct_corners(&outline), width)
+        };
+        large.all(|panel| can_be_spliced(panel).is_some()).then(|| Advice {
             words: "Panels that are larger than the sheet can be cut into pieces with plates behind their seams."
                 .to_owned(),
             choices: vec![AdvisedValue {
@@ -261,6 +266,28 @@ mod tests {
             let choices = build.advice_on_joint(&report).map_or(Vec::new(), |own| own.choices);
             assert_eq!(choices.iter().map(|own| &*own.label).collect::<Vec<_>>(), [label]);
         }
+    }
+
+    #[test]
+    fn splices_are_advised_for_a_panel_with_reliefs_if_they_make_pieces_of_it() {
+        // The spur of the notch would cross the seam, which is halfway along the panel.
+        let positions =
+            [[0.0, 0.0], [1.2, 0.0], [1.2, 0.6], [0.6025, 0.6], [0.6025, 0.3], [0.0, 0.3]];
+        let positions = positions.map(|[x, y]| [x, y, 0.0]).to_vec();
+        let faces = [[0, 1, 2, 3, 4, 5]].into_iter().collect();
+        let mesh = Mesh { positions, faces, ..Mesh::default() };
+        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+        let settings = BuildSettings {
+            sheet: [700.0, 700.0],
+            scale: 1.0,
+            tool: 6.0,
+            kerf: 6.0,
+            thickness: 4.0,
+            ..BuildSettings::default()
+        };
+        let build = Build::standing(&mesh, &settings, unit, &Stand::default()).expect("a panel");
+        let spliced = build.advice_on_pieces(&build.report()).expect("it can be cut into pieces");
+        assert_eq!(spliced.choices.len(), 1);
     }
 
     #[test]
