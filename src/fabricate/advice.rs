@@ -201,8 +201,7 @@ mod tests {
 
     fn advice(side: f64, settings: &BuildSettings) -> Vec<Advice> {
         let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
-        let build =
-            Build::standing(&ridge(side), settings, unit, &Stand::default()).expect("panels");
+        let build = Build::new(&ridge(side), settings, unit, &Stand::default()).expect("panels");
         let report = build.report();
         build.words(&report).advice
     }
@@ -236,7 +235,7 @@ mod tests {
         let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
         let advised = |own: &BuildSettings| {
             let build =
-                Build::standing(&ridge(5.0), own, unit.clone(), &Stand::default()).expect("panels");
+                Build::new(&ridge(5.0), own, unit.clone(), &Stand::default()).expect("panels");
             let report = BuildReport { least_joint_mm: [Some(1.0), Some(2.0)], ..build.report() };
             build.advice_on_joint(&report).map_or(Vec::new(), |advice| advice.choices)
         };
@@ -259,9 +258,8 @@ mod tests {
         ] {
             let unit = LengthInMetres::of(unit).expect("it is known");
             let settings = BuildSettings { scale, ..BuildSettings::default() };
-            let build =
-                Build::standing(&ridge(scale / unit.metres), &settings, unit, &Stand::default())
-                    .expect("panels");
+            let build = Build::new(&ridge(scale / unit.metres), &settings, unit, &Stand::default())
+                .expect("panels");
             let report = BuildReport { least_joint_mm: [None, Some(2.95)], ..build.report() };
             let choices = build.advice_on_joint(&report).map_or(Vec::new(), |own| own.choices);
             assert_eq!(choices.iter().map(|own| &*own.label).collect::<Vec<_>>(), [label]);
@@ -285,7 +283,7 @@ mod tests {
             thickness: 4.0,
             ..BuildSettings::default()
         };
-        let build = Build::standing(&mesh, &settings, unit, &Stand::default()).expect("a panel");
+        let build = Build::new(&mesh, &settings, unit, &Stand::default()).expect("a panel");
         let spliced = build.advice_on_pieces(&build.report()).expect("it can be cut into pieces");
         assert_eq!(spliced.choices.len(), 1);
     }
@@ -302,7 +300,7 @@ mod tests {
             let product = Product::Fins;
             let (scale, thickness) = (20.0, 6.0);
             let own = BuildSettings { distance, product, scale, thickness, ..Default::default() };
-            let build = Build::standing(&mesh, &own, unit, &Stand::default()).expect("a panel");
+            let build = Build::new(&mesh, &own, unit, &Stand::default()).expect("a panel");
             assert_eq!((build.not_cut.len(), build.layout.too_large.len()), (0, 2));
             build.advice(&build.report()).len()
         };

@@ -163,7 +163,7 @@ impl Build {
     ///
     /// # Errors
     /// If the mesh has no faces, or a setting is out of its range.
-    pub fn standing(
+    pub fn new(
         mesh: &Mesh,
         settings: &BuildSettings,
         unit: LengthInMetres,

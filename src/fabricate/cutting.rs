@@ -5,7 +5,7 @@ use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, Splice, beam_name, node_name};
 use super::fault::Fault;
 use super::panel::{
-    PieceSide, Plate, Spliced, check_size, corners, inset, is_simple, smallest_box,
+    PieceSide, SplicePlate, Spliced, check_size, corners, inset, is_simple, smallest_box,
     smallest_box_within, spliced,
 };
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
@@ -158,7 +158,7 @@ impl Build {
             });
         }
         let half = 0.5 * self.settings.kerf;
-        for Plate { pieces, axis, corners: [low, high], seam } in plates {
+        for SplicePlate { pieces, axis, corners: [low, high], seam } in plates {
             let [one, other] = pieces.map(|k| k + 1);
             let part = self.parts.len();
             let [from, to] = [low.map(|x| x - half), high.map(|x| x + half)];

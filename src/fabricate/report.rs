@@ -161,9 +161,9 @@ const ALIKE_DEG: [f64; 6] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0];
 
 /// The number of types at each tolerance; empty for more than `MOST` items, where this would
 /// dominate the time.
-fn curve(tolerances: &[f64], things: usize, types: impl Fn(f64) -> Types) -> Vec<[f64; 2]> {
+fn curve(tolerances: &[f64], items: usize, types: impl Fn(f64) -> Types) -> Vec<[f64; 2]> {
     const MOST: usize = 5000;
-    let tolerances = tolerances.iter().take(if things > MOST { 0 } else { tolerances.len() });
+    let tolerances = tolerances.iter().take(if items > MOST { 0 } else { tolerances.len() });
     tolerances.map(|&at| [at, types(at).leaders.len() as f64]).collect()
 }
 

@@ -27,8 +27,8 @@ fn points_and_curves_have_no_panels() {
     for (mesh, what) in
         [(points, "points"), (curves, "curves"), (tets, "tetrahedra"), (none, "points")]
     {
-        let fault = Build::standing(&mesh, &BuildSettings::default(), metres(), &Stand::default())
-            .unwrap_err();
+        let fault =
+            Build::new(&mesh, &BuildSettings::default(), metres(), &Stand::default()).unwrap_err();
         assert!(fault.0.contains(what) && fault.0.contains("expected"), "{fault}");
     }
 }
@@ -156,7 +156,7 @@ fn settings_out_of_range_are_named() {
         (BuildSettings { distance: Some(0.0), ..BuildSettings::default() }, "build.distance"),
         (BuildSettings { margin: 200.0, ..BuildSettings::default() }, "build.margin"),
     ] {
-        let fault = Build::standing(&mesh, &settings, metres(), &Stand::default()).unwrap_err();
+        let fault = Build::new(&mesh, &settings, metres(), &Stand::default()).unwrap_err();
         assert!(fault.0.starts_with(key) && fault.0.contains("expected"), "{fault}");
     }
 }
@@ -177,7 +177,7 @@ fn real_and_awkward_meshes_are_built_without_a_panic() {
                 continue;
             }
             let own = BuildSettings { kind: Some(OffsetKind::Face), ..BuildSettings::default() };
-            if let Ok(made) = Build::standing(&read.mesh, &own, metres(), &Stand::default()) {
+            if let Ok(made) = Build::new(&read.mesh, &own, metres(), &Stand::default()) {
                 let text = serde_json::to_string(&made.report()).unwrap();
                 assert!(!text.contains("NaN"), "{}", path.display());
                 assert!(super::without_nan(&made));

@@ -379,9 +379,7 @@ fn real_and_awkward_meshes_are_folded_without_a_panic() {
             }
             for product in [Product::Fins, Product::Paper] {
                 let own = BuildSettings { product, ..settings(Pieces::Strips) };
-                if let Ok(made) =
-                    Build::standing(&read.mesh, &own, super::metres(), &Stand::default())
-                {
+                if let Ok(made) = Build::new(&read.mesh, &own, super::metres(), &Stand::default()) {
                     let text = serde_json::to_string(&made.report()).unwrap();
                     assert!(!text.contains("NaN"), "{}", path.display());
                     assert!(super::without_nan(&made));

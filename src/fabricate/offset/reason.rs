@@ -9,9 +9,6 @@ use crate::words;
 /// Turns below this, in degrees, are due to rounding or the solver's tolerance.
 const CLOSED: f64 = 0.01;
 
-/// The tolerance of exact axes in words.
-const BEYOND: &str = "more than a tenth of the limits, even as nearly as possible";
-
 /// Why axes are not exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::fabricate) enum Reason {
@@ -104,11 +101,15 @@ impl Reason {
             }
             Reason::Distance(vertex) => {
                 let name = node_name(vertex);
-                return format!("at node {name} the distance is off by {BEYOND}");
+                return format!(
+                    "the axes nearest to exact leave node {name} off its distance by more than a tenth of the limits"
+                );
             }
             Reason::Warp(ends) => {
                 let name = beam_name(ends);
-                return format!("beam {name} is out of flat by {BEYOND}");
+                return format!(
+                    "the axes nearest to exact leave beam {name} out of flat by more than a tenth of the limits"
+                );
             }
             Reason::OddRim => {
                 "a rim has an odd number of edges: axes close around it only in special shapes"
