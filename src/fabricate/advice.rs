@@ -2,7 +2,8 @@
 
 use super::beam::Frame;
 use super::build::Build;
-use super::panel::smallest_box_within;
+use super::cutting::distinct_corners;
+use super::panel::{inset, smallest_box_within};
 use super::report::BuildReport;
 use crate::scene::{BuildSettings, Product};
 use crate::words;
@@ -72,12 +73,16 @@ impl Build {
         let width = (OF_THICKNESS * thickness).max(NARROWEST);
         // Those of a type are cut alike.
         let mut tried = BTreeSet::new();
-        let mut large =
-            self.layout.too_large.iter().map(|&part| &self.parts[part]).filter(|part| {
-                let kind = part.panels.first().and_then(|&panel| self.types.of[panel as usize]);
-                kind.is_none_or(|kind| tried.insert(kind))
-            });
-        large.all(|part| self.spliced(&part.outline, width).is_some()).then(|| Advice {
+        let panels = self.layout.too_large.iter().flat_map(|&part| &self.parts[part].panels);
+        let mut large = panels
+            .filter(|&&panel| self.types.of[panel as usize].is_none_or(|kind| tried.insert(kind)));
+        // Reliefs are cut into its pieces, not into the whole panel.
+        let can_be_spliced = |&panel: &u32| {
+            let whole = self.cut[panel as usize].as_ref().map(|cut| &cut.whole);
+            let outline = whole.and_then(|whole| inset(whole, self.panel_inset()))?;
+            self.spliced(&distinct_corners(&outline), width)
+        };
+        large.all(|panel| can_be_spliced(panel).is_some()).then(|| Advice {
             words: "Panels that are larger than the sheet can be cut into pieces with plates behind their seams."
                 .to_owned(),
             choices: vec![AdvisedValue {
@@ -196,8 +201,7 @@ mod tests {
 
     fn advice(side: f64, settings: &BuildSettings) -> Vec<Advice> {
         let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
-        let build =
-            Build::standing(&ridge(side), settings, unit, &Stand::default()).expect("panels");
+        let build = Build::new(&ridge(side), settings, unit, &Stand::default()).expect("panels");
         let report = build.report();
         build.words(&report).advice
     }
@@ -231,7 +235,7 @@ mod tests {
         let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
         let advised = |own: &BuildSettings| {
             let build =
-                Build::standing(&ridge(5.0), own, unit.clone(), &Stand::default()).expect("panels");
+                Build::new(&ridge(5.0), own, unit.clone(), &Stand::default()).expect("panels");
             let report = BuildReport { least_joint_mm: [Some(1.0), Some(2.0)], ..build.report() };
             build.advice_on_joint(&report).map_or(Vec::new(), |advice| advice.choices)
         };
@@ -254,13 +258,34 @@ mod tests {
         ] {
             let unit = LengthInMetres::of(unit).expect("it is known");
             let settings = BuildSettings { scale, ..BuildSettings::default() };
-            let build =
-                Build::standing(&ridge(scale / unit.metres), &settings, unit, &Stand::default())
-                    .expect("panels");
+            let build = Build::new(&ridge(scale / unit.metres), &settings, unit, &Stand::default())
+                .expect("panels");
             let report = BuildReport { least_joint_mm: [None, Some(2.95)], ..build.report() };
             let choices = build.advice_on_joint(&report).map_or(Vec::new(), |own| own.choices);
             assert_eq!(choices.iter().map(|own| &*own.label).collect::<Vec<_>>(), [label]);
         }
+    }
+
+    #[test]
+    fn splices_are_advised_for_a_panel_with_reliefs_if_they_make_pieces_of_it() {
+        // The spur of the notch would cross the seam, which is halfway along the panel.
+        let positions =
+            [[0.0, 0.0], [1.2, 0.0], [1.2, 0.6], [0.6025, 0.6], [0.6025, 0.3], [0.0, 0.3]];
+        let positions = positions.map(|[x, y]| [x, y, 0.0]).to_vec();
+        let faces = [[0, 1, 2, 3, 4, 5]].into_iter().collect();
+        let mesh = Mesh { positions, faces, ..Mesh::default() };
+        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+        let settings = BuildSettings {
+            sheet: [700.0, 700.0],
+            scale: 1.0,
+            tool: 6.0,
+            kerf: 6.0,
+            thickness: 4.0,
+            ..BuildSettings::default()
+        };
+        let build = Build::new(&mesh, &settings, unit, &Stand::default()).expect("a panel");
+        let spliced = build.advice_on_pieces(&build.report()).expect("it can be cut into pieces");
+        assert_eq!(spliced.choices.len(), 1);
     }
 
     #[test]
@@ -275,7 +300,7 @@ mod tests {
             let product = Product::Fins;
             let (scale, thickness) = (20.0, 6.0);
             let own = BuildSettings { distance, product, scale, thickness, ..Default::default() };
-            let build = Build::standing(&mesh, &own, unit, &Stand::default()).expect("a panel");
+            let build = Build::new(&mesh, &own, unit, &Stand::default()).expect("a panel");
             assert_eq!((build.not_cut.len(), build.layout.too_large.len()), (0, 2));
             build.advice(&build.report()).len()
         };

@@ -37,7 +37,7 @@ pub struct Types {
 impl Types {
     /// Sorts items into types within `tolerance`; with `mirror`, mirror images are alike.
     pub(super) fn new<T: Alike>(
-        things: impl Iterator<Item = Option<T>>,
+        items: impl Iterator<Item = Option<T>>,
         tolerance: f64,
         mirror: bool,
     ) -> Types {
@@ -45,16 +45,16 @@ impl Types {
         let mut leaders: Vec<T> = Vec::new();
         // For each count, a box around the key of each leader, in which are those of its candidates.
         let mut sorted: BTreeMap<usize, Boxes> = BTreeMap::new();
-        for (thing, number) in things.zip(0..) {
-            let Some(thing) = thing else {
+        for (item, number) in items.zip(0..) {
+            let Some(item) = item else {
                 types.of.push(None);
                 continue;
             };
-            let key = thing.key();
-            let near = sorted.entry(thing.count()).or_default();
+            let key = item.key();
+            let near = sorted.entry(item.count()).or_default();
             let mut nearest: Option<(f64, u32)> = None;
             for kind in near.meeting([key; 2]) {
-                let difference = thing.difference(&leaders[kind as usize], mirror, tolerance);
+                let difference = item.difference(&leaders[kind as usize], mirror, tolerance);
                 if difference <= tolerance && nearest.is_none_or(|best| (difference, kind) < best) {
                     nearest = Some((difference, kind));
                 }
@@ -63,7 +63,7 @@ impl Types {
                 let kind = leaders.len() as u32;
                 let around = |by: f64| key.map(|x| x + by * (tolerance + ROUNDING * x.abs()));
                 near.insert(kind, [around(-1.0), around(1.0)]);
-                leaders.push(thing);
+                leaders.push(item);
                 types.leaders.push(number);
                 types.counts.push(0);
                 types.worst.push(0.0);

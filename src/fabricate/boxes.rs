@@ -111,7 +111,6 @@ mod tests {
         }
     }
 
-    /// In a grid over the whole extent, all others were in one cell.
     #[test]
     fn beside_a_part_far_away_few_boxes_are_looked_at() {
         let own = |k: u32| [k % 100, k / 100].map(f64::from);

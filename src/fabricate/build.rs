@@ -163,7 +163,7 @@ impl Build {
     ///
     /// # Errors
     /// If the mesh has no faces, or a setting is out of its range.
-    pub fn standing(
+    pub fn new(
         mesh: &Mesh,
         settings: &BuildSettings,
         unit: LengthInMetres,
@@ -232,7 +232,7 @@ impl Build {
         self.layout.sheets.len() as u64 * Tiling::of(sheet, page.size()).count()
     }
 
-    /// The page size of the PDF: that which was asked for, unless nobody would glue so many pages.
+    /// The page size of the PDF: that which was asked for, unless they are too many.
     pub(super) fn printed_page(&self) -> Page {
         if self.pages() > MOST_PAGES_OF_ALL { Page::Sheet } else { self.settings.page }
     }

@@ -286,7 +286,8 @@ impl BuildReport {
         if !self.no_least_joint.is_empty() {
             return format!("{panels} need a joint that is not known: {}.", self.no_least_joint);
         }
-        let joint = |least: f64| format!("a joint of at least {}", words::millimetres(least));
+        let joint =
+            |least: f64| format!("a joint on the sheet of at least {}", words::millimetres(least));
         match self.least_joint_mm {
             [None, None] => format!("{panels} need no joint."),
             [Some(outside), None] => {

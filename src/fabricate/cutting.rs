@@ -5,7 +5,7 @@ use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, Splice, beam_name, node_name};
 use super::fault::Fault;
 use super::panel::{
-    PieceSide, Plate, Spliced, check_size, corners, inset, is_simple, smallest_box,
+    PieceSide, SplicePlate, Spliced, check_size, corners, inset, is_simple, smallest_box,
     smallest_box_within, spliced,
 };
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
@@ -24,6 +24,12 @@ fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
     } else {
         "it is too small for the joint"
     }
+}
+
+/// An outline without the corners that coincide with the next one.
+pub(super) fn distinct_corners(outline: &[Point2]) -> Vec<Point2> {
+    let next = outline.iter().cycle().skip(1);
+    outline.iter().zip(next).filter(|(own, next)| own != next).map(|(own, _)| *own).collect()
 }
 
 impl Build {
@@ -45,10 +51,8 @@ impl Build {
     }
 
     fn cut_panels(&mut self) {
-        let model = self.mm_of_sheet();
-        let by = 0.5 * (self.settings.joint * model - self.settings.kerf);
         for f in 0..self.flat.len() {
-            let found = self.cut_panel(f, model, by);
+            let found = self.cut_panel(f);
             if let Err(why) = found {
                 let is_part = self.flat[f].is_some();
                 self.not_cut.push(NotCut { part: self.names[f].clone(), why, is_part });
@@ -57,7 +61,13 @@ impl Build {
         }
     }
 
-    fn cut_panel(&mut self, f: usize, model: f64, by: f64) -> Result<CutPanel, &'static str> {
+    /// How far the sides of a panel are moved inwards for its outline, in mm.
+    pub(super) fn panel_inset(&self) -> f64 {
+        0.5 * (self.settings.joint * self.mm_of_sheet() - self.settings.kerf)
+    }
+
+    fn cut_panel(&mut self, f: usize) -> Result<CutPanel, &'static str> {
+        let (model, by) = (self.mm_of_sheet(), self.panel_inset());
         let flat = self.flat[f].as_ref().ok_or("it has no area")?;
         let scaled: Vec<Point2> =
             flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
@@ -76,13 +86,12 @@ impl Build {
             let names: Vec<&str> = met.map(|other| &*self.names[other as usize]).collect();
             (!names.is_empty()).then(|| names.join("/"))
         };
-        // A corner that coincides with the next one is dropped.
         let n = outline.len();
-        let has_first_side = outline[0] != outline[1 % n];
-        let (outline, neighbours) = (0..n)
-            .filter(|&k| outline[k] != outline[(k + 1) % n])
-            .map(|k| (outline[k], across(self.surface.sides.row(f)[k])))
-            .unzip();
+        let has_side = |k: usize| outline[k] != outline[(k + 1) % n];
+        let has_first_side = has_side(0);
+        let sides = self.surface.sides.row(f).iter().zip(0..).filter(|(_, k)| has_side(*k));
+        let neighbours = sides.map(|(&e, _)| across(e)).collect();
+        let outline = distinct_corners(&outline);
         let (name, panels) = (self.names[f].clone(), vec![f as u32]);
         let part =
             CutPart { name, panels, outline, neighbours, has_first_side, ..CutPart::default() };
@@ -149,7 +158,7 @@ impl Build {
             });
         }
         let half = 0.5 * self.settings.kerf;
-        for Plate { pieces, axis, corners: [low, high], seam } in plates {
+        for SplicePlate { pieces, axis, corners: [low, high], seam } in plates {
             let [one, other] = pieces.map(|k| k + 1);
             let part = self.parts.len();
             let [from, to] = [low.map(|x| x - half), high.map(|x| x + half)];

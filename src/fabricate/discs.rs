@@ -2,7 +2,7 @@
 //! `beam/disc`.
 
 use super::beam::{Disc, DiscSize, Slot};
-use super::build::{Build, CutDisc, NotCut, beam_name, node_name};
+use super::build::{Build, CutDisc, NotCut, node_name};
 use super::fault::Fault;
 use super::panel::inset;
 use super::sheet::{CutPart, Hole, Labels, SlotName, circle, label_disc};
@@ -84,7 +84,7 @@ impl Build {
             let ends = self.surface.edges[slot.edge as usize].ends;
             let other = if ends[0] == disc.vertex { ends[1] } else { ends[0] };
             let corners = slot.corners.map(|corner| corner.map(|x| x * model));
-            SlotName { corners, names: [beam_name(ends), node_name(other)] }
+            SlotName { corners, name: node_name(other) }
         };
         let slots: Vec<SlotName> = disc.slots.iter().map(of_slot).collect();
         label_disc((&part.outline, &part.holes), &part.name, &slots, turn)

@@ -6,22 +6,18 @@ use crate::math::{Vec3, angle_between};
 use crate::mesh::components;
 
 impl PanelSurface {
-    /// Whether all parts are closed and their panels face inwards, so that all panels are to be flipped;
-    /// none if those of no closed part do. They do where it encloses a negative volume, and its box does
+    /// Whether all panels are to be flipped, since all parts are closed and then none faces inwards; none
+    /// if the panels of no closed part do. They do where it encloses a negative volume, and its box does
     /// not lie in that of a larger closed part, whose hollow it would be.
     pub fn inside_out(&self) -> Option<bool> {
         if self.one_sided.is_some() {
             return None;
         }
-        let shells = self.shells();
-        let contains = |outer: &Shell, inner: &Shell| {
-            outer.is_closed
-                && outer.volume > inner.volume.abs()
-                && (0..3).all(|k| outer.low[k] <= inner.low[k] && inner.high[k] <= outer.high[k])
-        };
-        let is_hollow = |own: &Shell| shells.iter().any(|outer| contains(outer, own));
-        let faces_inwards = |own: &Shell| own.is_closed && own.volume < 0.0 && !is_hollow(own);
-        shells.iter().any(faces_inwards).then(|| shells.iter().all(faces_inwards))
+        let mut shells = self.shells();
+        any_inwards(&shells).then(|| {
+            shells.iter_mut().for_each(|own| own.volume = -own.volume);
+            shells.iter().all(|own| own.is_closed) && !any_inwards(&shells)
+        })
     }
 
     /// The parts of panels that are connected across edges.
@@ -71,6 +67,17 @@ impl PanelSurface {
     }
 }
 
+/// Whether the panels of some closed part face inwards.
+fn any_inwards(shells: &[Shell]) -> bool {
+    let contains = |outer: &Shell, inner: &Shell| {
+        outer.is_closed
+            && outer.volume > inner.volume.abs()
+            && (0..3).all(|k| outer.low[k] <= inner.low[k] && inner.high[k] <= outer.high[k])
+    };
+    let is_hollow = |own: &Shell| shells.iter().any(|outer| contains(outer, own));
+    shells.iter().any(|own| own.is_closed && own.volume < -own.rounding() && !is_hollow(own))
+}
+
 /// Panels that are connected across edges.
 #[derive(Clone, Debug)]
 pub(super) struct Shell {
@@ -81,6 +88,14 @@ pub(super) struct Shell {
     /// Its bounding box.
     low: [f64; 3],
     high: [f64; 3],
+}
+
+impl Shell {
+    /// Smaller volumes are rounding errors: of two flat layers joined at their rim, for instance.
+    fn rounding(&self) -> f64 {
+        let diagonal = Vec3::from(self.high) - Vec3::from(self.low);
+        1e-9 * diagonal.length() * diagonal.dot(diagonal)
+    }
 }
 
 impl Default for Shell {

@@ -131,7 +131,7 @@ impl Fault {
             ),
         };
         Fault(format!(
-            "{what}, so panels can still be cut and folded; offsets and beams are not available"
+            "{what}: panels can still be cut and folded; offsets and beams are not available"
         ))
     }
 }

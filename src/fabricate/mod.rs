@@ -38,7 +38,7 @@
 //! | `tighten` | suggestions that the solver offers |
 //! | `report` | the report with all numbers |
 //! | `report_page` | the report as an HTML document of one page |
-//! | `sight` | directions of view, and where vertices are seen |
+//! | `view_axes` | directions of view, and where vertices are seen |
 //! | `key` | drawings that say where each part goes |
 //! | `tables` | lists of panels, splice plates, beams, pieces, edges, nodes and types |
 //! | `space` | the shape with its offset and beams in space |
@@ -71,12 +71,12 @@ mod relief;
 mod report;
 mod report_page;
 pub mod sheet;
-mod sight;
 mod space;
 mod surface;
 mod tables;
 mod tighten;
 mod unit;
+mod view_axes;
 
 pub use advice::{Advice, AdvisedValue};
 pub use alike::Types;

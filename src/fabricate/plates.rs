@@ -10,7 +10,7 @@ use crate::math::plane::Point2;
 
 /// A plate: the faces over the points, counterclockwise seen from outside.
 #[derive(Clone, Debug)]
-pub(super) struct Plate {
+pub(super) struct Solid {
     /// The name of the part.
     pub name: String,
     /// About the centre of the surface, in the unit of the mesh.
@@ -19,10 +19,10 @@ pub(super) struct Plate {
     pub faces: Vec<Vec<u32>>,
 }
 
-impl Plate {
+impl Solid {
     /// A plate of an outline, of which `put` places a point on the lower side and on the upper. Corners
     /// that coincide are one point.
-    fn new(name: String, outline: &[Point2], put: impl Fn(Point2) -> [Vec3<f64>; 2]) -> Plate {
+    fn new(name: String, outline: &[Point2], put: impl Fn(Point2) -> [Vec3<f64>; 2]) -> Solid {
         let mut corners: Vec<Point2> = Vec::new();
         let number = |corner: &Point2| {
             corners.iter().position(|own| own == corner).unwrap_or_else(|| {
@@ -47,13 +47,13 @@ impl Plate {
                 faces.push(vec![a, b, n + b, n + a]);
             }
         }
-        Plate { name, points: points.collect(), faces }
+        Solid { name, points: points.collect(), faces }
     }
 }
 
 impl Build {
     /// The fins and the discs, as assembled; empty without discs.
-    pub(super) fn plates(&self) -> [Vec<Plate>; 2] {
+    pub(super) fn plates(&self) -> [Vec<Solid>; 2] {
         let (Some(frame), Some((axes, _))) = (&self.frame, &self.offset) else {
             return [Vec::new(), Vec::new()];
         };
@@ -70,19 +70,19 @@ impl Build {
                 [point - aside, point + aside]
             };
             let name = beam_name(self.surface.edges[edge as usize].ends);
-            Some(Plate::new(name, &fin.cut, put))
+            Some(Solid::new(name, &fin.cut, put))
         });
         let discs = self.discs.iter().filter_map(|own| self.placed(frame, own.vertex, thickness));
         [fins.collect(), discs.collect()]
     }
 
-    fn placed(&self, frame: &Frame, vertex: u32, thickness: f64) -> Option<Plate> {
+    fn placed(&self, frame: &Frame, vertex: u32, thickness: f64) -> Option<Solid> {
         let node = frame.nodes[vertex as usize].as_ref()?;
         let disc: &Disc = frame.discs[vertex as usize].as_ref()?.as_ref().ok()?;
         let other = disc.seat + self.distance().signum() * thickness;
         let heights = [disc.seat.min(other), disc.seat.max(other)];
         let put =
             |point: Point2| heights.map(|height| disc.in_space(&self.surface, node, point, height));
-        Some(Plate::new(node_name(vertex), &as_one_polygon(disc), put))
+        Some(Solid::new(node_name(vertex), &as_one_polygon(disc), put))
     }
 }

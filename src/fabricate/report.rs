@@ -10,7 +10,7 @@ use super::panel::{panel_types, perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, Hole, NamePlace, Place, Sheet};
 use super::surface::distinct;
-use crate::scene::{OffsetKind, Product};
+use crate::scene::{BuildSettings, OffsetKind, Product};
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -161,9 +161,9 @@ const ALIKE_DEG: [f64; 6] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0];
 
 /// The number of types at each tolerance; empty for more than `MOST` items, where this would
 /// dominate the time.
-fn curve(tolerances: &[f64], things: usize, types: impl Fn(f64) -> Types) -> Vec<[f64; 2]> {
+fn curve(tolerances: &[f64], items: usize, types: impl Fn(f64) -> Types) -> Vec<[f64; 2]> {
     const MOST: usize = 5000;
-    let tolerances = tolerances.iter().take(if things > MOST { 0 } else { tolerances.len() });
+    let tolerances = tolerances.iter().take(if items > MOST { 0 } else { tolerances.len() });
     tolerances.map(|&at| [at, types(at).leaders.len() as f64]).collect()
 }
 
@@ -287,12 +287,15 @@ impl Build {
         self.layout.sheets.iter().map(of_sheet).fold(0.0, |a, b| a + b)
     }
 
-    /// Width and height, in whole mm, of a sheet for the parts that are too large; none if all fit.
+    /// Width and height, in whole mm, of a sheet for the parts that are too large; none if all fit, or
+    /// no sheet may be that large.
     fn larger_sheet(&self) -> Option<[f64; 2]> {
         let box_of = |&part: &usize| smallest_box(&self.parts[part].outline).1;
         let boxes = self.layout.too_large.iter().map(box_of);
         let size = boxes.reduce(|[a, b], [c, d]| [a.max(c), b.max(d)])?;
-        Some(size.map(|side| (side + 2.0 * self.settings.margin - 1e-6).ceil()))
+        let sheet = size.map(|side| (side + 2.0 * self.settings.margin - 1e-6).ceil());
+        let settings = BuildSettings { sheet, ..self.settings.clone() };
+        settings.check().is_ok().then_some(sheet)
     }
 
     /// The errors of every kind of offset; empty if offsets are not available.

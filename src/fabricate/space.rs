@@ -7,7 +7,7 @@ use crate::fabricate::beam::Prism;
 use crate::fabricate::build::{Build, beam_name, node_name};
 use crate::fabricate::file::{Drawing, GlbLayer, GlbPart, glb};
 use crate::fabricate::panel::triangles_in_space;
-use crate::fabricate::plates::Plate;
+use crate::fabricate::plates::Solid;
 use crate::fabricate::sheet::Role;
 use crate::fabricate::surface::{PanelSurface, distinct};
 use crate::math::{Vec3, twice_vector_area};
@@ -208,7 +208,7 @@ impl Build {
             }
             for ((name, colour), own) in [("fins", BROWN), ("discs", LIGHT)].into_iter().zip(plates)
             {
-                let of_plate = |plate: Plate| {
+                let of_plate = |plate: Solid| {
                     let corners = |face: &Vec<u32>| -> Vec<Vec3<f64>> {
                         face.iter().map(|&v| plate.points[v as usize] * metres).collect()
                     };
@@ -247,7 +247,7 @@ pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
 /// All fins and node discs as plates; none without discs.
 pub(in crate::fabricate) fn assembled(build: &Build) -> Option<Mesh> {
     let mut mesh = Mesh::default();
-    for Plate { name, points, faces } in build.plates().into_iter().flatten() {
+    for Solid { name, points, faces } in build.plates().into_iter().flatten() {
         add(&mut mesh, &name, &points, build.surface.centre, faces);
     }
     (!mesh.faces.is_empty()).then_some(mesh)

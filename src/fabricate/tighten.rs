@@ -57,17 +57,20 @@ impl Build {
         };
         let found = [suggestion("circle", circle), suggestion("plane", plane)];
         let suggestions: Vec<PanelSuggestion> = found.into_iter().flatten().collect();
-        let helpless = inexact.filter(|_| of_offset.is_some() && suggestions.is_empty());
-        let otherwise = if let Some(reason) = helpless {
+        let irremovable = inexact.filter(|_| of_offset.is_some() && suggestions.is_empty());
+        let otherwise = if let Some(reason) = irremovable {
             let others = kind.is_some_and(|kind| kind != OffsetKind::Corner);
             match others && is_turned(closing.reason()) && !closing.has_openings {
                 true => {
                     "Set “Measured at” to “Corners”: circular panels then make the offset exact."
                 }
                 false => {
-                    let reason = reason.words(&self.names);
-                    let otherwise =
-                        format!("No constraint on panels makes the offset exact: {reason}.");
+                    let denied = match reason {
+                        // Whether a constraint would help is not known.
+                        Reason::Distance(_) | Reason::Warp(_) => "The offset is not exact",
+                        _ => "No constraint on panels makes the offset exact",
+                    };
+                    let otherwise = format!("{denied}: {}.", reason.words(&self.names));
                     return Tighten { suggestions, otherwise };
                 }
             }

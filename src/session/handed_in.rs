@@ -228,7 +228,7 @@ fn numbers(
 ) -> Vec<(String, f64)> {
     let Ok(unit) = LengthInMetres::of(units) else { return Vec::new() };
     let mesh = shape.current_shape();
-    let Ok(build) = Build::standing(&mesh, settings, unit, stand) else { return Vec::new() };
+    let Ok(build) = Build::new(&mesh, settings, unit, stand) else { return Vec::new() };
     let known = BUILD_NUMBERS.iter().zip(build.numbers());
     known.filter_map(|(number, value)| Some((number.id.to_owned(), value?))).collect()
 }

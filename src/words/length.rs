@@ -88,7 +88,9 @@ pub fn compared_lengths(lengths: &[f64], units: &str) -> ComparedLengths {
 pub fn displacement(by: [f64; 3], units: &str, size: f64) -> String {
     let far = by.iter().map(|part| part * part).sum::<f64>().sqrt();
     let (unit, factor) = unit_of(far, units);
-    let negligible = (ROUNDING * size).max(NEGLIGIBLE_PART * far);
+    let least =
+        LengthUnit::of(units).map_or(ROUNDING * size, |unit| LEAST_MM / (1000.0 * unit.metres));
+    let negligible = least.max(NEGLIGIBLE_PART * far);
     let parts: Vec<String> = ["x", "y", "z"]
         .into_iter()
         .zip(by)

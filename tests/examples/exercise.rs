@@ -115,8 +115,7 @@ fn build(session: &mut Session) {
     let settings = session.document().build.clone().expect("the lesson has settings");
     let mesh = Mesh { positions: session.positions(), ..session.mesh().clone() };
     let unit = LengthInMetres::of("m").expect("it is known");
-    let numbers =
-        Build::standing(&mesh, &settings, unit, &Stand::default()).expect("panels").numbers();
+    let numbers = Build::new(&mesh, &settings, unit, &Stand::default()).expect("panels").numbers();
     let known = BUILD_NUMBERS.iter().zip(numbers);
     let known = known.filter_map(|(number, value)| Some((number.id.to_owned(), value?)));
     session.set_build_numbers(known.collect());

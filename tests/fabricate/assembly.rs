@@ -381,7 +381,7 @@ fn fins_and_discs_of_a_new_dome_go_together() {
     (sizes[3], sizes[4]) = (12.0, 3.0);
     let mesh = kind.mesh(&sizes).unwrap();
     let own = BuildSettings { kind: Some(OffsetKind::Corner), ..settings() };
-    let made = Build::standing(&mesh, &own, metres(), &Stand::default()).unwrap();
+    let made = Build::new(&mesh, &own, metres(), &Stand::default()).unwrap();
     assert_fits(&made, "dome");
 }
 

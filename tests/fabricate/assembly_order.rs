@@ -18,7 +18,7 @@ fn named(mesh: &Mesh, stand: Option<&Stand>) -> Build {
         ..BuildSettings::default()
     };
     let guessed = Stand { up: UnitsAndUp::guess_up(mesh), held: Vec::new() };
-    let made = Build::standing(mesh, &own, metres(), stand.unwrap_or(&guessed));
+    let made = Build::new(mesh, &own, metres(), stand.unwrap_or(&guessed));
     made.expect("it can be built")
 }
 

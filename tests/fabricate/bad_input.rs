@@ -27,8 +27,8 @@ fn points_and_curves_have_no_panels() {
     for (mesh, what) in
         [(points, "points"), (curves, "curves"), (tets, "tetrahedra"), (none, "points")]
     {
-        let fault = Build::standing(&mesh, &BuildSettings::default(), metres(), &Stand::default())
-            .unwrap_err();
+        let fault =
+            Build::new(&mesh, &BuildSettings::default(), metres(), &Stand::default()).unwrap_err();
         assert!(fault.0.contains(what) && fault.0.contains("expected"), "{fault}");
     }
 }
@@ -156,7 +156,7 @@ fn settings_out_of_range_are_named() {
         (BuildSettings { distance: Some(0.0), ..BuildSettings::default() }, "build.distance"),
         (BuildSettings { margin: 200.0, ..BuildSettings::default() }, "build.margin"),
     ] {
-        let fault = Build::standing(&mesh, &settings, metres(), &Stand::default()).unwrap_err();
+        let fault = Build::new(&mesh, &settings, metres(), &Stand::default()).unwrap_err();
         assert!(fault.0.starts_with(key) && fault.0.contains("expected"), "{fault}");
     }
 }
@@ -177,7 +177,7 @@ fn real_and_awkward_meshes_are_built_without_a_panic() {
                 continue;
             }
             let own = BuildSettings { kind: Some(OffsetKind::Face), ..BuildSettings::default() };
-            if let Ok(made) = Build::standing(&read.mesh, &own, metres(), &Stand::default()) {
+            if let Ok(made) = Build::new(&read.mesh, &own, metres(), &Stand::default()) {
                 let text = serde_json::to_string(&made.report()).unwrap();
                 assert!(!text.contains("NaN"), "{}", path.display());
                 assert!(super::without_nan(&made));
@@ -405,7 +405,8 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
     // A smaller cube beside it, which its volume alone does not show.
     let mut beside = hollow.clone();
     beside.positions[8..].iter_mut().for_each(|point| point[0] += 5.0);
-    let all = [(cube, false), (reversed, true), (hollow, false), (open, false), (beside, true)];
+    let all =
+        [(cube, false), (reversed, true), (hollow.clone(), false), (open, false), (beside, true)];
     for (mesh, is_inside_out) in all {
         let problems = build(&mesh, &BuildSettings::default()).card().problems;
         assert_eq!(problems.iter().any(|words| words.contains("inwards")), is_inside_out);
@@ -419,7 +420,11 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
     // So is one beside a vertex that has no face.
     let mut stray = two.clone();
     stray.positions.push([9.0; 3]);
-    for mesh in [&both, &stray] {
+    // And a solid with a hole, inside out as a whole.
+    let mut solid = hollow.clone();
+    solid.faces =
+        hollow.faces.iter().map(|face| face.iter().rev().copied().collect::<Vec<_>>()).collect();
+    for mesh in [&both, &stray, &solid] {
         let problems = build(mesh, &BuildSettings::default()).card().problems;
         assert!(problems[0].ends_with("apply Flip faces, in Edit mesh."), "{problems:?}");
     }

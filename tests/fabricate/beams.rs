@@ -187,7 +187,7 @@ fn fins_are_on_the_sheets_and_in_lists() {
 #[test]
 fn beams_state_the_unit_and_the_up_axis_of_the_model() {
     let feet = LengthInMetres { symbol: "ft".to_owned(), metres: 0.3048 };
-    let made = Build::standing(&revolution(5, 4), &settings(), feet, &Stand::default()).unwrap();
+    let made = Build::new(&revolution(5, 4), &settings(), feet, &Stand::default()).unwrap();
     for up in [Up::Y, Up::Z] {
         let files = made.files(up == Up::Z);
         let beams = files.iter().find(|file| file.name == "beams.obj").unwrap();

@@ -188,6 +188,24 @@ fn sides_that_fail_are_on_the_sheet_with_their_panel() {
     }
 }
 
+#[test]
+fn circles_are_asked_for_although_one_quad_is_split() {
+    let wavy = wavy();
+    let mut split = Mesh { positions: wavy.positions.clone(), ..Mesh::default() };
+    for (face, f) in wavy.faces.iter().zip(0..) {
+        let halves = [&face[..3], &[face[2], face[3], face[0]]];
+        let pieces: &[&[u32]] = if f == 20 { &halves } else { &[face] };
+        pieces.iter().for_each(|piece| split.faces.push(piece));
+    }
+    let flat = CheckLimits { flatness: 1e9, ..CheckLimits::default() };
+    for limits in [CheckLimits::default(), flat] {
+        let own =
+            BuildSettings { kind: Some(OffsetKind::Corner), limits, ..BuildSettings::default() };
+        let tighten = build(&split, &own).card().tighten;
+        assert_eq!(tighten.suggestions.first().map(|one| one.constraint), Some("circle"));
+    }
+}
+
 /// Why the offset of this kind is not exact.
 fn why_not(mesh: &Mesh, kind: OffsetKind) -> String {
     let made = build(mesh, &BuildSettings { kind: Some(kind), ..BuildSettings::default() });
@@ -202,6 +220,19 @@ fn panels_that_are_not_flat_are_the_reason_where_three_planes_touch_a_cone_anywa
     assert!(why.contains("not flat") && !why.contains("one point"), "{why}");
     let why = why_not(&wavy(), OffsetKind::Face);
     assert!(why.contains("one point") && !why.contains("not flat"), "{why}");
+    // A U round a notch: at each vertex at most three panels meet, and do so in one point. The ends of
+    // the bottom of the notch are held by three panels each.
+    let height = |i: u32, j: u32| [0.0, 0.3, -0.2, 0.5][i as usize] + [0.0, 0.1, 0.8][j as usize];
+    let whole = grid(3, 2, |i, j| [f64::from(i), f64::from(j), height(i, j)]);
+    let mut notched = Mesh { positions: whole.positions.clone(), ..Mesh::default() };
+    whole
+        .faces
+        .iter()
+        .enumerate()
+        .filter(|(f, _)| *f != 4)
+        .for_each(|(_, face)| notched.faces.push(face));
+    let why = why_not(&notched, OffsetKind::Face);
+    assert!(why.contains("leave beam B") || why.contains("leave node N"), "{why}");
 }
 
 /// The numbers of all parts were compared at once, and a cube hid the openings of a ring.

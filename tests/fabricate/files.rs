@@ -486,7 +486,7 @@ fn the_unit_of_the_mesh_and_the_scale_decide_the_size_on_the_sheet() {
     let mut unit = metres();
     (unit.symbol, unit.metres) = ("mm".to_owned(), 0.001);
     let own = BuildSettings { scale: 10.0, ..BuildSettings::default() };
-    let made = Build::standing(&mesh, &own, unit, &Stand::default()).unwrap();
+    let made = Build::new(&mesh, &own, unit, &Stand::default()).unwrap();
     assert!((area(&made.parts[0].outline) - 1e4).abs() < 1e-6);
     let drawings = made.drawings();
     assert!(drawings[0].title.contains("SCALE 1:10") && drawings[0].title.contains("MODEL IN MM"));

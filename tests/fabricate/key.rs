@@ -161,7 +161,7 @@ fn a_panel_that_is_cut_along_its_crease_has_the_names_of_both_pieces() {
 #[test]
 fn beams_and_nodes_are_named_and_the_axes_are_those_of_the_file() {
     let settings = BuildSettings { product: Product::Fins, ..BuildSettings::default() };
-    let made = Build::standing(&revolution(5, 4), &settings, metres(), &Stand::default()).unwrap();
+    let made = Build::new(&revolution(5, 4), &settings, metres(), &Stand::default()).unwrap();
     for z_up in [true, false] {
         let key = made.key(z_up);
         let found = all_names(&key);

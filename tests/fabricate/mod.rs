@@ -52,7 +52,7 @@ pub(crate) fn metres() -> LengthInMetres {
 
 /// A build of a mesh in metres.
 pub(crate) fn build(mesh: &Mesh, settings: &BuildSettings) -> Build {
-    Build::standing(mesh, settings, metres(), &Stand::default()).expect("it can be built")
+    Build::new(mesh, settings, metres(), &Stand::default()).expect("it can be built")
 }
 
 /// Length of a vector in the plane.

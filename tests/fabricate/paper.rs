@@ -184,7 +184,7 @@ fn tabs_hide_behind_the_neighbour() {
         for (joint, kind) in model.net.joints.iter().zip(&model.joint_kinds) {
             let JointKind::Tab(tab) = kind else { continue };
             tabs += 1;
-            let own = (tab.side.facet, tab.side.side);
+            let own = tab.side;
             let other = if joint.sides[0] == own { joint.sides[1] } else { joint.sides[0] };
             // In the frame of the edge, in which the tab points away from its piece and the
             // neighbour away from the edge.
@@ -379,9 +379,7 @@ fn real_and_awkward_meshes_are_folded_without_a_panic() {
             }
             for product in [Product::Fins, Product::Paper] {
                 let own = BuildSettings { product, ..settings(Pieces::Strips) };
-                if let Ok(made) =
-                    Build::standing(&read.mesh, &own, super::metres(), &Stand::default())
-                {
+                if let Ok(made) = Build::new(&read.mesh, &own, super::metres(), &Stand::default()) {
                     let text = serde_json::to_string(&made.report()).unwrap();
                     assert!(!text.contains("NaN"), "{}", path.display());
                     assert!(super::without_nan(&made));

@@ -37,6 +37,19 @@ fn words(document: &Document<'_>) -> Vec<String> {
 }
 
 #[test]
+fn a_valley_is_scored_along_its_whole_length_though_it_is_drawn_as_dashes() {
+    for up in [-1.0, 1.0] {
+        let fold = grid(2, 1, |i, j| [f64::from(i), f64::from(j), up * f64::from((i % 2) as u8)]);
+        let product = Product::Paper;
+        let own = BuildSettings { product, tab: 0.0, scale: 10.0, ..BuildSettings::default() };
+        let page = page(&fold, &own);
+        let words = words(&parsed(&page));
+        let item = words.iter().position(|text| text == "Length of scores").unwrap();
+        assert_eq!(words[item + 1], "100 mm", "{up}");
+    }
+}
+
+#[test]
 fn it_is_a_page_of_a4_that_needs_no_other_file_and_whose_link_opens_the_model() {
     let page = page(&revolution(9, 7), &BuildSettings::default());
     assert!(page.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));

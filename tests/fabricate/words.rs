@@ -68,11 +68,11 @@ fn a_joint_is_needed_where_panels_of_a_thickness_would_collide() {
     for (least, words) in [
         (
             [None, Some(0.3814)],
-            "need no joint outside the surface, and a joint of at least 0.381 mm inside.",
+            "need no joint outside the surface, and a joint on the sheet of at least 0.381 mm inside.",
         ),
         (
             [Some(1.0), None],
-            "need a joint of at least 1.00 mm outside the surface, and none inside.",
+            "need a joint on the sheet of at least 1.00 mm outside the surface, and none inside.",
         ),
         ([None, None], "need no joint."),
     ] {

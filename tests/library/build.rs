@@ -12,7 +12,7 @@ use std::path::Path;
 pub(crate) fn parts(name: &str, bytes: &[u8]) -> Result<Vec<BuildFile>, Box<dyn Error>> {
     let mesh = read(name, bytes)?.mesh;
     let settings = BuildSettings { scale: 50.0, ..BuildSettings::default() };
-    let build = Build::standing(&mesh, &settings, LengthInMetres::of("m")?, &Stand::default())?;
+    let build = Build::new(&mesh, &settings, LengthInMetres::of("m")?, &Stand::default())?;
     Ok(build.files(true))
 }
 

@@ -23,7 +23,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     if scene.units.is_empty() {
         remarks.push(format!("the file has no unit: lengths are read as {}", unit.symbol));
     }
-    let build = Build::standing(&mesh, &settings, unit, &Stand::of_scene(&scene))
+    let build = Build::new(&mesh, &settings, unit, &Stand::of_scene(&scene))
         .map_err(|fault| at(fault.to_string()))?;
     let report = build.report();
     let said = build.words(&report);

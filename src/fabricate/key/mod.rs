@@ -13,7 +13,7 @@ mod view;
 use super::build::{Build, CutPanel, beam_name, node_name};
 use super::file::Drawing;
 use super::sheet::CutPart;
-use super::sight::{ViewAxes, compass, from_above, from_camera};
+use super::view_axes::{ViewAxes, compass, from_above, from_camera};
 use crate::math::Vec3;
 use crate::math::plane::{Point2, rotated};
 use crate::scene::Product;

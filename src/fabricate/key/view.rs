@@ -4,8 +4,8 @@
 use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{direction_of, roomiest_point};
 use crate::fabricate::sheet::{text_width, upright};
-use crate::fabricate::sight::{Seen, ViewAxes};
 use crate::fabricate::surface::{Edge, PanelSurface};
+use crate::fabricate::view_axes::{Seen, ViewAxes};
 use crate::math::Vec3;
 use crate::math::plane::{Point2, bounds, distance, is_inside};
 

@@ -1,6 +1,7 @@
 //! Checks whether an offset can be built: how far beams and panels are from flat, distances from
 //! the requested one, axes from the normals, and at which distance an edge flips.
 
+use super::Inexact;
 use super::system::across_edge;
 use crate::fabricate::panel::plane_distance;
 use crate::fabricate::surface::PanelSurface;
@@ -154,30 +155,33 @@ pub fn check(
     found
 }
 
-/// Whether beam warp and distance error of these axes (`#V`) stay below `tolerance`; stops at the
-/// first that does not.
-pub(super) fn within(
+/// The first distance error or beam warp of these axes (`#V`) above `tolerance`; none if all are below.
+pub(super) fn first_error(
     surface: &PanelSurface,
     axes: &[Vec3<f64>],
     kind: OffsetKind,
     depth: f64,
     tolerance: f64,
-) -> bool {
+) -> Option<Inexact> {
     let is_kept = |length: f64| (depth * (length - 1.0)).abs() <= tolerance;
     let axis = |v: u32| axes[v as usize];
-    let keeps_distance = match kind {
-        OffsetKind::Corner => (axes.iter().zip(&surface.normals))
-            .all(|(axis, normal)| *normal == Vec3::zero() || is_kept(axis.length())),
-        OffsetKind::Face => surface.faces.iter().zip(0..).all(|(face, f)| {
+    let moved = match kind {
+        OffsetKind::Corner => (0..axes.len() as u32)
+            .find(|&v| surface.normals[v as usize] != Vec3::zero() && !is_kept(axis(v).length())),
+        OffsetKind::Face => surface.faces.iter().zip(0..).find_map(|(face, f)| {
             let normal = surface.normal(f);
-            normal == Vec3::zero() || face.iter().all(|&v| is_kept(normal.dot(axis(v))))
+            let moved = |&v: &u32| normal != Vec3::zero() && !is_kept(normal.dot(axis(v)));
+            face.iter().copied().find(moved)
         }),
-        OffsetKind::Edge => surface
-            .beams()
-            .all(|(edge, t)| edge.ends.iter().all(|&v| is_kept(across_edge(axis(v), t).length()))),
+        OffsetKind::Edge => surface.beams().find_map(|(edge, t)| {
+            edge.ends.into_iter().find(|&v| !is_kept(across_edge(axis(v), t).length()))
+        }),
     };
-    keeps_distance
-        && surface.edges.iter().all(|edge| beam_warp(surface, edge.ends, axes, depth) <= tolerance)
+    let is_flat = |ends: [u32; 2]| beam_warp(surface, ends, axes, depth) <= tolerance;
+    moved.map(Inexact::Distance).or_else(|| {
+        let mut ends = surface.edges.iter().map(|edge| edge.ends);
+        ends.find(|&ends| !is_flat(ends)).map(Inexact::Warp)
+    })
 }
 
 /// The largest angle between an axis and the surface normal, in degrees.

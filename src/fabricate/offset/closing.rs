@@ -4,6 +4,7 @@
 
 use crate::fabricate::surface::{PanelSurface, distinct};
 use crate::math::Vec3;
+use crate::mesh::components;
 
 /// A 3 by 3 matrix.
 type Matrix = [[f64; 3]; 3];
@@ -19,6 +20,8 @@ pub struct Closing {
     pub panel: u32,
     /// Number of panels with an odd number of edges, around which not every axis can close.
     pub odd_panels: usize,
+    /// The largest number of them in one part. Each leaves one of three dimensions of axes less.
+    pub most_odd: usize,
     /// The turn around each rim in degrees; none if it has an odd number of edges.
     pub rims_deg: Vec<Option<f64>>,
     /// Whether there are openings through the surface, as in a ring or a tube: its first Betti number
@@ -33,13 +36,17 @@ pub fn closing(surface: &PanelSurface) -> Closing {
     let closed = surface.shells().iter().filter(|shell| shell.is_closed).count();
     let has_openings = nodes + surface.faces.len() < surface.edges.len() + surface.parts + closed;
     let mut found = Closing { has_openings, ..Closing::default() };
+    let parts = components(surface.positions.len(), surface.faces.iter());
+    let mut odd = vec![0; parts.len()];
     for (face, f) in surface.faces.iter().zip(0..) {
         match turn(surface, face) {
             Some(angle) if angle > found.panel_deg => (found.panel_deg, found.panel) = (angle, f),
             Some(_) => {}
-            None => found.odd_panels += 1,
+            None => odd[parts[face[0] as usize] as usize] += 1,
         }
     }
+    found.odd_panels = odd.iter().sum();
+    found.most_odd = odd.into_iter().max().unwrap_or(0);
     found.rims_deg = surface.rims.iter().map(|rim| turn(surface, rim)).collect();
     found
 }

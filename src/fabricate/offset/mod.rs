@@ -47,7 +47,7 @@ pub(super) use system::across_edge;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use crate::scene::OffsetKind;
-use check::{most_lean, within};
+use check::{first_error, most_lean};
 use exact::{can_be_exact, exact_pass};
 use newton::{InitialAxes, StopWhen, descend};
 use serde::Serialize;
@@ -72,8 +72,10 @@ pub struct Axes {
 pub enum Inexact {
     /// Around some vertex, the panels moved by the distance do not meet in one point.
     NoPoint,
-    /// Their beam warp or distance error is above the tolerance.
-    Errors,
+    /// The distance error at this vertex is above the tolerance.
+    Distance(u32),
+    /// The warp of the beam between these vertices is.
+    Warp([u32; 2]),
     /// They lean much more than the fit.
     Lean,
 }
@@ -94,13 +96,10 @@ pub(in crate::fabricate) fn axes_of(
             return Axes { axes: fitted, kind, inexact: Some(Inexact::NoPoint) };
         }
         let exact = exact_pass(system, surface, kind, (mu, fitted.clone()));
-        let inexact = if !within(surface, &exact, kind, depth, tolerance) {
-            Some(Inexact::Errors)
-        } else if most_lean(surface, &exact) > most_lean(surface, &fitted) + MOST_LEAN {
-            Some(Inexact::Lean)
-        } else {
-            None
-        };
+        let inexact = first_error(surface, &exact, kind, depth, tolerance).or_else(|| {
+            let most = most_lean(surface, &fitted) + MOST_LEAN;
+            (most_lean(surface, &exact) > most).then_some(Inexact::Lean)
+        });
         Axes { axes: if inexact.is_none() { exact } else { fitted }, kind, inexact }
     };
     kinds.iter().map(of).collect()

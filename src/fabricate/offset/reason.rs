@@ -2,6 +2,7 @@
 //! follow from it.
 
 use super::{Axes, Closing, Inexact};
+use crate::fabricate::build::{beam_name, node_name};
 use crate::scene::OffsetKind;
 use crate::words;
 
@@ -11,11 +12,13 @@ const CLOSED: f64 = 0.01;
 /// Why axes are not exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::fabricate) enum Reason {
-    /// Corners: the number of panels with an odd number of edges, around which axes do not close.
+    /// Corners: the number of panels with an odd number of edges. Around each, axes close that are in
+    /// one plane, so that beyond two of a part there are in general none.
     OddPanels(usize),
     /// Corners: a panel, and the angle in degrees by which an axis is turned around it.
     PanelTurn(u32, f64),
-    /// Corners: a rim has an odd number of edges.
+    /// Corners: a rim has an odd number of edges. Where it bounds a part without openings, axes close
+    /// around it if they do around all panels.
     OddRim,
     /// Corners: the angle in degrees by which an axis is turned around a rim.
     RimTurn(f64),
@@ -27,6 +30,10 @@ pub(in crate::fabricate) enum Reason {
     NotFlat,
     /// Beams: edges are not parallel to edges that touch one sphere.
     NoSphere,
+    /// The distance error at this vertex is above the tolerance.
+    Distance(u32),
+    /// The warp of the beam between these vertices is.
+    Warp([u32; 2]),
     /// The exact axes lean too far.
     Lean,
 }
@@ -36,11 +43,11 @@ impl Closing {
     pub(in crate::fabricate) fn reason(&self) -> Option<Reason> {
         let turns = self.rims_deg.iter().flatten();
         let rim = turns.copied().fold(0.0, f64::max);
-        if self.odd_panels > 0 {
+        if self.most_odd > 2 {
             Some(Reason::OddPanels(self.odd_panels))
         } else if self.panel_deg > CLOSED {
             Some(Reason::PanelTurn(self.panel, self.panel_deg))
-        } else if self.rims_deg.contains(&None) {
+        } else if self.has_openings && self.rims_deg.contains(&None) {
             Some(Reason::OddRim)
         } else {
             (rim > CLOSED).then_some(Reason::RimTurn(rim))
@@ -51,17 +58,22 @@ impl Closing {
 impl Axes {
     /// Why these are not exact; none if they are. `are_flat` is whether all panels are flat.
     pub(in crate::fabricate) fn reason(&self, closing: &Closing, are_flat: bool) -> Option<Reason> {
-        Some(match (self.kind, self.inexact?) {
-            (_, Inexact::Lean) => Reason::Lean,
-            (OffsetKind::Corner, _) => closing.reason().unwrap_or(match closing.has_openings {
-                true => Reason::Openings,
-                // However small its turn, there is no other reason.
-                false => Reason::PanelTurn(closing.panel, closing.panel_deg),
-            }),
-            (OffsetKind::Face, Inexact::Errors) if !are_flat => Reason::NotFlat,
-            (OffsetKind::Face, _) => Reason::NoPoint,
-            (OffsetKind::Edge, _) => Reason::NoSphere,
-        })
+        let inexact = self.inexact?;
+        let cause = match (self.kind, inexact) {
+            (_, Inexact::NoPoint | Inexact::Lean) => None,
+            (OffsetKind::Corner, _) => {
+                closing.reason().or(closing.has_openings.then_some(Reason::Openings))
+            }
+            (OffsetKind::Face, _) => (!are_flat).then_some(Reason::NotFlat),
+            (OffsetKind::Edge, _) => Some(Reason::NoSphere),
+        };
+        // Without a known cause, what was measured.
+        Some(cause.unwrap_or(match inexact {
+            Inexact::NoPoint => Reason::NoPoint,
+            Inexact::Distance(vertex) => Reason::Distance(vertex),
+            Inexact::Warp(ends) => Reason::Warp(ends),
+            Inexact::Lean => Reason::Lean,
+        }))
     }
 }
 
@@ -87,6 +99,18 @@ impl Reason {
                     "around a rim an axis is turned by {turn}, so the axes do not close"
                 );
             }
+            Reason::Distance(vertex) => {
+                let name = node_name(vertex);
+                return format!(
+                    "the axes nearest to exact leave node {name} off its distance by more than a tenth of the limits"
+                );
+            }
+            Reason::Warp(ends) => {
+                let name = beam_name(ends);
+                return format!(
+                    "the axes nearest to exact leave beam {name} out of flat by more than a tenth of the limits"
+                );
+            }
             Reason::OddRim => {
                 "a rim has an odd number of edges: axes close around it only in special shapes"
             }
@@ -110,6 +134,8 @@ impl Reason {
 mod tests {
     use super::*;
 
+    const WARP: Inexact = Inexact::Warp([3, 7]);
+
     fn reason(closing: &Closing, inexact: Inexact) -> Option<Reason> {
         let axes = Axes { axes: Vec::new(), kind: OffsetKind::Corner, inexact: Some(inexact) };
         axes.reason(closing, true)
@@ -118,20 +144,32 @@ mod tests {
     #[test]
     fn an_odd_rim_is_the_reason_rather_than_a_turn_of_zero() {
         let of_rims = |rims: [Option<f64>; 2]| {
-            let closing = Closing { rims_deg: rims.to_vec(), ..Closing::default() };
-            reason(&closing, Inexact::Errors)
+            let closing =
+                Closing { rims_deg: rims.to_vec(), has_openings: true, ..Closing::default() };
+            reason(&closing, WARP)
         };
         assert_eq!(of_rims([None, Some(0.0)]), Some(Reason::OddRim));
         assert_eq!(of_rims([Some(0.0), Some(1.5)]), Some(Reason::RimTurn(1.5)));
     }
 
     #[test]
+    fn a_panel_that_can_be_made_circular_is_the_reason_beside_two_odd_ones() {
+        let of_odd = |most_odd| {
+            let closing =
+                Closing { odd_panels: most_odd, most_odd, panel_deg: 3.0, ..Closing::default() };
+            reason(&closing, WARP)
+        };
+        assert_eq!(of_odd(2), Some(Reason::PanelTurn(0, 3.0)));
+        assert_eq!(of_odd(3), Some(Reason::OddPanels(3)));
+    }
+
+    #[test]
     fn openings_or_the_lean_are_the_reason_only_where_they_are() {
         let closing =
             |has_openings| Closing { has_openings, panel_deg: 1e-5, ..Closing::default() };
-        assert_eq!(reason(&closing(true), Inexact::Errors), Some(Reason::Openings));
-        let turned = Some(Reason::PanelTurn(0, 1e-5));
-        assert_eq!(reason(&closing(false), Inexact::Errors), turned);
+        assert_eq!(reason(&closing(true), WARP), Some(Reason::Openings));
+        // No cause is claimed that nobody measured.
+        assert_eq!(reason(&closing(false), WARP), Some(Reason::Warp([3, 7])));
         assert_eq!(reason(&closing(true), Inexact::Lean), Some(Reason::Lean));
     }
 }

@@ -17,7 +17,7 @@ pub(super) use polygon::{
     check_size, direction_of, distance_to_outline, sides, smallest_box_within,
 };
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};
-pub(super) use splice::{PieceSide, Plate, Spliced, corners, spliced};
+pub(super) use splice::{PieceSide, SplicePlate, Spliced, corners, spliced};
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::{Point2, distance};

@@ -30,7 +30,7 @@ pub(in crate::fabricate) type Piece = Vec<(Point2, PieceSide)>;
 
 /// A plate behind a seam, in mm of the sheet in the plane of the panel.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::fabricate) struct Plate {
+pub(in crate::fabricate) struct SplicePlate {
     /// The pieces that it joins: the first has the smaller coordinates.
     pub pieces: [usize; 2],
     /// The axis across the seam, x or y.
@@ -45,7 +45,7 @@ pub(in crate::fabricate) struct Plate {
 #[derive(Clone, Debug, Default)]
 pub(in crate::fabricate) struct Spliced {
     pub pieces: Vec<Piece>,
-    pub plates: Vec<Plate>,
+    pub plates: Vec<SplicePlate>,
 }
 
 /// Cuts an outline, which is drawn half the kerf outside the panel, into the fewest pieces that fit, and
@@ -135,7 +135,7 @@ impl Grid<'_> {
                 let seam = [outline[at], outline[(at + 1) % outline.len()]];
                 let pieces = [found.pieces.len(), other];
                 let corners = self.plate(cell(k), axis)?;
-                found.plates.push(Plate { pieces, axis, corners, seam });
+                found.plates.push(SplicePlate { pieces, axis, corners, seam });
             }
             found.pieces.push(piece);
         }
@@ -268,7 +268,7 @@ mod tests {
                 plates.iter().map(|plate| distance(plate.seam[0], plate.seam[1])).sum();
             let more = sum - area(&outline) - kerf * seams;
             assert!(more.abs() < 5.0 * kerf * kerf + 1e-6, "{more}");
-            for Plate { pieces: own, axis, corners: [low, high], .. } in &plates {
+            for SplicePlate { pieces: own, axis, corners: [low, high], .. } in &plates {
                 for at in [*low, *high, [low[0], high[1]], [high[0], low[1]]] {
                     assert!(crate::math::plane::is_inside(&outline, at), "{at:?}");
                 }

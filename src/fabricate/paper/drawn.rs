@@ -1,7 +1,6 @@
 //! A piece as a part to be cut: its outline with tabs, folds, and names on panels and on tabs.
 
-use super::facet::FoldKind;
-use super::net::OutlineSide;
+use super::facet::{FacetSide, FoldKind};
 use super::tab_name::place_on_tab;
 use super::{JointKind, PaperModel};
 use crate::fabricate::panel::{direction_of, smallest_box};
@@ -40,9 +39,9 @@ fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
     let mut points: Vec<Point2> = Vec::new();
     let net = &model.net;
     for side in net.outline(piece) {
-        let [p, _] = net.ends((side.facet, side.side));
+        let [p, _] = net.ends(side);
         points.push(unrotated.put(p));
-        if let Some(tab) = model.tab((side.facet, side.side)) {
+        if let Some(tab) = model.tab(side) {
             points.extend(tab.corners[1..3].iter().map(|&corner| unrotated.put(corner)));
         }
         if net.is_cut_back {
@@ -66,25 +65,12 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
     let (net, piece) = (&model.net, model.pieces[number]);
     let (outline, place) = outline(model, piece, inside);
     let mut part = CutPart { name: format!("S{}", number + 1), outline, ..CutPart::default() };
-    for &f in &net.pieces[piece as usize] {
-        for k in 0..net.facets[f as usize].corners.len() as u32 {
-            let Some(joint) = net.facets[f as usize].joints[k as usize] else { continue };
-            let own = &net.joints[joint as usize];
-            let is_drawn = match model.joint_kinds[joint as usize] {
-                // Only once, from the first of its sides.
-                JointKind::Folded => own.sides[0] == (f, k) && own.kind() != FoldKind::Flat,
-                JointKind::Tab(tab) => tab.side == OutlineSide { facet: f, side: k },
-                JointKind::Bare => false,
-            };
-            if !is_drawn {
-                continue;
-            }
-            let [p, q] = net.fold_line((f, k)).map(|point| place.put(point));
-            // A tab is folded back where its panels are coplanar too.
-            match (own.kind() != FoldKind::Valley) != inside {
-                true => part.ridges.push(vec![p, q]),
-                false => part.valleys.extend(dashes(p, q)),
-            }
+    for (side, kind) in model.scores(piece) {
+        let [p, q] = net.fold_line(side).map(|point| place.put(point));
+        // A tab is folded back where its panels are coplanar too.
+        match (kind != FoldKind::Valley) != inside {
+            true => part.ridges.push(vec![p, q]),
+            false => part.valleys.extend(dashes(p, q)),
         }
     }
     part.panels =
@@ -166,7 +152,7 @@ pub fn write_names(
 
 /// Outlines for the names of a panel: the whole panel if it is on this piece and hangs together
 /// there, else each of its facets.
-fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSide>> {
+fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<FacetSide>> {
     let net = &model.net;
     let sides = |f: u32| (0..net.facets[f as usize].corners.len() as u32).map(move |k| (f, k));
     // Facets are in the order of panels, and those of a piece in this order too.
@@ -175,12 +161,12 @@ fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSid
     let of_piece = &net.pieces[piece as usize];
     let before = |end: usize| of_piece.partition_point(|&f| (f as usize) < end);
     let own = &of_piece[before(all.start)..before(all.end)];
-    let mut of_panel: Vec<(u32, OutlineSide)> = own
+    let mut of_panel: Vec<(u32, FacetSide)> = own
         .iter()
         .flat_map(|&f| sides(f))
         .filter_map(|(facet, side)| {
             let of_panel = net.facets[facet as usize].panel_sides[side as usize]?;
-            Some((of_panel, OutlineSide { facet, side }))
+            Some((of_panel, (facet, side)))
         })
         .collect();
     sort_by_number(&mut of_panel, |(side, _)| u64::from(*side));
@@ -189,10 +175,7 @@ fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSid
     let hangs_together = |&f: &u32| net.facets[f as usize].joints.iter().flatten().all(is_held);
     match own.len() == all.len() && own.iter().all(hangs_together) {
         true => vec![of_panel.into_iter().map(|(_, side)| side).collect()],
-        false => own
-            .iter()
-            .map(|&f| sides(f).map(|(facet, side)| OutlineSide { facet, side }).collect())
-            .collect(),
+        false => own.iter().map(|&f| sides(f).collect()).collect(),
     }
 }
 
@@ -201,17 +184,16 @@ fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<OutlineSid
 fn named_side(
     model: &PaperModel,
     names: &[String],
-    side: OutlineSide,
+    side: FacetSide,
     put: &impl Fn(Point2) -> Point2,
 ) -> (Point2, Option<String>) {
     let net = &model.net;
-    let start = put(net.ends((side.facet, side.side))[0]);
-    let own = (side.facet, side.side);
-    if let Some(others) = model.unpaired.get(&own) {
+    let start = put(net.ends(side)[0]);
+    if let Some(others) = model.unpaired.get(&side) {
         let others: Vec<&str> = others.iter().map(|&other| &*names[other as usize]).collect();
         return (start, Some(others.join("/")));
     }
-    let name = net.across(own).and_then(|(joint, (g, _))| {
+    let name = net.across(side).and_then(|(joint, (g, _))| {
         let is_on_tab = match model.joint_kinds[joint as usize] {
             JointKind::Folded => true,
             JointKind::Tab(tab) => tab.side == side && tab_name(model, names, side).is_some(),
@@ -226,9 +208,9 @@ fn named_side(
 fn tab_name(
     model: &PaperModel,
     names: &[String],
-    side: OutlineSide,
+    side: FacetSide,
 ) -> Option<(String, f64, Point2)> {
-    let (joint, (g, _)) = model.net.across((side.facet, side.side))?;
+    let (joint, (g, _)) = model.net.across(side)?;
     let JointKind::Tab(tab) = &model.joint_kinds[joint as usize] else { return None };
     let name = names[model.net.facets[g as usize].panel as usize].clone();
     let (height, middle) = place_on_tab(tab, &name)?;

@@ -38,11 +38,14 @@ pub struct Facet {
     normal: Vec3<f64>,
 }
 
+/// A facet, and the number of one of its sides.
+pub type FacetSide = (u32, u32);
+
 /// The joint between two facets.
 #[derive(Clone, Copy, Debug)]
 pub struct Joint {
     /// The two facets, each with its side.
-    pub sides: [(u32, u32); 2],
+    pub sides: [FacetSide; 2],
     /// The fold angle in radians, positive for a ridge seen from outside.
     pub fold: f64,
     /// The edge of the surface; none for a crease.
@@ -278,7 +281,7 @@ fn add(
     joints.push(Joint { sides, fold, edge, back: 0.0, is_hinge: true });
 }
 
-fn fold(surface: &PanelSurface, facets: &[Facet], [(f, k), (g, _)]: [(u32, u32); 2]) -> f64 {
+fn fold(surface: &PanelSurface, facets: &[Facet], [(f, k), (g, _)]: [FacetSide; 2]) -> f64 {
     let (own, other) = (&facets[f as usize], &facets[g as usize]);
     let k = k as usize;
     let next = own.vertices[(k + 1) % own.vertices.len()];

@@ -1,8 +1,8 @@
 //! Growth of pieces: folding a joint merges two pieces if they fit on the sheet together, do not
 //! overlap, and leave room for the tabs of the edges that stay open between them.
 
-use super::facet::Joint;
-use super::net::{OutlineSide, PaperNet};
+use super::facet::{FacetSide, Joint};
+use super::net::PaperNet;
 use super::plane::{Motion, is_same_corner, overlaps, reach};
 use super::tab::tab;
 use crate::fabricate::panel::{hull, smallest_box};
@@ -19,7 +19,7 @@ impl PaperNet {
         if !is_hinge || self.piece_of[still.0 as usize] == self.piece_of[moving.0 as usize] {
             return false;
         }
-        let size = |net: &PaperNet, side: (u32, u32)| {
+        let size = |net: &PaperNet, side: FacetSide| {
             net.pieces[net.piece_of[side.0 as usize] as usize].len()
         };
         if size(self, still) < size(self, moving) {
@@ -72,15 +72,14 @@ impl PaperNet {
     /// Takes the sides of a folded joint out of the outline of its two pieces, which becomes one, and
     /// then those of folded joints which meet at its ends. Returns them in order, without the last if
     /// nothing of the outline would be left.
-    fn close_outline(&mut self, joint: u32) -> Vec<[OutlineSide; 2]> {
-        let of = |(facet, side): (u32, u32)| OutlineSide { facet, side };
-        let first = self.joints[joint as usize].sides.map(of);
+    fn close_outline(&mut self, joint: u32) -> Vec<[FacetSide; 2]> {
+        let first = self.joints[joint as usize].sides;
         let mut closed = vec![first];
         self.unlink(first);
         for [a, b] in [first, [first[1], first[0]]] {
             let (mut before, mut after) = (self.beside(a)[1], self.beside(b)[0]);
-            while let Some((joint, there)) = self.across((before.facet, before.side))
-                && of(there) == after
+            while let Some((joint, there)) = self.across(before)
+                && there == after
                 && self.folded[joint as usize]
                 && self.beside(before)[1] != after
             {
@@ -134,9 +133,9 @@ impl PaperNet {
                 let is_cut = !self.folded[joint as usize]
                     && self.piece_of[there.0 as usize] == self.piece_of[own.0 as usize];
                 !is_cut
-                    || [own, there].into_iter().any(|(facet, side)| {
-                        tab(self, OutlineSide { facet, side }, &[], tab_height).is_some()
-                    })
+                    || [own, there]
+                        .into_iter()
+                        .any(|side| tab(self, side, &[], tab_height).is_some())
             })
     }
 }

@@ -12,8 +12,8 @@ mod tab_name;
 mod thickness;
 
 pub use drawn::{MissingNames, drawn, write_names};
-pub use facet::{Facet, FoldKind, Joint};
-pub use net::{OutlineSide, PaperNet};
+pub use facet::{Facet, FacetSide, FoldKind, Joint};
+pub use net::PaperNet;
 pub use plane::Motion;
 pub use tab::Tab;
 pub use thickness::{Card, Uneven};
@@ -74,7 +74,7 @@ pub struct PaperModel {
     pub pieces: Vec<u32>,
     /// The panels beyond each side of a facet that has no joint because there are several of them, one
     /// that traverses the side in the same direction, or one without area before them.
-    pub unpaired: BTreeMap<(u32, u32), Vec<u32>>,
+    pub unpaired: BTreeMap<FacetSide, Vec<u32>>,
     /// Where card cannot be cut back as its folds ask.
     pub uneven: Uneven,
     /// Panels without facets, and the reasons.
@@ -108,7 +108,7 @@ impl PaperModel {
         let mut tab_joints = vec![Vec::new(); net.pieces.len()];
         for (kind, joint) in joint_kinds.iter().zip(0..) {
             if let JointKind::Tab(tab) = kind {
-                tab_joints[net.piece_of[tab.side.facet as usize] as usize].push(joint);
+                tab_joints[net.piece_of[tab.side.0 as usize] as usize].push(joint);
             }
         }
         PaperModel {
@@ -124,12 +124,30 @@ impl PaperModel {
     }
 
     /// The tab on a side.
-    pub fn tab(&self, side: (u32, u32)) -> Option<&Tab> {
+    pub fn tab(&self, side: FacetSide) -> Option<&Tab> {
         let (joint, _) = self.net.across(side)?;
         match &self.joint_kinds[joint as usize] {
-            JointKind::Tab(tab) if (tab.side.facet, tab.side.side) == side => Some(tab),
+            JointKind::Tab(tab) if tab.side == side => Some(tab),
             _ => None,
         }
+    }
+
+    /// The sides of facets along which a piece is scored, each fold once, and how it is folded.
+    pub fn scores(&self, piece: u32) -> impl Iterator<Item = (FacetSide, FoldKind)> {
+        let facets = self.net.pieces[piece as usize].iter();
+        let sides = facets.flat_map(|&f| {
+            (0..self.net.facets[f as usize].corners.len() as u32).map(move |k| (f, k))
+        });
+        sides.filter_map(|side| {
+            let (joint, _) = self.net.across(side)?;
+            let own = &self.net.joints[joint as usize];
+            let is_scored = match self.joint_kinds[joint as usize] {
+                JointKind::Folded => own.sides[0] == side && own.kind() != FoldKind::Flat,
+                JointKind::Tab(tab) => tab.side == side,
+                JointKind::Bare => false,
+            };
+            is_scored.then(|| (side, own.kind()))
+        })
     }
 
     /// The tabs of a piece.
@@ -143,7 +161,7 @@ impl PaperModel {
 }
 
 /// The panels beyond the sides of facets without a joint.
-fn unpaired(surface: &PanelSurface, facets: &[Facet]) -> BTreeMap<(u32, u32), Vec<u32>> {
+fn unpaired(surface: &PanelSurface, facets: &[Facet]) -> BTreeMap<FacetSide, Vec<u32>> {
     let mut found = BTreeMap::new();
     for (own, f) in facets.iter().zip(0..) {
         for ((side, joint), k) in own.panel_sides.iter().zip(&own.joints).zip(0..) {
@@ -208,20 +226,18 @@ fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind
         if sides[1] < sides[0] {
             sides.swap(0, 1);
         }
-        let own =
-            sides.into_iter().filter(|_| size.tab > 0.0).find_map(|(piece, (facet, side))| {
-                let side = OutlineSide { facet, side };
-                let near = tabs[piece].meeting(around(net, side, size.tab));
-                let taken: Vec<_> = near
-                    .filter_map(|joint| match found[joint as usize] {
-                        JointKind::Tab(tab) => Some(tab.corners),
-                        _ => None,
-                    })
-                    .collect();
-                let tab = tab(net, side, &taken, size.tab)?;
-                let whole = tight[piece].as_ref().map(|own| [&own[..], &tab.corners].concat());
-                whole.is_none_or(|whole| lies_on(&whole, size.room)).then_some((piece, tab))
-            });
+        let own = sides.into_iter().filter(|_| size.tab > 0.0).find_map(|(piece, side)| {
+            let near = tabs[piece].meeting(around(net, side, size.tab));
+            let taken: Vec<_> = near
+                .filter_map(|joint| match found[joint as usize] {
+                    JointKind::Tab(tab) => Some(tab.corners),
+                    _ => None,
+                })
+                .collect();
+            let tab = tab(net, side, &taken, size.tab)?;
+            let whole = tight[piece].as_ref().map(|own| [&own[..], &tab.corners].concat());
+            whole.is_none_or(|whole| lies_on(&whole, size.room)).then_some((piece, tab))
+        });
         found.push(match own {
             Some((piece, tab)) => {
                 tabs[piece].insert(number, bounds(tab.corners));

@@ -1,20 +1,11 @@
 //! Facets placed in the plane, piece by piece.
 
-use super::facet::{Facet, Joint};
+use super::facet::{Facet, FacetSide, Joint};
 use super::plane::Motion;
 use crate::fabricate::boxes::{Boxes, Corners};
 use crate::fabricate::panel::direction_of;
 use crate::math::plane::{Point2, bounds, dot, minus};
 use crate::math::polygon_sides;
-
-/// A side of the outline of a piece.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OutlineSide {
-    /// The facet.
-    pub facet: u32,
-    /// Its side.
-    pub side: u32,
-}
 
 /// All pieces of a paper model.
 #[derive(Clone, Debug)]
@@ -31,7 +22,7 @@ pub struct PaperNet {
     pub(super) boxes: Vec<Boxes>,
     /// For each side of each facet the next one along the outline of its piece, counterclockwise, and the
     /// one before it. Those of folded sides are where they were in the outline when they left it.
-    around: Vec<Vec<[OutlineSide; 2]>>,
+    around: Vec<Vec<[FacetSide; 2]>>,
     /// Points of each piece that span its convex hull.
     pub(super) hulls: Vec<Vec<Point2>>,
     /// Whether facets are cut back, so that sides have other ends than their hinges.
@@ -48,7 +39,7 @@ impl PaperNet {
         let n = facets.len();
         let around = facets.iter().zip(0..).map(|(own, facet)| {
             let n = own.corners.len() as u32;
-            let side = |side: u32| OutlineSide { facet, side: side % n };
+            let side = |side: u32| (facet, side % n);
             (0..n).map(|k| [side(k + 1), side(k + n - 1)]).collect()
         });
         let only = |(own, f): (&Facet, u32)| {
@@ -78,20 +69,20 @@ impl PaperNet {
     }
 
     /// The ends of a side in its piece.
-    pub fn ends(&self, (f, k): (u32, u32)) -> [Point2; 2] {
+    pub fn ends(&self, (f, k): FacetSide) -> [Point2; 2] {
         let own = &self.facets[f as usize].corners;
         let place = self.places[f as usize];
         [k as usize, (k as usize + 1) % own.len()].map(|k| place.put(own[k]))
     }
 
     /// The hinge of a side in its piece.
-    pub fn hinge(&self, (f, k): (u32, u32)) -> [Point2; 2] {
+    pub fn hinge(&self, (f, k): FacetSide) -> [Point2; 2] {
         let place = self.places[f as usize];
         self.facets[f as usize].hinges[k as usize].map(|end| place.put(end))
     }
 
     /// The line of a fold along a side: what is common to it and the side beyond it.
-    pub fn fold_line(&self, side: (u32, u32)) -> [Point2; 2] {
+    pub fn fold_line(&self, side: FacetSide) -> [Point2; 2] {
         let [p, q] = self.ends(side);
         let Some((_, there)) = self.across(side).filter(|_| self.is_cut_back) else {
             return [p, q];
@@ -117,27 +108,27 @@ impl PaperNet {
     }
 
     /// The joint of a side, and the side beyond it.
-    pub fn across(&self, own: (u32, u32)) -> Option<(u32, (u32, u32))> {
+    pub fn across(&self, own: FacetSide) -> Option<(u32, FacetSide)> {
         let joint = self.facets[own.0 as usize].joints[own.1 as usize]?;
         let [a, b] = self.joints[joint as usize].sides;
         Some((joint, if a == own { b } else { a }))
     }
 
     /// The sides after and before a side on the outline of its piece, counterclockwise.
-    pub(super) fn beside(&self, OutlineSide { facet, side }: OutlineSide) -> [OutlineSide; 2] {
+    pub(super) fn beside(&self, (facet, side): FacetSide) -> [FacetSide; 2] {
         self.around[facet as usize][side as usize]
     }
 
     /// Takes the two sides of a folded joint out of the outline. What was before each is then before
     /// what was after the other.
-    pub(super) fn unlink(&mut self, [a, b]: [OutlineSide; 2]) {
+    pub(super) fn unlink(&mut self, [a, b]: [FacetSide; 2]) {
         let ([after_a, before_a], [after_b, before_b]) = (self.beside(a), self.beside(b));
         self.link(before_a, after_b);
         self.link(before_b, after_a);
     }
 
     /// Undoes [`PaperNet::unlink`], if nothing that came later is left.
-    pub(super) fn relink(&mut self, [a, b]: [OutlineSide; 2]) {
+    pub(super) fn relink(&mut self, [a, b]: [FacetSide; 2]) {
         for own in [a, b] {
             let [after, before] = self.beside(own);
             self.link(before, own);
@@ -145,37 +136,36 @@ impl PaperNet {
         }
     }
 
-    fn link(&mut self, before: OutlineSide, after: OutlineSide) {
-        self.around[before.facet as usize][before.side as usize][0] = after;
-        self.around[after.facet as usize][after.side as usize][1] = before;
+    fn link(&mut self, before: FacetSide, after: FacetSide) {
+        self.around[before.0 as usize][before.1 as usize][0] = after;
+        self.around[after.0 as usize][after.1 as usize][1] = before;
     }
 
     /// The corners of all facets that hang together at the end of a side of the outline, in order, up to
     /// that of the next side.
-    pub(super) fn corners_after(&self, OutlineSide { facet, side }: OutlineSide) -> Vec<Point2> {
-        let after =
-            |(f, k): (u32, u32)| (f, (k + 1) % self.facets[f as usize].corners.len() as u32);
-        let beyond = |own: &(u32, u32)| {
+    pub(super) fn corners_after(&self, side: FacetSide) -> Vec<Point2> {
+        let after = |(f, k): FacetSide| (f, (k + 1) % self.facets[f as usize].corners.len() as u32);
+        let beyond = |own: &FacetSide| {
             let (joint, there) = self.across(*own)?;
             self.folded[joint as usize].then(|| after(there))
         };
-        let around = std::iter::successors(Some(after((facet, side))), beyond);
+        let around = std::iter::successors(Some(after(side)), beyond);
         around.map(|own| self.ends(own)[0]).collect()
     }
 
     /// The outline of a piece, counterclockwise: one closed line.
-    pub fn outline(&self, piece: u32) -> Vec<OutlineSide> {
-        let is_open = |side: &OutlineSide| {
-            let joint = self.facets[side.facet as usize].joints[side.side as usize];
+    pub fn outline(&self, piece: u32) -> Vec<FacetSide> {
+        let is_open = |(facet, side): &FacetSide| {
+            let joint = self.facets[*facet as usize].joints[*side as usize];
             joint.is_none_or(|joint| !self.folded[joint as usize])
         };
         let sides = |&facet: &u32| {
             let count = self.facets[facet as usize].corners.len() as u32;
-            (0..count).map(move |side| OutlineSide { facet, side })
+            (0..count).map(move |side| (facet, side))
         };
         let first = self.pieces[piece as usize].iter().flat_map(sides).find(is_open);
         let after =
-            |own: &OutlineSide| Some(self.beside(*own)[0]).filter(|next| Some(*next) != first);
+            |own: &FacetSide| Some(self.beside(*own)[0]).filter(|next| Some(*next) != first);
         std::iter::successors(first, after).collect()
     }
 }

@@ -1,7 +1,8 @@
 //! Tabs: trapezia on one of the two edges of a cut joint, shortened until they lie behind the
 //! neighbour, where they are hidden, and overlap nothing else on the piece.
 
-use super::net::{OutlineSide, PaperNet};
+use super::facet::FacetSide;
+use super::net::PaperNet;
 use super::plane::{Motion, overlaps, reach};
 use crate::fabricate::boxes::Corners;
 use crate::fabricate::panel::{direction_of, distance_to_outline};
@@ -21,7 +22,7 @@ const HIDDEN: f64 = 0.3;
 #[derive(Clone, Copy, Debug)]
 pub struct Tab {
     /// The side that it is on.
-    pub side: OutlineSide,
+    pub side: FacetSide,
     /// Its corners, counterclockwise: the start of the side, the two outer corners, the end of the
     /// side.
     pub corners: [Point2; 4],
@@ -34,13 +35,12 @@ pub struct Tab {
 /// than [`LEAST`].
 pub(super) fn tab(
     net: &PaperNet,
-    side: OutlineSide,
+    side: FacetSide,
     taken: &[[Point2; 4]],
     most: f64,
 ) -> Option<Tab> {
-    let (joint, there) = net.across((side.facet, side.side))?;
-    let ends = |side: OutlineSide| net.ends((side.facet, side.side));
-    let [p, q] = ends(side);
+    let (joint, there) = net.across(side)?;
+    let [p, q] = net.ends(side);
     let length = distance(p, q);
     // The neighbour, unfolded over the edge: the tab is hidden behind it.
     let of_neighbour = &net.facets[there.0 as usize].corners;
@@ -52,13 +52,13 @@ pub(super) fn tab(
     let inside_q = angle(q, p, neighbour[(i + m - 1) % m]);
     let inside_p = angle(p, neighbour[(j + 1) % m], q);
     // The free angle beside the piece is shared with the tab of the adjacent side.
-    let share = |other: OutlineSide| {
-        let same = net.across((other.facet, other.side)).is_some_and(|(own, _)| own == joint);
+    let share = |other: FacetSide| {
+        let same = net.across(other).is_some_and(|(own, _)| own == joint);
         if same { 0.9 } else { 0.48 }
     };
     let [after, before] = net.beside(side);
-    let free_p = share(before) * (360.0 - angle(p, q, ends(before)[0]));
-    let free_q = share(after) * (360.0 - angle(q, ends(after)[1], p));
+    let free_p = share(before) * (360.0 - angle(p, q, net.ends(before)[0]));
+    let free_q = share(after) * (360.0 - angle(q, net.ends(after)[1], p));
     let base = [inside_p.min(2.0 * free_p), inside_q.min(2.0 * free_q)]
         .map(|most| (0.5 * most).min(STEEPEST));
     if base.iter().any(|angle| *angle < 1.0) {
@@ -70,7 +70,7 @@ pub(super) fn tab(
         let [cosine, sine] = cosine_and_sine_of_degrees(angle);
         cosine / sine
     });
-    let of_piece = net.near(net.piece_of[side.facet as usize], around(net, side, most));
+    let of_piece = net.near(net.piece_of[side.0 as usize], around(net, side, most));
     let mut height = most.min((1.0 - TOP) * length / (slopes[0] + slopes[1]));
     while height >= LEAST {
         let top = |from: Point2, shift: f64| {
@@ -95,8 +95,8 @@ pub(super) fn tab(
 }
 
 /// The box of what may be in the way of a tab of at most `most` mm on a side.
-pub(super) fn around(net: &PaperNet, side: OutlineSide, most: f64) -> Corners {
-    reach(bounds(net.ends((side.facet, side.side))), most)
+pub(super) fn around(net: &PaperNet, side: FacetSide, most: f64) -> Corners {
+    reach(bounds(net.ends(side)), most)
 }
 
 /// The angle at a point, counterclockwise from one other point to a second, in degrees from 0 to

@@ -51,7 +51,6 @@ pub(super) fn place_on_tab(tab: &Tab, name: &str) -> Option<(f64, Point2)> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::net::OutlineSide;
     use super::*;
     use crate::fabricate::panel::distance_to_outline;
     use crate::fabricate::sheet::strokes;
@@ -59,7 +58,7 @@ mod tests {
 
     #[test]
     fn letters_keep_clear_of_the_sides_of_their_tab_however_it_leans() {
-        let side = OutlineSide { facet: 0, side: 0 };
+        let side = (0, 0);
         let mut named = 0;
         for turn in [[1.0, 0.0], [0.6, 0.8], [-0.8, -0.6]] {
             for (length, slopes) in

@@ -15,7 +15,7 @@
 //! Only plates with a common edge are kept apart. Where the inner faces of more than three plates do not
 //! meet in one point, those that share only a corner may overlap at its tip, by less than `c` in the tests.
 
-use super::facet::{Facet, FoldKind, Joint};
+use super::facet::{Facet, FacetSide, FoldKind, Joint};
 use crate::fabricate::panel::{direction_of, inset_sides};
 use crate::fabricate::surface::PanelSurface;
 use crate::math::plane::{Point2, cross, dot, rotated};
@@ -36,7 +36,7 @@ pub struct Uneven {
     pub too_thick: Vec<u32>,
     /// Sides that end farther from their edge than their fold asks, in line with one that asks for more:
     /// there is a gap.
-    pub gaps: Vec<(u32, u32)>,
+    pub gaps: Vec<FacetSide>,
 }
 
 /// The material of a paper model, and how it is folded.

@@ -30,9 +30,6 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
         ("Parts on sheets", report.parts_in_words(true)),
         ("Length of cuts", millimetres(report.cut_length_mm)),
     ];
-    let placed = build.layout.sheets.iter().flat_map(|sheet| &sheet.places);
-    let placed = placed.map(|place| &build.parts[place.part]);
-    let folds = placed.flat_map(|part| part.ridges.iter().chain(&part.valleys));
     match report.product {
         Product::Panels => {
             let [outside, inside] = report.least_joint_mm.map(|mm| millimetres(mm.unwrap_or(0.0)));
@@ -53,8 +50,13 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
                 .map(|frame| ("Cut back at nodes by up to", millimetres(frame.cut_back_mm))),
         ),
         Product::Paper => {
-            let scores = folds.flat_map(|fold| fold.windows(2));
-            let scores = scores.map(|ends| distance(ends[0], ends[1])).fold(0.0, |a, b| a + b);
+            // Where valleys are dashed, the gaps are folded too.
+            let scores = build.paper.iter().flat_map(|model| {
+                let places = build.layout.sheets.iter().flat_map(|sheet| &sheet.places);
+                let sides = places.flat_map(|place| model.scores(model.pieces[place.part]));
+                sides.map(|(side, _)| model.net.fold_line(side))
+            });
+            let scores = scores.map(|[p, q]| distance(p, q)).fold(0.0, |a, b| a + b);
             lines.push(("Length of scores", millimetres(scores)));
             let tabs = report.paper.as_ref().map(|paper| paper.tabs).filter(|tabs| *tabs > 0);
             lines.extend(tabs.map(|tabs| ("Tabs", tabs.to_string())));

@@ -8,7 +8,7 @@ use crate::fabricate::build_words::CheckWords;
 use crate::fabricate::check_card::CheckRow;
 use crate::fabricate::file::escaped;
 use crate::fabricate::report::BuildReport;
-use crate::fabricate::sight::{from_above, from_camera};
+use crate::fabricate::view_axes::{from_above, from_camera};
 use crate::words;
 
 /// The look. The policy of the page that shows the document allows exactly this text.

@@ -5,7 +5,7 @@ use crate::fabricate::build::Build;
 use crate::fabricate::check_card::Failed;
 use crate::fabricate::file::{escaped, places};
 use crate::fabricate::panel::roomiest_point;
-use crate::fabricate::sight::{Seen, ViewAxes};
+use crate::fabricate::view_axes::{Seen, ViewAxes};
 use crate::math::plane::Point2;
 use crate::math::{argsort, key_of_number, marked};
 

@@ -43,19 +43,19 @@ impl Bitmap {
 
     /// The first column from 0 to `most` where a part has room with its lowest cells in this row.
     /// The search begins at run `first`, which becomes the last that was in the way: it is likely to
-    /// be so in the next row too. Every test of a run is counted down in `tests`.
+    /// be so in the next row too. Every test of a run is counted down in `budget`.
     pub(super) fn column_for(
         &self,
         runs: &[Run],
         (row, most): (usize, usize),
         first: &mut usize,
-        tests: &mut usize,
+        budget: &mut usize,
     ) -> Option<usize> {
         let (mut column, mut passed, mut k) = (0, 0, *first);
         while passed < runs.len() {
             let Run { row: above, from, to } = runs[k];
             let [from, to] = [from, to].map(|at| at as usize);
-            *tests = tests.saturating_sub(1);
+            *budget = budget.saturating_sub(1);
             match self.last_taken(row + above as usize, column + from, column + to) {
                 // No position before the one beyond that cell has room.
                 Some(taken) => {

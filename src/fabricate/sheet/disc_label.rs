@@ -1,7 +1,6 @@
 //! Names on a node disc: its own between two slots or in the middle, an arrow on the rim at the first
-//! slot, and beside the slots the names of the fins or, if these are too long, of the nodes that the fins
-//! lead to. Names that do not fit are made smaller down to a readable height, then left out and
-//! counted.
+//! slot, and beside each slot that of the node that its fin leads to. Names that do not fit are made
+//! smaller down to a readable height, then left out and counted.
 
 use super::label::{ALIKE, LEAST, LEAST_OWN, Labels, TALLEST, underline, upright};
 use super::lettering::{strokes, text_width};
@@ -12,7 +11,7 @@ use crate::math::plane::{Point2, distance, dot, length, rotated};
 
 /// Largest height of the own name relative to the radius; smaller if that leaves room for more.
 const OF_RADIUS: [f64; 3] = [0.4, 0.28, 0.2];
-/// Height of the names of fins relative to the own name.
+/// Height of the other names relative to the own one.
 const OF_OWN: f64 = 0.7;
 /// By this names are made smaller until there is room.
 const SMALLER: f64 = 0.85;
@@ -21,18 +20,17 @@ const STEPS: u32 = 16;
 /// Room at both ends of the arrow, relative to the wall between slot and rim.
 const BESIDE_ARROW: f64 = 0.2;
 
-/// A slot and its names.
+/// A slot and its name.
 #[derive(Clone, Debug)]
 pub struct SlotName {
     /// Its corners; its first side leads from the axis outwards.
     pub corners: [Point2; 4],
-    /// What may be written beside it: the name of the fin or, if that is too long on a slot of the disc,
-    /// of the node that the fin leads to.
-    pub names: [String; 2],
+    /// What is written beside it: the name of the node that its fin leads to.
+    pub name: String,
 }
 
 /// Writes the labels of a disc about the origin that have room beside its slots, which are cut as
-/// `holes`; `turn` is its rotation on the sheet. All slots have names of one sort.
+/// `holes`; `turn` is its rotation on the sheet.
 pub fn label_disc(
     (outline, holes): (&[Point2], &[Hole]),
     name: &str,
@@ -40,8 +38,8 @@ pub fn label_disc(
     turn: Point2,
 ) -> Labels {
     let mut best: Option<(usize, Labels)> = None;
-    for (sort, tallest) in (0..2).flat_map(|sort| OF_RADIUS.map(|tallest| (sort, tallest))) {
-        let labels = labels_of(((outline, holes), (name, tallest), (slots, sort)), turn);
+    for tallest in OF_RADIUS {
+        let labels = labels_of((outline, holes), (name, tallest), slots, turn);
         let missing = labels.dropped + usize::from(labels.small);
         if best.as_ref().is_none_or(|(least, _)| missing < *least) {
             best = Some((missing, labels));
@@ -53,12 +51,11 @@ pub fn label_disc(
     best.map_or_else(Labels::default, |(_, labels)| labels)
 }
 
-/// The disc, its name with the largest height relative to the radius, the slots and which of their names
-/// is written.
-type Asked<'a> = ((&'a [Point2], &'a [Hole]), (&'a str, f64), (&'a [SlotName], usize));
-
+/// As [`label_disc`], with a largest height of the own name relative to the radius.
 fn labels_of(
-    ((outline, holes), (name, tallest), (slots, sort)): Asked<'_>,
+    (outline, holes): (&[Point2], &[Hole]),
+    (name, tallest): (&str, f64),
+    slots: &[SlotName],
     turn: Point2,
 ) -> Labels {
     let radius = outline.first().map_or(0.0, |&corner| length(corner));
@@ -82,9 +79,9 @@ fn labels_of(
     let mut highest: f64 = 0.0;
     for k in 0..slots.len() {
         let tallest = (OF_OWN * height).clamp(LEAST, TALLEST);
-        match beside_slot((slots, room), (k, sort), tallest, turn, &taken) {
+        match beside_slot((slots, room), k, tallest, turn, &taken) {
             Some((height, own)) => {
-                let name = &slots[k].names[sort];
+                let name = &slots[k].name;
                 highest = highest.max(height);
                 labels.lines.extend(strokes(name, height, own.centre, own.along));
                 labels.texts.push(name.clone());
@@ -146,13 +143,13 @@ fn own_name(
 /// other slots.
 fn beside_slot(
     (slots, room): (&[SlotName], f64),
-    (k, sort): (usize, usize),
+    k: usize,
     tallest: f64,
     turn: Point2,
     taken: &[TextBox],
 ) -> Option<(f64, TextBox)> {
     let [from, to, across, _] = slots[k].corners;
-    let name = &slots[k].names[sort];
+    let name = &slots[k].name;
     let along = direction_of(from, to);
     let left = rotated(along, [0.0, 1.0]);
     let middle = [0, 1].map(|x| 0.5 * (to[x] + across[x]));
@@ -218,7 +215,7 @@ mod tests {
             let stop = radius - 4.0;
             let corners = [[8.0, -1.5], [stop, -1.5], [stop, 1.5], [8.0, 1.5]];
             let corners = corners.map(|corner| rotated(corner, turn));
-            SlotName { corners, names: ["B12-13".to_owned(), "N13".to_owned()] }
+            SlotName { corners, name: "N13".to_owned() }
         };
         let slots: Vec<SlotName> = degrees.iter().map(slot).collect();
         let holes: Vec<Hole> = slots.iter().map(|slot| Hole::slot(slot.corners.into())).collect();
@@ -229,7 +226,7 @@ mod tests {
     fn a_large_disc_has_all_names_and_a_small_one_its_own() {
         let large = named(60.0, &[0.0, 90.0, 180.0, 270.0]);
         assert_eq!((large.dropped, large.small), (0, false));
-        assert_eq!(large.texts, ["N12", "B12-13", "B12-13", "B12-13", "B12-13"]);
+        assert_eq!(large.texts, ["N12", "N13", "N13", "N13", "N13"]);
         let small = named(17.0, &[0.0, 60.0, 120.0, 180.0, 240.0, 300.0]);
         assert_eq!(small.texts.first().map(String::as_str), Some("N12"), "{:?}", small.texts);
         for labels in [large, small] {

@@ -137,15 +137,20 @@ fn label_of_height(
     taken.insert(0, own);
     let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
     let mut highest: f64 = 0.0;
-    let is_rival = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
-    let rivals = sides(outline).enumerate().filter(|&(i, _)| is_rival(i));
-    let rivals: Vec<[Point2; 2]> = rivals.map(|(_, side)| side).collect();
+    let is_possible = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
+    let possible_sides = sides(outline).enumerate().filter(|&(i, _)| is_possible(i));
+    let possible_sides: Vec<[Point2; 2]> = possible_sides.map(|(_, side)| side).collect();
     for (k, neighbour) in neighbours.iter().enumerate() {
         let Some(neighbour) = neighbour else { continue };
         let edge = [outline[k], outline[(k + 1) % outline.len()]];
         let tallest = beside.min(height);
-        let found =
-            beside_edge(outline, (edge, &rivals), (neighbour, tallest), turn, (&taken, holes));
+        let found = beside_edge(
+            outline,
+            (edge, &possible_sides),
+            (neighbour, tallest),
+            turn,
+            (&taken, holes),
+        );
         match found {
             Some((height, own)) => {
                 highest = highest.max(height);
@@ -175,10 +180,11 @@ pub(super) fn underline(
 
 /// The height of a neighbour's name beside its edge, and its box: along the edge or else across it,
 /// as high as there is room up to `tallest`, if necessary beyond the hole nearest to the edge. None
-/// if it would be unreadable, or nearer to one of the `rivals` than to its edge.
+/// if it would be unreadable, or nearer to one of the `possible_sides`, for whose it may be taken, than
+/// to its edge.
 fn beside_edge(
     outline: &[Point2],
-    ([p, q], rivals): ([Point2; 2], &[[Point2; 2]]),
+    ([p, q], possible_sides): ([Point2; 2], &[[Point2; 2]]),
     (name, tallest): (&str, f64),
     turn: Point2,
     (taken, holes): (&[TextBox], &[Hole]),
@@ -211,7 +217,7 @@ fn beside_edge(
                     let own = TextBox::of_text(name, height, centre, upright(direction, turn));
                     if own.is_in(outline)
                         && taken.iter().all(|other| own.is_apart(other))
-                        && is_nearest([p, q], rivals, centre)
+                        && is_nearest([p, q], possible_sides, centre)
                     {
                         return Some((height, own));
                     }
@@ -225,11 +231,11 @@ fn beside_edge(
     }
 }
 
-/// Whether none of the `rivals`, its own side or others, is nearer to a point than its own side.
-fn is_nearest(own: [Point2; 2], rivals: &[[Point2; 2]], point: Point2) -> bool {
+/// Whether none of the `possible_sides`, which may have its own side, is nearer to a point than that.
+fn is_nearest(own: [Point2; 2], possible_sides: &[[Point2; 2]], point: Point2) -> bool {
     let far = |side: &[Point2; 2]| distance_to_outline(side, point);
     let least = far(&own) * (1.0 - 1e-9);
-    rivals.iter().all(|rival| far(rival) >= least)
+    possible_sides.iter().all(|other| far(other) >= least)
 }
 
 /// Adds an arrow from the middle towards edge 0, as long as a letter is high; false if there is no
@@ -388,8 +394,8 @@ mod tests {
                 0.5 * (low + high)
             });
             let side = |k: usize| [outline[k], outline[(k + 1) % 5]];
-            let rivals: Vec<_> = (0..5).filter(|i| *i != k).map(side).collect();
-            assert!(is_nearest(side(k), &rivals, middle), "edge {k}: {middle:?}");
+            let possible_sides: Vec<_> = (0..5).filter(|i| *i != k).map(side).collect();
+            assert!(is_nearest(side(k), &possible_sides, middle), "edge {k}: {middle:?}");
         }
     }
 

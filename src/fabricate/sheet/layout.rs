@@ -66,12 +66,12 @@ fn nested(
     let fits = |own: &&Resting| !best.layout.too_large.contains(&own.part);
     let resting: Vec<&Resting> = resting.iter().filter(fits).collect();
     let Some(nester) = Nester::new(parts, &resting, room, sheet.gap) else { return best };
-    let mut tests = MOST_TESTS;
+    let mut budget = MOST_TESTS;
     for direction in [Direction::Rows, Direction::Columns] {
         let room = direction.room(room);
         for first in [First::Largest, First::Longest] {
             let most = best.layout.sheets.len();
-            let Some((sheets, top)) = nester.nest(first, room, most, &mut tests) else { continue };
+            let Some((sheets, top)) = nester.nest(first, room, most, &mut budget) else { continue };
             let on_sheet = |places: Vec<Place>| {
                 let on_sheet = |place| direction.on_sheet(sheet, place);
                 Sheet { places: places.into_iter().map(on_sheet).collect() }

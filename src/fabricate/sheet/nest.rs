@@ -105,13 +105,13 @@ impl Nester {
     }
 
     /// The places on each sheet with this much `room`, and the used height of the last sheet. None if
-    /// more than `most` sheets are needed, or there are no more `tests` of runs of cells.
+    /// more than `most` sheets are needed, or there are no more tests of runs of cells in the `budget`.
     pub(super) fn nest(
         &self,
         first: First,
         room: [f64; 2],
         most: usize,
-        tests: &mut usize,
+        budget: &mut usize,
     ) -> Option<(Vec<Vec<Place>>, f64)> {
         let mut order: Vec<&Nested> = self.parts.iter().collect();
         sort_by_number(&mut order, |own| key_of_number(-own.ranks[first as usize]));
@@ -123,19 +123,19 @@ impl Nester {
         for own in order {
             let found = sheets.iter().enumerate().find_map(|(s, (sheet, _))| {
                 let sheet = sheet.as_ref().filter(|sheet| own.cells <= sheet.free)?;
-                self.position(own, sheet, room, tests).map(|at| (s, at))
+                self.position(own, sheet, room, budget).map(|at| (s, at))
             });
             let (s, Position { stance, at, .. }) = match found {
                 Some(found) => found,
                 None => {
                     let sheet = Bitmap::new(grid);
-                    let position = self.position(own, &sheet, room, tests)?;
+                    let position = self.position(own, &sheet, room, budget)?;
                     sheets.push((Some(sheet), Vec::new()));
                     top = 0.0;
                     (sheets.len() - 1, position)
                 }
             };
-            if sheets.len() > most || *tests == 0 {
+            if sheets.len() > most || *budget == 0 {
                 return None;
             }
             let (sheet, places) = &mut sheets[s];
@@ -159,7 +159,7 @@ impl Nester {
         own: &'a Nested,
         sheet: &Bitmap,
         room: [f64; 2],
-        tests: &mut usize,
+        budget: &mut usize,
     ) -> Option<Position<'a>> {
         let mut best: Option<Position<'_>> = None;
         for stance in &own.stances {
@@ -174,7 +174,8 @@ impl Nester {
                 if best.as_ref().is_some_and(|best| high > best.reach[0]) {
                     break;
                 }
-                let column = sheet.column_for(&stance.runs, (row, columns), &mut in_the_way, tests);
+                let column =
+                    sheet.column_for(&stance.runs, (row, columns), &mut in_the_way, budget);
                 if let Some(column) = column {
                     let reach = [high, column as f64 * self.cell + stance.size[0]];
                     if best.as_ref().is_none_or(|best| reach < best.reach) {

@@ -84,8 +84,7 @@ fn joins(build: &Build, model: &PaperModel) -> String {
             JointKind::Tab(tab) => ("tab", Some(tab)),
             JointKind::Bare => ("no tab", None),
         };
-        let tab_on =
-            tab.map(|tab| panels[usize::from((tab.side.facet, tab.side.side) != joint.sides[0])]);
+        let tab_on = tab.map(|tab| panels[usize::from(tab.side != joint.sides[0])]);
         let length = |k: usize| {
             let [p, q] = net.ends(joint.sides[k]);
             distance(p, q)

@@ -123,8 +123,8 @@ impl Builder {
         // Only their number counts.
         let untouched = std::iter::repeat_n([0_u32; 0], untouched).collect();
         let mesh = Mesh { unplaced, untouched, ..mesh_of(positions, offsets, indices) };
-        let build = LengthInMetres::of(&symbol)
-            .and_then(|unit| Build::standing(&mesh, &settings, unit, &stand));
+        let build =
+            LengthInMetres::of(&symbol).and_then(|unit| Build::new(&mesh, &settings, unit, &stand));
         let said = |fault: Fault| thrown(fault.sentence());
         Ok(Builder { build: build.map_err(said)?, z_up })
     }

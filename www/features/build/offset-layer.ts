@@ -7,22 +7,25 @@ const NONE = new Uint32Array(0);
 /** The colour of panels that exceed a limit. */
 const FAILED: [number, number, number] = [214, 40, 57];
 
-export function offsetLayer({ store, actions, viewport }: AppContext) {
+export function offsetLayer({ solver, actions, viewport }: AppContext) {
   let layer: OffsetLayer | null = null;
+  /** The mesh of the layer. */
+  let mesh: object | undefined;
 
-  /** The layer, if it is of the current mesh; another one may have been opened since. */
-  const fitting = () =>
-    layer?.points.length === 3 * (store.get().model?.vertices ?? 0) ? layer : null;
+  /** The layer, unless another mesh has been opened since. */
+  const fitting = () => (solver.geometry?.connectivity === mesh ? layer : null);
 
   function draw() {
     const { points = new Float64Array(0), edges = NONE, vertices = NONE } = fitting() ?? {};
     viewport.unmeasured((view) => view.setLayer(points, edges, vertices));
   }
 
+  /** Shows the offset of the mesh that is open. Without one, its points are empty. */
   function show(next: OffsetLayer | null) {
     layer = next;
+    mesh = solver.geometry?.connectivity;
     draw();
-    const { panels: faces = NONE } = fitting() ?? {};
+    const faces = layer?.panels ?? NONE;
     const tint = faces.length > 0 ? { faces, vertices: NONE, colour: FAILED } : null;
     actions.tint('unbuildable', tint);
   }
