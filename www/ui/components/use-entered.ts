@@ -14,8 +14,8 @@ export function useEntered<Value>() {
   return {
     /** Returns what was entered last; `value` once it has settled. */
     over(value: Value): Value {
-      const { value: own } = entered;
-      return own?.subject === subject ? own.value : value;
+      const own = entered.value;
+      return own && own.subject === subject ? own.value : value;
     },
     /** @param edit settles when the page shows what has become of the value; anything but a promise has */
     enter(value: Value, edit: unknown) {
