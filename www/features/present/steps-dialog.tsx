@@ -10,6 +10,7 @@ import { Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { TextField } from '../../ui/components/text-field.tsx';
 import { Thumbnail } from '../../ui/components/thumbnail.tsx';
 import { useEntered } from '../../ui/components/use-entered.ts';
+import { TILT, TURN } from '../../viewport/flight.ts';
 import { sceneOf } from '../../solver/scene-text.ts';
 import { count } from '../../ui/words.ts';
 import type { Slide } from '../../pkg/engine/shape_up.js';
@@ -170,9 +171,6 @@ function StepsDialog({ close }: InDialog) {
     </div>
   );
 }
-
-/** Indices of turn and tilt in the array of a camera. */
-const [TURN, TILT] = [4, 5];
 
 const directionOf = ({ camera }: Slide) => camera && { turn: camera[TURN], above: camera[TILT] };
 
