@@ -151,6 +151,8 @@ export interface State {
   closedCard: boolean;
   /** null without fabrication panel */
   build: BuildReport | null;
+  /** why the parts that goals of the lesson bound could not be built; empty if they could */
+  goalsRefused: string;
   /** shown instead of the current shape, on request */
   heldOriginal: HeldOriginal | null;
   /** a presentation covers the page */
@@ -311,6 +313,7 @@ const INITIAL: State = {
   closedCard: false,
   heldOriginal: null,
   build: null,
+  goalsRefused: '',
   presenting: false,
   plot: 'convergence',
   dark: false,

@@ -65,7 +65,8 @@ export function Lesson() {
       <p class="lesson-text">{lesson.text}</p>
       <ul aria-label="Goals">
         {lesson.goals.map((goal, i) => {
-          const { met, words, value } = now?.goals[i] ?? {};
+          const { met, words, value: measured } = now?.goals[i] ?? {};
+          const value = (goal.build !== null && state.goalsRefused) || measured;
           // A goal on a constraint has the value of its row.
           const isInRow = goal.measure === null && goal.build === null;
           const isMeasured = goal.beyond === null && isInLegend(state, goal.measure);
