@@ -4,7 +4,7 @@
  */
 
 import './lesson.css';
-import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { ComponentType } from 'preact';
 import { isInLegend, movedInWords } from '../../store/colours/measures.ts';
 import { type Lock } from '../../store/panels-card.ts';
@@ -164,8 +164,7 @@ function showHandIn(app: AppContext) {
 function HandIn() {
   const { store, files, actions } = useApp();
   const name = useRef<HTMLInputElement>(null);
-  // As they are when the dialog opens.
-  const [goals] = useState(() => store.get().numbers?.lesson?.goals ?? []);
+  const goals = useThrottled(() => store.state.numbers?.lesson?.goals ?? []);
   const met = goals.filter((goal) => goal.met).length;
 
   async function save() {
