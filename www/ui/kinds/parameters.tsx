@@ -1,7 +1,7 @@
 /** Controls for the parameters of a kind, made from their declaration: forms and their fields. */
 
 import { Fragment } from 'preact';
-import { useLayoutEffect, useState } from 'preact/hooks';
+import { useId, useLayoutEffect, useState } from 'preact/hooks';
 import { Choice } from '../components/fields.tsx';
 import { NumberInput, readNumber, type Accepted } from '../components/number-input.tsx';
 import { firstIn } from '../components/number-steps.ts';
@@ -129,7 +129,7 @@ function Parameter({
   const shown = numbers.map((number) =>
     number === null || factor === 1 ? number : rounded(factor * number, DIGITS),
   );
-  const error = `error-${name.replace(/\W+/g, '-')}`;
+  const error = useId();
 
   const [min, max] = isVector ? [] : param.range;
   /** What a number may be; a null is an infinite limit. */
