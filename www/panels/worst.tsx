@@ -62,10 +62,16 @@ export function WorstElements() {
           }}
         />
       </label>
-      <p class="quiet">{answer && (isEmpty ? 'No constraints, or no values.' : answer.words)}</p>
+      <p class="quiet">{answer?.words}</p>
       {!isEmpty && <Table rows={answer.rows} />}
     </div>
   );
+}
+
+/** Says why there is nothing in the table. */
+function noneInWords(by: string, isOfFaces: boolean) {
+  if (by === '') return 'There are no constraints.';
+  return isOfFaces ? 'No face has a value.' : 'No constraint has a value.';
 }
 
 /** The worst elements by a choice, and what their values are. */
@@ -87,7 +93,7 @@ function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<strin
     const rows = await actions.reportErrors(worst());
     if (!rows) return undefined;
     const what = about?.words ?? 'largest distance of a vertex from the shape of its constraint';
-    return { rows, words: `The ${what}.` };
+    return { rows, words: rows.length > 0 ? `The ${what}.` : noneInWords(by, Boolean(about)) };
   }
 
   function follow() {

@@ -162,7 +162,7 @@ test('presses start from what was entered before, although the solver has not an
     await field.evaluate(async (input: HTMLInputElement) => {
       // Answers are tasks, of which none begins before this one has ended.
       const rendered = async () => {
-        for (let turn = 0; turn < 20; turn++) await null;
+        for (let turn = 0; turn < 20; turn++) await Promise.resolve();
       };
       for (let press = 0; press < 3; press++) {
         input.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', bubbles: true }));

@@ -239,8 +239,7 @@ function Worst({ row }: { row: ConstraintRow }) {
   const { units, tolerance } = document;
   const value = lengthOrZero(found.value, model?.size ?? 0);
   const isSoft = row.require === 'soft';
-  const allowed =
-    typeof row.require === 'object' ? row.require.within : isSoft ? tolerance : 0;
+  const allowed = typeof row.require === 'object' ? row.require.within : isSoft ? tolerance : 0;
   // Of what is required there is a report: some panels may have a tolerance of their own.
   const unmet = isSoft ? undefined : found.unmet;
   const isWithin = unmet ? !unmet.includes(row.index) : value <= allowed;
@@ -250,12 +249,11 @@ function Worst({ row }: { row: ConstraintRow }) {
       ? `, ${count(eased.panels, 'panel')} within ${limit(eased.within, units)}`
       : '';
   // The row says what it requires.
-  const compared =
-    isSoft
-      ? `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`
-      : isWithin
-        ? `satisfied${others}`
-        : 'not satisfied';
+  const compared = isSoft
+    ? `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`
+    : isWithin
+      ? `satisfied${others}`
+      : 'not satisfied';
   return (
     <>
       <span
