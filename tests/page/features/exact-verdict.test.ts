@@ -36,7 +36,8 @@ async function shown(
     trials: { improvement: () => new Promise(() => {}) },
   };
   const messages = new RunMessages({ store, actions } as unknown as AppContext);
-  const app = { store, actions, solver: { geometry } } as unknown as AppContext;
+  const viewport = { with() {} };
+  const app = { store, actions, viewport, solver: { geometry } } as unknown as AppContext;
   await new ExactVerdict(app, messages, () => false).show();
   return { store, messages };
 }
