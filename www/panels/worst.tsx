@@ -68,12 +68,6 @@ export function WorstElements() {
   );
 }
 
-/** Says why there is nothing in the table. */
-function noneInWords(by: string, isOfFaces: boolean) {
-  if (by === '') return 'There are no constraints.';
-  return isOfFaces ? 'No face has a value.' : 'No constraint has a value.';
-}
-
 /** The worst elements by a choice, and what their values are. */
 function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<string>) {
   const { store, actions } = useApp();
@@ -93,7 +87,8 @@ function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<strin
     const rows = await actions.reportErrors(worst());
     if (!rows) return undefined;
     const what = about?.words ?? 'largest distance of a vertex from the shape of its constraint';
-    return { rows, words: rows.length > 0 ? `The ${what}.` : noneInWords(by, Boolean(about)) };
+    const none = by && `No ${about ? 'face' : 'constraint'} has a value.`;
+    return { rows, words: rows.length > 0 ? `The ${what}.` : none || 'There are no constraints.' };
   }
 
   function follow() {
