@@ -8,7 +8,7 @@ import { useRef, useState } from 'preact/hooks';
 import { useAnswer } from '../store/use-answer.ts';
 import { useApp } from '../store/use-app.ts';
 import { Outline } from '../ui/components/histogram.tsx';
-import { groupDigits } from '../ui/words.ts';
+import { count, groupDigits } from '../ui/words.ts';
 
 const EVERY_MS = 150;
 const HALF_TURN = 180;
@@ -64,7 +64,7 @@ function Histogram({ original, now }: Counts) {
         now
         <span class="original" />
         original
-        <span class="most figure">{isKnown && `${groupDigits(most)} corners`}</span>
+        <span class="most figure">{isKnown && `${count(most, 'corner')}`}</span>
       </p>
       <div
         ref={bars}
@@ -72,7 +72,7 @@ function Histogram({ original, now }: Counts) {
         role="img"
         aria-label={
           isKnown
-            ? `${groupDigits(all)} corners by angle. The middle half: originally ${middle}`
+            ? `${count(all, 'corner')} by angle. The middle half: originally ${middle}`
             : undefined
         }
         onPointerMove={point}

@@ -62,7 +62,7 @@ export function WorstElements() {
           }}
         />
       </label>
-      <p class="quiet">{answer && (isEmpty ? 'No constraints, or no values.' : answer.words)}</p>
+      <p class="quiet">{answer?.words}</p>
       {!isEmpty && <Table rows={answer.rows} />}
     </div>
   );
@@ -87,7 +87,8 @@ function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<strin
     const rows = await actions.reportErrors(worst());
     if (!rows) return undefined;
     const what = about?.words ?? 'largest distance of a vertex from the shape of its constraint';
-    return { rows, words: `The ${what}.` };
+    const none = by && `No ${about ? 'face' : 'constraint'} has a value.`;
+    return { rows, words: rows.length > 0 ? `The ${what}.` : none || 'There are no constraints.' };
   }
 
   function follow() {

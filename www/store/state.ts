@@ -151,6 +151,8 @@ export interface State {
   closedCard: boolean;
   /** null without fabrication panel */
   build: BuildReport | null;
+  /** why the parts that goals of the lesson bound could not be built; empty if they could */
+  goalsRefused: string;
   /** shown instead of the current shape, on request */
   heldOriginal: HeldOriginal | null;
   /** a presentation covers the page */
@@ -208,9 +210,9 @@ export const AUTOMATIC: OwnRange = { low: null, high: null, top: null };
  * extent. The part before it along the axis is kept, or the part after it if `turned`.
  */
 export type Section = { axis: number; at: number; turned: boolean };
-/** The programs whose mouse buttons can be had. */
-export const MICE = ['rhino', 'web', 'blender'] as const;
-export type Mouse = (typeof MICE)[number];
+/** The programs whose mouse buttons can be chosen. */
+export const MOUSE_SETTINGS = ['rhino', 'web', 'blender'] as const;
+export type Mouse = (typeof MOUSE_SETTINGS)[number];
 /** The steps of the page, in their order. */
 export const STEPS = ['open', 'shape', 'move', 'check', 'build'] as const;
 export type Step = (typeof STEPS)[number];
@@ -311,6 +313,7 @@ const INITIAL: State = {
   closedCard: false,
   heldOriginal: null,
   build: null,
+  goalsRefused: '',
   presenting: false,
   plot: 'convergence',
   dark: false,

@@ -7,7 +7,7 @@ import { reveal } from '../ui/reveal.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
 import {
   AUTOMATIC,
-  MICE,
+  MOUSE_SETTINGS,
   type Marking,
   type PanelPress,
   type State,
@@ -34,7 +34,7 @@ type Owned =
   | ('mouse' | 'press' | 'closedCard' | 'tints');
 
 export function createViewActions(store: Store) {
-  const mouse = MICE.find((one) => one === getItem(MOUSE));
+  const mouse = MOUSE_SETTINGS.find((one) => one === getItem(MOUSE));
   if (mouse) store.set({ mouse });
   return {
     /** @param status last event, as text */

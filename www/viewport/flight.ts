@@ -1,7 +1,10 @@
 /** Cameras between two others, as the numbers that the view returns and restores. */
 
-/** Places of the numbers: pivot (three), distance, turn, tilt, and whether the model is framed. */
-const [DISTANCE, TURN, FRAMED] = [3, 4, 6];
+/**
+ * Places of the numbers of a camera (`View.camera`), after the three of its pivot: distance, turn and
+ * tilt in radians, and whether the model is framed, 0 or 1.
+ */
+export const [DISTANCE, TURN, TILT, FRAMED] = [3, 4, 5, 6];
 const WHOLE = 2 * Math.PI;
 
 /**

@@ -44,12 +44,12 @@ test(
       expect(now.blue).toBeGreaterThan(before.blue + 300);
     }).toPass();
     await card.getByLabel('Lines', { exact: true }).selectOption('Lines of curvature');
-    await expect(card.getByLabel('Distance between lines')).toHaveAttribute('placeholder', /\d/);
-    await card.getByLabel('Distance between lines').fill('0.0001');
-    await card.getByLabel('Distance between lines').press('Enter');
+    await expect(card.getByLabel('Spacing of the lines')).toHaveAttribute('placeholder', /\d/);
+    await card.getByLabel('Spacing of the lines').fill('0.0001');
+    await card.getByLabel('Spacing of the lines').press('Enter');
     await expect(card.getByText('expected a distance from')).toBeVisible();
-    await card.getByLabel('Distance between lines').fill('1.5');
-    await card.getByLabel('Distance between lines').press('Enter');
+    await card.getByLabel('Spacing of the lines').fill('1.5');
+    await card.getByLabel('Spacing of the lines').press('Enter');
     await expect(card.getByText('expected a distance from')).toBeHidden();
     await page.getByRole('button', { name: 'Close curvature' }).click();
     await expect(card).toBeHidden();

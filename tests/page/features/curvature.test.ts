@@ -31,7 +31,7 @@ test('after a refusal the shape is sent again', async () => {
   const how = { distance: null };
   const lines = new CurvatureLines(app);
   await lines.draw({ ...how, draw: 'strokes' });
-  assert.equal(lines.told.value.refused, 'The surface has no area.');
+  assert.equal(lines.result.value.refused, 'The surface has no area.');
   // The same request is not sent again; a different one is, together with the shape.
   await lines.draw({ ...how, draw: 'strokes' });
   answer = () => found;

@@ -15,6 +15,7 @@ const { ExactVerdict } = await import('../../../www/features/warnings/exact-verd
 async function shown(
   report: object = { met: false, worst: [{ vertices: [2, 3] }] },
   lock: string[] = [],
+  geometry: object | null = null,
 ) {
   const store = createStore();
   store.set({
@@ -30,11 +31,13 @@ async function shown(
       }),
     },
     tint: createViewActions(store).tint,
+    select: (elements: object) => ({ edges: [], ...elements }),
     reportErrors: (begun: Promise<unknown>) => begun,
     trials: { improvement: () => new Promise(() => {}) },
   };
   const messages = new RunMessages({ store, actions } as unknown as AppContext);
-  const app = { store, actions, solver: { geometry: null } } as unknown as AppContext;
+  const viewport = { with() {} };
+  const app = { store, actions, viewport, solver: { geometry } } as unknown as AppContext;
   await new ExactVerdict(app, messages, () => false).show();
   return { store, messages };
 }
@@ -45,6 +48,19 @@ test('what cannot be met is coloured as long as that is said', async () => {
   assert.deepEqual(store.get().tints.unmet?.vertices, Uint32Array.of(2, 3));
   messages.withdraw();
   assert.equal(store.get().tints.unmet, null);
+});
+
+test('of faces and edges that cannot be met together, both are coloured', async () => {
+  // The edges were left out.
+  const worst = [{ vertices: [2, 0, 1] }, { vertices: [2, 3] }];
+  const connectivity = {
+    faceOffsets: Uint32Array.of(0, 3),
+    faceIndices: Uint32Array.of(0, 1, 2),
+    ...{ edges: Uint32Array.of(), edgeFaces: Uint32Array.of() },
+  };
+  const { store } = await shown({ met: false, worst }, [], { connectivity });
+  const { faces, vertices } = store.get().tints.unmet ?? {};
+  assert.deepEqual([faces, vertices], [Uint32Array.of(0), Uint32Array.of(2, 3)]);
 });
 
 test('what a lesson would refuse is not offered', async () => {

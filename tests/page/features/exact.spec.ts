@@ -84,6 +84,11 @@ test.describe('with every row closed', () => {
     await page.getByRole('button', { name: 'Run', exact: true }).click();
     const unmet = await waitForState(page, (now) => !now.running && now.exact);
     expect(unmet.exact).toMatchObject({ met: false, contradiction: true, unmet: [0, 1] });
+    // They were compared with the tolerance of panels, and had a green tick within it.
+    await expect(page.locator('.constraint .within')).toHaveText([
+      'not satisfied',
+      'not satisfied',
+    ]);
     await expect(verdict(page)).toContainText('2 of 2 constraints cannot be satisfied together');
     // It took what helps with it.
     await verdict(page).getByRole('button', { name: 'Show them' }).click();

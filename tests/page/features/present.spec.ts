@@ -201,6 +201,10 @@ test('each step has its picture, and notes that are not presented', async ({ pag
   expect(pictures).toHaveLength(2);
   for (const picture of pictures) expect(new Set(picture.split(',')).size).toBeGreaterThan(20);
   expect(pictures[0]).not.toBe(pictures[1]);
+  // They were empty when the dialog was opened again.
+  await dialogOf(page).getByRole('button', { name: 'Close' }).click();
+  await openSteps(page);
+  await expect.poll(() => picturesOf(page)).toEqual(pictures);
 
   const words = 'Ask who has built one.';
   await dialogOf(page).getByLabel('Notes of step 2').fill(words);

@@ -33,6 +33,7 @@ test('while parts are made, edits are answered; making them can be cancelled and
   await expect(work).toBeHidden();
   const panel = page.getByRole('region', { name: 'Build: parts and sheets' });
   await expect(panel.getByText('Cancelled.')).toBeVisible();
+  await expect(panel.getByRole('button', { name: 'Build again' })).toBeEnabled();
   await expect(page.getByRole('alert')).toBeEmpty();
   // What a worker that was ended has answered does not come.
   await answers.hold();

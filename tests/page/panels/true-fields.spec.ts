@@ -145,6 +145,42 @@ test('numbers are read as people type them, and the arrow keys change them', asy
   await expect.poll(async () => (await sceneOf(page)).tolerance).toBe(0.02);
 });
 
+test('presses start from what was entered before, although the solver has not answered', async ({
+  page,
+}) => {
+  // With a slow solver most of them started from the same number again.
+  await openGrid(page, 4);
+  await addConstraint(page, 'Circle', 'each face');
+  await page.getByRole('button', { name: /^Circle.*: parameters/ }).click();
+  await page.getByLabel(/^Circle.*Radius: kind of value$/).selectOption('number');
+  const radius = page.getByRole('spinbutton', { name: /^Circle.*: Radius$/ });
+  await radius.fill('1');
+  await radius.press('Enter');
+  await expect.poll(async () => (await sceneOf(page)).constraints[0].radius).toBe(1);
+  await settled(page);
+  for (const field of [page.getByRole('spinbutton', { name: /^Circle.*: weight/ }), radius]) {
+    await field.evaluate(async (input: HTMLInputElement) => {
+      // Answers are tasks, of which none begins before this one has ended.
+      const rendered = async () => {
+        for (let turn = 0; turn < 20; turn++) await Promise.resolve();
+      };
+      for (let press = 0; press < 3; press++) {
+        input.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp', bubbles: true }));
+        await rendered();
+      }
+      for (let entry = 0; entry < 2; entry++) {
+        input.value = '+0.5';
+        for (const type of ['input', 'change'])
+          input.dispatchEvent(new Event(type, { bubbles: true }));
+        await rendered();
+      }
+    });
+  }
+  await settled(page);
+  await expect(radius).toHaveValue('2.3');
+  expect((await sceneOf(page)).constraints[0]).toMatchObject({ weight: 5, radius: 2.3 });
+});
+
 test('a handle is not made again', async ({ page }) => {
   await openGrid(page, 4);
   const at = await page.evaluate(() => window.shapeUp.screen(12) ?? [0, 0]);

@@ -75,7 +75,6 @@ function Panel({ makePanels }: { makePanels: MakePanels }) {
       </Button>
     </>
   );
-  const warnings = refused ? [refused] : (built?.words.warnings ?? []);
   return (
     <Docked of="parts" title="Build: parts and sheets" head={head}>
       {offers && hadDocument.current && (
@@ -95,7 +94,13 @@ function Panel({ makePanels }: { makePanels: MakePanels }) {
             <Thickness parts={parts} declared={offers.settings} />
             <CheckCard parts={parts} makePanels={makePanels} />
             <TypesCurve parts={parts} />
-            {warnings.map((words) => (
+            {refused && (
+              <div class="notice advice">
+                <p>{refused}</p>
+                <Button onClick={() => actions.reportErrors(live.again())}>Build again</Button>
+              </div>
+            )}
+            {built?.words.warnings.map((words) => (
               <p key={words} class="notice">
                 {words}
               </p>

@@ -201,9 +201,15 @@ export class LiveBuild {
 export async function measureGoals(app: AppContext) {
   const { store, actions } = app;
   const live = new LiveBuild(app, 'goals', {
-    show: () => void actions.reportErrors(tell()),
+    show() {
+      actions.look({ goalsRefused: '' });
+      void actions.reportErrors(tell());
+    },
     showOffset: () => {},
-    refuse: () => void actions.reportErrors(actions.setBuildNumbers([])),
+    refuse(why) {
+      actions.look({ goalsRefused: why });
+      void actions.reportErrors(actions.setBuildNumbers([]));
+    },
   });
   await live.offers();
 

@@ -70,7 +70,7 @@ export class Parts {
 
   /** @param values by the paths of the settings, as in a scene */
   change(values: Record<string, unknown>) {
-    void this.#app.actions.edit({ setBuild: { values } }, (error) => this.#refusal(error));
+    return this.#app.actions.edit({ setBuild: { values } }, (error) => this.#refusal(error));
   }
 
   /** Names the setting of a refusal by its label: several may be wrong together. */

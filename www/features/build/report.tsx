@@ -5,6 +5,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { linkTo } from '../../documents/share-link.ts';
 import { showDialog } from '../../store/show-dialog.tsx';
 import { Button } from '../../ui/components/buttons.tsx';
+import { TILT, TURN } from '../../viewport/flight.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { LiveBuild } from './live-build.ts';
 
@@ -16,8 +17,7 @@ export async function showReport(app: AppContext, live: LiveBuild) {
   await actions.settled();
   const { document: scene, camera } = store.get();
   const title = scene?.title || files.name;
-  // Turn and tilt.
-  const angles = camera ? Float64Array.from(camera.slice(4, 6)) : null;
+  const angles = camera && Float64Array.of(camera[TURN], camera[TILT]);
   const { address } = await linkTo(app);
   const text = await live.reportPage({ title, camera: angles, link: address });
   if (text === null) return;

@@ -3,6 +3,7 @@
  * with the error of each, and the weight of following the surface.
  */
 
+import { useState } from 'preact/hooks';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { HeldSlider } from '../../ui/components/held-slider.tsx';
 import { rounded } from '../../ui/words.ts';
@@ -13,12 +14,16 @@ import type { Parts } from './parts.ts';
 const FAR = 2;
 /** Fraction of the distance at which an edge would have no length. */
 const INSIDE = 0.99;
+/** Digits of a distance that the slider sets. */
+const DIGITS = 4;
 /** Exponent to base ten of the smallest weight of following. */
 const LEAST_FOLLOW = -5;
 
 /** @param props.declared all settings of Build */
 export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSetting[] }) {
   const { report, words } = parts.card.value ?? {};
+  /** Where the slider is held. */
+  const [held, setHeld] = useState<number | null>(null);
   const offset = report?.offset;
   if (!offset) return null;
   const settings = parts.settings.value;
@@ -39,7 +44,8 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
           title={`Empty: ${distance?.absent}`}
           min={-Infinity}
           unit={unit.symbol}
-          value={rounded(at, 6)}
+          // The next step starts from what was entered, although it is not built yet.
+          value={rounded(held ?? settings.distance ?? at, 6)}
           onAmount={(to) => parts.change({ distance: to })}
           onEmpty={() => parts.change({ distance: null })}
         />
@@ -55,8 +61,15 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
         aria-valuetext={words?.distance}
         at={at}
         // Parts cannot have 0.
-        onMove={(to) => to !== 0 && parts.tryDistance(to)}
-        onRelease={(to) => (to === 0 ? parts.tryDistance(null) : parts.change({ distance: to }))}
+        onMove={(to) => {
+          setHeld(to);
+          if (to !== 0) parts.tryDistance(to);
+        }}
+        onRelease={(to) => {
+          setHeld(null);
+          if (to === 0) parts.tryDistance(null);
+          else void parts.change({ distance: rounded(to, DIGITS) });
+        }}
       />
       <p class="quiet">{words?.safe}</p>
       <span id="parts-keeps">{kind?.label}</span>

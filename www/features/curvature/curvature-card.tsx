@@ -49,7 +49,7 @@ function Card() {
         <label class="apart">
           <span>Spacing</span>
           <AmountField
-            name="Distance between lines"
+            name="Spacing of the lines"
             unit={document?.units}
             value={distance}
             placeholder={answer ? number(answer.distance) : ''}
@@ -109,5 +109,5 @@ function useLines(draw: Drawn, distance: number | null) {
   useEffect(() => {
     void lines.draw(draw === '' ? null : { draw, distance: draw === 'lines' ? distance : null });
   }, [draw, distance]);
-  return lines.told.value;
+  return lines.result.value;
 }

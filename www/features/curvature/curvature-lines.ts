@@ -15,7 +15,10 @@ export type LinesRequest = Omit<LinesQuestion, 'shape'>;
 
 export class CurvatureLines {
   /** What was found last, or why nothing was. */
-  readonly told = signal<{ answer: Lines | null; refused: string }>({ answer: null, refused: '' });
+  readonly result = signal<{ answer: Lines | null; refused: string }>({
+    answer: null,
+    refused: '',
+  });
   #app;
   #request: LinesRequest | null = null;
   /** Generation of the shape that the worker has; 0 if none. */
@@ -77,20 +80,20 @@ export class CurvatureLines {
     this.#known = answer ? generation : 0;
     // Another mesh may have been opened since.
     if (store.get().model !== model || !this.#request) return;
-    this.told.value = { answer, refused };
+    this.result.value = { answer, refused };
     this.#draw();
   }
 
   #clear() {
-    const isDrawn = this.told.value.answer !== null;
+    const isDrawn = this.result.value.answer !== null;
     this.#asked = [];
-    this.told.value = { answer: null, refused: '' };
+    this.result.value = { answer: null, refused: '' };
     // Another card may have drawn its lines since.
     if (isDrawn) this.#draw();
   }
 
   #draw() {
-    const { answer } = this.told.value;
+    const { answer } = this.result.value;
     const { points = new Float64Array(0), offsets = new Uint32Array(1), count = 0 } = answer ?? {};
     this.#app.viewport.unmeasured((view) => view.setSurfaceLines(points, offsets, count));
   }

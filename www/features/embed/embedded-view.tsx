@@ -7,7 +7,7 @@
  * | option | meaning |
  * |---|---|
  * | `autoplay` | starts the view at once and iterates |
- * | `panel=model` | shows the steps; so does `inspector`, of older links |
+ * | `panel=model` | shows the steps |
  * | `measure=ID` | colours the faces by a measure; `none` is the plain material |
  * | `theme=light`, `theme=dark` | overrides the system's theme |
  */

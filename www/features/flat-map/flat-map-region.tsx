@@ -83,7 +83,7 @@ function Legend({ flatMap: { found } }: { flatMap: FlatMap }) {
       <div
         class="bars"
         role="img"
-        aria-label={`Histogram of the angle distortion of ${total} faces, from 1 to ${ratio(high)}`}
+        aria-label={`Histogram of the angle distortion of ${count(total, 'face')}, from 1 to ${ratio(high)}`}
       >
         {counts.map((count, k) => {
           // Keeps a bar of a few faces among thousands visible.

@@ -176,7 +176,7 @@ function FileFormats() {
         <table aria-labelledby="files-title">
           <thead>
             <tr>
-              {['Format', 'Read', 'Written', 'Not'].map((head) => (
+              {['Format', 'Read', 'Written', 'Left out'].map((head) => (
                 <th key={head} scope="col">
                   {head}
                 </th>

@@ -4,7 +4,7 @@
  */
 
 import './lesson.css';
-import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { ComponentType } from 'preact';
 import { isInLegend, movedInWords } from '../../store/colours/measures.ts';
 import { type Lock } from '../../store/panels-card.ts';
@@ -65,7 +65,8 @@ export function Lesson() {
       <p class="lesson-text">{lesson.text}</p>
       <ul aria-label="Goals">
         {lesson.goals.map((goal, i) => {
-          const { met, words, value } = now?.goals[i] ?? {};
+          const { met, words, value: measured } = now?.goals[i] ?? {};
+          const value = (goal.build !== null && state.goalsRefused) || measured;
           // A goal on a constraint has the value of its row.
           const isInRow = goal.measure === null && goal.build === null;
           const isMeasured = goal.beyond === null && isInLegend(state, goal.measure);
@@ -163,8 +164,7 @@ function showHandIn(app: AppContext) {
 function HandIn() {
   const { store, files, actions } = useApp();
   const name = useRef<HTMLInputElement>(null);
-  // As they are when the dialog opens.
-  const [goals] = useState(() => store.get().numbers?.lesson?.goals ?? []);
+  const goals = useThrottled(() => store.state.numbers?.lesson?.goals ?? []);
   const met = goals.filter((goal) => goal.met).length;
 
   async function save() {

@@ -30,7 +30,7 @@ const FROM: Record<Reference, string> = {
 };
 const OFTEN = ['Once', 'Twice', 'Three times', 'Four times', 'Five times'];
 /** Default angle in degrees above which creases and corners stay sharp. */
-const KEEP = 75;
+const SHARP_ABOVE = 75;
 
 /** Opens the dialog. */
 export function openRefine(app: AppContext) {
@@ -48,7 +48,7 @@ function RefineDialog({ close }: InDialog) {
     return faceIndices?.length === 3 * faces ? [FOR_TRIANGLES, ...SCHEMES] : SCHEMES;
   }, []);
   const [scheme, setScheme] = useState(schemes[0][0]);
-  const [keep, setKeep] = useState(KEEP);
+  const [keep, setKeep] = useState(SHARP_ABOVE);
   /** The level that was chosen, from 1. */
   const [wanted, setLevel] = useState(1);
   const [closeTo, setCloseTo] = useState<Reference>('solved');
@@ -93,7 +93,7 @@ function RefineDialog({ close }: InDialog) {
           step={1}
           value={keep}
           onAmount={setKeep}
-          onEmpty={() => setKeep(KEEP)}
+          onEmpty={() => setKeep(SHARP_ABOVE)}
         />
       </label>
       {hasRows && (
@@ -109,7 +109,7 @@ function RefineDialog({ close }: InDialog) {
       <p aria-live="polite">
         {refused}
         {chosen &&
-          `${count(model?.faces ?? 0, 'face')} become ${count(chosen.faces, 'face')}, with ${count(chosen.vertices, 'vertex', 'vertices')}.`}
+          `${count(model?.faces ?? 0, 'face becomes', 'faces become')} ${count(chosen.faces, 'face')}, with ${count(chosen.vertices, 'vertex', 'vertices')}.`}
       </p>
       <p class="quiet">
         The boundary is refined as a curve of its own; creases and corners that turn by more than

@@ -1,6 +1,7 @@
 /** The drawing of a plan: points to drag, arcs to pull out of sides, and loops to draw. */
 
-import { useLayoutEffect, useRef, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
+import { useSize } from '../../ui/components/use-size.ts';
 import { ARROWS } from '../../ui/keys.ts';
 import { brief, rounded } from '../../ui/words.ts';
 import { bulgeThrough, planGridStep } from '../../pkg/engine/shape_up.js';
@@ -252,21 +253,6 @@ function useFocus(place: { current: SVGElement | null }, drawn: DrawnPlan, isTar
     drawn.wantsFocus = false;
     place.current?.focus({ preventScroll: true });
   });
-}
-
-/** The size of an element, in pixels. */
-function useSize(place: { current: Element | null }) {
-  const [size, setSize] = useState<Place>([0, 0]);
-  useLayoutEffect(() => {
-    const { current } = place;
-    if (!current) return undefined;
-    const measure = () => setSize([current.clientWidth, current.clientHeight]);
-    measure();
-    const observer = new ResizeObserver(measure);
-    observer.observe(current);
-    return () => observer.disconnect();
-  }, []);
-  return size;
 }
 
 function gridOf(view: View) {

@@ -150,13 +150,15 @@ export class DrawnPlan {
     this.wantsFocus = true;
   }
 
-  /** Adds a point in the middle of the side that begins at the selected one. */
+  /** Adds a point in the middle of the side that begins at the selected one; an arc stays one. */
   insertPoint() {
     const { loop, point } = this.selected.value;
     const at = this.now().side.middle.map(roundedPlace) as Place;
     this.step((_, points, before) => {
-      before.bulge = 0;
-      points.splice(point + 1, 0, { at, bulge: 0, corner: false });
+      // A bulge is the tangent of a quarter of the angle of its arc.
+      const bulge = Math.tan(Math.atan(before.bulge ?? 0) / 2);
+      before.bulge = bulge;
+      points.splice(point + 1, 0, { at, bulge, corner: false });
     });
     this.select({ loop, point: point + 1 });
     this.wantsFocus = true;

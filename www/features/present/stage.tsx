@@ -1,7 +1,7 @@
 /** Presenting: the model full screen, with the title and text of each step in large type. */
 
 import './present.css';
-import { useSignal } from '@preact/signals';
+import { useComputed, useSignal } from '@preact/signals';
 import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
 import { presentActions } from '../../store/present-actions.ts';
 import { useApp } from '../../store/use-app.ts';
@@ -34,7 +34,12 @@ export function Stage() {
 function Presentation() {
   const { store, actions } = useApp();
   const slides = useMemo(() => presentActions(store, actions), []);
-  const at = useSignal(0);
+  const asked = useSignal(0);
+  /** Undo may remove steps. */
+  const at = useComputed(() => {
+    const { length = 0 } = store.state.document?.steps ?? [];
+    return Math.max(Math.min(asked.value, length - 1), 0);
+  });
   const isDark = useSignal(false);
   const nextButton = useRef<HTMLButtonElement>(null);
   const steps = store.state.document?.steps ?? [];
@@ -44,7 +49,7 @@ function Presentation() {
   async function go(to: number) {
     const last = (store.get().document?.steps.length ?? 0) - 1;
     if (last < 0) return end();
-    at.value = Math.min(Math.max(to, 0), last);
+    asked.value = Math.min(Math.max(to, 0), last);
     isDark.value = false;
     await slides.showStep(at.value);
   }

@@ -1,7 +1,6 @@
 /** The dialog of a presentation: its steps in order, the content of each, and the start button. */
 
 import './present.css';
-import { useSignal } from '@preact/signals';
 import { useMemo, useRef } from 'preact/hooks';
 import { presentActions } from '../../store/present-actions.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
@@ -10,6 +9,8 @@ import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { TextField } from '../../ui/components/text-field.tsx';
 import { Thumbnail } from '../../ui/components/thumbnail.tsx';
+import { useEntered } from '../../ui/components/use-entered.ts';
+import { TILT, TURN } from '../../viewport/flight.ts';
 import { sceneOf } from '../../solver/scene-text.ts';
 import { count } from '../../ui/words.ts';
 import type { Slide } from '../../pkg/engine/shape_up.js';
@@ -22,22 +23,19 @@ export function openSteps(app: AppContext) {
 function StepsDialog({ close }: InDialog) {
   const { store, solver, actions } = useApp();
   const slides = useMemo(() => presentActions(store, actions), []);
-  /** The steps before the solver has answered: presses and typing can be quicker. */
-  const sent = useSignal<Slide[] | null>(null);
+  const { over, enter } = useEntered<Slide[]>();
   const saving = useRef<Promise<unknown>>(Promise.resolve());
   const { document: scene, dark } = store.state;
   const { connectivity } = solver.geometry ?? {};
   const shapes = useMemo(() => shapesIn(solver.sceneText), [scene]);
-  const steps = sent.value ?? scene?.steps ?? [];
+  const steps = over(scene?.steps ?? []);
 
   /** @param made from the steps as they are at the press */
   function change(made: (steps: Slide[]) => Slide[]) {
-    const next = made(sent.peek() ?? store.get().document?.steps ?? []);
-    sent.value = next;
-    const end = () => {
-      if (sent.peek() === next) sent.value = null;
-    };
-    saving.current = slides.setSteps(next).then(end, end);
+    const next = made(over(store.get().document?.steps ?? []));
+    const edit = slides.setSteps(next);
+    enter(next, edit);
+    saving.current = edit;
   }
   const changeStep = (index: number, values: Partial<Slide>) =>
     change((all) => all.with(index, { ...all[index], ...values }));
@@ -173,9 +171,6 @@ function StepsDialog({ close }: InDialog) {
     </div>
   );
 }
-
-/** Indices of turn and tilt in the array of a camera. */
-const [TURN, TILT] = [4, 5];
 
 const directionOf = ({ camera }: Slide) => camera && { turn: camera[TURN], above: camera[TILT] };
 

@@ -1,6 +1,7 @@
 /** The cameras that the user has looked through: back to the last one, and forward again. */
 
 import { fly } from '../../viewport/camera.ts';
+import { DISTANCE, FRAMED, TILT, TURN } from '../../viewport/flight.ts';
 import type { AppContext } from '../../app/context.ts';
 
 /** How long the camera rests before it counts as one to go back to, in milliseconds. */
@@ -51,15 +52,18 @@ export class ViewHistory {
   }
 }
 
+/** Largest difference of cameras that look the same: of angles, and of lengths over the distance. */
+const ROUNDING = 1e-5;
+
 /** Whether two cameras look the same, up to the rounding of a flight. */
 function isSame(a: number[], b: number[]) {
-  const size = Math.max(...a.map(Math.abs), 1e-12);
-  return a.length === b.length && a.every((value, i) => Math.abs(value - b[i]) < 1e-5 * size);
+  const most = (at: number) => ROUNDING * (at <= DISTANCE ? a[DISTANCE] : 1);
+  return a.every((value, at) => Math.abs(value - b[at]) < most(at));
 }
 
-/** Whether the page chose the camera: its last number says so. */
-const isFramed = (camera: number[]) => camera[camera.length - 1] === 1;
+/** Whether the page chose the camera. */
+const isFramed = (camera: number[]) => camera[FRAMED] === 1;
 
-/** Whether two cameras look in the same direction: their turn and tilt, see `camera_numbers`. */
+/** Whether two cameras look in the same direction. */
 const isAlongside = (a: number[], b: number[]) =>
-  [4, 5].every((at) => Math.abs(a[at] - b[at]) < 1e-5);
+  [TURN, TILT].every((at) => Math.abs(a[at] - b[at]) < ROUNDING);

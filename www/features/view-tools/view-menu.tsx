@@ -6,7 +6,7 @@
 import { useEffect } from 'preact/hooks';
 import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
-import { MICE } from '../../store/state.ts';
+import { MOUSE_SETTINGS } from '../../store/state.ts';
 import { CloseButton, Key } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
 import { MOUSE_NAMES } from '../../viewport/input/mouse.ts';
@@ -68,7 +68,7 @@ function MouseChoice() {
       <Choice
         id="mouse"
         value={store.state.mouse}
-        options={MICE.map((mouse) => [mouse, MOUSE_NAMES[mouse]] as const)}
+        options={MOUSE_SETTINGS.map((mouse) => [mouse, MOUSE_NAMES[mouse]] as const)}
         onChoose={(mouse) => actions.useMouse(mouse as State['mouse'])}
       />
     </div>

@@ -157,21 +157,23 @@ export class ExactVerdict {
 }
 
 /**
- * The faces of these constraints, or their vertices if there are none.
+ * The faces of these constraints, and the vertices of those that are on no face.
  * @param constraints the vertices of each
  */
 function elementsOf({ solver }: App, constraints: number[][]) {
-  const vertices = Uint32Array.from(new Set(constraints.flat()));
+  const key = (list: Iterable<number>) => [...list].sort((a, b) => a - b).join();
+  const wanted = new Set(constraints.map(key));
+  const found = new Set<string>();
   const faces = [];
   const { faceOffsets, faceIndices } = solver.geometry?.connectivity ?? {};
   if (faceOffsets && faceIndices) {
-    const key = (list: Iterable<number>) => [...list].sort((a, b) => a - b).join();
-    const wanted = new Set(constraints.map(key));
     for (let face = 0; face + 1 < faceOffsets.length; face++) {
-      const corners = faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
-      if (wanted.has(key(corners))) faces.push(face);
+      const corners = key(faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]));
+      if (!wanted.has(corners)) continue;
+      faces.push(face);
+      found.add(corners);
     }
   }
-  const none = new Uint32Array(0);
-  return { faces: Uint32Array.from(faces), vertices: faces.length > 0 ? none : vertices };
+  const others = constraints.filter((vertices) => !found.has(key(vertices)));
+  return { faces: Uint32Array.from(faces), vertices: Uint32Array.from(new Set(others.flat())) };
 }

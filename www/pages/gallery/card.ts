@@ -2,7 +2,7 @@
 
 import { element, svgElement } from '../../ui/dom.ts';
 import { linkToExample } from '../../documents/examples.ts';
-import { number as energyInWords, part } from '../../ui/words.ts';
+import { count, number as energyInWords, part } from '../../ui/words.ts';
 import type { Example } from '../../solver/examples.ts';
 
 /** An entry of `pictures/results.json`. */
@@ -64,12 +64,11 @@ function fact(name: string, value: string) {
 
 function sizeInWords({ vertices, faces, tets }: Example) {
   const parts = [
-    [vertices, 'vertices'],
-    [faces, 'faces'],
-    [tets, 'tetrahedra'],
+    vertices && count(vertices, 'vertex', 'vertices'),
+    faces && count(faces, 'face'),
+    tets && count(tets, 'tetrahedron', 'tetrahedra'),
   ];
-  const words = parts.filter(([count]) => count).map(([count, name]) => `${count} ${name}`);
-  return words.join(', ');
+  return parts.filter(Boolean).join(', ');
 }
 
 function energyFall(energy: [number, number], iterations: number) {

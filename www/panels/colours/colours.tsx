@@ -16,8 +16,8 @@ export function Colours() {
   const options = state.measures.map(({ id, label }) => [id, label] as const);
 
   function setTolerance(value: number | null) {
-    if (about?.toleranced) void actions.edit({ setTolerance: { tolerance: value } });
-    else if (about) actions.setToleranceOf(about.id, value);
+    if (about?.toleranced) return actions.edit({ setTolerance: { tolerance: value } });
+    return about && actions.setToleranceOf(about.id, value);
   }
 
   return (

@@ -235,33 +235,32 @@ function Worst({ row }: { row: ConstraintRow }) {
     unmet: state.numbers?.exact?.unmet,
   }));
   const { document, model } = state;
-  const { value } = found;
-  if (!row.enabled || value === undefined || !document) return null;
+  if (!row.enabled || found.value === undefined || !document) return null;
   const { units, tolerance } = document;
-  // The row says what it requires.
-  const required = typeof row.require === 'object' ? row.require.within : null;
-  const allowed = required ?? tolerance;
+  const value = lengthOrZero(found.value, model?.size ?? 0);
+  const isSoft = row.require === 'soft';
+  const allowed = typeof row.require === 'object' ? row.require.within : isSoft ? tolerance : 0;
   // Of what is required there is a report: some panels may have a tolerance of their own.
-  const isReported = required !== null && found.unmet;
-  const isWithin = isReported ? !isReported.includes(row.index) : value <= allowed;
+  const unmet = isSoft ? undefined : found.unmet;
+  const isWithin = unmet ? !unmet.includes(row.index) : value <= allowed;
   const { eased } = row;
   const others =
     eased && value > allowed
       ? `, ${count(eased.panels, 'panel')} within ${limit(eased.within, units)}`
       : '';
-  const compared =
-    required === null
-      ? `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`
-      : isWithin
-        ? `satisfied${others}`
-        : 'not satisfied';
+  // The row says what it requires.
+  const compared = isSoft
+    ? `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`
+    : isWithin
+      ? `satisfied${others}`
+      : 'not satisfied';
   return (
     <>
       <span
         class={`worst figure${isInLegend(state, row.measure) ? ' in-legend' : ''}`}
         title="The largest distance of a vertex from the shape of this constraint"
       >
-        {`worst ${length(lengthOrZero(value, model?.size ?? 0), units, tolerance)}`}
+        {`worst ${length(value, units, tolerance)}`}
       </span>
       <span class={isWithin ? 'within met' : 'within'}>{compared}</span>
     </>

@@ -88,7 +88,8 @@ function ParameterRows({ row, name, kind }: Of & { kind: KindWords }) {
       refusal={refusal}
       onValue={(id, value) => {
         forget();
-        void actions.edit({ setConstraint: { index: row.index, params: { [id]: value } } }, refuse);
+        const change = { index: row.index, params: { [id]: value } };
+        return actions.edit({ setConstraint: change }, refuse);
       }}
     />
   );

@@ -1,9 +1,10 @@
 /** The three weights of Eq. 13 in plain words, and the current energies. */
 
-import { useRef, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { HeldSlider } from '../../ui/components/held-slider.tsx';
+import { useEntered } from '../../ui/components/use-entered.ts';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { energyOrZero, number, rounded } from '../../ui/words.ts';
 import { Settings } from './settings.tsx';
@@ -68,26 +69,21 @@ export function Energies() {
 function TermRow({ term: { id, label, words } }: { term: Term }) {
   const { store, actions } = useApp();
   const { document } = store.state;
-  /** Where the slider is held, until that weight is set. */
-  const [held, setHeld] = useState<{ weight: number } | null>(null);
-  const weight = held?.weight ?? document?.weights[id] ?? 0;
-  /** The weight sent last, until the document has it. */
-  const sent = useRef<{ weight: number } | null>(null);
-  async function send(value: number) {
-    const own = { weight: value };
-    sent.current = own;
-    await actions.edit({ setWeights: { [id]: value } });
-    if (sent.current === own) sent.current = null;
+  const { over, enter } = useEntered<number>();
+  const entered = () => over(document?.weights[id] ?? 0);
+  /** The weight where the slider is held. */
+  const [held, setHeld] = useState<number | null>(null);
+  const weight = held ?? entered();
+  function send(value: number) {
+    const edit = actions.edit({ setWeights: { [id]: value } });
+    enter(value, edit);
+    return edit;
   }
 
   // The weight is set on release, so that one gesture is one edit; none if it has come back.
-  async function release(place: number) {
-    const released = { weight: weightAt(place) };
-    setHeld(released);
-    const before = sent.current?.weight ?? document?.weights[id] ?? 0;
-    if (place !== placeOf(before)) void send(released.weight);
-    await actions.settled();
-    setHeld((now) => (now === released ? null : now));
+  function release(place: number) {
+    setHeld(null);
+    if (place !== placeOf(entered())) void send(weightAt(place));
   }
 
   return (
@@ -111,7 +107,7 @@ function TermRow({ term: { id, label, words } }: { term: Term }) {
           aria-label={`${label} weight, slider`}
           aria-valuetext={String(weight)}
           at={placeOf(weight)}
-          onMove={(place) => setHeld({ weight: weightAt(place) })}
+          onMove={(place) => setHeld(weightAt(place))}
           onRelease={release}
         />
       </span>

@@ -59,7 +59,7 @@ function Setting({ setting }: { setting: SettingInfo }) {
         refusal={refusal}
         onValue={(id, value) => {
           forget();
-          void actions.edit({ set: { id, value } }, refuse);
+          return actions.edit({ set: { id, value } }, refuse);
         }}
       />
       <p class="quiet">{setting.summary}</p>

@@ -14,7 +14,7 @@ export function Handles() {
   return (
     <>
       <p class="quiet">{document && wordsFor(document) + automatic(document)}</p>
-      <Verbs />
+      <HandleButtons />
       <SelectedHandles />
     </>
   );
@@ -44,7 +44,7 @@ function automatic({ pinned, constraints }: SceneDocument) {
 }
 
 /** What can be done with the selected vertices. */
-function Verbs() {
+function HandleButtons() {
   const { store, actions } = useApp();
   const { document, selection } = store.state;
   if (sizeOfSelection(selection) === 0) return null;

@@ -196,7 +196,7 @@ function Hold({ chosen }: { chosen: HandleRow[] }) {
             isPositive
             onAmount={(value) => {
               const vertices = soft.map(({ vertex }) => vertex);
-              void actions.edit({ weighHandles: { vertices, weight: value } });
+              return actions.edit({ weighHandles: { vertices, weight: value } });
             }}
           />
         </label>

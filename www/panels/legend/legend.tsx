@@ -17,7 +17,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Bars, Outline } from '../../ui/components/histogram.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { isEmbedded } from '../../ui/embedded.ts';
-import { brief, groupDigits, measured, number, rounded } from '../../ui/words.ts';
+import { brief, count, groupDigits, measured, number, rounded } from '../../ui/words.ts';
 import { cover } from '../../viewport/camera.ts';
 import { rampOf } from '../../viewport/ramp.ts';
 import { RangeEnd } from './range-end.tsx';
@@ -139,7 +139,7 @@ function Histogram(props: { spread: Spread; least: string; words: (value: number
     <div
       class="histogram"
       role="img"
-      aria-label={`${groupDigits(spread.faces)} faces between ${least} and ${words(spread.greatest)}${compared}`}
+      aria-label={`${count(spread.faces, 'face')} between ${least} and ${words(spread.greatest)}${compared}`}
       title={was === null ? '' : `Outline: the original, up to ${was}`}
     >
       <Bars counts={spread.counts} />

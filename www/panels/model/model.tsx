@@ -72,7 +72,7 @@ function Report({ model: { problems, notes } }: { model: Loaded }) {
         {problems.map(({ message, flaw, suggestion }) => (
           <li key={message}>
             {message} {flaw && <Select flaw={flaw} message={message} />}{' '}
-            {suggestion && !isFixed && <Mend suggestion={suggestion} />}
+            {suggestion && !isFixed && <Repair suggestion={suggestion} />}
           </li>
         ))}
         {notes.map((note) => (
@@ -108,7 +108,7 @@ function Select({ flaw, message }: { flaw: string; message: string }) {
 }
 
 /** Changes the mesh so that a problem is gone. */
-function Mend({ suggestion: { label, words, operation } }: { suggestion: MeshSuggestion }) {
+function Repair({ suggestion: { label, words, operation } }: { suggestion: MeshSuggestion }) {
   const { actions, mesh } = useApp();
   return (
     <Button

@@ -12,11 +12,12 @@ const SHAPES = { box: 'Drag a box', lasso: 'Draw a lasso', paint: 'Brush' };
 
 /** Returns the hint; empty without a model. */
 export function hintOf(state: Readonly<State>) {
-  const { model, document, tool, shape, mode, selection, dragged, renderer } = state;
+  const { kinds, model, document, tool, shape, mode, selection, dragged, renderer } = state;
   if (!model || !document) return '';
   if (dragged.length > 0) return 'Release to place it · Esc cancels';
   const next = nextStep(state);
-  if (next === 'shape') return 'Next: make its panels flat or circular, or add a constraint';
+  const panels = kinds.flatMap((kind) => kind.panels ?? []).join(' or ');
+  if (next === 'shape') return `Next: make its panels ${panels}, or add a constraint`;
   if (next === 'change') return 'Next: other panels for this mesh, or a constraint';
   if (next === 'constrain') return 'Next: add a constraint to say what shape its parts shall have';
   const isLocked = areHandlesLocked(document);

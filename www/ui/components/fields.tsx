@@ -2,12 +2,14 @@
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { NumberInput, numberIn, type Accepted } from './number-input.tsx';
+import { useEntered } from './use-entered.ts';
 import { useTyped } from './use-typed.ts';
 import type { ComponentProps } from 'preact';
 
 /**
- * A field for a number, not negative unless `min` says so, reported on change. Invalid input is
- * reverted when the field is left, and so is input that Escape ends.
+ * A field for a number, not negative unless `min` says so, reported on change. It shows what was
+ * entered until the edit that `onAmount` or `onEmpty` returns has settled. Invalid input is reverted
+ * when the field is left, and so is input that Escape ends.
  */
 export function AmountField({
   name,
@@ -38,19 +40,22 @@ export function AmountField({
     isReplaced?: boolean;
   }) {
   const [typed, setTyped] = useTyped<string | null>(null);
+  const { over, enter } = useEntered<number | null>();
   const field = useRef<HTMLInputElement>(null);
   /** Whether Enter was pressed after the last input. */
   const isEntered = useRef(false);
-  const accepted = { unit, min, max, isWhole, isPositive, step, present: value };
+  const accepted = { unit, min, max, isWhole, isPositive, step, present: over(value) };
+  const textNow = () => (over(value) === value ? shown : String(over(value) ?? ''));
+  const text = textNow();
   useLayoutEffect(() => {
     const { current } = field;
     if (isReplaced && typed === null && document.activeElement === current) current?.select();
-  }, [shown]);
+  }, [text]);
   const revert = () => {
     setTyped(null);
     if (!field.current) return;
     // A rejected text is no value that could change.
-    field.current.value = shown;
+    field.current.value = textNow();
     numberIn(field.current, accepted);
   };
   return (
@@ -58,7 +63,7 @@ export function AmountField({
       field={field}
       accepted={accepted}
       aria-label={name}
-      value={typed ?? shown}
+      value={typed ?? text}
       onInput={({ currentTarget }) => {
         isEntered.current = false;
         setTyped(currentTarget.value);
@@ -70,8 +75,8 @@ export function AmountField({
         const to = numberIn(currentTarget, accepted);
         // What is wrong is said until the field is left; leaving it is not held up.
         if (isEntered.current && !currentTarget.reportValidity()) return;
-        if (to !== null) onAmount(to);
-        else if (currentTarget.validity.valid) onEmpty?.();
+        if (to !== null) enter(to, onAmount(to));
+        else if (onEmpty && currentTarget.validity.valid) enter(null, onEmpty());
         revert();
       }}
       onKeyDown={(event) => {

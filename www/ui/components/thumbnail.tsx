@@ -2,6 +2,7 @@
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { drawShape } from '../plot/thumbnail.ts';
+import { useSize } from './use-size.ts';
 import type { Connectivity } from '../../solver/types.ts';
 
 export function Thumbnail({
@@ -27,9 +28,11 @@ export function Thumbnail({
   label?: string;
 }) {
   const canvas = useRef<HTMLCanvasElement>(null);
+  // In a dialog that is not open yet it has no size.
+  const [width, height] = useSize(canvas);
   useLayoutEffect(() => {
     if (canvas.current) drawShape(canvas.current, connectivity, shape, { up, from, displacements });
-  }, [connectivity, shape, up, from?.turn, from?.above, displacements, dark]);
+  }, [connectivity, shape, up, from?.turn, from?.above, displacements, dark, width, height]);
   return (
     <canvas
       ref={canvas}

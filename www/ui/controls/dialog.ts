@@ -58,10 +58,14 @@ export function openDialog(
   );
   dialog.append(head, ...body);
   dialog.addEventListener('close', () => dialog.remove());
-  if (light)
-    dialog.addEventListener('click', (event) => {
-      if (event.target === dialog) dialog.close();
+  if (light) {
+    // A drag that selects text may end outside.
+    let isBegunOutside = false;
+    dialog.addEventListener('pointerdown', ({ target }) => (isBegunOutside = target === dialog));
+    dialog.addEventListener('click', ({ target }) => {
+      if (target === dialog && isBegunOutside) dialog.close();
     });
+  }
   document.body.append(dialog);
   dialog.showModal();
   return dialog;

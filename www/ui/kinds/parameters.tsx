@@ -1,10 +1,11 @@
 /** Controls for the parameters of a kind, made from their declaration: forms and their fields. */
 
 import { Fragment } from 'preact';
-import { useLayoutEffect, useState } from 'preact/hooks';
+import { useId, useLayoutEffect, useState } from 'preact/hooks';
 import { Choice } from '../components/fields.tsx';
 import { NumberInput, readNumber, type Accepted } from '../components/number-input.tsx';
 import { firstIn } from '../components/number-steps.ts';
+import { useEntered } from '../components/use-entered.ts';
 import { useTyped } from '../components/use-typed.ts';
 import {
   AXES,
@@ -48,7 +49,10 @@ export function Parameters({
   unit?: WrittenUnit;
   /** shown at its parameter until that is edited */
   refusal?: Refusal | null;
-  /** called with a value that is entered, unless a field of it is invalid */
+  /**
+   * called with a value that is entered, unless a field of it is invalid; the value is shown until the
+   * edit that it returns has settled
+   */
   onValue: (id: string, value: ParamValue) => unknown;
 }) {
   if (params.length === 0) return null;
@@ -101,13 +105,16 @@ const NOTHING: Typed = { texts: [], problems: [] };
 function Parameter({
   param,
   name,
-  value,
+  value: settledValue,
   frame,
   usualUnit,
   refusal,
   onValue,
 }: Of & { frame: Frame; usualUnit: WrittenUnit; refusal: Refusal | null }) {
   const [{ texts, problems }, setTyped] = useTyped(NOTHING);
+  const { over, enter } = useEntered<ParamValue>();
+  const value = over(settledValue);
+  const report = (to: ParamValue) => enter(to, onValue(to));
   /** The refusal after which a field was edited. */
   const [settled, setSettled] = useState<Refusal | null>(null);
   // What was typed over another value is out of date.
@@ -122,7 +129,7 @@ function Parameter({
   const shown = numbers.map((number) =>
     number === null || factor === 1 ? number : rounded(factor * number, DIGITS),
   );
-  const error = `error-${name.replace(/\W+/g, '-')}`;
+  const error = useId();
 
   const [min, max] = isVector ? [] : param.range;
   /** What a number may be; a null is an infinite limit. */
@@ -149,7 +156,7 @@ function Parameter({
     setSettled(refusal);
   }
 
-  function enter(at: number, field: HTMLInputElement) {
+  function change(at: number, field: HTMLInputElement) {
     type(at, field);
     if (!field.validity.valid || problems.some((problem, i) => i !== at && problem)) return;
     const entered = numbers.map((number, i) => {
@@ -159,7 +166,7 @@ function Parameter({
       return read === null ? null : read / factor;
     });
     setTyped(NOTHING);
-    onValue((entered.length === 1 ? entered[0] : entered) as ParamValue);
+    report((entered.length === 1 ? entered[0] : entered) as ParamValue);
   }
 
   return (
@@ -173,12 +180,12 @@ function Parameter({
           onChoose={(chosen) => {
             const form = param.forms.find((one) => keyOf(one) === chosen);
             setSettled(refusal);
-            if (form) onValue(converted(param, form, value, frame));
+            if (form) report(converted(param, form, value, frame));
           }}
         />
       )}
       <span class={`fields ${key.split(' ')[0]}`}>
-        {isVector && <Axes {...{ name, value, onValue }} />}
+        {isVector && <Axes name={name} value={value} onValue={report} />}
         {shown.map((number, i) => (
           <Fragment key={i}>
             {key === 'range' && i === 1 && '–'}
@@ -191,7 +198,7 @@ function Parameter({
               aria-describedby={error}
               aria-invalid={i === place ? 'true' : undefined}
               onInput={({ currentTarget }) => type(i, currentTarget)}
-              onChange={({ currentTarget }) => enter(i, currentTarget)}
+              onChange={({ currentTarget }) => change(i, currentTarget)}
             />
           </Fragment>
         ))}

@@ -1,8 +1,8 @@
 /** Palette of the kinds of constraints: radio buttons with drawings, the paper's kinds first. */
 
 import { useEffect, useRef } from 'preact/hooks';
-import { useInSight } from '../components/use-in-sight.ts';
-import { Drawing } from './drawing.tsx';
+import { useInSight } from '../../ui/components/use-in-sight.ts';
+import { Drawing } from '../../ui/kinds/drawing.tsx';
 import type { Ref } from 'preact';
 import type { KindWords } from '../../pkg/engine/shape_up.js';
 
