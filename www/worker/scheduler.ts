@@ -43,8 +43,8 @@ function orRecover<T>(action: () => T, recover: () => void): T {
 
 export class Scheduler {
   frames;
-  /** Number of meshes that were sent. */
-  meshes = 0;
+  /** Number of the first mesh of the open model, and of its current one, among all that were sent. */
+  meshes: [number, number] = [0, 0];
   /** The document that was sent last. */
   document: SceneDocument | null = null;
   #solver;
@@ -305,7 +305,9 @@ export class Scheduler {
   /** Sends the current mesh; the next frame is followed by `activity`. */
   sendModel(loaded: Loaded) {
     const solver = this.#solver;
-    this.meshes += 1;
+    const mesh = this.meshes[1] + 1;
+    // One that was made by a change of the model has no name.
+    this.meshes = [loaded.name ? mesh : this.meshes[0], mesh];
     this.#activityDue = true;
     const connectivity = {
       faceOffsets: solver.faceOffsets(),
@@ -319,7 +321,7 @@ export class Scheduler {
     const positions = this.frames.renew(loaded.vertices);
     const arrays = [positions, ...Object.values(connectivity)];
     this.#post(
-      { type: 'model', mesh: this.meshes, loaded, connectivity, positions },
+      { type: 'model', mesh, loaded, connectivity, positions },
       arrays.map(({ buffer }) => buffer),
     );
   }
