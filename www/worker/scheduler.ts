@@ -346,20 +346,22 @@ export class Scheduler {
   }
 
   /**
-   * Performs an action that no request waits for. An ordinary error stops the run and is reported;
-   * a trap leaves the solver unusable.
+   * Performs an action that no request waits for. An ordinary error is reported, and ends the run or
+   * cancels the drag, in the solver too; a trap leaves the solver unusable.
    */
   guard(action: () => void) {
     try {
       action();
     } catch (thrown) {
       if (isTrap(thrown)) return this.#died(thrown);
+      const wasMoving = this.isMoving;
       this.#isRunning = this.#isSettled = false;
       this.#post({ type: 'trouble', message: messageOf(thrown) });
       this.#post({ type: 'activity', running: false, converged: false });
-      if (this.#drag === null) return;
+      if (!wasMoving) return;
       this.guard(() => {
-        this.#endDrag('cancel');
+        if (this.#drag !== null) this.#endDrag('cancel');
+        else if (this.#solver.isRunning()) this.#endRun();
         this.changed();
       });
     }
