@@ -38,10 +38,9 @@ const cards = new Map<string, ProgressCard>();
 export function offerCancel(worker: string, busy: boolean, abandon: () => void) {
   cards.get(worker)?.remove();
   cards.delete(worker);
-  const messages = byId('messages');
-  // Opening a large file shows its own card.
-  if (!busy || messages.querySelector(':scope > :not(.work) .import')) return;
-  const card = new ProgressCard('Long work', messages, { class: 'message notice work' }, abandon);
+  if (!busy) return;
+  const attributes = { class: 'message notice', 'data-worker': worker };
+  const card = new ProgressCard('Long work', byId('messages'), attributes, abandon);
   card.show('Working …', null);
   cards.set(worker, card);
 }

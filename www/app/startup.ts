@@ -46,12 +46,12 @@ export class Startup {
     this.#solver = solver;
     this.#files = files;
     this.#alerts = alerts;
-    const removed = (why: string) => (titles: string[]) => {
+    removals.on('beyond', (titles) => {
       const all = titles.map((title) => `“${title}”`).join(', ');
-      alerts.notice(`${why}: removed from Open recent ${all}.`);
-    };
-    removals.on('removed', removed('There was no room left in this browser'));
-    removals.on('beyond', removed(`Only the last ${MOST} models that you changed are kept`));
+      alerts.notice(
+        `Only the last ${MOST} models that you changed are kept: removed from Open recent ${all}.`,
+      );
+    });
   }
 
   /** Opens the first document, unless the user opens another one meanwhile. */

@@ -75,7 +75,7 @@ export function followSteps(store: Store) {
   store.subscribe(['nothingOpen'], ({ nothingOpen }) => {
     if (nothingOpen) placeOf('open').open = true;
   });
-  // The user is to know of problems in a mesh, and to say the unit of a file, whose meshes have one guess.
+  // Opens the step for a mesh with problems, and once for each file whose unit or axis was guessed.
   const asked: WeakSet<object> = new WeakSet();
   store.subscribe(['model'], ({ model }) => {
     if (!model) return;

@@ -36,7 +36,7 @@ export async function openLarge(
   const stop = new AbortController();
   const cancel = () => stop.abort(new Cancelled());
   const cancelled = stop.signal;
-  const notice = { class: 'message notice' };
+  const notice = { class: 'message notice opening' };
   const card = new ProgressCard(`Opening ${names}`, byId('messages'), notice, cancel);
   overtaken.addEventListener('abort', cancel);
   /** Faces of the files that have been read so far. */

@@ -50,13 +50,8 @@ export const MOST = 8;
 export const LOCK_PREFIX = 'shape-up.work.';
 const database = createStore('shape-up', 'works');
 
-/**
- * Tells which works, by their titles, have made room for another one, and which changed ones are beyond
- * the limit.
- */
-export const removals = new Emitter<{ removed: string[]; beyond: string[] }>();
-/** By the ids of works that do not fit: the ids of those that were not enough to make room. */
-const notEnough: Map<string, string> = new Map();
+/** Tells which changed works, by their titles, were beyond the limit. */
+export const removals = new Emitter<{ beyond: string[] }>();
 
 /** Returns the id of a work that begins now. */
 export const newId = () => `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
@@ -87,47 +82,20 @@ export async function contentsOf(id: string): Promise<{ [part in keyof Contents]
   return { text, history, progress };
 }
 
-/**
- * Stores a work and the given parts of its contents in one transaction. If there is no room, works
- * that no tab has open make room, the oldest first and no more of them than needed; in browsers that
- * count what the same transaction deletes.
- */
-export async function keep(work: Work, contents: Partial<Contents>) {
-  try {
-    await write(work, contents);
-  } catch (error) {
-    if (!isFull(error)) throw error;
-    await keepInPlaceOfOthers(work, contents, error);
-  }
-}
-
-/**
- * The others are removed in the transaction that writes: it fails as a whole, with nothing to restore.
- * Chromium (156) counts what a transaction writes but not what it deletes: there all others stay.
- * @param full the error of an attempt in which all others stayed; thrown if all of them together leave
- *   too little room
- */
-async function keepInPlaceOfOthers(work: Work, contents: Partial<Contents>, full: unknown) {
-  for (let count = 1; ; count++) {
-    // Another tab may have opened one meanwhile.
-    const others = (await closedWorks()).filter(({ id }) => id !== work.id).toReversed();
-    const ids = others.map(({ id }) => id).join();
-    // Nor is it tried with every later save.
-    if (count > others.length) notEnough.set(work.id, ids);
-    if (notEnough.get(work.id) === ids) throw full;
-    const removed = others.slice(0, count);
-    try {
-      await write(work, contents, removed);
-      const titles = removed.map(({ title }) => title);
-      return removals.emit('removed', titles);
-    } catch (error) {
-      if (!isFull(error)) throw error;
+/** Stores a work and the given parts of its contents in one transaction. */
+export function keep(work: Work, contents: Partial<Contents>) {
+  return database('readwrite', (store) => {
+    store.put(work, ABOUT + work.id);
+    for (const [part, value] of Object.entries(contents)) {
+      const key = `${part} ${work.id}`;
+      if (value === null) store.delete(key);
+      else if (value !== undefined) store.put(value, key);
     }
-  }
+    // Commit now: the page may be closed before the transaction would commit by itself.
+    store.transaction.commit?.();
+    return done(store.transaction);
+  });
 }
-
-const isFull = (error: unknown) =>
-  error instanceof DOMException && error.name === 'QuotaExceededError';
 
 /**
  * Deletes works beyond the limit, except those that are open: first those that can be opened again from
@@ -170,29 +138,9 @@ async function closedWorks() {
 async function remove(works: Work[]) {
   if (works.length === 0) return;
   await database('readwrite', (store) => {
-    erase(works, store);
+    for (const { id } of works) for (const part of PARTS) store.delete(part + id);
     return done(store.transaction);
   });
-}
-
-/** @param replaced works that are removed, but not if the writing fails, or the page is closed before */
-function write(work: Work, contents: Partial<Contents>, replaced: Work[] = []) {
-  return database('readwrite', (store) => {
-    erase(replaced, store);
-    store.put(work, ABOUT + work.id);
-    for (const [part, value] of Object.entries(contents)) {
-      const key = `${part} ${work.id}`;
-      if (value === null) store.delete(key);
-      else if (value !== undefined) store.put(value, key);
-    }
-    // Commit now: the page may be closed before the transaction would commit by itself.
-    store.transaction.commit?.();
-    return done(store.transaction);
-  });
-}
-
-function erase(works: Work[], store: IDBObjectStore) {
-  for (const { id } of works) for (const part of PARTS) store.delete(part + id);
 }
 
 /** Waits for the end of a transaction: it has no reason yet when the error of a request reaches it. */

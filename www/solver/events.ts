@@ -10,7 +10,7 @@
  * The worker first sends `ready`, once; the page queues its messages until then.
  *
  * Meshes are numbered by their `model` messages, from 1, in each worker. A call has the number of the
- * mesh that the page shows: what is about another one, by now, is not done.
+ * mesh that the page shows: what is about another one, or another model, by now, is not done.
  *
  * Positions travel in two buffers of `#V by 3` numbers, which are transferred, never copied: the
  * worker writes one and sends it in a `frame`; the page returns the previous one with `recycle`
@@ -57,7 +57,8 @@ import type { Connectivity, Loaded, Measure } from './types.ts';
  * - `working`: work begins that may take long, with no message until then: for the call with this `id`, or
  *   for none, as a run. `pong`: sign of life.
  * - `refused`: `path` is the position of the error in the scene, such as `constraints[0].length`;
- *   empty if it is not about a scene. `outdated`: the call is about a mesh that has been replaced.
+ *   empty if it is not about a scene. `outdated`: the call is about a model, or
+ *   values of a mesh, that have been replaced.
  */
 export type FromWorker =
   | {

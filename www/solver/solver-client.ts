@@ -348,7 +348,7 @@ export class SolverClient extends Emitter<SolverEvents> {
     if (this.#replaced)
       ({ opened: this.#opened, text: this.sceneText, saved: this.saved } = this.#replaced);
     const lastScene = this.sceneText;
-    const again = this.#restoring;
+    const wasRestoring = this.#restoring;
     const atStart = !this.#ready;
     const [working, workingFor] = [this.#working, this.#workingFor];
     this.#worker?.terminate();
@@ -370,8 +370,8 @@ export class SolverClient extends Emitter<SolverEvents> {
       const message = `The solver could not be started (${reason}). Check the network, then reload the page.`;
       return this.emit('absent', { message });
     }
-    if ((atStart || again) && !wanted) {
-      const what = again ? 'stopped again on the same model' : 'could not be started';
+    if ((atStart || wasRestoring) && !wanted) {
+      const what = wasRestoring ? 'stopped again on the same model' : 'could not be started';
       return this.#notice(
         `The solver ${what} (${reason}). Reload the page; the last scene can still be saved.`,
       );

@@ -86,9 +86,18 @@ export class Drags {
     return this.#begin((of) => new ViewDrag(of, movedWith(of.store, vertex), constrain, part));
   }
 
-  /** Makes a vertex a handle and drags it from then on, as one step of undo. */
+  /**
+   * Makes a vertex a handle and drags it, from where the page shows it: moves need not wait for the
+   * document that has the handle. This is one step of undo.
+   */
   make(constrain: MoveConstraint, vertex: number): ViewDrag {
-    return this.#begin((of) => new ViewDrag(of, vertex, constrain));
+    return this.#begin((of) => {
+      const positions = of.solver.geometry?.positions.subarray(3 * vertex, 3 * vertex + 3) ?? [];
+      const [x, y, z] = positions;
+      const others = movedWith(of.store, vertex).filter((handle) => handle.vertex !== vertex);
+      const held = [{ vertex, target: [x, y, z] } as const, ...others];
+      return new ViewDrag(of, held, constrain, undefined, vertex);
+    });
   }
 
   #begin<T extends HandleDrag>(begin: (of: Owner) => T): T {
@@ -111,6 +120,7 @@ function movedWith(store: Store, vertex: number) {
 
 /** What a drag is begun with; `id` tells it from the others. */
 type Owner = { store: Store; solver: SolverClient; id: number };
+type Held = { vertex: number; target: readonly [number, number, number] };
 
 /**
  * A drag of handles, one step of undo. It is over when it is ended or cancelled, when another one
@@ -123,33 +133,31 @@ export class HandleDrag {
   isOver = false;
   protected store;
   protected solver;
-  #vertices = new Uint32Array(0);
-  /** Targets at the start, `#vertices by 3`; none of a vertex that is no handle yet. */
-  #from: Float64Array = new Float64Array(0);
-  /** Current targets. */
-  #targets = this.#from;
+  #vertices;
+  /** Targets at the start, `#vertices by 3`. */
+  protected from: Float64Array;
+  /** Current targets; the same array until they move. */
+  #targets: Float64Array;
   #resolve = () => {};
 
-  /** @param what the handles, or a vertex to make a handle */
-  constructor({ store, solver, id }: Owner, what: HandleRow[] | number) {
+  /**
+   * @param held the handles, at their targets
+   * @param made one of them that is no handle yet
+   */
+  constructor({ store, solver, id }: Owner, held: readonly Held[], made?: number) {
     this.id = id;
     this.store = store;
     this.solver = solver;
     this.ended = new Promise<void>((resolve) => (this.#resolve = resolve));
-    if (typeof what === 'number') this.#vertices = Uint32Array.of(what);
-    else this.take(what);
-    this.#send(typeof what === 'number' ? 'make' : 'start');
+    this.#vertices = Uint32Array.from(held, ({ vertex }) => vertex);
+    this.from = Float64Array.from(held.flatMap(({ target }) => target));
+    this.#targets = this.from;
+    if (made === undefined) this.#send('start');
+    else this.#send('make', Uint32Array.of(made));
   }
 
-  protected get from() {
-    return this.#from;
-  }
-
-  /** Sets the handles that are dragged, which are at their targets. */
-  protected take(handles: HandleRow[]) {
-    this.#vertices = Uint32Array.from(handles, ({ vertex }) => vertex);
-    this.#from = Float64Array.from(handles.flatMap(({ target }) => target));
-    this.#targets = this.#from;
+  protected get hasMoved() {
+    return this.#targets !== this.from;
   }
 
   /**
@@ -159,7 +167,7 @@ export class HandleDrag {
   moveTo(targets: Float64Array, time?: number) {
     if (this.isOver) return;
     this.#targets = targets;
-    this.#send('move', time);
+    this.#send('move', this.#vertices, time);
   }
 
   /** @returns whether anything has moved */
@@ -171,7 +179,7 @@ export class HandleDrag {
     const handles = withTargets(document?.handles ?? [], this.#vertices, this.#targets);
     if (document) this.store.set({ document: { ...document, handles } });
     this.leave();
-    return this.#targets.some((value, i) => value !== this.#from[i]);
+    return this.#targets.some((value, i) => value !== this.from[i]);
   }
 
   /** Cancels the drag and restores the targets. */
@@ -187,10 +195,10 @@ export class HandleDrag {
     this.#resolve();
   }
 
-  #send(phase: Drag['phase'], time?: number) {
-    const vertices = this.#vertices.slice();
-    const targets = this.#targets.slice();
-    this.solver.tell.drag({ id: this.id, vertices, targets, phase, time });
+  #send(phase: Drag['phase'], vertices: Uint32Array = this.#vertices, time?: number) {
+    // What has not moved stays where it is in the solver.
+    const targets = this.hasMoved ? this.#targets.slice() : new Float64Array(0);
+    this.solver.tell.drag({ id: this.id, vertices: vertices.slice(), targets, phase, time });
   }
 }
 
@@ -204,24 +212,20 @@ export class ViewDrag extends HandleDrag {
   #plane = 'screen';
   /** The axis to which a key restricts the handle: 0, 1, 2 or none. */
   #axis: number | null = null;
-  /** Ends the wait for the new handle. */
-  #stopWaiting = () => {};
 
-  constructor(owner: Owner, what: HandleRow[] | number, constrain: MoveConstraint, part?: string) {
-    super(owner, what);
+  constructor(
+    owner: Owner,
+    held: readonly Held[],
+    constrain: MoveConstraint,
+    part?: string,
+    made?: number,
+  ) {
+    super(owner, held, made);
     this.#constrain = constrain;
     this.#part = part;
+    const dragged = held.map(({ vertex }) => vertex);
     // A message about a finished run is outdated.
-    owner.store.set({ gizmoPart: part, status: '' });
-    if (typeof what !== 'number') return;
-    owner.store.set({ dragged: [what] });
-    this.#stopWaiting = owner.solver.on('document', ({ document }) => {
-      // The document of an earlier edit does not have it yet.
-      if (!document.handles.some(({ vertex }) => vertex === what)) return;
-      this.#stopWaiting();
-      this.take(movedWith(owner.store, what));
-      this.move(...this.#by);
-    });
+    owner.store.set({ dragged, gizmoPart: part, status: '' });
   }
 
   /**
@@ -232,7 +236,8 @@ export class ViewDrag extends HandleDrag {
   move(dx: number, dy: number, time: number = performance.now()) {
     if (this.isOver) return;
     this.#by = [dx, dy];
-    if (this.from.length === 0) return;
+    // A press alone moves nothing.
+    if (!dx && !dy && !this.hasMoved) return;
     const direction = this.#axis !== null ? AXES[this.#axis] : (this.#part ?? this.#plane);
     const moved = this.#constrain(direction, dx, dy);
     // Near the horizon of the plane a pixel is arbitrarily far: the handle stays.
@@ -257,14 +262,8 @@ export class ViewDrag extends HandleDrag {
     this.move(...this.#by);
   }
 
-  protected override take(handles: HandleRow[]) {
-    super.take(handles);
-    this.store.set({ dragged: handles.map(({ vertex }) => vertex) });
-  }
-
   override leave() {
     super.leave();
-    this.#stopWaiting();
     this.store.set({ dragged: [], moved: null, gizmoPart: undefined });
   }
 }

@@ -72,7 +72,7 @@ export interface State {
   /** what a click selects */
   mode: Mode;
   selection: Selection;
-  /** handles under the pointer */
+  /** handles that are dragged */
   dragged: number[];
   /** how far they are dragged, in units of the mesh, and where to, `#dragged by 3` */
   moved: { by: number[]; targets: Float64Array } | null;

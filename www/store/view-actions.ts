@@ -110,7 +110,7 @@ export function createViewActions(store: Store) {
     look: (change: Partial<Omit<State, Owned>>) => store.set(change),
 
     /** Chooses what the mouse buttons do, now and at later visits. */
-    useMouse(mouse: State['mouse']) {
+    chooseMouse(mouse: State['mouse']) {
       store.set({ mouse });
       setItem(MOUSE, mouse);
     },

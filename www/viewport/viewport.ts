@@ -246,6 +246,8 @@ export class Viewport extends Emitter<ViewportEvents> {
   }
 
   #giveUp(reason: string) {
+    // No picture shows its end.
+    this.endTransition();
     this.view = null;
     this.#canvas = null;
     this.element.replaceChildren();

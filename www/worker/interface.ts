@@ -12,11 +12,6 @@ import type { Shown } from './frames.ts';
 import type { Edit, ExactReport, ExactShape } from '../pkg/engine/shape_up.js';
 import type { Drag, NamedBytes, Snapshot } from '../solver/types.ts';
 
-/** Calls that refer to one mesh by indices, values or buffer: they must not be done to another one. */
-export const ABOUT_MESH: ReadonlySet<string> = new Set<keyof Commands | keyof Changes>([
-  ...['drag', 'edit', 'editAndRun', 'recycle', 'setBuildNumbers'],
-] as const);
-
 /** Commands, which have no answer. Their errors are told as `trouble`. */
 export const commandsOf = (scheduler: Scheduler) => ({
   /**

@@ -4,7 +4,7 @@ import { isTrap, messageOf } from '../solver/errors.ts';
 import { filesNamed, mainOf } from '../solver/opened-files.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 import type { Opened, NamedBytes, Saved } from '../solver/types.ts';
-import type { Scheduler } from './scheduler.ts';
+import { orRecover, type Scheduler } from './scheduler.ts';
 
 export interface Opening {
   files: NamedBytes[];
@@ -37,9 +37,13 @@ export function open(
     files: [main.name, ...named.map(({ file }) => file?.name ?? '')],
     undoLost: saved ? restore(solver, saved) : '',
   };
-  scheduler.begin(solved ?? false);
-  scheduler.sendModel(loaded);
-  scheduler.changed();
+  function show() {
+    scheduler.sendModel(loaded);
+    scheduler.changed();
+  }
+  // It has replaced the other model, also if it cannot be solved.
+  orRecover(() => scheduler.begin(solved ?? false), show);
+  show();
   return loaded;
 }
 

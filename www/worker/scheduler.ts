@@ -32,7 +32,7 @@ const NO_MOVE: Moved = { vertices: new Uint32Array(0), targets: new Float64Array
  * Performs an action, and recovers from an error; not from a trap, after which the solver refuses every
  * call with an error that would hide it.
  */
-function orRecover<T>(action: () => T, recover: () => void): T {
+export function orRecover<T>(action: () => T, recover: () => void): T {
   try {
     return action();
   } catch (thrown) {
@@ -43,8 +43,8 @@ function orRecover<T>(action: () => T, recover: () => void): T {
 
 export class Scheduler {
   frames;
-  /** Number of meshes that were sent. */
-  meshes = 0;
+  /** Number of the first mesh of the open model, and of its current one, among all that were sent. */
+  meshes: [number, number] = [0, 0];
   /** The document that was sent last. */
   document: SceneDocument | null = null;
   #solver;
@@ -305,7 +305,9 @@ export class Scheduler {
   /** Sends the current mesh; the next frame is followed by `activity`. */
   sendModel(loaded: Loaded) {
     const solver = this.#solver;
-    this.meshes += 1;
+    const mesh = this.meshes[1] + 1;
+    // One that was made by a change of the model has no name.
+    this.meshes = [loaded.name ? mesh : this.meshes[0], mesh];
     this.#activityDue = true;
     const connectivity = {
       faceOffsets: solver.faceOffsets(),
@@ -319,7 +321,7 @@ export class Scheduler {
     const positions = this.frames.renew(loaded.vertices);
     const arrays = [positions, ...Object.values(connectivity)];
     this.#post(
-      { type: 'model', mesh: this.meshes, loaded, connectivity, positions },
+      { type: 'model', mesh, loaded, connectivity, positions },
       arrays.map(({ buffer }) => buffer),
     );
   }
@@ -344,20 +346,22 @@ export class Scheduler {
   }
 
   /**
-   * Performs an action that no request waits for. An ordinary error stops the run and is reported;
-   * a trap leaves the solver unusable.
+   * Performs an action that no request waits for. An ordinary error is reported, and ends the run or
+   * cancels the drag, in the solver too; a trap leaves the solver unusable.
    */
   guard(action: () => void) {
     try {
       action();
     } catch (thrown) {
       if (isTrap(thrown)) return this.#died(thrown);
+      const wasMoving = this.isMoving;
       this.#isRunning = this.#isSettled = false;
       this.#post({ type: 'trouble', message: messageOf(thrown) });
       this.#post({ type: 'activity', running: false, converged: false });
-      if (this.#drag === null) return;
+      if (!wasMoving) return;
       this.guard(() => {
-        this.#endDrag('cancel');
+        if (this.#drag !== null) this.#endDrag('cancel');
+        else if (this.#solver.isRunning()) this.#endRun();
         this.changed();
       });
     }

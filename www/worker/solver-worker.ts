@@ -3,13 +3,16 @@
 import init, { Solver } from '../pkg/engine/shape_up.js';
 import { isTrap, messageOf } from '../solver/errors.ts';
 import { fetchModule } from './fetch-wasm.ts';
-import { ABOUT_MESH, changesOf, commandsOf, questionsOf } from './interface.ts';
+import { changesOf, commandsOf, questionsOf } from './interface.ts';
+import { answerIfReplaced } from './outdated.ts';
 import { Scheduler } from './scheduler.ts';
 import { resetIdle } from './warm-up.ts';
 import type { FromWorker } from '../solver/events.ts';
 import type { Call } from '../solver/remote.ts';
 
 type Method = (...given: unknown[]) => unknown;
+
+const OTHER_MESH = 'The mesh has changed meanwhile, and nothing was done. Try again.';
 
 /** Calls received before the solver was ready. */
 const early: Call[] = [];
@@ -58,10 +61,12 @@ function listen(solver: Solver, module: WebAssembly.Module) {
     // Answered between slices, to show that the worker is alive.
     if (call.name === 'ping') return post({ type: 'pong' });
     resetIdle();
-    if (ABOUT_MESH.has(call.name) && call.mesh !== scheduler.meshes) {
-      if (call.id !== undefined) post({ type: 'outdated', id: call.id });
-    } else if (call.id === undefined) scheduler.guard(() => commands[call.name](...call.given));
-    else answer(call, call.id);
+    const type = answerIfReplaced(call, scheduler.meshes);
+    const { id } = call;
+    if (id === undefined) {
+      if (!type) scheduler.guard(() => commands[call.name](...call.given));
+    } else if (type) post({ type, id, message: OTHER_MESH, path: '' });
+    else answer(call, id);
   }
 
   post({

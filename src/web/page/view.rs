@@ -254,7 +254,7 @@ impl View {
         self.model().select_edges(edges).map_err(thrown)
     }
 
-    /// Sets the marked members of a constraint, and their colour (components from 0 to 1).
+    /// Marks vertices and faces with a colour, whose components are from 0 to 1.
     ///
     /// # Errors
     /// An index out of range.

@@ -1,7 +1,7 @@
 // Which saved works stay in the database, and what the fallback copy of a closed page changes.
 
 import assert from 'node:assert/strict';
-import { beforeEach, test, type TestContext } from 'node:test';
+import { beforeEach, test } from 'node:test';
 import { locks, records } from './storage.ts';
 import { recoverUnsaved, storeUnsaved } from '../../../www/documents/recent-documents.ts';
 import {
@@ -78,109 +78,13 @@ test('what a link has brought is kept like changed work, but once', async () => 
   assert.deepEqual([left.includes('again'), left.includes('linked')], [true, false]);
 });
 
-/** Limits the database to so many characters of scenes. */
-function limit(context: TestContext, room: number) {
-  const set = Map.prototype.set.bind(records);
-  context.mock.method(records, 'set', (key: string, value: unknown) => {
-    const others = [...records].filter(([other]) => other !== key);
-    const texts = [...others, [key, value]].map(([, one]) => (typeof one === 'string' ? one : ''));
-    if (texts.join('').length > room) throw new DOMException('Full.', 'QuotaExceededError');
-    return set(key, value);
-  });
-}
-
-test('a full database loses the oldest works that no tab has open, and says which', async (context) => {
-  // It used to lose all of them, and nothing was said.
-  const removed: string[] = [];
-  context.after(removals.on('removed', (titles) => removed.push(...titles)));
-  locks.add(`${LOCK_PREFIX}other-tab`);
-  for (const id of ['other-tab', 'oldest', 'older', 'newer'])
-    await keep(work(id), contents('1234'));
-  limit(context, 17);
-  await keep(work('new'), contents('567890'));
-  assert.deepEqual(await ids(), ['new', 'newer', 'other-tab']);
-  assert.deepEqual(removed, ['oldest', 'older']);
-});
-
-test('a work that does not fit even without the others leaves them', async (context) => {
-  const removed: string[] = [];
-  context.after(removals.on('removed', (titles) => removed.push(...titles)));
-  const history = Uint8Array.of(7);
-  for (const id of ['older', 'newer']) await keep(work(id), { ...contents('1234'), history });
-  limit(context, 10);
-  const large = { ...work('large'), savedAt: 0 };
-  const put = () => keep(large, contents('12345678901'));
-  await assert.rejects(put, { name: 'QuotaExceededError' });
-  assert.deepEqual(await ids(), ['newer', 'older']);
-  assert.deepEqual(await contentsOf('older'), {
-    ...contents('1234'),
-    history,
-    progress: undefined,
-  });
-  assert.deepEqual(removed, []);
-  // The next save of it does not try again.
-  const gone = context.mock.method(records, 'delete');
-  await assert.rejects(put);
-  assert.equal(gone.mock.callCount(), 0);
-});
-
-test('a write that fails while room is made removes no work', async (context) => {
-  // Each removed work was written again, which failed too, or never came to it: the page was closed.
+test('a work for which there is no room leaves the others', async (context) => {
   for (const id of ['older', 'newer']) await keep(work(id), contents('1234'));
-  const lost: string[] = [];
   context.mock.method(records, 'set', () => {
     throw new DOMException('Full.', 'QuotaExceededError');
   });
-  const query = context.mock.method(navigator.locks, 'query', async () => {
-    if (records.size < 4) lost.push('while it is tried');
-    return { held: [] };
-  });
   await assert.rejects(keep(work('new'), contents('1')), { name: 'QuotaExceededError' });
   assert.deepEqual(await ids(), ['newer', 'older']);
-  assert.ok(query.mock.callCount() > 1);
-  assert.deepEqual(lost, []);
-});
-
-test('a work that another tab opens while room is made stays', async (context) => {
-  for (const id of ['older', 'newer']) await keep(work(id), contents('1234'));
-  limit(context, 8);
-  const { query } = navigator.locks;
-  let attempts = 0;
-  context.mock.method(navigator.locks, 'query', () => {
-    if (++attempts === 2) locks.add(`${LOCK_PREFIX}newer`);
-    return query();
-  });
-  await assert.rejects(keep(work('new'), contents('12345678')), { name: 'QuotaExceededError' });
-  assert.deepEqual(await ids(), ['newer', 'older']);
-});
-
-test('a work that did not fit is tried again once others can make room', async (context) => {
-  // It was not, even if there had been none to remove.
-  locks.add(`${LOCK_PREFIX}other-tab`);
-  await keep(work('other-tab'), contents('1234'));
-  limit(context, 4);
-  const put = () => keep({ ...work('again'), savedAt: 0 }, contents('12'));
-  await assert.rejects(put);
-  await assert.rejects(put);
-  locks.clear();
-  await put();
-  assert.deepEqual(await ids(), ['again']);
-});
-
-test('a work whose writing failed for another reason is tried again', async (context) => {
-  await keep(work('older'), contents('1234'));
-  const set = Map.prototype.set.bind(records);
-  let isBroken = true;
-  context.mock.method(records, 'set', (key: string, value: unknown) => {
-    if (records.has('text older')) throw new DOMException('Full.', 'QuotaExceededError');
-    if (isBroken) throw new DOMException('Broken.', 'UnknownError');
-    return set(key, value);
-  });
-  const put = () => keep(work('new'), contents('12'));
-  await assert.rejects(put, { name: 'UnknownError' });
-  isBroken = false;
-  await put();
-  assert.deepEqual(await ids(), ['new']);
 });
 
 test('a damaged fallback copy holds up no other', async () => {

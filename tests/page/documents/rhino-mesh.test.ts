@@ -8,7 +8,7 @@ type Place = [number, number, number];
 
 /** A panel of one by one metre, a little off as in a mesh of seven digits. */
 const panel = (x: number, y: number, off = 0) => ({
-  layer: 'Roof',
+  ...{ layer: 'Roof', object: 1 },
   corners: [
     [x + off, y, 0],
     [x + 1, y, 0],
@@ -41,4 +41,38 @@ test('the two ends of a curve that nearly meet are no side', () => {
   ];
   const text = objText([panel(0, 0), panel(1, 0, 1e-7)], [{ layer: '', corners: loop }], 'm');
   assert.deepEqual(facesOf(text), ['f 1 2 3 4', 'f 2 5 6 3']);
+});
+
+/** The faces of a box of one by one by one metre on the floor at z. */
+const box = (z: number, object: number) =>
+  [0, 1, 2, 3, 4, 5].map((face) => {
+    const [a, b, c] = [face % 3, (face + 1) % 3, (face + 2) % 3];
+    const corners = [0, 1, 3, 2].map((corner) => {
+      const at: Place = [0, 0, z];
+      at[a] += face < 3 ? 0 : 1;
+      at[b] += corner & 1;
+      at[c] += corner >> 1;
+      return at;
+    });
+    return { layer: '', object, corners };
+  });
+
+test('boxes on each other stay two, and objects that only have an edge in common are joined', () => {
+  // Edges had four faces, and the floor between the boxes was there twice.
+  const vertices = (faces: Parameters<typeof objText>[0]) => objText(faces, [], 'm').match(/^v /gm);
+  assert.equal(vertices([...box(0, 1), ...box(1, 2)])?.length, 16);
+  const twice = { ...panel(0, 0), object: 2 };
+  assert.equal(vertices([panel(0, 0), panel(1, 0), twice])?.length, 10);
+  assert.equal(vertices([panel(0, 0), { ...panel(1, 0), object: 2 }])?.length, 6);
+});
+
+test('a layer is named once, with its spaces, wherever its objects are in the file', () => {
+  // A note said that one name stood for several groups, and "Roof A" was told as "Roof_A".
+  const at = (x: number, layer: string) => ({ ...panel(x, 0), layer });
+  const text = objText([at(0, 'Roof A'), at(1, 'Roof_A'), at(2, 'Roof A'), at(3, '')], [], 'm');
+  const named = text.split('\n').filter((line) => /^[of]/.test(line));
+  assert.deepEqual(
+    named.map((line) => line.replace(/ [\d ]+$/, '')),
+    ['o Roof A', 'f', 'f', 'o Roof_A', 'f', 'o', 'f'],
+  );
 });

@@ -493,3 +493,36 @@ test('a shape at which an iteration failed has not converged, whatever follows',
   );
   assert.deepEqual(told, [false, false]);
 });
+
+test('an iteration that failed ends the run in the solver too, and the page gets its scene', async (context) => {
+  // Its step of undo stayed open, and the saved scene was that of before the run.
+  closeChannel(context);
+  let isRunning = false;
+  const sent: FromWorker['type'][] = [];
+  const solver = solverWith({
+    beginRun: () => void (isRunning = true),
+    isRunning: () => isRunning,
+    endRun: () => void (isRunning = false),
+    step() {
+      throw new Error('the system is singular');
+    },
+  });
+  const scheduler = new Scheduler(solver, ({ type }) => sent.push(type), died);
+  scheduler.begin(false);
+  scheduler.frames.renew(1);
+  scheduler.run();
+  sent.length = 0;
+  await new Promise((done) => setImmediate(done));
+  assert.equal(isRunning, false);
+  const expected = [
+    'working',
+    'trouble',
+    'activity',
+    'scene',
+    'document',
+    'frame',
+    'activity',
+    'pong',
+  ];
+  assert.deepEqual(sent, expected);
+});

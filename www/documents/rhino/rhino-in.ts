@@ -62,8 +62,9 @@ function withPanels(meshed: Face[], lines: Line[]) {
   const hasMesh = meshed.length > 0;
   const isPanel = ({ corners, role }: Line) =>
     isClosed(corners) && corners.length > 3 && (role ? role === 'panel' : !hasMesh);
+  // Together they are one object.
   const panels = lines.filter(isPanel).map(({ layer, corners }) => ({
-    layer,
+    ...{ layer, object: 0 },
     corners: corners.slice(0, -1),
   }));
   return { faces: [...meshed, ...panels], curves: lines.filter((line) => !isPanel(line)) };

@@ -7,8 +7,9 @@
 import { count } from '../../ui/words.ts';
 import type { Point } from '../../solver/scene-text.ts';
 
-export type Face = { layer: string; corners: Point[] };
-export type Line = Face & { role: string | undefined };
+/** A face of a mesh; `object` tells the objects of the file and of blocks apart, from 1. */
+export type Face = { layer: string; object: number; corners: Point[] };
+export type Line = { layer: string; corners: Point[]; role?: string };
 
 /** What is in a file besides its meshes and polylines. */
 export interface LeftOut {
@@ -43,6 +44,8 @@ const UNCHANGED: Transform = [
 export function objectsOf(api: any, file: any, withHidden: boolean) {
   const faces: Face[] = [];
   const lines: Line[] = [];
+  /** Number of objects so far. */
+  let taken = 0;
   const leftOut: LeftOut = { hidden: 0, surfaces: 0, curves: 0, links: 0, others: 0 };
   /** Surfaces and solids with the transformation of their place. */
   const surfaces: { geometry: any; layer: string; to: Transform }[] = [];
@@ -52,6 +55,13 @@ export function objectsOf(api: any, file: any, withHidden: boolean) {
   const definitions = new Map(
     itemsOf(file.instanceDefinitions()).map((definition) => [definition.id, definition]),
   );
+
+  /** @param meshes of one object */
+  function addFaces(meshes: any[], layer: string, to: Transform) {
+    const object = ++taken;
+    for (const mesh of meshes)
+      for (const corners of facesOf(mesh, to)) faces.push({ layer, object, corners });
+  }
 
   /** @param within the blocks that the object is in */
   function take(object: any, to: Transform, within: string[]) {
@@ -64,7 +74,7 @@ export function objectsOf(api: any, file: any, withHidden: boolean) {
     }
     const corners = cornersOf(geometry);
     if (geometry instanceof api.Mesh) {
-      faces.push(...facesOf(geometry, layer.path, to));
+      addFaces([geometry], layer.path, to);
     } else if (geometry instanceof api.InstanceReference) {
       const block: string = geometry.parentIdefId;
       const parts = definitions.get(block)?.getObjectIds() ?? [];
@@ -93,7 +103,7 @@ export function objectsOf(api: any, file: any, withHidden: boolean) {
   for (const { geometry, layer, to } of surfaces) {
     const drawn = isAlone ? renderMeshes(api, geometry) : [];
     if (drawn.length === 0) leftOut.surfaces += 1;
-    for (const mesh of drawn) faces.push(...facesOf(mesh, layer, to));
+    addFaces(drawn, layer, to);
   }
   return { faces, lines, leftOut };
 }
@@ -194,14 +204,14 @@ function placed(corners: Point[], to: Transform): Point[] {
   return mirrors(to) ? there.toReversed() : there;
 }
 
-function facesOf(mesh: any, layer: string, to: Transform): Face[] {
+function facesOf(mesh: any, to: Transform): Point[][] {
   const [vertices, faces] = [mesh.vertices(), mesh.faces()];
   return Array.from({ length: faces.count }, (_, i) => {
     const [a, b, c, d] = faces.get(i);
     // A triangle repeats its last corner.
     const own = c === d ? [a, b, c] : [a, b, c, d];
     const corners: Point[] = own.map((vertex) => vertices.point3dAt(vertex));
-    return { layer, corners: placed(corners, to) };
+    return placed(corners, to);
   });
 }
 

@@ -60,9 +60,7 @@ export function addPolyline(api: any, file: any, points: Point[], attributes: an
   list.delete();
 }
 
-/**
- * Adds a mesh; rhino3dm has no n-gons, so convex polygons of more than four corners become fans.
- */
+/** Adds a mesh of triangles and quads: rhino3dm has no polygons of more corners. */
 export function addMesh(
   api: any,
   file: any,
@@ -73,8 +71,7 @@ export function addMesh(
   for (const point of points) mesh.vertices().addPoint3d(...point);
   for (const face of faces) {
     if (face.length === 4) mesh.faces().addQuadFace(...face);
-    else
-      for (let k = 2; k < face.length; k++) mesh.faces().addTriFace(face[0], face[k - 1], face[k]);
+    else mesh.faces().addTriFace(...face);
   }
   mesh.normals().computeNormals();
   file.objects().addMesh(mesh, attributes);

@@ -69,7 +69,7 @@ function MouseChoice() {
         id="mouse"
         value={store.state.mouse}
         options={MOUSE_SETTINGS.map((mouse) => [mouse, MOUSE_NAMES[mouse]] as const)}
-        onChoose={(mouse) => actions.useMouse(mouse as State['mouse'])}
+        onChoose={(mouse) => actions.chooseMouse(mouse as State['mouse'])}
       />
     </div>
   );

@@ -1,13 +1,13 @@
 /**
- * Copies of the open model in the second worker, which answer under their own names. What goes on with
- * something that it has begun keeps its copy meanwhile: a question of another one, about the model as it
- * is by then, would take it away.
+ * Copies of the open model in the second worker, which answer under their own names. Work in several
+ * calls has a copy of its own until it is freed: a question of another holder, about the model as it is
+ * by then, would replace it.
  */
 
 import { ModelCopy } from '../../pkg/engine/shape_up.js';
 import type { Snapshot } from '../../solver/types.ts';
 
-/** Who has a copy: what goes on with it, or questions, each of which is answered at once. */
+/** Who has a copy: work in several calls, or questions, each of which is one call. */
 export type Holder = 'trials' | 'variations' | 'questions';
 
 interface Copy {
