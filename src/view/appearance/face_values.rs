@@ -195,7 +195,7 @@ impl Appearance {
         self.selected_vertices.binary_search(&vertex).is_ok()
     }
 
-    /// Sets the vertices and faces that are marked as members of a constraint, and their colour.
+    /// Marks vertices and faces with a colour.
     ///
     /// # Errors
     /// An index out of range.
