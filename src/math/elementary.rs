@@ -1,5 +1,5 @@
-//! Angles, sines and cosines, the cube root, and round numbers. All platforms give the same bits, which
-//! their own functions do not: these use `+ - * / sqrt`, which round correctly, or `libm`.
+//! Angles, sines and cosines, and round numbers. All platforms give the same bits, which their own
+//! functions do not: these use `libm`, and `+ - * / sqrt`, which round correctly.
 
 use crate::math::Vec3;
 
@@ -15,7 +15,7 @@ pub fn angle_between(a: Vec3<f64>, b: Vec3<f64>) -> Option<f64> {
     angle(a.dot(b), a.cross(b).length())
 }
 
-/// The sine of an angle in turns: a Taylor polynomial over a quarter turn, accurate to 1e-15.
+/// The sine of an angle in turns, accurate to 1e-15.
 pub fn sine(turns: f64) -> f64 {
     // Reduced to -1/2..1/2 turns, then mirrored into -1/4..1/4.
     let turns = turns - (turns + 0.5).floor();
@@ -24,13 +24,7 @@ pub fn sine(turns: f64) -> f64 {
         t if t < -0.25 => -0.5 - t,
         t => t,
     };
-    let x = turns * std::f64::consts::TAU;
-    // Horner's scheme on 1 - x^2/(2*3) (1 - x^2/(4*5) (1 - ...)).
-    let polynomial = (1..=9).rev().fold(1.0, |sum, k| {
-        let k = f64::from(2 * k);
-        1.0 - x * x / (k * (k + 1.0)) * sum
-    });
-    x * polynomial
+    libm::sin(turns * std::f64::consts::TAU)
 }
 
 /// The cosine of an angle in turns.
@@ -41,16 +35,6 @@ pub fn cosine(turns: f64) -> f64 {
 /// Cosine and sine of an angle in degrees, accurate to 1e-15, and exact at their zeros.
 pub fn cosine_and_sine_of_degrees(degrees: f64) -> [f64; 2] {
     [sine((90.0 - degrees) / 360.0), sine(degrees / 360.0)]
-}
-
-/// The cube root of a non-negative number, accurate to the last bits.
-pub fn cube_root(x: f64) -> f64 {
-    if x == 0.0 || x == f64::INFINITY {
-        return x;
-    }
-    // Fixed-point iteration r <- (r x)^(1/4): each step divides the error of the logarithm by four.
-    let start = (0..28).fold(1.0f64, |root, _| (root.sqrt() * x.sqrt()).sqrt());
-    start - (start - x / start / start) / 3.0
 }
 
 /// The factors of a power of ten at the ends of ranges, in tenths.
@@ -99,7 +83,7 @@ fn powers_below(number: f64, tenths: &[u32]) -> Option<impl Iterator<Item = f64>
 
 #[cfg(test)]
 mod tests {
-    use super::{cube_root, *};
+    use super::*;
     use std::f64::consts::PI;
 
     #[test]
@@ -148,20 +132,6 @@ mod tests {
         }
         assert!((sine(1.0 / 12.0) - 0.5).abs() < 1e-15);
         assert_eq!((sine(0.0), sine(0.25)), (0.0, cosine(0.0)));
-    }
-
-    #[test]
-    fn cubes_give_back_what_was_cubed() {
-        for k in -100..=100 {
-            let power = 10f64.powi(k);
-            for root in [1.0, 1.7, 3.3, 9.9].map(|factor| factor * power) {
-                let error = cube_root(root * root * root) / root - 1.0;
-                assert!(error.abs() <= 1e-15, "{root:e}: off by {error:e}");
-            }
-        }
-        assert_eq!(cube_root(0.0), 0.0);
-        assert!(cube_root(5e-324) > 0.0);
-        assert_eq!(cube_root(f64::INFINITY), f64::INFINITY);
     }
 
     #[test]

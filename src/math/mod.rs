@@ -1,5 +1,5 @@
-//! Small dense mathematics, used by all other modules. Only `+ - * / sqrt`, and `libm` for angles,
-//! so that all platforms give the same bits.
+//! Small dense mathematics, used by all other modules. Only `+ - * / sqrt`, and `libm`, so that all
+//! platforms give the same bits.
 //!
 //! | file | holds |
 //! |---|---|
@@ -16,7 +16,7 @@
 //! | `polygon`, `unit_polygon` | sides and corners of polygons, regular polygons |
 //! | `plane` | points and vectors of the plane, area of a polygon |
 //! | `ears` | polygons as triangles |
-//! | `elementary` | angles, sine and cosine, cube root, round numbers |
+//! | `elementary` | angles, sine and cosine, round numbers |
 //! | `cubic` | a segment of a cubic curve, and its closest point |
 //! | `indices` | sorting by integer keys, marked elements, lists of lists |
 //! | `limited_memory` | the inverse of a Hessian from the last steps of a descent |
@@ -55,8 +55,8 @@ pub use ears::{
 };
 pub use eigenvector::Eigenvector;
 pub use elementary::{
-    angle, angle_between, cosine, cosine_and_sine_of_degrees, cube_root, grid_step, nearest_round,
-    round_down, round_up, sine,
+    angle, angle_between, cosine, cosine_and_sine_of_degrees, grid_step, nearest_round, round_down,
+    round_up, sine,
 };
 pub use indices::{Ragged, argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};

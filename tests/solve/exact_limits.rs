@@ -34,6 +34,13 @@ fn what_is_too_large_to_be_exact_is_said_beforehand() {
         let case = Case::new(mesh).with("plane", json!({}), [all], Require::Exact);
         assert_eq!(case.nearest(0).is_some(), is_too_large, "{n}");
     }
+    // The guard is exact where edges may not become shorter at all: it was taken for what was asked.
+    let mesh = bumps(25);
+    let all: Vec<u32> = (0..mesh.positions.len() as u32).collect();
+    let mut case = Case::new(mesh).with("plane", json!({}), [all], Require::Within(0.1));
+    case.shortest_edge = Some(1.0);
+    let exact = case.exact(&case.mesh.positions);
+    assert!(!exact.can_polish() && !exact.answer().too_large);
 }
 
 #[test]

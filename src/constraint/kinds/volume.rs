@@ -9,9 +9,8 @@
 
 use crate::constraint::parameter::{Limits, Target};
 use crate::constraint::{Arity, Element, Info, Projection};
-use crate::math::{
-    Lane, SingularValues, Vec3, cube_root, triple_with_product, triple_with_product_robust,
-};
+use crate::math::{Lane, SingularValues, Vec3, triple_with_product, triple_with_product_robust};
+use libm::cbrt;
 use serde::{Deserialize, Serialize};
 
 /// Four vertices span their rest volume, or a given one, with the orientation that they have at
@@ -58,8 +57,8 @@ impl Projection for Volume {
     fn prepare(&self, rest: &mut [Vec3<f64>]) {
         let (found, scale) = SingularValues::robust(rows(rest));
         let [a, b, c] = found.values;
-        let sizes = [cube_root(a * b * c.abs()) * scale, cube_root(3.0)];
-        let [least, greatest] = self.volume.sizes(self.strain, cube_root, sizes);
+        let sizes = [cbrt(a * b * c.abs()) * scale, cbrt(3.0)];
+        let [least, greatest] = self.volume.sizes(self.strain, cbrt, sizes);
         // The sign of a flat tetrahedron would be that of a rounding error.
         rest[0] = Vec3::new(least, greatest, if c < -FLAT * a { -1.0 } else { 1.0 });
     }
