@@ -237,7 +237,7 @@ fn awkward() -> Vec<Expected> {
                 (UnusedVertex, 4, 57),
                 (UnjoinedVertex, 40, 51),
             ],
-            notes: &["3 vertices lie exactly on an earlier one, first at line 58"],
+            notes: &["3 vertices lie exactly on an earlier one, first at line 59"],
             ..none
         },
         Expected {
