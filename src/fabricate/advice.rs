@@ -181,8 +181,9 @@ impl Build {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fabricate::{LengthInMetres, Stand};
+    use crate::fabricate::Stand;
     use crate::mesh::Mesh;
+    use crate::words::{LengthUnit, UNITS};
 
     /// A ridge of two panels with sides of this length, 90 degrees from each other.
     fn ridge(side: f64) -> Mesh {
@@ -200,7 +201,7 @@ mod tests {
     }
 
     fn advice(side: f64, settings: &BuildSettings) -> Vec<Advice> {
-        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+        let unit = UNITS[0];
         let build = Build::new(&ridge(side), settings, unit, &Stand::default()).expect("panels");
         let report = build.report();
         build.words(&report).advice
@@ -231,11 +232,10 @@ mod tests {
 
     #[test]
     fn the_joint_of_either_side_is_enough() {
-        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+        let unit = UNITS[0];
         let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
         let advised = |own: &BuildSettings| {
-            let build =
-                Build::new(&ridge(5.0), own, unit.clone(), &Stand::default()).expect("panels");
+            let build = Build::new(&ridge(5.0), own, unit, &Stand::default()).expect("panels");
             let report = BuildReport { least_joint_mm: [Some(1.0), Some(2.0)], ..build.report() };
             build.advice_on_joint(&report).map_or(Vec::new(), |advice| advice.choices)
         };
@@ -256,7 +256,7 @@ mod tests {
             ("mm", 50.0, "Joint 150 mm, on the sheet 3 mm"),
             ("mm", 1.0, "Joint 3 mm"),
         ] {
-            let unit = LengthInMetres::of(unit).expect("it is known");
+            let unit = LengthUnit::of(unit).expect("it is known");
             let settings = BuildSettings { scale, ..BuildSettings::default() };
             let build = Build::new(&ridge(scale / unit.metres), &settings, unit, &Stand::default())
                 .expect("panels");
@@ -274,7 +274,7 @@ mod tests {
         let positions = positions.map(|[x, y]| [x, y, 0.0]).to_vec();
         let faces = [[0, 1, 2, 3, 4, 5]].into_iter().collect();
         let mesh = Mesh { positions, faces, ..Mesh::default() };
-        let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+        let unit = UNITS[0];
         let settings = BuildSettings {
             sheet: [700.0, 700.0],
             scale: 1.0,
@@ -295,7 +295,7 @@ mod tests {
             let positions = vec![[0.0; 3], [20.0, 0.0, 0.0], [20.0, width, 0.0], [0.0, width, 0.0]];
             let faces = [[0, 1, 2, 3]].into_iter().collect();
             let mesh = Mesh { positions, faces, ..Mesh::default() };
-            let unit = LengthInMetres { symbol: "m".to_owned(), metres: 1.0 };
+            let unit = UNITS[0];
             let distance = Some(0.2);
             let product = Product::Fins;
             let (scale, thickness) = (20.0, 6.0);

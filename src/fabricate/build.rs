@@ -9,10 +9,10 @@ use super::panel::{FlatPanel, Stand, assembly_rows, lay_flat, panel_names, panel
 use super::paper::PaperModel;
 use super::sheet::{CutPart, Layout};
 use super::surface::PanelSurface;
-use super::unit::LengthInMetres;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
 use crate::scene::{BuildSettings, Fold, OffsetKind, Page, Product, Tiling};
+use crate::words::{LengthUnit, UNITS};
 use std::ops::Range;
 
 /// Numbers below this, in mm of the building or degrees, are rounding errors.
@@ -96,7 +96,7 @@ pub struct Build {
     /// The settings.
     pub settings: BuildSettings,
     /// The unit of the mesh.
-    pub unit: LengthInMetres,
+    pub unit: LengthUnit,
     /// The panels as a surface.
     pub surface: PanelSurface,
     /// The name of each panel.
@@ -148,6 +148,16 @@ pub(super) fn all_flat(surface: &PanelSurface) -> Vec<Option<FlatPanel>> {
     (0..surface.faces.len() as u32).map(|f| lay_flat(surface, f)).collect()
 }
 
+/// The unit with this symbol; metres for an empty one, of a file that has no unit. A wrong one makes
+/// every part wrong.
+///
+/// # Errors
+/// If it is none of [`UNITS`].
+pub fn unit_of(symbol: &str) -> Result<LengthUnit, Fault> {
+    let unit = if symbol.is_empty() { Some(UNITS[0]) } else { LengthUnit::of(symbol) };
+    unit.ok_or_else(|| Fault::unknown_unit(symbol))
+}
+
 /// The name of the node at a vertex.
 pub(super) fn node_name(vertex: u32) -> String {
     format!("N{vertex}")
@@ -166,7 +176,7 @@ impl Build {
     pub fn new(
         mesh: &Mesh,
         settings: &BuildSettings,
-        unit: LengthInMetres,
+        unit: LengthUnit,
         stand: &Stand,
     ) -> Result<Build, Fault> {
         settings.check().map_err(|(key, message)| Fault(format!("build.{key}: {message}")))?;
@@ -399,7 +409,7 @@ impl Build {
         let material = if material.is_empty() { material } else { format!(", {material}") };
         format!(
             "SHEET {number}/{count}, SCALE 1:{scale}, MODEL IN {}, SHEET {width} X {height} MM{material}",
-            plain(&self.unit.symbol).to_ascii_uppercase()
+            plain(self.unit.symbol).to_ascii_uppercase()
         )
     }
 }

@@ -13,7 +13,6 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `fault` | reasons why something cannot be built |
-//! | `unit` | the unit of the mesh |
 //! | `surface` | the panels as an oriented surface, edges with the panels on both sides |
 //! | `facing` | panels that face inwards or are folded over |
 //! | `alike` | sorting of items into types |
@@ -75,12 +74,11 @@ mod space;
 mod surface;
 mod tables;
 mod tighten;
-mod unit;
 mod view_axes;
 
 pub use advice::{Advice, AdvisedValue};
 pub use alike::Types;
-pub use build::{Build, CutDisc, CutPanel, NotCut, Splice};
+pub use build::{Build, CutDisc, CutPanel, NotCut, Splice, unit_of};
 pub use build_words::{BuildWords, CardWords, CheckWords};
 pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};
@@ -94,4 +92,3 @@ pub use report_page::ReportView;
 pub use space::{PRESENTATION, SpatialPart};
 pub use surface::{Edge, PanelSurface};
 pub use tighten::{PanelSuggestion, Tighten};
-pub use unit::LengthInMetres;

@@ -66,7 +66,7 @@ impl Build {
         for (name, mesh) in meshes {
             let Some(mesh) = mesh else { continue };
             let up = if z_up { Up::Z } else { Up::Y };
-            let comments = UnitsAndUp::comments(&self.unit.symbol, Some(up), &mesh);
+            let comments = UnitsAndUp::comments(self.unit.symbol, Some(up), &mesh);
             add(name.to_owned(), write_obj_with_comments(&mesh, &mesh.positions, &comments));
         }
         files

@@ -234,7 +234,7 @@ impl Build {
             nodes: nodes.len(),
             components: self.surface.parts,
             turned: self.surface.turned,
-            unit: self.unit.symbol.clone(),
+            unit: self.unit.symbol.to_owned(),
             scale: self.settings.scale,
             sheets,
             sheet_mm: self.settings.sheet,

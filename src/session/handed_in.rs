@@ -4,7 +4,7 @@ use super::Session;
 use super::edit::{is_of_solver, settings_of};
 use super::state::resolve_row;
 use crate::constraint::Selector;
-use crate::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, Stand};
+use crate::fabricate::{BUILD_NUMBERS, Build, Stand, unit_of};
 use crate::mesh::{Mesh, Topology};
 use crate::scene::{
     BoundaryRequire, BuildSettings, ConstraintSpec, Goal, GoalOf, GoalResult, Lock, MeshSource,
@@ -226,7 +226,7 @@ fn numbers(
     settings: &BuildSettings,
     stand: &Stand,
 ) -> Vec<(String, f64)> {
-    let Ok(unit) = LengthInMetres::of(units) else { return Vec::new() };
+    let Ok(unit) = unit_of(units) else { return Vec::new() };
     let mesh = shape.current_shape();
     let Ok(build) = Build::new(&mesh, settings, unit, stand) else { return Vec::new() };
     let known = BUILD_NUMBERS.iter().zip(build.numbers());

@@ -1,6 +1,6 @@
 //! Examples that are lessons: their goals are missed at first, and can be met and handed in.
 
-use shape_up::fabricate::{BUILD_NUMBERS, Build, LengthInMetres, Stand};
+use shape_up::fabricate::{BUILD_NUMBERS, Build, Stand, unit_of};
 use shape_up::generate::example::{EXAMPLES, Example};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{MeshSource, Results, Scene, Weights};
@@ -114,7 +114,7 @@ fn closeness_decides_how_far_projections_get() {
 fn build(session: &mut Session) {
     let settings = session.document().build.clone().expect("the lesson has settings");
     let mesh = Mesh { positions: session.positions(), ..session.mesh().clone() };
-    let unit = LengthInMetres::of("m").expect("it is known");
+    let unit = unit_of("m").expect("it is known");
     let numbers = Build::new(&mesh, &settings, unit, &Stand::default()).expect("panels").numbers();
     let known = BUILD_NUMBERS.iter().zip(numbers);
     let known = known.filter_map(|(number, value)| Some((number.id.to_owned(), value?)));

@@ -6,7 +6,7 @@ use crate::support::grid::grid;
 use crate::support::long_or;
 use crate::support::shared;
 use shape_up::fabricate::panel::is_simple;
-use shape_up::fabricate::{Build, Stand};
+use shape_up::fabricate::{Build, Stand, unit_of};
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::scene::{BuildSettings, Names, OffsetKind, Product};
@@ -462,5 +462,18 @@ fn parts_too_narrow_to_be_cut_are_named_and_not_placed() {
         let expected = if product == Product::Fins { 2 } else { 1 };
         assert_eq!(report.not_cut.len(), expected, "{product:?} {:?}", report.not_cut);
         assert!(report.not_cut.iter().all(|why| why.contains("narrow")), "{:?}", report.not_cut);
+    }
+}
+
+#[test]
+fn a_unit_that_is_not_known_is_no_metre() {
+    assert_eq!(unit_of("in").map(|unit| unit.metres), Ok(0.0254));
+    assert_eq!(unit_of("").map(|unit| unit.symbol), Ok("m"));
+    for symbol in ["inches", "M", "km", " m"] {
+        let fault = unit_of(symbol).unwrap_err();
+        assert!(
+            fault.0.contains(symbol) && fault.0.contains("m or cm or mm or ft or in"),
+            "{fault}"
+        );
     }
 }

@@ -5,12 +5,13 @@ use super::{build, dxf, length};
 use crate::support::grid::grid;
 use shape_up::fabricate::beam::{EndCut, cut_back, end_cuts, node_types, nodes};
 use shape_up::fabricate::sheet::{Inscription, NamePlace, label, strokes};
-use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildFile, LengthInMetres, PanelSurface, Stand};
+use shape_up::fabricate::{BUILD_NUMBERS, Build, BuildFile, PanelSurface, Stand};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, OffsetKind, Product};
 use shape_up::scene::{UnitsAndUp, Up};
+use shape_up::words::LengthUnit;
 
 fn settings() -> BuildSettings {
     BuildSettings {
@@ -186,7 +187,7 @@ fn fins_are_on_the_sheets_and_in_lists() {
 
 #[test]
 fn beams_state_the_unit_and_the_up_axis_of_the_model() {
-    let feet = LengthInMetres { symbol: "ft".to_owned(), metres: 0.3048 };
+    let feet = LengthUnit::of("ft").unwrap();
     let made = Build::new(&revolution(5, 4), &settings(), feet, &Stand::default()).unwrap();
     for up in [Up::Y, Up::Z] {
         let files = made.files(up == Up::Z);

@@ -1,7 +1,7 @@
 //! Exported files, read back by other readers: their contents match the built parts, in mm.
 
 use super::identities::revolution;
-use super::{build, dxf, metres};
+use super::{build, dxf};
 use crate::support::grid::grid;
 use shape_up::fabricate::file::{self, svg};
 use shape_up::fabricate::sheet::{Inscription, Place, label};
@@ -9,6 +9,7 @@ use shape_up::fabricate::{Build, BuildFile, Stand};
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, Dxf, Order, Pieces, Product};
+use shape_up::words::LengthUnit;
 
 /// A vault in metres; at 1:10 it needs several sheets.
 fn vault() -> Mesh {
@@ -483,8 +484,7 @@ fn a_part_on_no_sheet_is_neither_named_nor_drilled() {
 #[test]
 fn the_unit_of_the_mesh_and_the_scale_decide_the_size_on_the_sheet() {
     let mesh = grid(1, 1, |i, j| [1000.0 * f64::from(i), 1000.0 * f64::from(j), 0.0]);
-    let mut unit = metres();
-    (unit.symbol, unit.metres) = ("mm".to_owned(), 0.001);
+    let unit = LengthUnit::of("mm").unwrap();
     let own = BuildSettings { scale: 10.0, ..BuildSettings::default() };
     let made = Build::new(&mesh, &own, unit, &Stand::default()).unwrap();
     assert!((area(&made.parts[0].outline) - 1e4).abs() < 1e-6);

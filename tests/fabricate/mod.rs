@@ -26,9 +26,10 @@ mod space;
 mod words;
 mod workshop;
 
-use shape_up::fabricate::{Build, LengthInMetres, Stand};
+use shape_up::fabricate::{Build, Stand};
 use shape_up::mesh::Mesh;
 use shape_up::scene::BuildSettings;
+use shape_up::words::{LengthUnit, UNITS};
 
 /// Whether no file has a number that is none. The pages of a PDF are compressed.
 pub(crate) fn without_nan(made: &Build) -> bool {
@@ -46,8 +47,8 @@ pub(crate) fn without_nan(made: &Build) -> bool {
 }
 
 /// The unit of a mesh in metres.
-pub(crate) fn metres() -> LengthInMetres {
-    LengthInMetres { symbol: "m".to_owned(), metres: 1.0 }
+pub(crate) fn metres() -> LengthUnit {
+    UNITS[0]
 }
 
 /// A build of a mesh in metres.

@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example build -- roof.obj parts`
 
-use shape_up::fabricate::{Build, BuildFile, LengthInMetres, Stand};
+use shape_up::fabricate::{Build, BuildFile, Stand, unit_of};
 use shape_up::mesh::read;
 use shape_up::scene::BuildSettings;
 use std::error::Error;
@@ -12,7 +12,7 @@ use std::path::Path;
 pub(crate) fn parts(name: &str, bytes: &[u8]) -> Result<Vec<BuildFile>, Box<dyn Error>> {
     let mesh = read(name, bytes)?.mesh;
     let settings = BuildSettings { scale: 50.0, ..BuildSettings::default() };
-    let build = Build::new(&mesh, &settings, LengthInMetres::of("m")?, &Stand::default())?;
+    let build = Build::new(&mesh, &settings, unit_of("m")?, &Stand::default())?;
     Ok(build.files(true))
 }
 

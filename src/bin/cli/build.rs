@@ -3,7 +3,7 @@
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
     Advice, AdvisedValue, Build, BuildFile, BuildReport, BuildWords, CardWords, CheckRow,
-    CheckWords, FrameReport, LengthInMetres, PARTS, PRESENTATION, PaperReport, ReportView, Stand,
+    CheckWords, FrameReport, PARTS, PRESENTATION, PaperReport, ReportView, Stand, unit_of,
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BUILD_SETTINGS, BuildSetting, BuildSettings, Scene, Up};
@@ -18,7 +18,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let settings = settings(asked, &scene).map_err(at)?;
     remarks.extend(without_effect(asked, &settings));
     let mesh = Mesh { positions: scene.start(&mesh).to_vec(), ..mesh };
-    let unit = LengthInMetres::of(&scene.units)
+    let unit = unit_of(&scene.units)
         .map_err(|fault| at(format!("{fault}, such as --units {}", UNITS[0].symbol)))?;
     if scene.units.is_empty() {
         remarks.push(format!("the file has no unit: lengths are read as {}", unit.symbol));

@@ -61,7 +61,7 @@ fn summary(build: &Build) -> String {
         table.row([Cell::from(what), value, Cell::from(unit)]);
     };
     row("program", Cell::from(concat!("shape-up ", env!("CARGO_PKG_VERSION"))), "");
-    row("unit of the model", Cell::from(&*build.unit.symbol), "");
+    row("unit of the model", Cell::from(build.unit.symbol), "");
     row("panels", Cell::from(report.panels), "");
     row("product", Cell::from(report.product.id()), "");
     row("parts on sheets", Cell::from(report.placed), "");
@@ -93,7 +93,7 @@ fn summary(build: &Build) -> String {
     let is_used = |setting: &&BuildSetting| setting.products.contains(&report.product);
     for setting in BUILD_SETTINGS.iter().filter(is_used) {
         let unit = match setting.form {
-            BuildForm::Number { unit: BuildUnit::Mesh, .. } => &*build.unit.symbol,
+            BuildForm::Number { unit: BuildUnit::Mesh, .. } => build.unit.symbol,
             BuildForm::Number { unit: BuildUnit::Mm, .. } => "mm",
             BuildForm::Number { unit: BuildUnit::Degrees, .. } => "deg",
             _ => "",

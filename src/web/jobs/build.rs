@@ -2,8 +2,8 @@
 
 use crate::fabricate::file::{SheetPicture, picture};
 use crate::fabricate::{
-    BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, Fault,
-    LengthInMetres, ReportView, SpatialPart, Stand,
+    BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, Fault, ReportView,
+    SpatialPart, Stand, unit_of,
 };
 use crate::mesh::Mesh;
 use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings, Up};
@@ -123,8 +123,7 @@ impl Builder {
         // Only their number counts.
         let untouched = std::iter::repeat_n([0_u32; 0], untouched).collect();
         let mesh = Mesh { unplaced, untouched, ..mesh_of(positions, offsets, indices) };
-        let build =
-            LengthInMetres::of(&symbol).and_then(|unit| Build::new(&mesh, &settings, unit, &stand));
+        let build = unit_of(&symbol).and_then(|unit| Build::new(&mesh, &settings, unit, &stand));
         let said = |fault: Fault| thrown(fault.sentence());
         Ok(Builder { build: build.map_err(said)?, z_up })
     }
