@@ -10,6 +10,8 @@ export interface Opening {
   files: NamedBytes[];
   /** data saved with a scene */
   saved?: Saved;
+  /** the numbers of the constraints of a scene that another worker had open */
+  rows?: number[];
   /** unit and axis of a mesh file that has none: `# units: m`, `# up: y` */
   frame?: string;
   /** runs before anything is shown, only for models known to converge quickly */
@@ -21,13 +23,14 @@ export interface Opening {
 export function open(
   solver: Solver,
   scheduler: Scheduler,
-  { files, saved, frame = '', solved, weld }: Opening,
+  { files, saved, rows = [], frame = '', solved, weld }: Opening,
 ): Opened {
   const main = mainOf(files);
   // Of a scene alone, which may be large, `load` says what is missing.
   const named = files.length > 1 ? filesNamed(files, (scene) => solver.sceneFiles(scene)) : [];
   solver.setDefaultFrame(frame);
   solver.keepUnwelded(weld === false);
+  solver.keepRows(Uint32Array.from(rows));
   for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
   const read = scheduler.replace(() => solver.load(main.name, main.bytes));
   const loaded: Opened = {

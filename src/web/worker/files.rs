@@ -3,7 +3,7 @@
 use super::loaded::Loaded;
 use super::solver::Solver;
 use crate::mesh::{Mesh, Read, diagnose};
-use crate::scene::UnitsAndUp;
+use crate::scene::{RowNumber, UnitsAndUp};
 use crate::session::{Guessed, OpenedFile, Session, is_scene, named_files};
 use crate::solve::clock;
 use crate::web::thrown;
@@ -39,12 +39,25 @@ impl Solver {
         self.files.keep_unwelded(unwelded);
     }
 
+    /// Sets the numbers of the rows of constraints of the next scene, if it continues a session in which
+    /// they had these.
+    #[wasm_bindgen(js_name = keepRows)]
+    pub fn keep_rows(&mut self, numbers: Vec<u32>) {
+        self.rows = numbers;
+    }
+
     /// Opens a mesh, or a scene with the files that [`Solver::add_file`] supplied. If this one is
     /// refused, the model that is open stays.
     pub fn load(&mut self, name: &str, bytes: &[u8]) -> Result<Js<Loaded>, JsValue> {
         let started = clock::now();
+        let rows = std::mem::take(&mut self.rows);
         let file = self.files.read(name, bytes).map_err(thrown)?;
-        let OpenedFile { scene, mesh, weld, diagnostics, guessed } = file;
+        let OpenedFile { mut scene, mesh, weld, diagnostics, guessed } = file;
+        if rows.len() == scene.constraints.len() {
+            for (row, number) in scene.constraints.iter_mut().zip(rows) {
+                row.number = RowNumber::of(number);
+            }
+        }
         let session = Session::replace(&mut self.session, scene, mesh).map_err(|error| {
             thrown(if is_scene(name) { format!("{name}: {error}") } else { error.to_string() })
         })?;

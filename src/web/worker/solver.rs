@@ -19,6 +19,8 @@ pub struct Solver {
     /// The generation of the mesh that was last reported to the page.
     pub(super) mesh_generation: u32,
     pub(super) step_ms: f64,
+    /// The numbers of the rows of constraints of the next scene.
+    pub(super) rows: Vec<u32>,
 }
 
 #[wasm_bindgen]
