@@ -391,7 +391,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     try {
       const bytes = new TextEncoder().encode(lastScene);
       const files = [{ name: 'restored.shapeup.json', bytes }];
-      const { undoLost } = await this.change.open({ files, saved, rows: this.#rows });
+      const opened = await this.change.open({ files, saved, rows: this.#rows });
+      const undoLost = typeof opened === 'object' && opened.undoLost;
       const back = `your model is back as it was at iteration ${this.saved.iteration}`;
       const but = undoLost ? `, but its undo history is lost: ${undoLost}.` : '.';
       if (!wanted || undoLost)

@@ -55,8 +55,8 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
   const shown = (): Snapshot => ({ text: solver.scene(), generation: solver.generation() });
   return {
     /**
-     * Opens the first scene, or else the first file; the others may be files that it names. If
-     * refused, the current model stays.
+     * Opens the first scene, or else the first file; the others may be files that it names. If it is
+     * refused, or has more than `most` faces, whose number is returned, the current model stays.
      */
     open: (given: Opening) => open(solver, scheduler, given),
     /**
@@ -188,6 +188,8 @@ type Inner =
   | 'keepRows'
   | 'keepUnwelded'
   | 'load'
+  | 'openRead'
+  | 'read'
   | 'remeshed'
   | 'restore'
   | 'restoreIteration'

@@ -16,15 +16,18 @@ export interface Opening {
   frame?: string;
   /** runs before anything is shown, only for models known to converge quickly */
   solved?: boolean;
+  /** opens no more faces than these */
+  most?: number;
   /** false keeps the separate vertices of faces in a mesh file */
   weld?: boolean;
 }
 
+/** Returns the number of faces if there are too many, and opens nothing then. */
 export function open(
   solver: Solver,
   scheduler: Scheduler,
-  { files, saved, rows = [], frame = '', solved, weld }: Opening,
-): Opened {
+  { files, saved, rows = [], frame = '', solved, most, weld }: Opening,
+): Opened | number {
   const main = mainOf(files);
   // Of a scene alone, which may be large, `load` says what is missing.
   const named = files.length > 1 ? filesNamed(files, (scene) => solver.sceneFiles(scene)) : [];
@@ -32,7 +35,9 @@ export function open(
   solver.keepUnwelded(weld === false);
   solver.keepRows(Uint32Array.from(rows));
   for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
-  const read = scheduler.replace(() => solver.load(main.name, main.bytes));
+  const tooMany = solver.read(main.name, main.bytes, most);
+  if (tooMany !== undefined) return tooMany;
+  const read = scheduler.replace(() => solver.openRead(main.name));
   const loaded: Opened = {
     ...read,
     guessed: {

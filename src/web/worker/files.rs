@@ -49,9 +49,33 @@ impl Solver {
     /// Opens a mesh, or a scene with the files that [`Solver::add_file`] supplied. If this one is
     /// refused, the model that is open stays.
     pub fn load(&mut self, name: &str, bytes: &[u8]) -> Result<Js<Loaded>, JsValue> {
+        self.read(name, bytes, None)?;
+        self.open_read(name)
+    }
+
+    /// Reads the files that [`Solver::open_read`] opens; the model that is open stays. Returns the number
+    /// of faces if there are more than `most`: they are not to be opened then.
+    pub fn read(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        most: Option<u32>,
+    ) -> Result<Option<u32>, JsValue> {
+        let started = clock::now();
+        let file = self.files.read(name, bytes).map_err(thrown)?;
+        let faces = file.mesh.faces.len() as u32;
+        let are_too_many = most.is_some_and(|most| faces > most);
+        self.read = (!are_too_many).then(|| (file, clock::now() - started));
+        Ok(are_too_many.then_some(faces))
+    }
+
+    /// Opens what [`Solver::read`] has read last, as the file `name`. If it is refused, the model that is
+    /// open stays.
+    #[wasm_bindgen(js_name = openRead)]
+    pub fn open_read(&mut self, name: &str) -> Result<Js<Loaded>, JsValue> {
         let started = clock::now();
         let rows = std::mem::take(&mut self.rows);
-        let file = self.files.read(name, bytes).map_err(thrown)?;
+        let (file, reading) = self.read.take().ok_or_else(|| thrown("nothing has been read"))?;
         let OpenedFile { mut scene, mesh, weld, diagnostics, guessed } = file;
         if rows.len() == scene.constraints.len() {
             for (row, number) in scene.constraints.iter_mut().zip(rows) {
@@ -61,7 +85,7 @@ impl Solver {
         let session = Session::replace(&mut self.session, scene, mesh).map_err(|error| {
             thrown(if is_scene(name) { format!("{name}: {error}") } else { error.to_string() })
         })?;
-        session.set_load_seconds(clock::now() - started);
+        session.set_load_seconds(reading + clock::now() - started);
         session.start_trace();
         let loaded = plain(&Loaded::new(name, session, &diagnostics, guessed, weld.as_ref()));
         self.step_ms = 0.0;
