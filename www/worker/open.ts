@@ -40,10 +40,6 @@ export function open(
   const read = scheduler.replace(() => solver.openRead(main.name));
   const loaded: Opened = {
     ...read,
-    guessed: {
-      units: read.guessed.units ? read.units : null,
-      up: read.guessed.up ? read.up : null,
-    },
     files: [main.name, ...named.map(({ file }) => file?.name ?? '')],
     undoLost: saved ? restore(solver, saved) : '',
   };
