@@ -47,7 +47,7 @@ fn message(error: JsValue) -> String {
 
 fn loaded() -> Solver {
     let mut solver = Solver::new();
-    let about = solver.load("two.obj", OBJ.as_bytes(), "", false).expect("the mesh is valid");
+    let about = solver.load("two.obj", OBJ.as_bytes(), None, None).expect("the mesh is valid");
     assert_eq!(number(&about, "vertices"), 6.0);
     assert_eq!(number(&about, "faces"), 2.0);
     assert_eq!(number(&about, "problems.length"), 0.0);
@@ -248,7 +248,7 @@ fn a_selection_becomes_a_set_of_the_scene() {
     let mut again = Solver::new();
     assert_eq!(again.scene_files(scene.as_bytes()), Ok(Vec::new()), "the mesh is inline");
     again
-        .load("saved.shapeup.json", scene.as_bytes(), "", false)
+        .load("saved.shapeup.json", scene.as_bytes(), None, None)
         .expect("what is saved can be opened");
     let document = again.document().expect("a model is open");
     assert_eq!(number(&document, "constraints.0.count"), 1.0);
@@ -330,11 +330,11 @@ fn a_field_that_an_edit_does_not_have_is_refused_and_nothing_is_done() {
 fn what_is_wrong_is_said_in_one_line_and_the_old_model_stays() {
     let mut solver = loaded();
     let error =
-        message(solver.load("broken.obj", b"", "", false).err().expect("the file is empty"));
+        message(solver.load("broken.obj", b"", None, None).err().expect("the file is empty"));
     assert_eq!(error, "broken.obj: the file is empty");
     let scene = br#"{ "format": "shape-up-scene", "version": 9 }"#;
     let error = message(
-        solver.load("later.json", scene, "", false).err().expect("it is of a later version"),
+        solver.load("later.json", scene, None, None).err().expect("it is of a later version"),
     );
     assert!(error.starts_with("later.json: version: ") && !error.contains('\n'), "{error}");
     let error = message(
@@ -383,10 +383,10 @@ fn what_cannot_be_flattened_is_told() {
         refused(&loaded(), "two"),
         "found \"two\", expected \"inverse-area\" or \"one\" or \"lscm\""
     );
-    solver.load("line.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n", "", false).expect("it is a curve");
+    solver.load("line.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n", None, None).expect("it is a curve");
     assert_eq!(refused(&solver, "one"), "the mesh has no faces, expected a surface");
     let tetrahedron = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
-    solver.load("closed.obj", tetrahedron, "", false).expect("it is a surface");
+    solver.load("closed.obj", tetrahedron, None, None).expect("it is a surface");
     let map = copy(&solver).parametrize(word("one"), word("boundary")).expect("it is folded");
     assert_eq!(number(&map, "closedParts"), 1.0);
 }
@@ -412,7 +412,7 @@ const CIRCLES: &str = r#"{ "format": "shape-up-scene", "version": 1, "mesh": { "
 
 fn open_grid(solver: &mut Solver, scene: &str, obj: &str) -> Result<(), JsValue> {
     solver.add_file("grid.obj", obj.as_bytes().to_vec());
-    solver.load("a.shapeup.json", scene.as_bytes(), "", false).map(|_| ())
+    solver.load("a.shapeup.json", scene.as_bytes(), None, None).map(|_| ())
 }
 
 #[wasm_bindgen_test]

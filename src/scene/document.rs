@@ -15,6 +15,7 @@ use crate::words;
 use serde::ser::{Error, Serializer};
 use serde::{Deserialize, Deserializer, Serialize};
 use std::rc::Rc;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// A scene file, checked for form. Its indices and names are checked against the mesh when a
 /// session opens it.
@@ -270,6 +271,42 @@ pub struct ConstraintSpec {
     pub require: Require,
     /// Faces with a larger tolerance.
     pub eased: Option<EasedFaces>,
+    /// Its number in a session.
+    pub number: RowNumber,
+}
+
+/// The number of a row of constraints, which tells it from all others of its session: its index changes
+/// with the rows before it. It is not written to files, and rows that differ in it alone are equal.
+#[derive(Clone, Copy, Debug)]
+pub struct RowNumber(u32);
+
+/// The smallest number that no row has had.
+static NEXT_ROW: AtomicU32 = AtomicU32::new(0);
+
+impl RowNumber {
+    /// Returns the number `number`, which no new row will have.
+    pub fn of(number: u32) -> RowNumber {
+        NEXT_ROW.fetch_max(number.saturating_add(1), Ordering::Relaxed);
+        RowNumber(number)
+    }
+
+    /// Returns it as a number.
+    pub fn get(self) -> u32 {
+        self.0
+    }
+}
+
+impl Default for RowNumber {
+    /// Returns a number that no row has had.
+    fn default() -> RowNumber {
+        RowNumber(NEXT_ROW.fetch_add(1, Ordering::Relaxed))
+    }
+}
+
+impl PartialEq for RowNumber {
+    fn eq(&self, _: &RowNumber) -> bool {
+        true
+    }
 }
 
 /// Faces with a larger tolerance than the others of a constraint, since they would fold otherwise.

@@ -48,7 +48,7 @@ pub use build::{
 pub use closeness::{Closeness, ClosenessWeight, Target};
 pub use document::{
     AttemptStart, ChosenAttempt, ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, MeshSource,
-    Pose, Scene, Up,
+    Pose, RowNumber, Scene, Up,
 };
 pub use error::SceneError;
 pub use frame::UnitsAndUp;

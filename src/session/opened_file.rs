@@ -2,7 +2,6 @@
 
 use crate::mesh::{Mesh, Read, ReadError, Weld, read};
 use crate::scene::{MeshSource, Pose, Scene, SceneError, Target, UnitsAndUp};
-use serde::Serialize;
 use std::path::Path;
 
 /// Reads the files that the user opens.
@@ -27,8 +26,7 @@ pub struct OpenedFile {
 }
 
 /// Properties that a file does not state, so that they are guesses.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Guessed {
     /// The unit of length.
     pub units: bool,

@@ -1,7 +1,7 @@
 //! Constraints for the scene tests.
 
 use shape_up::constraint::{Kind, Selector};
-use shape_up::scene::ConstraintSpec;
+use shape_up::scene::{ConstraintSpec, RowNumber};
 use shape_up::solve::Require;
 
 /// A soft constraint of a kind without parameters.
@@ -15,5 +15,6 @@ pub(crate) fn constraint(id: &str, on: Selector) -> ConstraintSpec {
         name: String::new(),
         require: Require::Soft,
         eased: None,
+        number: RowNumber::default(),
     }
 }

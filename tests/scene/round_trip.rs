@@ -7,8 +7,8 @@ use shape_up::mesh::Mesh;
 use shape_up::scene::{
     Accelerator, AttemptStart, BoundaryCloseness, BoundaryRequire, ChosenAttempt, Closeness,
     ClosenessTo, ClosenessWeight, ConstraintSpec, EasedFaces, Factorization, Goal, GoalOf,
-    HandleSpec, Hold, Lesson, Lock, MeshSource, NamedEnum, Pose, Require, Scene, Slide, Smoothness,
-    SmoothnessOf, SolverSettings, Up, Variant, Variants, Weighting, Weights,
+    HandleSpec, Hold, Lesson, Lock, MeshSource, NamedEnum, Pose, Require, RowNumber, Scene, Slide,
+    Smoothness, SmoothnessOf, SolverSettings, Up, Variant, Variants, Weighting, Weights,
 };
 use shape_up::scene::{BuildSettings, CheckLimits, Dxf, OffsetKind};
 
@@ -137,6 +137,7 @@ prop_compose! {
                 .collect(),
             constraints: constraints.into_iter().map(|(kind, on, weight, enabled, name, require)| ConstraintSpec {
                 weight, enabled, name, require,
+                number: RowNumber::default(),
                 eased: match require {
                     Require::Within(within) if enabled => Some(EasedFaces { within, faces: [2, 3, 7].into() }),
                     _ => None,

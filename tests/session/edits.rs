@@ -106,9 +106,21 @@ fn a_row_is_duplicated_with_all_that_it_is() {
     let rows = &session.document().constraints;
     assert_eq!(rows.len(), 2);
     assert_eq!(rows[0], rows[1]);
+    let numbers = |session: &Session| -> Vec<u32> {
+        session.document().constraints.iter().map(|row| row.number.get()).collect()
+    };
+    let both = numbers(&session);
+    assert_ne!(both[0], both[1], "each row has a number of its own");
     assert!(session.edit(Edit::DuplicateConstraint { index: 2 }).is_err());
     assert_eq!(session.undo().expect("it can be undone").as_deref(), Some("Duplicate plane"));
     assert_eq!(session.document().constraints.len(), 1);
+    // An edit of a row reached another one that was alike.
+    session.redo().expect("it can be redone");
+    session.edit(Edit::RenameConstraint { index: 1, name: "Roof".to_owned() }).expect("valid");
+    session.edit(Edit::RemoveConstraint { index: 0 }).expect("there is a row");
+    assert_eq!(numbers(&session), both[1..]);
+    session.undo().expect("it can be undone");
+    assert_eq!(numbers(&session), both);
 }
 
 #[test]

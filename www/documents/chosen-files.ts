@@ -7,6 +7,7 @@ import { openLarge } from './large-file-import.ts';
 import { namedBytes } from './missing-files.ts';
 import type { AppContext } from '../app/context.ts';
 import type { NamedBytes, Opened } from '../solver/types.ts';
+import type { Large } from './files.ts';
 import type { Opening } from './openings.ts';
 
 /** Size in bytes from which a progress display is shown. */
@@ -41,10 +42,8 @@ export async function openChosen(
 
 /** Reads the files and opens them together. */
 async function read({ actions, files, alerts }: AppContext, opening: Opening, chosen: File[]) {
-  const open: (given: NamedBytes[], cancelled?: AbortSignal) => Promise<Opened | null> = (
-    given,
-    cancelled,
-  ) => files.open(given, {}, { opening, cancelled }).catch(() => null);
+  const open = (given: NamedBytes[], large?: Large): Promise<Opened | null> =>
+    files.open(given, {}, { opening, large }).catch(() => null);
   if (chosen.some(({ size }) => size > LARGE)) {
     return openLarge(chosen, { actions, alerts, open, overtaken: opening.overtaken });
   }

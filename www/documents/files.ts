@@ -63,6 +63,15 @@ export interface Origin {
   /** the replacing, as a step of Undo in words */
   step?: string;
 }
+/** Files that may have more faces than this computer stays interactive with. */
+export interface Large {
+  /** that many */
+  most: Promise<number>;
+  /** asks whether to open so many all the same; rejects if not */
+  ask: (faces: number) => Promise<void>;
+  /** aborted when the opening is cancelled */
+  cancelled: AbortSignal;
+}
 /** An open model, to be opened again as it was left. */
 type Reopenable = { given: NamedBytes[]; origin: Origin };
 
@@ -135,22 +144,23 @@ export class Files extends Emitter<{ opened: void }> {
    * Opens a mesh, or a scene together with the mesh file that it names. If a file is refused, the
    * current model stays and an alert gives the reason.
    * @param how.opening that it is part of, if it is not one of its own
+   * @param how.large given for files that may have too many faces
    * @returns null if a later opening has taken its place; rejects with the error of the alert
    */
   open(
     given: NamedBytes[],
     origin: Origin = {},
-    { opening, cancelled }: { opening?: Opening; cancelled?: AbortSignal } = {},
+    { opening, large }: { opening?: Opening; large?: Large } = {},
   ): Promise<Opened | null> {
-    if (opening) return this.#open(given, origin, opening, cancelled);
-    return this.openings.begin((own) => this.#open(given, origin, own, cancelled));
+    if (opening) return this.#open(given, origin, opening, large);
+    return this.openings.begin((own) => this.#open(given, origin, own, large));
   }
 
   async #open(
     given: NamedBytes[],
     origin: Origin,
     opening: Opening,
-    cancelled?: AbortSignal,
+    { cancelled, ...large }: Partial<Large> = {},
   ): Promise<Opened | null> {
     try {
       const hidden = origin.hidden ?? false;
@@ -163,12 +173,10 @@ export class Files extends Emitter<{ opened: void }> {
       }
       const main = mainOf(files);
       const digest = await digestOf(main.bytes.slice());
+      const most = await large.most;
       // Nothing is waited for between this and the opening: a later one could come first.
       if (!(await opening.isWanted())) return null;
       cancelled?.throwIfAborted();
-      // Until now the solver has gone on with the open model.
-      const abandon = () => this.#solver.abandon();
-      cancelled?.addEventListener('abort', abandon);
       // The first view shows the fitted shapes.
       if (origin.first) this.#actions.display({ shapes: true });
       // Keep the status of a button press that waits for the first model.
@@ -177,9 +185,22 @@ export class Files extends Emitter<{ opened: void }> {
         this.#actions.setStatus(`Reading ${files.map((file) => file.name).join(' and ')} …`);
       const { saved, first: solved, unwelded } = origin;
       const frame = rememberedFrame(digest);
-      const loaded = await this.#actions
-        .open({ files, saved, frame, solved, weld: !unwelded }, cancelled)
-        .finally(() => cancelled?.removeEventListener('abort', abandon));
+      const how = { files, saved, frame, solved, weld: !unwelded };
+      const open = (most?: number) => {
+        // Until now the solver has gone on with the open model.
+        const abandon = () => this.#solver.abandon();
+        cancelled?.addEventListener('abort', abandon);
+        return this.#actions
+          .open({ ...how, most }, cancelled)
+          .finally(() => cancelled?.removeEventListener('abort', abandon));
+      };
+      let loaded = await open(most);
+      while (typeof loaded === 'number') {
+        await large.ask?.(loaded);
+        if (!(await opening.isWanted())) return null;
+        cancelled?.throwIfAborted();
+        loaded = await open();
+      }
       opening.opened();
       this.#name = main.name.replace(/(\.shapeup)?\.[^.]+$/, '');
       this.#given = files;

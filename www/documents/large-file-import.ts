@@ -7,8 +7,8 @@ import { ProgressCard } from '../ui/controls/progress-card.ts';
 import { byId } from '../ui/dom.ts';
 import { groupDigits, megabytes } from '../ui/words.ts';
 import { Cancelled, messageOf, unreadable } from '../solver/errors.ts';
-import { faceCountOf } from './face-count.ts';
 import type { NamedBytes, Opened } from '../solver/types.ts';
+import type { Large } from './files.ts';
 import type { Actions } from '../store/actions.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
 
@@ -27,7 +27,7 @@ export async function openLarge(
   }: {
     actions: Actions;
     alerts: Alerts;
-    open: (files: NamedBytes[], cancelled: AbortSignal) => Promise<Opened | null>;
+    open: (files: NamedBytes[], large: Large) => Promise<Opened | null>;
     overtaken: AbortSignal;
   },
 ) {
@@ -39,35 +39,29 @@ export async function openLarge(
   const notice = { class: 'message notice opening' };
   const card = new ProgressCard(`Opening ${names}`, byId('messages'), notice, cancel);
   overtaken.addEventListener('abort', cancel);
-  /** Faces of the files that have been read so far. */
-  let faces = 0;
   // The solver measures the limit, unless known already, while the file is read.
-  const limit = actions.ask.mostFaces();
-  limit.catch(() => {});
+  const most = unlessCancelled(actions.ask.mostFaces(), cancelled);
+  most.catch(() => {});
+  async function ask(faces: number) {
+    const size = groupDigits(faces);
+    const question = `${names} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(await most)} on this computer.`;
+    actions.setStatus(`${names}: ${size} faces`);
+    await unlessCancelled(card.ask(question, 'Load anyway'), cancelled);
+    card.show(`Opening ${names} · ${size} faces`, null);
+  }
   actions.setStatus(`Reading ${names} …`);
   try {
     const files: NamedBytes[] = [];
     let read = 0;
     for (const file of chosen) {
-      const count = faceCountOf(file);
-      const withThis = () => faces + (count?.faces ?? 0);
       const reading = bytesOf(file, cancelled, (chunk) => {
         read += chunk.length;
-        count?.take(chunk);
-        card.show(`Reading ${names} · ${progress(read, all)}${facesIn(withThis())}`, read / all);
+        card.show(`Reading ${names} · ${progress(read, all)}`, read / all);
       });
       files.push({ name: file.name, bytes: await reading.catch(unreadable(file)) });
-      faces = withThis();
     }
-    const most = await unlessCancelled(limit, cancelled);
-    if (faces > most) {
-      const size = groupDigits(faces);
-      const question = `${names} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(most)} on this computer.`;
-      actions.setStatus(`${names}: ${size} faces`);
-      await unlessCancelled(card.ask(question, 'Load anyway'), cancelled);
-    }
-    card.show(`Opening ${names}${facesIn(faces)}`, null);
-    const loaded = await open(files, cancelled);
+    card.show(`Opening ${names}`, null);
+    const loaded = await open(files, { most, ask, cancelled });
     if (cancelled.aborted) throw new Cancelled();
     return loaded;
   } catch (error) {
@@ -97,8 +91,6 @@ async function bytesOf(file: File, cancelled: AbortSignal, onChunk: (chunk: Uint
     onChunk(value);
   }
 }
-
-const facesIn = (faces: number) => (faces > 0 ? ` · ${groupDigits(faces)} faces` : '');
 
 const progress = (read: number, all: number) => `${megabytes(read)} of ${megabytes(all)} MB`;
 

@@ -8,7 +8,6 @@ import { useRef } from 'preact/hooks';
 import { useSignal, type ReadonlySignal } from '@preact/signals';
 import { colouring, toleranceOf } from '../store/colours/measures.ts';
 import { useAnswer } from '../store/use-answer.ts';
-import { keyOf } from '../solver/rows.ts';
 import { useApp } from '../store/use-app.ts';
 import { Choice } from '../ui/components/fields.tsx';
 import { itemByKey } from '../ui/controls/navigation.ts';
@@ -28,9 +27,9 @@ function choicesOf(state: Readonly<State>): [string, string][] {
   const rows = state.document?.constraints ?? [];
   return [
     ...(about && state.model?.faces ? ([[COLOURS, about.label]] as [string, string][]) : []),
-    ...rows.map((row, index): [string, string] => [
-      keyOf(row, index, rows),
-      `Constraint: ${row.label} on ${row.on}`,
+    ...rows.map(({ number, label, on }): [string, string] => [
+      String(number),
+      `Constraint: ${label} on ${on}`,
     ]),
   ];
 }
@@ -75,14 +74,12 @@ function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<strin
   async function ask() {
     const now = store.get();
     const by = inEffect(now, chosen.peek());
-    const constraints = now.document?.constraints ?? [];
     const about = by === COLOURS ? colouring(now) : undefined;
     const tolerance = (about ? toleranceOf(now, about) : now.document?.tolerance) ?? undefined;
     const worst = (): Promise<WorstRow[]> | WorstRow[] => {
       if (by === '') return [];
       if (about) return actions.ask.worstFaces(about.id, ROWS, tolerance);
-      const row = constraints.findIndex((one, index) => keyOf(one, index, constraints) === by);
-      return actions.ask.worstConstraints(row, ROWS, tolerance);
+      return actions.ask.worstConstraints(Number(by), ROWS, tolerance);
     };
     const rows = await actions.reportErrors(worst());
     if (!rows) return undefined;

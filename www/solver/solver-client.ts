@@ -85,6 +85,8 @@ export class SolverClient extends Emitter<SolverEvents> {
   /** Data saved with that text. */
   saved: Saved = { iteration: 0, history: null, progress: null };
 
+  /** Numbers of the constraints in the latest document: a new worker goes on with them. */
+  #rows: number[] = [];
   #compiled: (module: WebAssembly.Module) => void = () => {};
   /** The engine's module; pending until the worker is ready. */
   readonly module = new Promise<WebAssembly.Module>((resolve) => (this.#compiled = resolve));
@@ -304,6 +306,9 @@ export class SolverClient extends Emitter<SolverEvents> {
         this.#sceneGeneration = message.generation;
         this.saved = { iteration: message.iteration, history: message.history, progress: null };
         break;
+      case 'document':
+        this.#rows = message.document.constraints.map(({ number }) => number);
+        break;
       case 'progress':
         this.saved = { ...this.saved, progress: message.bytes };
         break;
@@ -386,7 +391,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     try {
       const bytes = new TextEncoder().encode(lastScene);
       const files = [{ name: 'restored.shapeup.json', bytes }];
-      const { undoLost } = await this.change.open({ files, saved });
+      const opened = await this.change.open({ files, saved, rows: this.#rows });
+      const undoLost = typeof opened === 'object' && opened.undoLost;
       const back = `your model is back as it was at iteration ${this.saved.iteration}`;
       const but = undoLost ? `, but its undo history is lost: ${undoLost}.` : '.';
       if (!wanted || undoLost)

@@ -1,12 +1,10 @@
 /** Types of what crosses between the page and the engine, beside those of Rust. */
 
+import type { Loaded } from '../pkg/engine/shape_up.js';
+
+export type { Connectivity, Loaded } from '../pkg/engine/shape_up.js';
 export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
 export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
-
-/** A model: `guessed` are unit and axis as they were guessed, null where the file states them. */
-export type Loaded = Omit<import('../pkg/engine/shape_up.js').Loaded, 'guessed'> & {
-  guessed: { units: string | null; up: 'y' | 'z' | null };
-};
 
 /**
  * A model as it was opened: `files` are those it was opened from; `undoLost` is the reason why its saved
@@ -16,22 +14,6 @@ export type Opened = Loaded & { files: string[]; undoLost: string };
 
 /** The id of a `FaceMeasure` of Rust. */
 export type Measure = string;
-
-/** The connectivity of the mesh, sent once. */
-export interface Connectivity {
-  /** `#F + 1` */
-  faceOffsets: Uint32Array;
-  faceIndices: Uint32Array;
-  /** of faces that are left as they are: their number plus one */
-  untouchedOffsets: Uint32Array;
-  /** vertices whose positions are guesses, since the file has none */
-  unplaced: Uint32Array;
-  /** `#curves + 1` */
-  curveOffsets: Uint32Array;
-  curveIndices: Uint32Array;
-  /** `#E by 2` */
-  edges: Uint32Array;
-}
 
 /** The text of the scene with its mesh, which has this generation in the solver. */
 export type Snapshot = { text: string; generation: number };

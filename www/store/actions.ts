@@ -6,7 +6,7 @@
 import { workingKey } from '../ui/keys.ts';
 import { count } from '../ui/words.ts';
 import { again, Cancelled, messageOf } from '../solver/errors.ts';
-import { constraintNow, type Lists } from '../solver/rows.ts';
+import { rowOf } from '../solver/rows.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { Edit, PanelStart, Require } from '../pkg/engine/shape_up.js';
@@ -54,25 +54,25 @@ export function createActions(
     }
   }
 
-  /** The lists that the page shows, of which an edit names a row: the solver may have others by then. */
-  function lists(): Lists | undefined {
-    const { constraints, variants } = store.get().document ?? {};
-    return constraints && variants && { constraints, variants };
+  /** What the row that an edit names keeps: its index in the solver may be another one by then. */
+  function row(change: Edit) {
+    const { document } = store.get();
+    return document ? rowOf(change, document) : undefined;
   }
 
-  /** Returns what a shown constraint acts on; undefined if it is gone, or an error is reported. */
-  async function members(index: number) {
-    const { document: shown, model } = store.get();
-    await solver.settled();
-    const { document: now, model: next } = store.get();
-    if (!shown || !now || next !== model) return undefined;
-    const at = constraintNow(index, shown.constraints, now.constraints);
-    return typeof at === 'number' ? reportErrors(solver.ask.members(at)) : undefined;
+  /**
+   * Returns what a constraint acts on; undefined if it is gone, or an error is reported.
+   * @param number of its row
+   */
+  async function members(number: number) {
+    const { model } = store.get();
+    const found = await reportErrors(solver.ask.members(number));
+    return store.get().model === model ? (found ?? undefined) : undefined;
   }
 
   /** @param showError shows an error at its field; false if there is none, or the words of the alert */
   function edit(change: Edit, showError?: ShowError): Promise<null | undefined> {
-    return attempt(solver.change.edit(change, lists()), showError);
+    return attempt(solver.change.edit(change, row(change)), showError);
   }
 
   /**
@@ -210,8 +210,10 @@ export function createActions(
 
     exact: {
       /** Sets the hardness of a row and runs, as one step of undo. */
-      require: (index: number, require: Require) =>
-        attempt(solver.change.editAndRun({ setConstraint: { index, require } }, lists())),
+      require(index: number, require: Require) {
+        const change: Edit = { setConstraint: { index, require } };
+        return attempt(solver.change.editAndRun(change, row(change)));
+      },
 
       /**
        * Applies a shape that was found, if it belongs to the current one.

@@ -4,7 +4,7 @@
  */
 
 import { exampleFile, type LaidOut, type PanelStart, type Solver } from '../pkg/engine/shape_up.js';
-import { editNow, type Lists } from '../solver/rows.ts';
+import { editNow, type RowKey } from '../solver/rows.ts';
 import { missingFiles, open, type Opening } from './open.ts';
 import type { Scheduler } from './scheduler.ts';
 import { mostFaces, warmUpWhenQuiet } from './warm-up.ts';
@@ -50,21 +50,21 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     return result;
   };
   /** The edit for the lists as they are now; null if there is nothing left to do. */
-  const now = (edit: Edit, shown?: Lists) =>
-    shown && scheduler.document ? editNow(edit, shown, scheduler.document) : edit;
+  const now = (edit: Edit, row?: RowKey) =>
+    row !== undefined && scheduler.document ? editNow(edit, row, scheduler.document) : edit;
   const shown = (): Snapshot => ({ text: solver.scene(), generation: solver.generation() });
   return {
     /**
-     * Opens the first scene, or else the first file; the others may be files that it names. If
-     * refused, the current model stays.
+     * Opens the first scene, or else the first file; the others may be files that it names. If it is
+     * refused, or has more than `most` faces, whose number is returned, the current model stays.
      */
     open: (given: Opening) => open(solver, scheduler, given),
     /**
      * Edits the document, as one step of undo.
-     * @param shown the lists of which it names a row
+     * @param row the row that it names
      */
-    edit(asked: Edit, shown?: Lists) {
-      const edit = now(asked, shown);
+    edit(asked: Edit, row?: RowKey) {
+      const edit = now(asked, row);
       if (edit === null) return null;
       if (edit === 'reset') scheduler.pause();
       // By the tolerance a run is judged, and goes on.
@@ -80,8 +80,8 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
       return null;
     },
     /** Edits and runs, as one step of undo; with the parameters of `edit`. */
-    editAndRun(asked: Edit, shown?: Lists) {
-      const edit = now(asked, shown);
+    editAndRun(asked: Edit, row?: RowKey) {
+      const edit = now(asked, row);
       if (edit !== null) scheduler.runFor(() => solver.editAndRun(edit));
       return null;
     },
@@ -148,11 +148,24 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
   };
 }
 
+const indexOf = (row: number, { document }: Scheduler) =>
+  document?.constraints.findIndex(({ number }) => number === row) ?? -1;
+
 /**
  * Questions in which the worker has a part; the solver answers all others under its own names. They
  * leave document and shape as they are.
  */
-export const questionsOf = (solver: Solver) => ({
+export const questionsOf = (solver: Solver, scheduler: Scheduler) => ({
+  /** What the constraint with this number acts on; null if it is gone. */
+  members(row: number) {
+    const index = indexOf(row, scheduler);
+    return index < 0 ? null : solver.members(index);
+  },
+  /** The worst elements of the constraint with this number; none if it is gone. */
+  worstConstraints(row: number, ...given: [count: number, tolerance?: number]) {
+    const index = indexOf(row, scheduler);
+    return index < 0 ? [] : solver.worstConstraints(index, ...given);
+  },
   /** The number of faces up to which this computer stays interactive. */
   mostFaces,
   /** The paths of files that a scene among these names and that are missing. */
@@ -173,6 +186,8 @@ type Inner =
   | 'free'
   | 'ignoreCollapse'
   | 'load'
+  | 'openRead'
+  | 'read'
   | 'remeshed'
   | 'restore'
   | 'restoreIteration'

@@ -10,30 +10,33 @@ export interface Opening {
   files: NamedBytes[];
   /** data saved with a scene */
   saved?: Saved;
+  /** the numbers of the constraints of a scene that another worker had open */
+  rows?: number[];
   /** unit and axis of a mesh file that has none: `# units: m`, `# up: y` */
   frame?: string;
   /** runs before anything is shown, only for models known to converge quickly */
   solved?: boolean;
+  /** opens no more faces than these */
+  most?: number;
   /** false keeps the separate vertices of faces in a mesh file */
   weld?: boolean;
 }
 
+/** Returns the number of faces if there are too many, and opens nothing then. */
 export function open(
   solver: Solver,
   scheduler: Scheduler,
-  { files, saved, frame = '', solved, weld }: Opening,
-): Opened {
+  { files, saved, rows = [], frame = '', solved, most, weld }: Opening,
+): Opened | number {
   const main = mainOf(files);
   // Of a scene alone, which may be large, `load` says what is missing.
   const named = files.length > 1 ? filesNamed(files, (scene) => solver.sceneFiles(scene)) : [];
   for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
-  const read = scheduler.replace(() => solver.load(main.name, main.bytes, frame, weld === false));
+  const tooMany = solver.read(main.name, main.bytes, frame, weld === false, most);
+  if (tooMany !== undefined) return tooMany;
+  const read = scheduler.replace(() => solver.openRead(main.name, Uint32Array.from(rows)));
   const loaded: Opened = {
     ...read,
-    guessed: {
-      units: read.guessed.units ? read.units : null,
-      up: read.guessed.up ? read.up : null,
-    },
     files: [main.name, ...named.map(({ file }) => file?.name ?? '')],
     undoLost: saved ? restore(solver, saved) : '',
   };

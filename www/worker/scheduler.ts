@@ -5,12 +5,13 @@
 
 import { isTrap, messageOf } from '../solver/errors.ts';
 import type { FromWorker } from '../solver/events.ts';
-import type { Drag, Loaded } from '../solver/types.ts';
+import type { Drag } from '../solver/types.ts';
 import { Frames } from './frames.ts';
 import type {
   Document as SceneDocument,
   FrameNumbers,
   HalfStep,
+  Loaded,
   Solver,
 } from '../pkg/engine/shape_up.js';
 
@@ -294,7 +295,7 @@ export class Scheduler {
     // Refining, and undoing it, replace the mesh.
     const loaded = this.#solver.remeshed();
     // The page keeps the name and the guesses of the file.
-    if (loaded) this.sendModel({ ...loaded, guessed: { units: null, up: null } });
+    if (loaded) this.sendModel(loaded);
     // The scene comes first, so that it is up to date whenever the page has the document.
     this.sendScene();
     this.#sendDocument();
@@ -304,20 +305,11 @@ export class Scheduler {
 
   /** Sends the current mesh; the next frame is followed by `activity`. */
   sendModel(loaded: Loaded) {
-    const solver = this.#solver;
     const mesh = this.meshes[1] + 1;
     // One that was made by a change of the model has no name.
     this.meshes = [loaded.name ? mesh : this.meshes[0], mesh];
     this.#activityDue = true;
-    const connectivity = {
-      faceOffsets: solver.faceOffsets(),
-      faceIndices: solver.faceIndices(),
-      untouchedOffsets: solver.untouchedOffsets(),
-      unplaced: solver.unplaced(),
-      curveOffsets: solver.curveOffsets(),
-      curveIndices: solver.curveIndices(),
-      edges: solver.edges(),
-    };
+    const connectivity = this.#solver.connectivity();
     const positions = this.frames.renew(loaded.vertices);
     const arrays = [positions, ...Object.values(connectivity)];
     this.#post(

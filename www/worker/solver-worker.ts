@@ -39,7 +39,7 @@ function listen(solver: Solver, module: WebAssembly.Module) {
   };
   const scheduler = new Scheduler(solver, post, died);
   const commands = commandsOf(scheduler) as Record<string, Method>;
-  const own = { ...changesOf(solver, scheduler), ...questionsOf(solver) };
+  const own = { ...changesOf(solver, scheduler), ...questionsOf(solver, scheduler) };
   const answers = own as Record<string, Method>;
   const methods = solver as unknown as Record<string, Method>;
   const called = ({ name, given }: Call) =>

@@ -5,7 +5,9 @@ use crate::json::{
     Either, JsonError, Object, SplitKeys, from_text, indices, object, points, present, word_or,
 };
 use crate::mesh::Point;
-use crate::scene::{ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, Hold, SceneError};
+use crate::scene::{
+    ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, Hold, RowNumber, SceneError,
+};
 use crate::solve::Require;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Unexpected, Visitor};
@@ -71,7 +73,8 @@ impl<'de> Visitor<'de> for SpecVisitor {
             Common::deserialize(common)?;
         let kind = kind_of(&id, params).map_err(A::Error::custom)?;
         let eased = eased.map(|Object(eased)| eased);
-        Ok(ConstraintSpec { kind, on, weight, enabled, name, require, eased })
+        let number = RowNumber::default();
+        Ok(ConstraintSpec { kind, on, weight, enabled, name, require, eased, number })
     }
 }
 

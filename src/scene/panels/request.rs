@@ -4,7 +4,7 @@ use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selecto
 use crate::mesh::{
     MESH_OPERATIONS, Mesh, ProblemKind, Topology, mean_dihedral_angle, untouched_words,
 };
-use crate::scene::{ClosenessTo, ConstraintSpec, Scene, SceneError};
+use crate::scene::{ClosenessTo, ConstraintSpec, RowNumber, Scene, SceneError};
 use crate::solve::Require;
 use serde::Serialize;
 
@@ -123,6 +123,7 @@ impl Scene {
                 name: String::new(),
                 require,
                 eased: None,
+                number: RowNumber::default(),
             }),
         }
         let is_close = self.weights.close > 0.0 && self.closeness.to != ClosenessTo::None;

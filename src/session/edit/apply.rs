@@ -13,7 +13,7 @@ use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
     BoundaryRequire, ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS,
-    Pose, Scene, SceneError, Target, Variants, check_tolerance,
+    Pose, RowNumber, Scene, SceneError, Target, Variants, check_tolerance,
 };
 use crate::session::report::{check_lesson, check_presentation, panel_row};
 use crate::session::state::{
@@ -100,7 +100,8 @@ pub(crate) fn apply(
             name
         }
         Edit::DuplicateConstraint { index } => {
-            let copy = row(draft, index)?.clone();
+            let number = RowNumber::default();
+            let copy = ConstraintSpec { number, ..row(draft, index)?.clone() };
             let name = format!("Duplicate {}", label_of(&copy));
             draft.document.constraints.insert(index + 1, copy);
             name
@@ -320,6 +321,8 @@ fn read_text(name: &str, text: &str) -> Result<Read, SceneError> {
 /// Appends a row, and adds its set under a new name.
 fn add(new: NewConstraint, draft: &mut Draft<'_>) -> String {
     let NewConstraint { mut spec, set } = new;
+    // The same edit may be made again.
+    spec.number = RowNumber::default();
     let name = format!("Add {}", label_of(&spec));
     let target = ConstraintTarget { on: spec.on, set };
     let (on, named) = target.named_in(&draft.document.sets, draft.mesh());

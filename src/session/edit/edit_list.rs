@@ -6,7 +6,7 @@ use crate::constraint::Set;
 use crate::json::indices::{self, Indices};
 use crate::json::{JsonError, from_text, objects};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
-use crate::scene::{ConstraintSpec, Lesson, SceneError, Slide, Up, Weights, kind_of};
+use crate::scene::{ConstraintSpec, Lesson, RowNumber, SceneError, Slide, Up, Weights, kind_of};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
@@ -275,7 +275,8 @@ impl TryFrom<ConstraintEntry> for NewConstraint {
         let ConstraintEntry { kind, on: ConstraintTarget { on, set }, weight, params } = entry;
         let kind = kind_of(&kind, params)?;
         let (name, require, eased) = (String::new(), Require::Soft, None);
-        let spec = ConstraintSpec { kind, on, weight, enabled: true, name, require, eased };
+        let number = RowNumber::default();
+        let spec = ConstraintSpec { kind, on, weight, enabled: true, name, require, eased, number };
         Ok(NewConstraint { spec, set })
     }
 }

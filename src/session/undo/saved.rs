@@ -205,16 +205,20 @@ fn read(
     Ok(SessionState { rest: Rc::clone(&near.rest), scene, iteration, start: None })
 }
 
-/// Shares sets and rows with the document `near`, where they are equal: each has been read anew.
+/// Shares sets and rows with the document `near`, where they are equal: each has been read anew. Rows
+/// that have been changed keep their numbers.
 fn share_lists(document: &mut Scene, near: &Scene) {
     for (name, set) in &mut document.sets {
         if let Some(near) = near.sets.get(name).filter(|near| **near == *set) {
             *set = near.clone();
         }
     }
+    let are_as_many = document.constraints.len() == near.constraints.len();
     for (row, near) in document.constraints.iter_mut().zip(&near.constraints) {
         if *row == *near {
             *row = near.clone();
+        } else if are_as_many {
+            row.number = near.number;
         }
     }
     if document.closeness.weights == near.closeness.weights {

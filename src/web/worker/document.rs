@@ -78,6 +78,8 @@ struct NamedSet<'a> {
 #[tsify(missing_as_null)]
 struct ConstraintRow<'a> {
     index: usize,
+    /// Tells it from all other rows, whatever its index is by then.
+    number: u32,
     kind: &'static str,
     /// Its name, or the label of its kind.
     label: &'a str,
@@ -149,6 +151,7 @@ impl<'a> Document<'a> {
                 let info = spec.kind.info();
                 ConstraintRow {
                     index,
+                    number: spec.number.get(),
                     kind: info.id,
                     label: spec.label(),
                     name: &spec.name,

@@ -3,7 +3,7 @@
 use super::loaded::Loaded;
 use super::solver::Solver;
 use crate::mesh::{Mesh, Read, diagnose};
-use crate::scene::UnitsAndUp;
+use crate::scene::{RowNumber, UnitsAndUp};
 use crate::session::{Guessed, OpenedFile, Session, is_scene, named_files};
 use crate::solve::clock;
 use crate::web::thrown;
@@ -25,25 +25,58 @@ impl Solver {
         self.files.add_file(path, bytes);
     }
 
-    /// Opens a mesh, or a scene with the files that [`Solver::add_file`] supplied. If this one is
-    /// refused, the model that is open stays. `frame` has the unit and up axis of a mesh file that does
-    /// not state them, in the form of such statements: `# units: m`, `# up: y`, a line each. A mesh whose
-    /// faces do not share vertices is welded, unless it shall stay `unwelded`.
+    /// Opens a mesh, or a scene, as [`Solver::read`] reads it and [`Solver::open_read`] opens it.
     pub fn load(
         &mut self,
         name: &str,
         bytes: &[u8],
-        frame: &str,
-        unwelded: bool,
+        frame: Option<String>,
+        unwelded: Option<bool>,
     ) -> Result<Js<Loaded>, JsValue> {
+        self.read(name, bytes, frame, unwelded, None)?;
+        self.open_read(name, &[])
+    }
+
+    /// Reads a mesh, or a scene with the files that [`Solver::add_file`] supplied; the model that is open
+    /// stays. `frame` has the unit and up axis of a mesh file that does not state them, in the form of
+    /// such statements: `# units: m`, `# up: y`, a line each. A mesh whose faces do not share vertices is
+    /// welded, unless it shall stay `unwelded`. Returns the number of faces if there are more than `most`:
+    /// they are not to be opened then.
+    pub fn read(
+        &mut self,
+        name: &str,
+        bytes: &[u8],
+        frame: Option<String>,
+        unwelded: Option<bool>,
+        most: Option<u32>,
+    ) -> Result<Option<u32>, JsValue> {
         let started = clock::now();
-        let frame = UnitsAndUp::stated(frame.as_bytes());
+        let frame = UnitsAndUp::stated(frame.unwrap_or_default().as_bytes());
+        let unwelded = unwelded.unwrap_or(false);
         let file = self.files.read(name, bytes, frame, unwelded).map_err(thrown)?;
-        let OpenedFile { scene, mesh, weld, diagnostics, guessed } = file;
+        let faces = file.mesh.faces.len() as u32;
+        let are_too_many = most.is_some_and(|most| faces > most);
+        self.read = (!are_too_many).then(|| (file, clock::now() - started));
+        Ok(are_too_many.then_some(faces))
+    }
+
+    /// Opens what [`Solver::read`] has read last, as the file `name`. If it is refused, the model that is
+    /// open stays. `rows` are the numbers of the rows of constraints if the scene continues a session in
+    /// which they had these.
+    #[wasm_bindgen(js_name = openRead)]
+    pub fn open_read(&mut self, name: &str, rows: &[u32]) -> Result<Js<Loaded>, JsValue> {
+        let started = clock::now();
+        let (file, reading) = self.read.take().ok_or_else(|| thrown("nothing has been read"))?;
+        let OpenedFile { mut scene, mesh, weld, diagnostics, guessed } = file;
+        if rows.len() == scene.constraints.len() {
+            for (row, &number) in scene.constraints.iter_mut().zip(rows) {
+                row.number = RowNumber::of(number);
+            }
+        }
         let session = Session::replace(&mut self.session, scene, mesh).map_err(|error| {
             thrown(if is_scene(name) { format!("{name}: {error}") } else { error.to_string() })
         })?;
-        session.set_load_seconds(clock::now() - started);
+        session.set_load_seconds(reading + clock::now() - started);
         session.start_trace();
         let loaded = plain(&Loaded::new(name, session, &diagnostics, guessed, weld.as_ref()));
         self.step_ms = 0.0;

@@ -23,8 +23,8 @@ pub struct Loaded {
     groups: Vec<Group>,
     units: String,
     up: Up,
-    /// Which of unit and up axis were guessed because the file does not state them.
-    guessed: Guessed,
+    /// Unit and up axis where they were guessed because the file does not state them.
+    guessed: GuessedFrame,
     /// The size at rest, by which rounding errors are told, in its unit.
     size: f64,
     /// For each measure of faces, by its id, the bound below which values are rounding errors.
@@ -45,6 +45,14 @@ pub struct Loaded {
     welded: Option<Welded>,
     problems: Vec<Problem>,
     notes: Vec<String>,
+}
+
+/// A unit and an up axis that were guessed.
+#[derive(Serialize, Tsify)]
+#[tsify(missing_as_null)]
+struct GuessedFrame {
+    units: Option<String>,
+    up: Option<Up>,
 }
 
 /// The vertex counts of file and mesh, and the distance within which vertices were merged.
@@ -103,7 +111,10 @@ impl Loaded {
                 .collect(),
             units: session.document().units.clone(),
             up: session.document().up,
-            guessed,
+            guessed: GuessedFrame {
+                units: guessed.units.then(|| session.document().units.clone()),
+                up: guessed.up.then_some(session.document().up),
+            },
             size,
             roundings: FACE_MEASURES
                 .iter()

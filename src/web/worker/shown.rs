@@ -11,6 +11,26 @@ use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
+/// The connectivity of the mesh.
+#[derive(Serialize, Tsify)]
+#[serde(rename_all = "camelCase")]
+pub struct Connectivity {
+    /// Where the corners of each face start, `#F + 1`.
+    face_offsets: AsIs<Uint32Array>,
+    /// The corners of all faces.
+    face_indices: AsIs<Uint32Array>,
+    /// Where the corners of each face that is left as it is start: their number plus one.
+    untouched_offsets: AsIs<Uint32Array>,
+    /// The vertices, ascending, whose positions are guesses, since the file has none.
+    unplaced: AsIs<Uint32Array>,
+    /// Where the vertices of each polyline start, `#curves + 1`.
+    curve_offsets: AsIs<Uint32Array>,
+    /// The vertices of all polylines.
+    curve_indices: AsIs<Uint32Array>,
+    /// `#E by 2`: the edges, in the numbering that selections use.
+    edges: AsIs<Uint32Array>,
+}
+
 /// The values of a measure of faces.
 #[derive(Serialize, Tsify)]
 pub struct DrawnValues {
@@ -48,44 +68,19 @@ pub struct DrawnRowColours {
 
 #[wasm_bindgen]
 impl Solver {
-    /// Returns where the corners of each face start, `#F + 1`.
-    #[wasm_bindgen(js_name = faceOffsets)]
-    pub fn face_offsets(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.mesh().faces.offsets()))
-    }
-
-    /// Returns the corners of all faces.
-    #[wasm_bindgen(js_name = faceIndices)]
-    pub fn face_indices(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.mesh().faces.indices()))
-    }
-
-    /// Returns the vertices, ascending, whose positions are guesses.
-    pub fn unplaced(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(&self.open()?.mesh().unplaced[..]))
-    }
-
-    /// Returns where the corners of each face that is left as it is start: their number plus one.
-    #[wasm_bindgen(js_name = untouchedOffsets)]
-    pub fn untouched_offsets(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.mesh().untouched.offsets()))
-    }
-
-    /// Returns where the vertices of each polyline start, `#curves + 1`.
-    #[wasm_bindgen(js_name = curveOffsets)]
-    pub fn curve_offsets(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.mesh().curves.offsets()))
-    }
-
-    /// Returns the vertices of all polylines.
-    #[wasm_bindgen(js_name = curveIndices)]
-    pub fn curve_indices(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.mesh().curves.indices()))
-    }
-
-    /// Returns the edges of the mesh: `#E by 2` vertices, in the numbering that selections use.
-    pub fn edges(&self) -> Result<Uint32Array, JsValue> {
-        Ok(Uint32Array::from(self.open()?.topology().edges().as_flattened()))
+    /// Returns the connectivity of the mesh.
+    pub fn connectivity(&self) -> Result<Js<Connectivity>, JsValue> {
+        let session = self.open()?;
+        let mesh = session.mesh();
+        plain(&Connectivity {
+            face_offsets: indices(mesh.faces.offsets()),
+            face_indices: indices(mesh.faces.indices()),
+            untouched_offsets: indices(mesh.untouched.offsets()),
+            unplaced: indices(&mesh.unplaced),
+            curve_offsets: indices(mesh.curves.offsets()),
+            curve_indices: indices(mesh.curves.indices()),
+            edges: indices(session.topology().edges().as_flattened()),
+        })
     }
 
     /// Writes the current positions, `#V by 3`.

@@ -1,7 +1,7 @@
 //! The solver in the worker: the open model, its iterations, its runs and drags.
 
 use crate::mesh::Weld;
-use crate::session::{DragPhase, FileReader, HalfStep, Session};
+use crate::session::{DragPhase, FileReader, HalfStep, OpenedFile, Session};
 use crate::solve::clock;
 use crate::web::values::{Js, plain, read};
 use crate::web::{log_panics, thrown};
@@ -14,6 +14,8 @@ use wasm_bindgen::prelude::*;
 pub struct Solver {
     pub(super) session: Option<Session>,
     pub(super) files: FileReader,
+    /// What is to be opened next, and how many seconds it took to read.
+    pub(super) read: Option<(OpenedFile, f64)>,
     /// How the vertices of the open mesh were welded, if they were.
     pub(super) weld: Option<Weld>,
     /// The generation of the mesh that was last reported to the page.

@@ -24,7 +24,7 @@ test('numbers of the build of another shape are not stored, as those that come d
     lesson: { text: 'On few sheets.', goals: [{ build: 'sheets', at_most: 5 }] },
   };
   const solver = new Solver();
-  solver.load('a.shapeup.json', new TextEncoder().encode(JSON.stringify(scene)), '', false);
+  solver.load('a.shapeup.json', new TextEncoder().encode(JSON.stringify(scene)));
   const told = () => JSON.parse(solver.results('Ada', '')).goals[0].value;
   const built = Float64Array.from(positions.flat());
   solver.setBuildNumbers(

@@ -2,45 +2,36 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { editNow, type Lists } from '../../../www/solver/rows.ts';
+import { editNow, rowOf, type Lists } from '../../../www/solver/rows.ts';
 import type { Edit } from '../../../www/pkg/engine/shape_up.js';
 
-/** A list of constraints on the faces, by kind and weight. */
-const list = (...rows: [string, number][]) =>
+/** Constraints with these numbers, and kept shapes with these names. */
+const lists = (numbers: number[], variants: string[] = []) =>
   ({
-    constraints: rows.map(([kind, weight], index) => ({ index, kind, on: 'faces', weight })),
-    variants: [],
+    constraints: numbers.map((number, index) => ({ index, number, kind: 'plane', on: 'faces' })),
+    variants,
   }) as unknown as Lists;
 const off = (index: number): Edit => ({ setConstraint: { index, enabled: false } });
+/** The edit of what is shown, with the lists as they are now. */
+function made(edit: Edit, shown: Lists, now: Lists) {
+  const row = rowOf(edit, shown);
+  return row === undefined ? edit : editNow(edit, row, now);
+}
 
-test('an edit reaches its row after another one has been removed or duplicated', () => {
-  // The line was switched off in place of the plane.
-  const shown = list(['circle', 1], ['plane', 1], ['line', 1]);
-  assert.deepEqual(editNow(off(1), shown, list(['plane', 1], ['line', 1])), off(0));
-  const doubled = list(['circle', 1], ['circle', 1], ['plane', 1], ['line', 1]);
-  assert.deepEqual(editNow(off(1), shown, doubled), off(2));
-  // Its own weight was changed meanwhile.
-  assert.deepEqual(editNow(off(1), shown, list(['plane', 3], ['line', 1])), off(0));
-});
-
-test('rows of one kind are told apart by what they say, or else nothing is done', () => {
-  const shown = list(['plane', 1], ['plane', 2]);
-  assert.deepEqual(editNow(off(1), shown, list(['plane', 2])), off(0));
-  assert.throws(() => editNow(off(1), shown, list(['plane', 5])), /changed meanwhile/);
-  assert.throws(() => editNow(off(0), shown, list()), /changed meanwhile/);
-  const remove: Edit = { removeConstraint: { index: 0 } };
-  assert.equal(editNow(remove, shown, list()), null);
-  assert.equal(editNow(remove, shown, list(['plane', 2])), null);
-  // Its weight was changed and it was duplicated meanwhile: it stayed, without a word.
-  const changed = list(['plane', 2], ['plane', 2]);
-  assert.throws(() => editNow(remove, list(['plane', 1]), changed), /changed meanwhile/);
+test('an edit reaches its row after another one has been removed or duplicated, however alike', () => {
+  // Another row of the same words was switched off in place of the one that had been removed.
+  const shown = lists([3, 4, 7]);
+  assert.deepEqual(made(off(1), shown, lists([4, 7])), off(0));
+  assert.deepEqual(made(off(1), shown, lists([3, 9, 4, 7])), off(2));
+  assert.throws(() => made(off(1), shown, lists([3, 7])), /changed meanwhile/);
+  assert.equal(made({ removeConstraint: { index: 1 } }, shown, lists([3, 7])), null);
 });
 
 test('a kept shape is meant by its name, and other edits stay as they are', () => {
-  const shown = { constraints: [], variants: ['Start', 'A', 'B'] };
-  const now = { constraints: [], variants: ['Start', 'B'] };
+  const [shown, now] = [lists([], ['Start', 'A', 'B']), lists([], ['Start', 'B'])];
   const goTo = (index: number): Edit => ({ goToVariant: { index } });
-  assert.deepEqual(editNow(goTo(2), shown, now), goTo(1));
-  assert.equal(editNow({ removeVariant: { index: 1 } }, shown, now), null);
-  assert.equal(editNow('reset', shown, now), 'reset');
+  assert.deepEqual(made(goTo(2), shown, now), goTo(1));
+  assert.equal(made({ removeVariant: { index: 1 } }, shown, now), null);
+  assert.equal(made('reset', shown, now), 'reset');
+  assert.deepEqual(made({ showStep: { index: 1 } }, shown, now), { showStep: { index: 1 } });
 });

@@ -2,7 +2,6 @@
 
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { isInLegend } from '../../store/colours/measures.ts';
-import { keyOf } from '../../solver/rows.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Icon } from '../../ui/components/buttons.tsx';
 import { AmountField } from '../../ui/components/fields.tsx';
@@ -23,8 +22,8 @@ export function Constraints() {
     return <p class="quiet">No constraints yet. To add one, press Add constraint.</p>;
   return (
     <ul aria-label="Constraints">
-      {document.constraints.map((row, index, rows) => (
-        <Row key={keyOf(row, index, rows)} row={row} />
+      {document.constraints.map((row) => (
+        <Row key={row.number} row={row} />
       ))}
     </ul>
   );
@@ -51,7 +50,7 @@ function Row({ row }: { row: ConstraintRow }) {
   useEffect(() => untint, []);
   /** Tints the members in the view. */
   async function tint() {
-    const members = await actions.members(row.index);
+    const members = await actions.members(row.number);
     if (!members || !place.current?.matches(':is(:hover, :focus-within)')) return;
     // Dots on the corners of tinted faces would be redundant.
     const vertices = members.faces.length > 0 ? NONE : members.vertices;
@@ -59,7 +58,7 @@ function Row({ row }: { row: ConstraintRow }) {
   }
 
   async function select() {
-    const members = await actions.members(row.index);
+    const members = await actions.members(row.number);
     if (members) actions.select(members);
   }
 
@@ -132,7 +131,6 @@ function Row({ row }: { row: ConstraintRow }) {
             name={name}
             select={() => actions.begin(select())}
             rename={() => setRenamed(true)}
-            close={() => setOpen(false)}
           />
         )}
       </div>

@@ -32,18 +32,13 @@ export function Details({
   name,
   select,
   rename,
-  close,
-}: Of & { select: () => unknown; rename: () => void; close: () => void }) {
+}: Of & { select: () => unknown; rename: () => void }) {
   const { store, actions } = useApp();
   const { kinds, document } = store.state;
   const kind = kinds.find(({ id }) => id === row.kind);
   if (!kind) return null;
   const { eased } = row;
-  function remove() {
-    // Another press would remove the next one, if that is alike.
-    close();
-    return actions.edit({ removeConstraint: { index: row.index } });
-  }
+  const remove = () => actions.edit({ removeConstraint: { index: row.index } });
   const duplicate = () => actions.edit({ duplicateConstraint: { index: row.index } });
   return (
     <>

@@ -2,7 +2,7 @@
 
 use crate::constraint::{Element, Kind, Selector};
 use crate::mesh::{Mesh, Point};
-use crate::scene::{ConstraintSpec, HandleSpec, Hold, Require};
+use crate::scene::{ConstraintSpec, HandleSpec, Hold, Require, RowNumber};
 
 pub(super) fn each(element: Element) -> Selector {
     Selector::Each { element, within: None, radius: 0 }
@@ -18,6 +18,7 @@ pub(super) fn constraint(id: &str, on: Selector, weight: f64) -> ConstraintSpec 
         name: String::new(),
         require: Require::Soft,
         eased: None,
+        number: RowNumber::default(),
     }
 }
 
