@@ -2,19 +2,20 @@
 //! faces of a new mesh.
 
 use crate::mesh::{Mesh, Point, Ragged};
+use crate::words;
 use std::fmt;
 use std::ops::Range;
 
 /// Largest number of faces of a new mesh: it starts coarse and is refined later.
 const MOST_FACES: f64 = 100_000.0;
 
-/// A mesh would have too many faces; holds their number.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TooManyFaces(pub f64);
+/// A mesh would have too many faces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooManyFaces;
 
 impl fmt::Display for TooManyFaces {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "that would be {:.0} faces, expected at most {MOST_FACES}", self.0)
+        write!(f, "that would be more than {} faces", words::group_digits(MOST_FACES as usize))
     }
 }
 
@@ -22,7 +23,7 @@ impl std::error::Error for TooManyFaces {}
 
 /// Fails if there would be too many faces.
 pub(super) fn check_face_count(faces: f64) -> Result<(), TooManyFaces> {
-    if faces > MOST_FACES { Err(TooManyFaces(faces)) } else { Ok(()) }
+    if faces > MOST_FACES { Err(TooManyFaces) } else { Ok(()) }
 }
 
 /// The corners of the quads between `rows + 1` rows of vertices, which have `along` quads each:

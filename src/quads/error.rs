@@ -1,6 +1,7 @@
 //! Why a surface cannot be remeshed, with the place.
 
 use super::fault::ResultFault;
+use super::options::MOST_PANELS;
 use crate::math::Vec3;
 use crate::words;
 use std::fmt;
@@ -119,12 +120,12 @@ impl RemeshError {
             }
             RemeshError::OneSided { .. } => {
                 "a part of the surface has one side only: cut it open".to_owned()
+                let count = words::group_digits(*count);
             }
             RemeshError::SizeTooSmall { least } => {
                 let least = side(least * (1.0 + SAFE));
-                format!(
-                    "there would be more than 100 000 panels, expected sides of {least} or more"
-                )
+                let most = words::group_digits(MOST_PANELS as usize);
+                format!("there would be more than {most} panels, expected sides of {least} or more")
             }
             RemeshError::SizeTooLarge { greatest, .. } => {
                 let greatest = side(greatest * (1.0 - SAFE));
@@ -145,10 +146,12 @@ impl RemeshError {
             RemeshError::Opening { length, greatest, stays, .. } => {
                 let greatest = side(greatest * (1.0 - SAFE));
                 let length = words::limit(words::rounded(*length, 3), units);
-                let [beside, or] =
-                    if *stays { [" beside faces that stay", ""] } else { ["", "close it, or "] };
+                let [beside, mend] = match stays {
+                    true => [" beside faces that stay", "expected"],
+                    false => ["", "close it, or make"],
+                };
                 format!(
-                    "an opening{beside} is {length} around, less than two panels: {or}expected sides of {greatest} or less"
+                    "an opening{beside} is {length} around, less than two panels: {mend} sides of {greatest} or less"
                 )
             }
             RemeshError::NotFollowed { fault } => {

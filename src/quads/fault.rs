@@ -1,6 +1,6 @@
 //! What is wrong with a result.
 
-use crate::words::count;
+use crate::words::{count, group_digits};
 use std::fmt;
 
 /// What is wrong with a result.
@@ -59,6 +59,7 @@ impl fmt::Display for ResultFault {
                 write!(f, "{} parts that touch", count(*found, one, many))
             }
             ResultFault::Loops { expected, found } => {
+                let [found, expected] = [found, expected].map(|count| group_digits(*count));
                 write!(f, "there are {found} boundary loops instead of {expected}")
             }
             // The numbers would mean nothing to most readers.

@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+/// More panels than this are refused.
+pub(super) const MOST_PANELS: f64 = 100_000.0;
+
 /// What the grid does at the boundary of the surface.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]

@@ -2,9 +2,10 @@
 //! be covered stays as it is.
 
 use super::map::GridMapper;
+use super::options::MOST_PANELS;
 use super::part::Asked;
 use super::remeshed::{notes_on, together, without};
-use super::surface::{InputParts, InputSurface, LeftPart, MOST_PANELS, SHORTEST_LOOP};
+use super::surface::{InputParts, InputSurface, LeftPart, SHORTEST_LOOP};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
 use crate::mesh::{Mesh, Surface};
 

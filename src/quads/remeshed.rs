@@ -1,6 +1,7 @@
 //! All parts in one mesh: measured, and put into words.
 
 use super::RemeshError;
+use super::options::MOST_PANELS;
 use super::part::Part;
 use super::result::{Distances, RemeshMeasures, Tally, places, places_near};
 use super::surface::{LeftPart, Opening};
@@ -166,7 +167,8 @@ fn not_followed(
 /// Says what panels of the side `size` take, unless it is below `least`.
 fn takes(size: f64, least: f64, units: &str) -> String {
     if size < least {
-        return "would take nearly 100 000 panels, or more".to_owned();
+        let most = words::group_digits(MOST_PANELS as usize);
+        return format!("would take nearly {most} panels, or more");
     }
     format!("takes sides of {} or less", words::rough_length(size, units))
 }
@@ -178,11 +180,11 @@ fn covered(parts: &[Part], least: f64, units: &str) -> Option<RemeshNote> {
     let shortest = openings.iter().map(|opening| opening.length).reduce(f64::min)?;
     let takes = takes(SHORT * shortest, least, units);
     let words = match openings.len() {
-        1 => format!("1 opening is too small for these panels and covered: to keep it {takes}"),
+        1 => format!("1 opening is too small for these panels and covered: keeping it {takes}"),
         count => {
             let count = words::group_digits(count);
             format!(
-                "{count} openings are too small for these panels and covered: to keep them {takes}"
+                "{count} openings are too small for these panels and covered: keeping them {takes}"
             )
         }
     };
@@ -248,6 +250,6 @@ mod tests {
         };
         let place = "1 place is smaller than a panel: to follow it";
         assert_eq!(said(0.05), format!("{place} takes sides of 80 mm or less"));
-        assert_eq!(said(0.1), format!("{place} would take nearly 100 000 panels, or more"));
+        assert_eq!(said(0.1), format!("{place} would take nearly 100\u{2009}000 panels, or more"));
     }
 }

@@ -140,7 +140,7 @@ fn a_closed_crease_is_a_line_of_the_panels() {
 /// What is said to fit does, and has the unit.
 fn check_named_size(mesh: &Mesh, error: &RemeshError, fits: &str) {
     let words = error.words("m");
-    let side = words.split("expected sides of ").nth(1).expect("it names a size");
+    let side = words.split(" sides of ").nth(1).expect("it names a size");
     let (number, rest) = side.split_once(' ').expect("it has a unit");
     assert_eq!(rest, format!("m {fits}"));
     let length: f64 = number.replace('−', "-").parse().expect("it is a number");

@@ -4,7 +4,7 @@
 //! that a loop still crosses gets a vertex at the crossing. The part of each cell inside the
 //! outline is a face: whole cells stay squares, and no face is a sliver.
 
-use super::declaration::{PlanError, entry};
+use super::declaration::{MOST_CELLS, PlanError};
 use super::kept::{boundary, is_kept};
 use super::outline::{Ground, Loop, along, closest};
 use crate::generate::quads::check_face_count;
@@ -21,9 +21,6 @@ const NEAR: f64 = 0.3;
 const SLIVER: f64 = 0.02;
 /// Tolerance of the polylines that replace arcs, in sides of a cell.
 const FLAT: f64 = 1e-3;
-
-/// Limit of the cells of the grid, most of which a narrow plan leaves empty: they are all in memory.
-const MOST_CELLS: f64 = 1e6;
 
 /// Position relative to the loops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,10 +60,8 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     });
     let inside = areas.reduce(|outline, hole| outline - hole).unwrap_or(0.0);
     check_face_count((inside / (step[0] * step[1])).round()).map_err(PlanError::TooManyFaces)?;
-    let all = count[0] * count[1];
-    if all > MOST_CELLS {
-        let expected = format!("expected at most {MOST_CELLS} panels over the extent of the plan");
-        return Err(entry("size", format!("{expected}, found {all}")));
+    if count[0] * count[1] > MOST_CELLS {
+        return Err(PlanError::TooManyCells);
     }
     let to_grid = |place: Point2| {
         let place = minus(rotated(place, [c, -s]), low);

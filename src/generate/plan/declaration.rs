@@ -2,11 +2,14 @@
 
 use crate::generate::quads::TooManyFaces;
 use crate::json::{fixed, lists_of_objects, objects, word};
+use crate::words;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Largest number of points in a list.
 const MOST_POINTS: usize = 500;
+/// Limit of the cells of the grid, most of which a narrow plan leaves empty: they are all in memory.
+pub(super) const MOST_CELLS: f64 = 1e6;
 
 /// A closed outline on the ground, and how it becomes a surface.
 #[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
@@ -127,6 +130,8 @@ pub enum PlanError {
     TooCoarse(Option<usize>),
     /// A connected piece of the surface has no support.
     NoSupport,
+    /// The grid over the extent of the plan would have too many cells.
+    TooManyCells,
     /// Too many faces.
     TooManyFaces(TooManyFaces),
 }
@@ -185,6 +190,13 @@ impl fmt::Display for PlanError {
             }
             PlanError::NoSupport => {
                 write!(f, "a piece of the surface has no support: mark a point of it as {corner}")
+            }
+            PlanError::TooManyCells => {
+                let most = words::group_digits(MOST_CELLS as usize);
+                write!(
+                    f,
+                    "a grid over the extent of the plan would have more than {most} panels: increase {size}"
+                )
             }
             PlanError::TooManyFaces(why) => why.fmt(f),
         }

@@ -94,6 +94,7 @@ impl fmt::Display for SubdivideError {
                 f.write_str("one face is not a triangle; Loop's scheme requires triangles")
             }
             SubdivideError::NotTriangles(faces) => {
+                let faces = words::group_digits(*faces);
                 write!(f, "{faces} faces are not triangles; Loop's scheme requires triangles")
             }
             SubdivideError::Repeated(face) => {
@@ -101,8 +102,9 @@ impl fmt::Display for SubdivideError {
             }
             SubdivideError::TooMany(vertices) => write!(
                 f,
-                "the result would have {}, expected {MOST_VERTICES} at most",
-                words::count(*vertices, "vertex", "vertices")
+                "the result would have {}, expected {} at most",
+                words::count(*vertices, "vertex", "vertices"),
+                words::group_digits(MOST_VERTICES)
             ),
             SubdivideError::LargeFaces(corners) => write!(
                 f,

@@ -27,5 +27,4 @@ pub(super) use input::Tensor;
 pub use input::{InputParts, InputSurface, LeftPart};
 pub use openings::Opening;
 pub(super) use openings::SHORTEST_LOOP;
-pub(super) use prepare::MOST_PANELS;
 pub use prepare::{PrepareNotes, Prepared};

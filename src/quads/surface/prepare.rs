@@ -9,12 +9,11 @@ use super::openings::{Opening, SHORTEST_LOOP};
 use super::refine::{Line, Refined};
 use super::wedges::wedges;
 use crate::math::Vec3;
+use crate::quads::options::MOST_PANELS;
 use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
 
 /// Connected creases shorter than this many panels are noise.
 const SHORTEST_CREASE: f64 = 6.0;
-/// More panels than this are refused.
-pub(in crate::quads) const MOST_PANELS: f64 = 100_000.0;
 
 /// A connected surface, ready for its field.
 #[derive(Clone, Debug, PartialEq)]

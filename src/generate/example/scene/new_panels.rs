@@ -13,7 +13,7 @@ use std::sync::OnceLock;
 pub(super) const VAULT: Example = Example {
     id: "other-new-panels",
     title: "Vault of triangles in circular panels",
-    summary: "This vault came as 2,288 irregular triangles. Quads were laid out along its lines of curvature, as New panels does with your own mesh: press Run, and every panel becomes exactly circular. The triangles stay the surface that they are kept close to.",
+    summary: "This vault came as 2288 irregular triangles. Quads were laid out along its lines of curvature, as New panels does with your own mesh: press Run, and every panel becomes exactly circular. The triangles stay the surface that they are kept close to.",
     statement: "The 480 panels, up to 13 mm from circular, become exactly circular; their corners stay within 16 cm of the triangles.",
     make: |scene| {
         static PANELS: OnceLock<Mesh> = OnceLock::new();

@@ -63,7 +63,7 @@ fn shaped(scene: &mut Scene, kind: &str) {
 pub(super) const SQUARES: Example = Example {
     id: "fig-04-squares",
     title: "Skew panels become squares",
-    summary: "Press Half step, under Shape, Weights and solver, again and again: the local step finds the square that fits each panel best, and the global step moves each vertex to the middle between the corners of its squares.",
+    summary: "Press Half step, under Shape, Weights and solver, again and again: the local step finds the square that fits each panel best, and the global step moves each vertex close to the middle between the corners of its squares.",
     statement: "Corners that are up to 39 cm from the best square of their panel come within 2 cm in 200 plain iterations.",
     make: squares,
 };
@@ -71,7 +71,8 @@ pub(super) const SQUARES: Example = Example {
 fn squares(scene: &mut Scene) -> Mesh {
     scene.constraints = vec![constraint("square", each(Element::Face), 1.0)];
     scene.weights = Weights { shape: 5.0, close: 1.0, smooth: 0.0 };
-    // As in the paper, the global step moves vertices to the mean of their squares' corners.
+    // The global step moves vertices to a mean of their squares' corners and, with less weight, where
+    // they were.
     scene.solver.accelerator = Accelerator::None;
     Patch::default().mesh()
 }
