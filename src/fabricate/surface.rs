@@ -96,10 +96,10 @@ impl PanelSurface {
             ..Mesh::default()
         };
         let topology = Topology::new(&only_faces);
-        let (turned, contradiction) = orientation(&mesh.faces, &topology);
+        let (turned, contradictions) = orientation(&mesh.faces, &topology);
         let crowded = topology.edge_faces().iter().filter(|faces| faces.len() > 2).count();
-        let one_sided = match contradiction {
-            Some(ends) => Some(Fault::one_sided(ends)),
+        let one_sided = match contradictions.last() {
+            Some(&edge) => Some(Fault::one_sided(topology.edges()[edge as usize])),
             None => (crowded > 0).then(|| Fault::crowded_edges(crowded)),
         };
         let mut faces = Ragged::new();

@@ -11,6 +11,8 @@ use std::fmt;
 pub enum RemeshError {
     /// There are no faces of positive area.
     Empty,
+    /// All faces are to stay as they are.
+    AllStay,
     /// The mesh has tetrahedra: with other faces they would have another surface.
     Tetrahedra,
     /// A part of the surface has too few triangles to have a curvature.
@@ -91,6 +93,7 @@ impl RemeshError {
         !matches!(
             self,
             RemeshError::Empty
+                | RemeshError::AllStay
                 | RemeshError::Tetrahedra
                 | RemeshError::SizeTooSmall { .. }
                 | RemeshError::Cancelled
@@ -108,6 +111,7 @@ impl RemeshError {
         let side = |size: f64| words::limit_like(words::rounded(size, 3), units, 1.0);
         match self {
             RemeshError::Empty => "there are no faces with an area".to_owned(),
+            RemeshError::AllStay => "all faces are to stay as they are".to_owned(),
             RemeshError::Tetrahedra => "the mesh has tetrahedra, expected a surface".to_owned(),
             RemeshError::TooFewTriangles { .. } => {
                 "a part of the surface has fewer than ten triangles".to_owned()
@@ -116,11 +120,11 @@ impl RemeshError {
                 "three or more faces meet in an edge: split the surface there".to_owned()
             }
             RemeshError::BranchingEdge { count, .. } => {
+                let count = words::group_digits(*count);
                 format!("three or more faces meet in {count} edges: split the surface there")
             }
             RemeshError::OneSided { .. } => {
                 "a part of the surface has one side only: cut it open".to_owned()
-                let count = words::group_digits(*count);
             }
             RemeshError::SizeTooSmall { least } => {
                 let least = side(least * (1.0 + SAFE));

@@ -45,4 +45,4 @@ pub use remesh::{Remesher, remesh};
 pub use remeshed::{RemeshNote, Remeshed};
 pub use result::{AngleToCurvature, EdgeLengths, Irregular, LargestDistances, RemeshMeasures};
 pub use sliders::{direction_weight, follow_weight};
-pub use surface::{InputParts, InputSurface, LeftPart, Opening, PrepareNotes, Prepared};
+pub use surface::{InputParts, InputSurface, Opening, PrepareNotes, Prepared, StayingPart};

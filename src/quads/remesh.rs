@@ -5,14 +5,14 @@ use super::map::GridMapper;
 use super::options::MOST_PANELS;
 use super::part::Asked;
 use super::remeshed::{notes_on, together, without};
-use super::surface::{InputParts, InputSurface, LeftPart, SHORTEST_LOOP};
+use super::surface::{InputParts, InputSurface, SHORTEST_LOOP, StayingPart};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
 use crate::mesh::{Mesh, Surface};
 
 /// Sizes that are suggested exceed the least one by this factor: rounded for words, they are not less.
 const SUGGESTED: f64 = 1.25;
-/// Where panels cannot follow a part, openings less than this many panels around are covered: a crack as
-/// long as a panel has no panels of its own on either side.
+/// Where panels cannot follow a part, or it has too many openings, those less than this many panels around
+/// are covered: a crack as long as a panel has no panels of its own on either side.
 const LONGER_LOOP: f64 = 4.0;
 /// If parts with more than this fraction of the area cannot be covered, nothing is.
 const MOST_LEFT: f64 = 0.5;
@@ -25,7 +25,7 @@ pub struct Remesher {
     /// The area of the surfaces.
     area: f64,
     /// Parts that cannot be covered, whatever the settings.
-    left: Vec<LeftPart>,
+    staying_parts: Vec<StayingPart>,
     /// Faces that are to stay.
     stay: Vec<u32>,
     /// The last of each choice at the boundary: both are asked for in turn.
@@ -82,15 +82,16 @@ impl Remesher {
         let mut stay: Vec<u32> = stay.iter().copied().chain(guesses.map(|(f, _)| f)).collect();
         stay.sort_unstable();
         stay.dedup();
-        let InputParts { surfaces, left } = InputSurface::parts(mesh, &stay)?;
+        let InputParts { surfaces, staying: staying_parts } = InputSurface::parts(mesh, &stay)?;
         if surfaces.is_empty() {
-            return Err(left.into_iter().next().map_or(RemeshError::Empty, |first| first.error));
+            let largest = staying_parts.into_iter().max_by(|a, b| a.area.total_cmp(&b.area));
+            return Err(largest.map_or(RemeshError::Empty, |part| part.error));
         }
         let area = surfaces.iter().map(InputSurface::area).sum();
         // Curves are not covered.
         let (positions, faces) = (mesh.positions.clone(), mesh.faces.clone());
         let mesh = Mesh { positions, faces, ..Mesh::default() };
-        Ok(Remesher { mesh, surfaces, area, left, stay, kept: Vec::new(), measured: None })
+        Ok(Remesher { mesh, surfaces, area, staying_parts, stay, kept: Vec::new(), measured: None })
     }
 
     /// Covers the surface; see [`remesh`]. The result does not depend on what was asked before.
@@ -126,7 +127,7 @@ impl Remesher {
         });
         let count = surfaces.len() as f64;
         let mut parts = Vec::new();
-        let mut left = self.left.clone();
+        let mut staying_parts = self.staying_parts.clone();
         for (k, (surface, [first, longer])) in surfaces.iter().zip(&mut kept.mappers).enumerate() {
             let mut of_part =
                 |stage: RemeshStage, share: f64| observer(stage, (k as f64 + share) / count);
@@ -147,7 +148,7 @@ impl Remesher {
                 part
             };
             let mut found = cover(first, SHORTEST_LOOP);
-            if let Err(RemeshError::NotFollowed { .. }) = found
+            if let Err(RemeshError::NotFollowed { .. } | RemeshError::TooManyOpenings) = found
                 && surface.covers_more([SHORTEST_LOOP, LONGER_LOOP].map(|panels| panels * size))
             {
                 let over = cover(longer, LONGER_LOOP);
@@ -157,12 +158,13 @@ impl Remesher {
             }
             match found {
                 Ok(part) => parts.push(part),
-                Err(error) if error.is_of_part() => left.push(surface.left(error)),
+                Err(error) if error.is_of_part() => staying_parts.push(surface.staying(error)),
                 Err(error) => return Err(error),
             }
         }
-        let areas: [f64; 2] = [&left, &self.left].map(|parts| parts.iter().map(|p| p.area).sum());
-        if let Some(worst) = left.iter().max_by(|a, b| a.area.total_cmp(&b.area))
+        let areas: [f64; 2] =
+            [&staying_parts, &self.staying_parts].map(|parts| parts.iter().map(|p| p.area).sum());
+        if let Some(worst) = staying_parts.iter().max_by(|a, b| a.area.total_cmp(&b.area))
             && areas[0] > MOST_LEFT * (self.area + areas[1])
         {
             return Err(worst.error.clone());
@@ -172,7 +174,7 @@ impl Remesher {
         }
         // Of a face that touches itself, triangles can be in two parts.
         let mut stays = vec![false; mesh.faces.len()];
-        let all = left.iter().flat_map(|part| &part.faces).chain(&self.stay).copied();
+        let all = staying_parts.iter().flat_map(|part| &part.faces).chain(&self.stay).copied();
         let staying: Vec<u32> =
             all.filter(|&face| !std::mem::replace(&mut stays[face as usize], true)).collect();
         let cuts = options.boundary == Boundary::Cut;
@@ -182,7 +184,7 @@ impl Remesher {
         let mut found = together(input, parts, cuts, SUGGESTED * least, units);
         self.measured = Some(measured);
         found.append(mesh, &staying);
-        found.notes.extend(notes_on(&left, units));
+        found.notes.extend(notes_on(&staying_parts, units));
         self.kept.push(kept);
         Ok(found)
     }

@@ -4,7 +4,7 @@ use super::RemeshError;
 use super::options::MOST_PANELS;
 use super::part::Part;
 use super::result::{Distances, RemeshMeasures, Tally, places, places_near};
-use super::surface::{LeftPart, Opening};
+use super::surface::{Opening, StayingPart};
 use crate::math::{Vec3, marked};
 use crate::mesh::{Mesh, Point, Surface};
 use crate::words;
@@ -110,9 +110,9 @@ impl Remeshed {
 }
 
 /// Says which parts stay as they are, and why; `units` is the symbol of the unit.
-pub(super) fn notes_on(left: &[LeftPart], units: &str) -> Vec<RemeshNote> {
+pub(super) fn notes_on(staying: &[StayingPart], units: &str) -> Vec<RemeshNote> {
     let mut notes: Vec<(String, usize, Vec<Vec3<f64>>)> = Vec::new();
-    for part in left {
+    for part in staying {
         // Of a small part the whole is the place.
         let (why, at) = match part.error {
             RemeshError::TooFewTriangles { .. } => (String::new(), part.at),

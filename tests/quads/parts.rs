@@ -222,6 +222,53 @@ fn a_part_that_cannot_be_covered_stays_as_it_is_and_is_named() {
     assert!(matches!(refused, RemeshError::TooFewTriangles { .. }), "{refused}");
 }
 
+/// They vanished, and with them what joined their neighbours.
+#[test]
+fn faces_without_area_stay_with_their_part() {
+    // A sheet with a fin, and a face that closes the gap to a vertex on one of its sides; and two such
+    // faces alone.
+    let mut sheet = parametric([4, 4], [false, false], |u, v| [u, v, 0.0]);
+    sheet.positions.extend([[0.125, 0.0, 0.0], [0.4, 0.4, 1.0]]);
+    let first = sheet.faces.iter().position(|face| face.contains(&0) && face.contains(&1));
+    let mut faces: Vec<Vec<u32>> = sheet.faces.iter().map(<[u32]>::to_vec).collect();
+    let cut = faces.remove(first.expect("it has an edge there"));
+    let apex = *cut.iter().find(|v| **v > 1).expect("a third corner");
+    faces.extend([vec![0, 25, apex], vec![25, 1, apex], vec![0, 1, 25], vec![6, 7, 26]]);
+    sheet.faces = faces.iter().collect();
+    let flat = Mesh {
+        positions: [0.0, 1.0, 2.0, 3.0].map(|x| [x, 0.0, 0.0]).to_vec(),
+        faces: [[0, 1, 2], [1, 2, 3]].iter().collect(),
+        ..Mesh::default()
+    };
+    let others = both(&sheet, &flat, [5.0, 0.0, 0.0]);
+    let found = panels(&both(&tube(), &others, [40.0, 0.0, 0.0]), 200).unwrap();
+    assert_eq!(found.staying, sheet.faces.len() + 2);
+    let sorted = |mesh: &Mesh, moved: f64| {
+        let mut faces: Vec<_> = last_faces(mesh, found.staying);
+        faces.iter_mut().flatten().for_each(|point| point[0] += moved);
+        faces.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+        faces
+    };
+    assert_eq!(sorted(&found.mesh, 0.0), sorted(&others, 40.0));
+    let words: Vec<&str> = found.notes.iter().map(|note| &note.words[..]).collect();
+    assert!(words.contains(&"1 small part stays as it is"), "{words:?}");
+    let branching =
+        "1 part stays as it is: three or more faces meet in an edge: split the surface there";
+    assert!(words.contains(&branching), "{words:?}");
+}
+
+/// The first one was named, whatever its size.
+#[test]
+fn if_no_part_can_be_covered_the_largest_is_named() {
+    let lid = parametric([2, 1], [false, false], |u, v| [u, v, 0.1 * u]);
+    let mut branching = vault();
+    branching.positions.push([4.0, 3.0, 9.0]);
+    let fin = branching.positions.len() as u32 - 1;
+    branching.faces.push(&[100, 101, fin]);
+    let refused = panels(&both(&lid, &branching, [40.0, 0.0, 0.0]), 200).map(|_| ()).unwrap_err();
+    assert!(matches!(refused, RemeshError::BranchingEdge { .. }), "{refused}");
+}
+
 #[test]
 fn faces_that_are_to_stay_do() {
     let mesh = vault();
@@ -234,7 +281,7 @@ fn faces_that_are_to_stay_do() {
     assert_eq!(last_faces(&found.mesh, 40), kept);
     assert!(found.notes.is_empty(), "{:?}", found.notes);
     let all: Vec<u32> = (0..mesh.faces.len() as u32).collect();
-    assert_eq!(Remesher::beside(&mesh, &all).map(|_| ()).unwrap_err(), RemeshError::Empty);
+    assert_eq!(Remesher::beside(&mesh, &all).map(|_| ()).unwrap_err(), RemeshError::AllStay);
 }
 
 #[test]

@@ -14,8 +14,8 @@ fn options() -> MapOptions {
 
 /// The parts that can be covered: all of them.
 fn surfaces(mesh: &Mesh) -> Vec<InputSurface> {
-    let InputParts { surfaces, left } = InputSurface::parts(mesh, &[]).unwrap();
-    assert!(left.is_empty(), "{left:?}");
+    let InputParts { surfaces, staying } = InputSurface::parts(mesh, &[]).unwrap();
+    assert!(staying.is_empty(), "{staying:?}");
     surfaces
 }
 
@@ -110,7 +110,7 @@ fn touching_and_separate_parts_are_told_apart() {
 #[test]
 fn what_cannot_be_remeshed_is_refused_with_the_place() {
     let error = |mesh: &Mesh| match InputSurface::parts(mesh, &[]) {
-        Ok(parts) => parts.left[0].error.clone(),
+        Ok(parts) => parts.staying[0].error.clone(),
         Err(error) => error,
     };
     assert_eq!(error(&Mesh::default()), RemeshError::Empty);

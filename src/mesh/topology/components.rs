@@ -39,11 +39,11 @@ fn root(parents: &mut [u32], mut v: u32) -> u32 {
 }
 
 /// Returns for each face whether to turn it so that neighbours traverse their common edge in opposite
-/// directions, and the ends of an edge where that is impossible, as on a Moebius strip. In each
-/// component, connected over edges of two faces, the fewer faces are turned.
-pub fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Option<[u32; 2]>) {
+/// directions, and the edges where that is impossible, as on a Moebius strip. In each component,
+/// connected over edges of two faces, the fewer faces are turned.
+pub fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Vec<u32>) {
     let mut is_turned: Vec<Option<bool>> = vec![None; faces.len()];
-    let mut contradiction = None;
+    let mut contradictions = Vec::new();
     for first in 0..faces.len() as u32 {
         if is_turned[first as usize].is_some() {
             continue;
@@ -65,7 +65,7 @@ pub fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Option<[u
                         is_turned[other as usize] = Some(needed);
                         component.push(other);
                     }
-                    Some(found) if found != needed => contradiction = Some([a.min(b), a.max(b)]),
+                    Some(found) if found != needed => contradictions.push(e),
                     Some(_) => {}
                 }
             }
@@ -76,5 +76,5 @@ pub fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Option<[u
             component.iter().for_each(turn);
         }
     }
-    (is_turned.into_iter().map(|turned| turned == Some(true)).collect(), contradiction)
+    (is_turned.into_iter().map(|turned| turned == Some(true)).collect(), contradictions)
 }

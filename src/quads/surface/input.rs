@@ -4,8 +4,9 @@
 use super::edges::Edges;
 use super::slivers::remove_slivers;
 use crate::math::{Vec3, argsort, ears_in_space, marked, mean};
-use crate::mesh::{Mesh, Ragged, Topology, Weld, curvatures};
+use crate::mesh::{Mesh, Topology, Weld, components, curvatures, orientation};
 use crate::quads::{RemeshError, Side};
+use std::collections::BTreeMap;
 
 /// Fewer triangles have no curvature to speak of.
 const FEWEST: usize = 10;
@@ -20,12 +21,12 @@ pub struct InputSurface {
     pub(super) positions: Vec<Vec3<f64>>,
     /// `#T by 3`, consistently oriented.
     pub(super) triangles: Vec<[usize; 3]>,
-    /// `#T`: faces of the input.
+    /// Its faces of the input, ascending.
     pub(super) faces: Vec<u32>,
     /// `#V`: vertices of the input; two where fans that touch in a vertex were split.
     pub(super) vertices: Vec<u32>,
     /// `#V`: whether a face that stays has the vertex.
-    pub(super) beside: Vec<bool>,
+    pub(super) at_staying: Vec<bool>,
     /// `#V`: the second fundamental form; zero where it is unknown.
     pub(super) tensors: Vec<Tensor>,
 }
@@ -35,13 +36,13 @@ pub struct InputSurface {
 pub struct InputParts {
     /// In the order of their first faces.
     pub surfaces: Vec<InputSurface>,
-    /// The others, in this order too.
-    pub left: Vec<LeftPart>,
+    /// The others, in this order too; those of faces without area last.
+    pub staying: Vec<StayingPart>,
 }
 
 /// A part of the input that is not covered.
 #[derive(Clone, Debug)]
-pub struct LeftPart {
+pub struct StayingPart {
     /// Its faces, ascending.
     pub faces: Vec<u32>,
     /// In the squared unit of the mesh.
@@ -54,8 +55,8 @@ pub struct LeftPart {
 
 impl InputSurface {
     /// Returns the connected parts of the faces of a mesh, in the order of their first faces. Faces
-    /// that share no vertices are welded first; triangles without area are removed. The faces `stay`
-    /// belong to no part.
+    /// that share no vertices are welded first; triangles without area are removed, their faces still
+    /// belong to their part. The faces `stay` belong to no part.
     ///
     /// # Errors
     /// If there is nothing to remesh.
@@ -71,46 +72,68 @@ impl InputSurface {
         }
         let positions: Vec<Vec3<f64>> = welded.positions.iter().map(|&p| Vec3::from(p)).collect();
         let stays = marked(mesh.faces.len(), stay);
-        let (mut triangles, faces) = triangulate(&positions, &welded, &stays);
-        let mut beside = vec![false; positions.len()];
+        let mut at_staying = vec![false; positions.len()];
         let staying = welded.faces.iter().zip(&stays).filter(|(_, stays)| **stays);
-        staying.flat_map(|(face, _)| face).for_each(|&v| beside[v as usize] = true);
+        staying.flat_map(|(face, _)| face).for_each(|&v| at_staying[v as usize] = true);
+        let (all, face_of) = triangulate(&positions, &welded, &stays);
+        let mut triangles = all.clone();
+        let given = remove_slivers(&positions, &mut triangles);
         if triangles.is_empty() {
-            return Err(RemeshError::Empty);
+            let stay_all = !stays.is_empty() && !stays.contains(&false);
+            return Err(if stay_all { RemeshError::AllStay } else { RemeshError::Empty });
         }
-        let edges = Edges::new(&triangles);
-        let (parts, faults) = orient(&mut triangles, &edges, &positions);
-        let mut members = vec![Vec::new(); faults.len()];
-        parts.iter().enumerate().for_each(|(t, &part)| members[part].push(t));
+        let (part_of, mut faults) = orient(&positions, &mut triangles);
+        let mut members: Vec<(Vec<[usize; 3]>, Vec<u32>)> = vec![Default::default(); faults.len()];
+        for ((&part, triangle), &k) in part_of.iter().zip(triangles).zip(&given) {
+            let (triangles, faces) = &mut members[part as usize];
+            triangles.push(triangle);
+            faces.push(face_of[k]);
+        }
+        let has_area = marked(mesh.faces.len(), given.iter().map(|&k| face_of[k]));
+        let mut without = (0..all.len()).filter(|&k| !has_area[face_of[k] as usize]).peekable();
+        if without.peek().is_some() {
+            // Those belong to a part that they share edges with, or are parts of their own.
+            let topology = Topology::new(&as_mesh(&positions, &all));
+            let connected = components(all.len(), topology.edge_faces().iter());
+            let mut parts = BTreeMap::new();
+            for (&part, &k) in part_of.iter().zip(&given) {
+                parts.entry(connected[k]).or_insert(part as usize);
+            }
+            for k in without {
+                let part = *parts.entry(connected[k]).or_insert_with(|| {
+                    members.push((vec![all[k]], Vec::new()));
+                    faults.push(Some(RemeshError::TooFewTriangles { at: positions[all[k][0]] }));
+                    members.len() - 1
+                });
+                members[part].1.push(face_of[k]);
+            }
+        }
         let mut found = InputParts::default();
-        for (members, fault) in members.into_iter().zip(faults) {
-            let own: Vec<[usize; 3]> = members.iter().map(|&t| triangles[t]).collect();
-            let mut faces: Vec<u32> = members.iter().map(|&t| faces[t]).collect();
+        for ((own, mut faces), fault) in members.into_iter().zip(faults) {
+            faces.sort_unstable();
+            faces.dedup();
             let at = positions[own[0][0]];
             let few = (own.len() < FEWEST).then_some(RemeshError::TooFewTriangles { at });
             match fault.or(few) {
                 None => {
-                    let vertices = (&original[..], &beside[..]);
+                    let vertices = (&original[..], &at_staying[..]);
                     let surface = InputSurface::of_part(&positions, own, faces, vertices);
                     found.surfaces.push(surface);
                 }
                 Some(error) => {
-                    faces.dedup();
                     let area = area(&positions, &own);
                     let at = middle(&positions, &own);
-                    found.left.push(LeftPart { faces, area, error, at });
+                    found.staying.push(StayingPart { faces, area, error, at });
                 }
             }
         }
         Ok(found)
     }
 
-    /// The whole part, left as it is for this reason.
-    pub(crate) fn left(&self, error: RemeshError) -> LeftPart {
-        let mut faces = self.faces.clone();
-        faces.dedup();
+    /// The whole part, which stays as it is for this reason.
+    pub(crate) fn staying(&self, error: RemeshError) -> StayingPart {
         let at = middle(&self.positions, &self.triangles);
-        LeftPart { faces, area: self.area(), error, at }
+        StayingPart { faces: self.faces.clone(), area: self.area(), error, at }
     }
 
     /// The area, in the squared unit of the mesh.
@@ -124,7 +147,7 @@ impl InputSurface {
         positions: &[Vec3<f64>],
         mut triangles: Vec<[usize; 3]>,
         faces: Vec<u32>,
-        (original, beside): (&[u32], &[bool]),
+        (original, at_staying): (&[u32], &[bool]),
     ) -> InputSurface {
         let neighbours = Edges::new(&triangles).neighbours();
         let fans = fans(&triangles, &neighbours);
@@ -146,9 +169,9 @@ impl InputSurface {
         triangles = renumbered;
         let positions: Vec<Vec3<f64>> = vertices.iter().map(|&v| positions[v]).collect();
         let tensors = tensors(&positions, &triangles);
-        let beside = vertices.iter().map(|&v| beside[v]).collect();
+        let at_staying = vertices.iter().map(|&v| at_staying[v]).collect();
         let vertices = vertices.iter().map(|&v| original[v]).collect();
-        InputSurface { positions, triangles, faces, vertices, beside, tensors }
+        InputSurface { positions, triangles, faces, vertices, at_staying, tensors }
     }
 }
 
@@ -186,66 +209,36 @@ fn triangulate(
             found.extend(cut.map(|triangle| (triangle.map(|k| face[k] as usize), f)));
         }
     }
-    let (mut triangles, mut faces) = found.into_iter().unzip();
-    remove_slivers(positions, &mut triangles, &mut faces);
-    (triangles, faces)
+    found.into_iter().unzip()
 }
 
-/// Orients the triangles of each part as its first one. Returns the part of each triangle, and for
-/// each part why it is no surface, if so.
+/// Orients the triangles of each part, connected over edges, consistently, and turns the fewer. Returns
+/// the part of each triangle, and for each part why it is no surface, if so.
 fn orient(
-    triangles: &mut [[usize; 3]],
-    edges: &Edges,
     positions: &[Vec3<f64>],
-) -> (Vec<usize>, Vec<Option<RemeshError>>) {
-    const NONE: usize = usize::MAX;
-    let given = triangles.to_vec();
-    let start = |Side { triangle, side }: Side| given[triangle][side];
-    let mut part = vec![NONE; given.len()];
-    let mut turned = vec![false; given.len()];
-    let mut faults: Vec<Option<RemeshError>> = Vec::new();
-    for first in 0..given.len() {
-        if part[first] != NONE {
-            continue;
-        }
-        let own = faults.len();
-        let mut fault = None;
-        part[first] = own;
-        let mut queue = vec![first];
-        while let Some(t) = queue.pop() {
-            for side in (0..3).map(|side| Side { triangle: t, side }) {
-                let all = &edges.sides[edges.of_side[t][side.side]];
-                for &other in all.iter().filter(|&&other| other != side) {
-                    // Neighbours run along the edge in opposite directions.
-                    let turn = turned[t] != (start(side) == start(other));
-                    if part[other.triangle] == NONE {
-                        part[other.triangle] = own;
-                        turned[other.triangle] = turn;
-                        queue.push(other.triangle);
-                    } else if turned[other.triangle] != turn {
-                        let at = positions[start(side)];
-                        fault.get_or_insert(RemeshError::OneSided { at });
-                    }
-                }
-            }
-        }
-        faults.push(fault);
+    triangles: &mut [[usize; 3]],
+) -> (Vec<u32>, Vec<Option<RemeshError>>) {
+    let mesh = as_mesh(positions, triangles);
+    let topology = Topology::new(&mesh);
+    let (turned, contradictions) = orientation(&mesh.faces, &topology);
+    let part_of = components(triangles.len(), topology.edge_faces().iter());
+    let mut faults = vec![None; part_of.iter().max().map_or(0, |&last| last as usize + 1)];
+    let faces = |e: u32| topology.edge_faces().row(e as usize);
+    let middle = |e: u32| mean(topology.edges()[e as usize].map(|v| positions[v as usize]));
+    let part = |e: u32| part_of[faces(e)[0] as usize] as usize;
+    for e in contradictions {
+        faults[part(e)].get_or_insert(RemeshError::OneSided { at: middle(e) });
     }
-    for (&[a, b], sides) in edges.ends.iter().zip(&edges.sides).filter(|(_, all)| all.len() > 2) {
-        let fault = &mut faults[part[sides[0].triangle]];
-        if let Some(RemeshError::BranchingEdge { count, .. }) = fault {
-            *count += 1;
-        } else {
-            let at = (positions[a] + positions[b]) * 0.5;
-            *fault = Some(RemeshError::BranchingEdge { at, count: 1 });
+    for e in (0..topology.edges().len() as u32).filter(|&e| faces(e).len() > 2) {
+        match &mut faults[part(e)] {
+            Some(RemeshError::BranchingEdge { count, .. }) => *count += 1,
+            fault => *fault = Some(RemeshError::BranchingEdge { at: middle(e), count: 1 }),
         }
     }
-    for (triangle, turned) in triangles.iter_mut().zip(turned) {
-        if turned {
-            triangle.swap(1, 2);
-        }
+    for (triangle, _) in triangles.iter_mut().zip(turned).filter(|(_, turned)| *turned) {
+        triangle.swap(1, 2);
     }
-    (part, faults)
+    (part_of, faults)
 }
 
 /// Numbers the fans of triangles around vertices: the same for corners of one vertex that are
@@ -273,13 +266,15 @@ fn fans(triangles: &[[usize; 3]], neighbours: &[[Option<Side>; 3]]) -> Vec<usize
     fan
 }
 
+/// The triangles as faces of a mesh.
+pub(super) fn as_mesh(positions: &[Vec3<f64>], triangles: &[[usize; 3]]) -> Mesh {
+    let faces = triangles.iter().map(|triangle| triangle.map(|v| v as u32)).collect();
+    Mesh { positions: positions.iter().map(|&p| p.into()).collect(), faces, ..Mesh::default() }
+}
+
 /// The second fundamental form at each vertex (quadrics over two rings of neighbours).
 fn tensors(positions: &[Vec3<f64>], triangles: &[[usize; 3]]) -> Vec<Tensor> {
-    let mesh = Mesh {
-        positions: positions.iter().map(|&p| p.into()).collect(),
-        faces: triangles.iter().map(|t| t.map(|v| v as u32)).collect::<Ragged>(),
-        ..Mesh::default()
-    };
+    let mesh = as_mesh(positions, triangles);
     let found = curvatures(&mesh.positions, &mesh.faces, &Topology::new(&mesh));
     found.into_iter().map(|one| one.map_or([0.0; 6], |one| one.tensor())).collect()
 }

@@ -24,7 +24,7 @@ mod wedges;
 
 pub(super) use edges::Edges;
 pub(super) use input::Tensor;
-pub use input::{InputParts, InputSurface, LeftPart};
+pub use input::{InputParts, InputSurface, StayingPart};
 pub use openings::Opening;
 pub(super) use openings::SHORTEST_LOOP;
 pub use prepare::{PrepareNotes, Prepared};

@@ -38,14 +38,13 @@ impl InputSurface {
         let edges = Edges::new(&self.triangles);
         let short = self.openings(&edges, longest);
         let flat = self.flat_around(&short);
-        let (mut triangles, mut faces) = (self.triangles.clone(), self.faces.clone());
+        let mut triangles = self.triangles.clone();
         let (mut covered, mut open) = (Vec::new(), Vec::new());
         for ((opening, ring), flat) in short.into_iter().zip(flat) {
             let Some(cover) = self.cover(&edges, &ring).filter(|_| flat) else {
                 open.push((opening, ring));
                 continue;
             };
-            faces.extend(cover.iter().map(|_| self.faces[0]));
             triangles.extend(cover);
             covered.push(opening);
         }
@@ -53,8 +52,9 @@ impl InputSurface {
         if covered.is_empty() {
             return Ok((Cow::Borrowed(self), covered));
         }
-        remove_slivers(&self.positions, &mut triangles, &mut faces);
-        let vertices = (&self.vertices[..], &self.beside[..]);
+        remove_slivers(&self.positions, &mut triangles);
+        let vertices = (&self.vertices[..], &self.at_staying[..]);
+        let faces = self.faces.clone();
         let surface = InputSurface::of_part(&self.positions, triangles, faces, vertices);
         surface.refuse(surface.openings(&Edges::new(&surface.triangles), shortest), shortest)?;
         Ok((Cow::Owned(surface), covered))
@@ -75,7 +75,7 @@ impl InputSurface {
         let least = openings.into_iter().min_by(|a, b| a.0.length.total_cmp(&b.0.length));
         match least {
             Some((Opening { length, at }, ring)) if length < shortest => {
-                let stays = ring.iter().any(|&v| self.beside[v]);
+                let stays = ring.iter().any(|&v| self.at_staying[v]);
                 Err(RemeshError::Opening { length, greatest: length / SHORTEST_LOOP, stays, at })
             }
             _ => Ok(()),
@@ -121,7 +121,7 @@ impl InputSurface {
     /// Triangles over an opening; none if faces that stay are in it, or if they would need an edge that is
     /// there.
     fn cover(&self, edges: &Edges, ring: &[usize]) -> Option<Vec<[usize; 3]>> {
-        if ring.iter().any(|&v| self.beside[v]) {
+        if ring.iter().any(|&v| self.at_staying[v]) {
             return None;
         }
         // Seen from the side of the surface, the opening is on the right of its ring.

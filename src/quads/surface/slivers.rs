@@ -19,16 +19,17 @@ struct Sliver {
 
 /// Removes triangles without area. Where the ends of a side coincide, they become one vertex;
 /// otherwise the triangle over the longest side is split at the third vertex, which lies on it.
-/// What neither can remove without joining three triangles in an edge is dropped.
+/// What neither can remove without joining three triangles in an edge is dropped. Returns for each
+/// triangle that is left the given one that it is, or is a part of.
 pub(super) fn remove_slivers(
     positions: &[Vec3<f64>],
     triangles: &mut Vec<[usize; 3]>,
-    faces: &mut Vec<u32>,
-) {
+) -> Vec<usize> {
     let area = |&[a, b, c]: &[usize; 3]| {
         (positions[b] - positions[a]).cross(positions[c] - positions[a]).length()
     };
     let least = NO_AREA * triangles.iter().map(area).fold(0.0, f64::max);
+    let mut given: Vec<usize> = (0..triangles.len()).collect();
     for _ in 0..MOST_ROUNDS {
         let thin = (0..triangles.len()).filter(|&t| area(&triangles[t]) <= least);
         let mut slivers: Vec<Sliver> =
@@ -37,13 +38,14 @@ pub(super) fn remove_slivers(
         slivers.sort_by(|a, b| b.longest.1.total_cmp(&a.longest.1));
         let edges = Edges::new(triangles);
         let removed = !slivers.is_empty()
-            && (merge(&slivers, &edges, triangles, faces)
-                || split(&slivers, &edges, triangles, faces));
+            && (merge(&slivers, &edges, triangles, &mut given)
+                || split(&slivers, &edges, triangles, &mut given));
         if !removed {
             break;
         }
     }
-    keep(triangles, faces, |triangle| area(triangle) > least);
+    keep(triangles, &mut given, |triangle| area(triangle) > least);
+    given
 }
 
 fn sliver(positions: &[Vec3<f64>], triangle: usize, corners: [usize; 3], least: f64) -> Sliver {
@@ -63,7 +65,7 @@ fn merge(
     slivers: &[Sliver],
     edges: &Edges,
     triangles: &mut Vec<[usize; 3]>,
-    faces: &mut Vec<u32>,
+    given: &mut Vec<usize>,
 ) -> bool {
     if slivers.iter().all(|sliver| sliver.coincident.is_none()) {
         return false;
@@ -89,7 +91,7 @@ fn merge(
         }
     }
     triangles.iter_mut().flatten().for_each(|v| *v = name[*v]);
-    keep(triangles, faces, |&[a, b, c]| a != b && b != c && c != a);
+    keep(triangles, given, |&[a, b, c]| a != b && b != c && c != a);
     merged
 }
 
@@ -98,7 +100,7 @@ fn split(
     slivers: &[Sliver],
     edges: &Edges,
     triangles: &mut Vec<[usize; 3]>,
-    faces: &mut Vec<u32>,
+    given: &mut Vec<usize>,
 ) -> bool {
     // Those whose neighbours in `edges` are not theirs any more, or that wait for a longer sliver.
     let mut changed = vec![false; triangles.len()];
@@ -123,26 +125,26 @@ fn split(
         } else if edges.ends.binary_search(&[tip.min(apex), tip.max(apex)]).is_err() {
             triangles[triangle] = [from, tip, apex];
             triangles[own] = [tip, to, apex];
-            faces[own] = faces[triangle];
+            given[own] = given[triangle];
         } else {
             continue;
         }
         (changed[triangle], removed) = (true, true);
     }
     let mut gone = gone.into_iter();
-    keep(triangles, faces, |_| !gone.next().expect("one for each"));
+    keep(triangles, given, |_| !gone.next().expect("one for each"));
     removed
 }
 
-/// Keeps some triangles, and their faces.
+/// Keeps some triangles, and what they are parts of.
 fn keep(
     triangles: &mut Vec<[usize; 3]>,
-    faces: &mut Vec<u32>,
+    given: &mut Vec<usize>,
     mut is_kept: impl FnMut(&[usize; 3]) -> bool,
 ) {
     let kept: Vec<bool> = triangles.iter().map(&mut is_kept).collect();
     let mut of_triangle = kept.iter();
     triangles.retain(|_| *of_triangle.next().expect("one for each"));
-    let mut of_face = kept.iter();
-    faces.retain(|_| *of_face.next().expect("one for each"));
+    let mut of_given = kept.iter();
+    given.retain(|_| *of_given.next().expect("one for each"));
 }

@@ -155,8 +155,8 @@ pub(super) fn flip(task: &Task<'_>) -> Result<Edited, OperationError> {
 /// Orients each component consistently, so that neighbours traverse their common edge in opposite
 /// directions, by flipping as few faces as possible.
 pub(super) fn unify(task: &Task<'_>) -> Result<Edited, OperationError> {
-    let (is_turned, contradiction) = orientation(&task.mesh.faces, task.topology);
-    if contradiction.is_some() {
+    let (is_turned, contradictions) = orientation(&task.mesh.faces, task.topology);
+    if !contradictions.is_empty() {
         return Err(OperationError::Expected(
             "an orientable surface; this one is not, like a Moebius strip",
         ));
