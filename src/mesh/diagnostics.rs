@@ -110,8 +110,8 @@ fn duplicates(mesh: &Mesh) -> Vec<u32> {
     faces.windows(2).filter(|pair| row(pair[0]) == row(pair[1])).map(|pair| pair[1]).collect()
 }
 
-/// Counts the vertices exactly at an earlier one, and returns the first of them.
-pub(super) fn coincident(positions: &[Point]) -> Option<(usize, usize)> {
+/// Returns the vertices exactly at an earlier one.
+pub(super) fn coincident(positions: &[Point]) -> Vec<usize> {
     let is_number = |vertex: &usize| !positions[*vertex].iter().any(|x| x.is_nan());
     let mut vertices: Vec<usize> = (0..positions.len()).filter(is_number).collect();
     // Stable sorts by z, then y, then x give the lexicographic order (x, y, z, vertex).
@@ -121,8 +121,7 @@ pub(super) fn coincident(positions: &[Point]) -> Option<(usize, usize)> {
         vertices = argsort(keys).into_iter().map(|i| vertices[i as usize]).collect();
     }
     let same = |pair: &&[usize]| positions[pair[0]] == positions[pair[1]];
-    let later = vertices.windows(2).filter(same).map(|pair| pair[1]);
-    Some((later.clone().count(), later.min()?))
+    vertices.windows(2).filter(same).map(|pair| pair[1]).collect()
 }
 
 #[cfg(test)]
@@ -173,10 +172,8 @@ mod tests {
     #[test]
     fn coincident_vertices_are_found_once_each() {
         let [p, q] = [[0.0, 1.0, -0.0], [1.0, 2.0, 3.0]];
-        assert_eq!(coincident(&[p, q]), None);
-        assert_eq!(
-            coincident(&[q, p, [f64::NAN; 3], [f64::NAN; 3], p, q, [-0.0, 1.0, 0.0]]),
-            Some((3, 4))
-        );
+        assert!(coincident(&[p, q]).is_empty());
+        let mixed = [q, p, [f64::NAN; 3], [f64::NAN; 3], p, q, [-0.0, 1.0, 0.0]];
+        assert_eq!(coincident(&mixed), [4, 6, 5]);
     }
 }

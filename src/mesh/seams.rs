@@ -91,6 +91,10 @@ mod tests {
              open, first at line 5: `v 1 0 0`";
         assert!(said.iter().any(|line| line == seam), "{said:?}");
         assert_eq!(read.notes, [""; 0]);
+        // One more, at no seam.
+        let loose = format!("{text}v 2 1 0\n");
+        let read = crate::mesh::read("a.obj", loose.as_bytes()).expect("it is a mesh");
+        assert_eq!(read.notes, ["1 vertex lies exactly on an earlier one, first at line 12"]);
     }
 
     /// Appends copies of these faces, on copies of their vertices.

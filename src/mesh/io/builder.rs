@@ -3,9 +3,10 @@
 
 use super::lines::{excerpt, lines};
 use super::number::{Numbering, coordinate};
+use crate::math::marked;
 use crate::mesh::diagnostics::{coincident, examine};
 use crate::mesh::problem::DiagnosticCounts;
-use crate::mesh::{ElementKind, Mesh, MeshProblem, Point, ProblemKind};
+use crate::mesh::{ElementKind, Mesh, MeshProblem, Point, ProblemKind, seams};
 use crate::words;
 
 /// The mesh so far, with the source lines of its vertices and faces.
@@ -189,16 +190,20 @@ impl MeshBuilder {
         if positions.as_flattened().iter().all(|x| x.is_nan()) {
             return Err(ReadFault::whole("no coordinate in the file is a number"));
         }
-        let coincident = coincident(positions);
+        let mut coincident = coincident(positions);
         let is_unplaced = |v: &u32| positions[*v as usize].iter().any(|x| x.is_nan());
         self.mesh.unplaced = (0..positions.len() as u32).filter(is_unplaced).collect();
         fill_in(positions);
         positions.shrink_to_fit();
         examine(&self.mesh, &self.vertex_lines, &self.face_lines, &mut self.counts);
         // Those at seams are said as a problem.
-        let at_seams = self.counts.of(ProblemKind::UnjoinedVertex);
-        if let Some((count, first)) = coincident.filter(|(count, _)| *count > at_seams) {
-            let vertices = words::count(count, "vertex lies", "vertices lie");
+        if !coincident.is_empty() && self.counts.of(ProblemKind::UnjoinedVertex) > 0 {
+            let at_seams =
+                marked(self.mesh.positions.len(), seams(&self.mesh).iter().map(|[v, _]| v));
+            coincident.retain(|&v| !at_seams[v]);
+        }
+        if let Some(&first) = coincident.iter().min() {
+            let vertices = words::count(coincident.len(), "vertex lies", "vertices lie");
             let line = self.vertex_lines.get(first);
             let place = line.map_or_else(String::new, |line| format!(", first at line {line}"));
             self.notes.push(format!("{vertices} {COINCIDENT}{place}"));
