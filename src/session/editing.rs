@@ -29,6 +29,17 @@ fn cannot_be_refined(why: SubdivideError) -> SceneError {
     SceneError { path: "mesh".to_owned(), message: why.to_string() }
 }
 
+/// Says how many faces made from those of the mesh `old` are turned over or have no area, if any.
+fn turned_over(edited: &Edited, old: &Mesh) -> Option<String> {
+    let turned_over = edited.turned_over(old);
+    let faces = words::count(turned_over, "new face is", "new faces are");
+    (turned_over > 0).then(|| {
+        format!(
+            "{faces} turned over or without area: the centre of a face with a notch may lie outside it."
+        )
+    })
+}
+
 impl Session {
     /// Makes an edit, and returns whether it is a step of undo; an edit without effect is not, nor
     /// the tolerance, by which a shape is judged, so that it changes during a run and keeps Redo.
@@ -257,6 +268,7 @@ impl Session {
             how.apply(&self.mesh().at(shape), self.topology()).map_err(cannot_be_refined)?;
         let name = format!("Refine to {}", words::count(refined.mesh.faces.len(), "face", "faces"));
         let (rest, mut carried) = self.carried_to(&refined, shape, shape);
+        carried.lost.extend(turned_over(&refined, &self.mesh().at(shape)));
         if adopts {
             // What the shape is kept close to is the adopted one.
             carried.document.variants.design = None;
@@ -291,8 +303,8 @@ impl Session {
     /// # Errors
     /// If the operation is refused, or the system would be singular; nothing has changed then.
     fn remesh(&mut self, remeshing: &Remeshing) -> Result<(String, SessionState), Error> {
-        let (operation, edited) = self.remeshed(remeshing)?;
-        Ok((operation.label.to_owned(), self.replace_mesh(&edited, |_| ())?))
+        let (operation, rest, carried) = self.remeshed(remeshing)?;
+        Ok((operation.label.to_owned(), self.take_mesh(rest, carried)?))
     }
 
     /// Replaces the mesh by one made from it at its current positions, and returns the state before.
@@ -322,16 +334,15 @@ impl Session {
     /// # Errors
     /// If the operation is refused.
     pub fn remeshing(&self, remeshing: &Remeshing) -> Result<RemeshingPreview, Error> {
-        let (_, edited) = self.remeshed(remeshing)?;
-        let (rest, _) = self.carried_to(&edited, self.scene.positions(), self.rest.positions());
-        Ok(RemeshingPreview::of([self.rest.mesh(), rest.mesh()], rest.lost()))
+        let (_, rest, carried) = self.remeshed(remeshing)?;
+        Ok(RemeshingPreview::of([self.rest.mesh(), rest.mesh()], &carried.lost))
     }
 
-    /// Applies an operation to the mesh at its current positions.
+    /// Applies an operation to the mesh at its current positions, and carries the scene over.
     fn remeshed(
         &self,
         remeshing: &Remeshing,
-    ) -> Result<(&'static MeshOperation, Edited), SceneError> {
+    ) -> Result<(&'static MeshOperation, RestMesh, Carried), SceneError> {
         let Remeshing { operation, sizes, vertices, faces } = remeshing;
         let refused =
             |why: OperationError| SceneError { path: String::new(), message: why.to_string() };
@@ -340,27 +351,22 @@ impl Session {
         let up = self.document().up.direction();
         let (rest, topology) = (self.rest.positions(), self.topology());
         let task = Task { mesh: &mesh, rest, topology, up, sizes, vertices, faces };
-        Ok((operation, operation.apply(&task).map_err(refused)?))
+        let edited = operation.apply(&task).map_err(refused)?;
+        let (rest, mut carried) = self.carried_to(&edited, &mesh.positions, rest);
+        carried.lost.extend(turned_over(&edited, &mesh));
+        Ok((operation, rest, carried))
     }
 
     /// Carries the scene over to a mesh derived from its own at the positions `from`, and says what is
-    /// left out and where new faces lie over others. Also returns the rest mesh, derived in the same way
-    /// from the positions `rest`; both `#V by 3`.
+    /// left out. Also returns the rest mesh, derived in the same way from the positions `rest`; both
+    /// `#V by 3`.
     fn carried_to(&self, edited: &Edited, from: &[Point], rest: &[Point]) -> (RestMesh, Carried) {
         let positions = edited.in_other_state(from, rest);
         let mut mesh = Mesh { positions, ..edited.mesh.clone() };
         edited.origins.carry(self.mesh(), &mut mesh);
-        let mut rest = self.rest.next(mesh);
+        let rest = self.rest.next(mesh);
         let shape = (&**self.scene.handles(), &**self.scene.positions());
-        let mut carried = carry(self.document(), shape, &self.rest, (edited, from), &rest);
-        let turned_over = edited.turned_over(&self.mesh().at(from));
-        if turned_over > 0 {
-            let faces = words::count(turned_over, "new face is", "new faces are");
-            carried.lost.push(format!(
-                "{faces} turned over or without area: the centre of a face with a notch may lie outside it."
-            ));
-        }
-        rest.set_lost(std::mem::take(&mut carried.lost));
+        let carried = carry(self.document(), shape, &self.rest, (edited, from), &rest);
         (rest, carried)
     }
 
@@ -369,8 +375,9 @@ impl Session {
     /// # Errors
     /// If something that the lesson locks would be left out, the document does not fit the mesh, or the
     /// system is singular; nothing has changed then.
-    fn take_mesh(&mut self, rest: RestMesh, carried: Carried) -> Result<SessionState, Error> {
-        let Carried { mut document, handles, positions, dropped, .. } = carried;
+    fn take_mesh(&mut self, mut rest: RestMesh, carried: Carried) -> Result<SessionState, Error> {
+        let Carried { mut document, handles, positions, lost, dropped } = carried;
+        rest.set_lost(lost);
         dropped.iter().try_for_each(|part| check_lock(*part, self.document()))?;
         if let Some(lesson) = &mut document.lesson {
             lesson.given = Some(self.document().fingerprint(self.mesh()));

@@ -3,7 +3,7 @@
 
 use crate::session::refine::{everything, open};
 use serde_json::json;
-use shape_up::math::Vec3;
+use shape_up::math::{Vec3, twice_vector_area};
 use shape_up::mesh::{Mesh, Point, Surface};
 use shape_up::quads::{Boundary, RemeshStage};
 use shape_up::scene::{BoundaryCloseness, MeshSource, Scene, SceneError, Target};
@@ -81,6 +81,27 @@ fn panels_take_the_place_of_triangles_in_one_step_of_undo() {
     assert!(lost.iter().any(|words| words.contains("none")), "{lost:?}");
     assert!(session.undo().expect("it was solvable").expect("a step").starts_with("Lay out "));
     assert_eq!(everything(&session), before);
+}
+
+/// Panels on the few faces that are the other way were said to be turned over.
+#[test]
+fn panels_on_faces_of_both_orientations_are_not_said_to_be_turned_over() {
+    let mut mesh = vault(10, false);
+    let turned = |(k, face): (usize, &[u32])| match k % 5 {
+        0 => [face[0], face[2], face[1]],
+        _ => [face[0], face[1], face[2]],
+    };
+    mesh.faces = mesh.faces.iter().enumerate().map(turned).collect();
+    let mut session = opened(mesh);
+    let layout = laid_out(&session, &USUAL);
+    assert!(session.take_panels(session.generation(), &layout.mesh).expect("it can be solved"));
+    assert_eq!(session.lost(), [""; 0]);
+    // The first face is one of the few.
+    let up = |face: &[u32]| {
+        let corners = face.iter().map(|&v| Vec3::from(session.mesh().positions[v as usize]));
+        twice_vector_area(corners).z
+    };
+    assert!(session.mesh().faces.iter().all(|face| up(face) > 0.0));
 }
 
 #[test]
