@@ -134,9 +134,28 @@ impl Surface {
     /// Returns the face closest to `p`; none if the surface has no faces. If several are equally close,
     /// it returns one of them.
     pub fn closest_face(&self, p: Point) -> Option<u32> {
-        let mut hint = Surface::NO_HINT;
-        self.closest(p, &mut hint);
-        self.faces.get(hint as usize).copied()
+        self.closest_face_of(p, f64::INFINITY, |_| true)
+    }
+
+    /// Returns the face closest to `p`, nearer than `within`, of those that `is_meant`; none if there is
+    /// no such face.
+    pub fn closest_face_of(
+        &self,
+        p: Point,
+        within: f64,
+        is_meant: impl Fn(u32) -> bool,
+    ) -> Option<u32> {
+        let p = Vec3::from(p) - self.centre;
+        let lanes = splat(p);
+        let mut best = Hit { point: p, distance_squared: within * within };
+        let mut found = Surface::NO_HINT;
+        self.bvh.search(lanes, best.distance_squared, |leaf, _| {
+            for t in leaf.filter(|&t| self.faces.get(t).is_some_and(|&face| is_meant(face))) {
+                self.consider(t, p, lanes, &mut best, &mut found);
+            }
+            best.distance_squared
+        });
+        self.faces.get(found as usize).copied()
     }
 
     /// Returns the same as [`Surface::closest`]. `cache` also comes from the last search for this

@@ -3,26 +3,28 @@
 
 use super::origins::{Combinations, Edited, Origins};
 use super::rebuild::regrouped;
-use crate::math::{Vec3, mean};
-use crate::mesh::{Mesh, Point, Ragged, Surface};
+use crate::math::{Vec3, mean, twice_vector_area};
+use crate::mesh::{Mesh, Point, Ragged, Surface, Topology, orientation};
 use std::collections::HashMap;
 
 /// A new vertex whose weight on a corner is at most this does not depend on it.
 const NEGLIGIBLE: f64 = 1e-9;
+/// A face lies on no other one than those whose normals, of length one, have at least this inner product
+/// with the mean of those at its corners: not on the other wall of a shell.
+const FACING: f64 = -0.5;
 
 impl Edited {
     /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
-    /// from [the same one](Mesh::same_faces), else from the old face at its centre; sets and groups
-    /// follow that. Curves stay, and so do vertices of no face and of faces that are left as they are.
+    /// from [the same one](Mesh::same_faces), else from the old face at its centre that faces as those at
+    /// its corners do; sets and groups follow that. Curves stay, and so do vertices of no face and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::of_ground(&mesh.positions, mesh);
         let face_at = |point: Point| surface.closest_face(point).unwrap_or(0);
         let same = cover.same_faces(mesh);
-        let mut vertices: Vec<(Point, Vec<(u32, f64)>)> = cover
-            .positions
-            .iter()
-            .map(|&point| (point, weights(mesh, face_at(point), point)))
-            .collect();
+        let at_vertices: Vec<u32> = cover.positions.iter().map(|&point| face_at(point)).collect();
+        let on_faces = cover.positions.iter().zip(&at_vertices);
+        let mut vertices: Vec<(Point, Vec<(u32, f64)>)> =
+            on_faces.map(|(&point, &face)| (point, weights(mesh, face, point))).collect();
         for (face, same) in cover.faces.iter().zip(&same) {
             let olds = same.map_or(&[][..], |same| mesh.faces.row(same as usize));
             face.iter().zip(olds).for_each(|(&v, &old)| vertices[v as usize].1 = vec![(old, 1.0)]);
@@ -64,10 +66,19 @@ impl Edited {
         let places: Vec<u32> = now.iter().map(|new| new.unwrap_or(u32::MAX)).collect();
         made.curves = mesh.curves.clone();
         made.curves.rename(&places);
-        let origin = |(face, same): (&[u32], Option<u32>)| {
-            let centre = || mean(face.iter().map(|&v| cover.positions[v as usize].into()));
-            [same.unwrap_or_else(|| face_at(centre().into()))]
+        let normals = normals(mesh);
+        // The centre of a panel is inside a curved shell, and can be nearer to its other wall.
+        let at_centre = |face: &[u32]| {
+            let corners = || face.iter().map(|&v| Vec3::from(cover.positions[v as usize]));
+            let facing = mean(face.iter().map(|&v| normals[at_vertices[v as usize] as usize]));
+            let centre = mean(corners());
+            let reach = corners().map(|corner| (corner - centre).length()).fold(0.0, f64::max);
+            let is_facing = |old: u32| normals[old as usize].dot(facing) >= FACING;
+            let found = surface.closest_face_of(centre.into(), reach, is_facing);
+            found.unwrap_or_else(|| face_at(centre.into()))
         };
+        let origin =
+            |(face, same): (&[u32], Option<u32>)| [same.unwrap_or_else(|| at_centre(face))];
         let faces: Ragged = cover.faces.iter().zip(same).map(origin).collect();
         let curves: Vec<Option<u32>> = (0..mesh.curves.len() as u32).map(Some).collect();
         made.groups = regrouped(mesh, &faces, &curves);
@@ -88,6 +99,17 @@ impl Mesh {
         }
         self.faces.iter().map(|face| there.get_mut(&corners(self, face))?.pop()).collect()
     }
+}
+
+/// The normals of all faces, of length one, as if neighbours agreed; zero of faces without area.
+fn normals(mesh: &Mesh) -> Vec<Vec3<f64>> {
+    let (turned, _) = orientation(&mesh.faces, &Topology::new(mesh));
+    let normal = |(face, turned): (&[u32], bool)| {
+        let corners = face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]));
+        let normal = twice_vector_area(corners).direction_or_zero();
+        if turned { -normal } else { normal }
+    };
+    mesh.faces.iter().zip(turned).map(normal).collect()
 }
 
 /// The old vertex at which a new vertex lies, if there is one.
@@ -210,6 +232,42 @@ mod tests {
         let edited = Edited::covering(&mesh, &quads);
         let groups: Vec<_> = edited.mesh.groups.iter().map(|group| &group.faces[..]).collect();
         assert_eq!(groups, [[1]]);
+    }
+
+    /// The centre of a panel on the outer wall is nearer to the inner one.
+    #[test]
+    fn a_panel_on_a_wall_of_a_shell_comes_from_that_wall() {
+        let mut mesh = Mesh::default();
+        let mut wall = |radius: f64, turned: bool| {
+            let first = mesh.positions.len() as u32;
+            for (j, i) in (0..11).flat_map(|j| (0..11).map(move |i| (j, i))) {
+                let [x, y] = [i, j].map(|k: u32| 0.2 * f64::from(k) - 1.0);
+                mesh.positions.push([x, y, (radius * radius - x * x - y * y).sqrt()]);
+            }
+            for (j, i) in (0..10).flat_map(|j| (0..10).map(move |i| (j, i))) {
+                let a = first + 11 * j + i;
+                match turned {
+                    false => mesh.faces.push(&[a, a + 1, a + 12, a + 11]),
+                    true => mesh.faces.push(&[a, a + 11, a + 12, a + 1]),
+                }
+            }
+        };
+        wall(5.0, false);
+        wall(4.9, true);
+        let corner = |[i, j]: [usize; 2], wall: usize| mesh.positions[121 * wall + 11 * j + i];
+        let corners = [[2, 2], [8, 2], [8, 8], [2, 8]];
+        let both = [0, 1].map(|wall| corners.map(|at| corner(at, wall)));
+        let cover = Mesh {
+            positions: both.as_flattened().to_vec(),
+            faces: [[0, 1, 2, 3], [4, 7, 6, 5]].iter().collect(),
+            ..Mesh::default()
+        };
+        let surface = Surface::of_ground(&mesh.positions, &mesh);
+        let centre = [0, 1, 2].map(|axis| both[0].iter().map(|p| p[axis]).sum::<f64>() / 4.0);
+        assert!(surface.closest_face(centre).is_some_and(|face| face >= 100));
+        let edited = Edited::covering(&mesh, &cover);
+        let of_walls = edited.origins.faces.indices().iter().map(|face| face / 100);
+        assert_eq!(of_walls.collect::<Vec<_>>(), [0, 1]);
     }
 
     /// A face was looked for among fans: that of a concave one covers the ground of its neighbours.
