@@ -173,6 +173,24 @@ fn a_crease_stays_sharp_at_every_level_and_runs_smoothly_along_itself() {
     }
 }
 
+/// Its sides were creases: the rounded surface had a seam there.
+#[test]
+fn a_thin_triangle_makes_no_crease() {
+    let text = |height: &str| {
+        format!(
+            "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 2 2 {height}\nf 1 2 3\nf 1 5 4\nf 5 3 4\nf 1 3 5\n"
+        )
+    };
+    let refined = |height: &str| {
+        let mesh = read("thin.obj", text(height).as_bytes()).expect("it is a mesh").mesh;
+        subdivided(&mesh, subdivision(Scheme::Loop, 2)).mesh.positions
+    };
+    // One without area has no angle to its neighbours.
+    for (a, b) in refined("0.000002").iter().zip(refined("0")) {
+        assert!((0..3).all(|k| (a[k] - b[k]).abs() < 1e-5), "{a:?} {b:?}");
+    }
+}
+
 #[test]
 fn linear_keeps_the_shape_and_its_area() {
     let flat = grid(3, 2, |i, j| [f64::from(i), f64::from(j) + 0.2 * f64::from(i), 0.0]);

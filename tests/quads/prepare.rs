@@ -1,7 +1,7 @@
 //! Surfaces prepared for the map: parts, refinement, features, and what is refused.
 
 use super::surfaces::{parametric, plate, torus, tube};
-use shape_up::math::{cosine, sine};
+use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::quads::{
     Boundary, InputParts, InputSurface, MapOptions, PanelSize, Prepared, RemeshError, Side,
@@ -66,6 +66,36 @@ fn triangles_are_short_and_features_are_apart() {
     let cut = MapOptions { boundary: Boundary::Cut, crease: None, ..options() };
     let cut = parts[0].prepare(2.0, 0.7, &cut).unwrap();
     assert!(cut.surface.feature.as_flattened().iter().all(|is| !is), "a cut boundary is none");
+}
+
+/// The normal of a thin triangle is that of rounding: its sides were creases that the grid had to follow.
+#[test]
+fn a_thin_triangle_makes_no_crease() {
+    // A plate whose diagonal has vertices beside it, a little above.
+    let mut mesh = sheet(6, |u, v| [10.0 * u, 10.0 * v, 0.0]);
+    let mut faces = Ragged::default();
+    for face in mesh.faces.iter() {
+        let at = |k: usize| Vec3::from(mesh.positions[face[k % 3] as usize]);
+        let diagonal = (0..3).find(|&k| {
+            let along = at(k + 1) - at(k);
+            along.x > 0.0 && along.y > 0.0 && face[(k + 1) % 3] % 7 == face[(k + 1) % 3] / 7
+        });
+        let Some(k) = diagonal else {
+            faces.push(face);
+            continue;
+        };
+        let [a, b, c] = [0, 1, 2].map(|j| face[(k + j) % 3]);
+        let middle = mesh.positions.len() as u32;
+        mesh.positions.push(((at(k) + at(k + 1)) * 0.5 + Vec3::new(0.0, 0.0, 2e-6)).into());
+        faces.push(&[a, middle, c]);
+        faces.push(&[middle, b, c]);
+        faces.push(&[a, b, middle]);
+    }
+    assert_eq!(faces.len(), mesh.faces.len() + 12);
+    mesh.faces = faces;
+    let surface = prepared(&mesh, 0.5).surface;
+    let inner = |side: &Side| surface.across(*side).is_some() && surface.is_feature(*side);
+    assert_eq!(surface.sides().filter(inner).count(), 0);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Sharp edges (the boundary and creases) and corners, which a subdivision keeps.
 
-use crate::math::{Vec3, angle_between, twice_vector_area};
-use crate::mesh::{Mesh, Topology};
+use crate::math::{Vec3, angle_between};
+use crate::mesh::{Mesh, Topology, crease_normals};
 
 pub(super) struct Sharp {
     /// `#E`: edges that are smoothed as curves only.
@@ -17,8 +17,7 @@ impl Sharp {
     pub(super) fn of(mesh: &Mesh, topology: &Topology, degrees: f64) -> Sharp {
         let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
         let most = degrees.to_radians();
-        let normals: Vec<Vec3<f64>> =
-            mesh.faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v)))).collect();
+        let normals = crease_normals(mesh, topology);
         let is_sharp = |(e, faces): (u32, &[u32])| match *faces {
             [f, g] => turns(normals[f as usize], normals[g as usize] * topology.agreement(e), most),
             _ => true,

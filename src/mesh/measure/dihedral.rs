@@ -1,7 +1,7 @@
-//! Dihedral angles, between the normals of two faces with a common edge, and faces that a
-//! deformation has folded over.
+//! Dihedral angles, between the normals of two faces with a common edge, normals by which creases are
+//! told, and faces that a deformation has folded over.
 
-use crate::math::{Vec3, angle, twice_vector_area};
+use crate::math::{Vec3, angle, polygon_sides, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged, Topology};
 
 /// Two faces with a common edge.
@@ -49,6 +49,43 @@ pub fn mean_dihedral_angle(mesh: &Mesh, topology: &Topology, at: &[Point]) -> f6
         count += 1.0;
     }
     if count > 0.0 { f64::to_degrees(sum / count) } else { 0.0 }
+}
+
+/// A triangle of at most this height over its longest side has no normal of its own: rounded coordinates
+/// tilt it.
+const THIN: f64 = 1e-3;
+
+/// Returns a normal of each face, not of length one, by which creases are told: twice its vector area, or
+/// for a thin triangle that of the face across its longest side. Of two thin triangles that are longest
+/// there, as a narrow strip has them, each keeps its own.
+pub(crate) fn crease_normals(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
+    let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
+    let areas = mesh.faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v))));
+    let areas: Vec<Vec3<f64>> = areas.collect();
+    // The squared length of the longest side, and its edge.
+    let longest_if_thin = |face: u32| {
+        let corners = mesh.faces.row(face as usize);
+        let sides = polygon_sides(corners)
+            .filter_map(|[a, b]| Some(((at(b) - at(a)).length_squared(), topology.edge(a, b)?)));
+        let longest = sides.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let is_thin = corners.len() == 3 && areas[face as usize].length() <= THIN * longest.0;
+        is_thin.then_some(longest)
+    };
+    let normal = |mut face: u32| {
+        let mut sign = 1.0;
+        while let Some((length, edge)) = longest_if_thin(face)
+            && let &[first, second] = topology.edge_faces().row(edge as usize)
+        {
+            let across = if first == face { second } else { first };
+            if longest_if_thin(across).is_some_and(|(other, _)| other <= length) {
+                break;
+            }
+            sign *= topology.agreement(edge);
+            face = across;
+        }
+        areas[face as usize] * sign
+    };
+    (0..mesh.faces.len() as u32).map(normal).collect()
 }
 
 /// Cosine of the least angle between the normals of two faces folded onto each other: 120 degrees.

@@ -1,8 +1,10 @@
 //! Creases of a surface: edges that turn, in sets long enough to be meant.
 
 use super::edges::Edges;
+use super::input::as_mesh;
 use super::refine::Line;
 use crate::math::{Vec3, cosine};
+use crate::mesh::{Topology, crease_normals};
 
 /// Marks the sides on the boundary, and those on creases: edges between triangles whose normals turn
 /// by more than `crease` degrees, in connected sets of at least the length `shortest`: `#T by 3`.
@@ -13,10 +15,9 @@ pub(super) fn lines(
     shortest: f64,
 ) -> Vec<[Line; 3]> {
     let edges = Edges::new(triangles);
-    let normal = |t: usize| {
-        let [a, b, c] = triangles[t].map(|v| positions[v]);
-        (b - a).cross(c - a).direction_or_zero()
-    };
+    let mesh = as_mesh(positions, triangles);
+    let normals = crease_normals(&mesh, &Topology::new(&mesh));
+    let normal = |t: usize| normals[t].direction_or_zero();
     let least = crease.map(|degrees| cosine(degrees / 360.0));
     let mut line: Vec<Line> = edges
         .sides
