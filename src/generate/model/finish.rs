@@ -1,8 +1,9 @@
 //! What generators do with a mesh in the end: even it out, open it, and round its coordinates; and
 //! random numbers, the same on every machine.
 
-use crate::math::Vec3;
-use crate::mesh::{Mesh, Point, Ragged, Topology};
+use crate::generate::hexagons::edited;
+use crate::math::{Vec3, mean};
+use crate::mesh::{Mesh, Point, Topology};
 
 /// Smooths a surface: in each step every vertex moves halfway to the mean of its neighbours.
 pub fn soften(mesh: &mut Mesh, steps: usize) {
@@ -69,23 +70,10 @@ fn gradient(field: impl Fn(Point) -> f64, p: Point, step: f64) -> Vec3<f64> {
 /// The mesh without the faces for whose centroid `is_open` is true, and without the vertices then
 /// unused; the rest keeps its order.
 pub fn opened(mesh: &Mesh, is_open: impl Fn(Point) -> bool) -> Mesh {
-    let middle = |face: &[u32]| {
-        let sum = face.iter().fold([0.0; 3], |sum, &v| {
-            let p = mesh.positions[v as usize];
-            [sum[0] + p[0], sum[1] + p[1], sum[2] + p[2]]
-        });
-        sum.map(|x| x / face.len() as f64)
-    };
-    let kept = mesh.faces.iter().filter(|face| !is_open(middle(face)));
-    let mut faces: Ragged = kept.collect();
-    let mut used = faces.indices().to_vec();
-    used.sort_unstable();
-    used.dedup();
-    let mut name = vec![u32::MAX; mesh.positions.len()];
-    (0..).zip(&used).for_each(|(new, &old)| name[old as usize] = new);
-    faces.rename(&name);
-    let positions = used.iter().map(|&old| mesh.positions[old as usize]).collect();
-    Mesh { positions, faces, ..Mesh::default() }
+    let middle = |face: &[u32]| mean(face.iter().map(|&v| mesh.positions[v as usize].into()));
+    let is_open = |(_, face): &(u32, &[u32])| is_open(middle(face).into());
+    let open: Vec<u32> = (0..).zip(mesh.faces.iter()).filter(is_open).map(|(f, _)| f).collect();
+    edited(mesh, "delete", &[], &open)
 }
 
 /// Rounds coordinates to tenths of a millimetre, so that the file is short.
