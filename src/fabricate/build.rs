@@ -158,16 +158,6 @@ pub fn unit_of(symbol: &str) -> Result<LengthUnit, Fault> {
     unit.ok_or_else(|| Fault::unknown_unit(symbol))
 }
 
-/// The name of the node at a vertex.
-pub(super) fn node_name(vertex: u32) -> String {
-    format!("N{vertex}")
-}
-
-/// The name of the beam along the edge between two vertices.
-pub(super) fn beam_name([a, b]: [u32; 2]) -> String {
-    format!("B{a}-{b}")
-}
-
 impl Build {
     /// All parts of a mesh at its `positions`, which stands as `stand` says.
     ///

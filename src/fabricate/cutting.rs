@@ -2,7 +2,7 @@
 //! sheet.
 
 use super::beam::{Frame, FrameSize};
-use super::build::{Build, CutPanel, NotCut, Splice, beam_name, node_name};
+use super::build::{Build, CutPanel, NotCut, Splice};
 use super::fault::Fault;
 use super::panel::{
     PieceSide, SplicePlate, Spliced, check_size, corners, inset, is_simple, smallest_box,
@@ -12,6 +12,7 @@ use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names
 use super::sheet::{
     CutPart, Hole, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
+use super::surface::{beam_name, node_name};
 use crate::math::plane::{Point2, area, bounds, length, minus, rotated};
 use crate::scene::{BuildSettings, Product};
 

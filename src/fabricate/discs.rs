@@ -2,10 +2,11 @@
 //! `beam/disc`.
 
 use super::beam::{Disc, DiscSize, Slot};
-use super::build::{Build, CutDisc, NotCut, node_name};
+use super::build::{Build, CutDisc, NotCut};
 use super::fault::Fault;
 use super::panel::inset;
 use super::sheet::{CutPart, Hole, Labels, SlotName, circle, label_disc};
+use super::surface::node_name;
 use crate::math::plane::Point2;
 use crate::scene::BuildSettings;
 

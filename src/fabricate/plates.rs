@@ -2,9 +2,10 @@
 //! the scale of the building.
 
 use super::beam::{BeamPlane, Disc, Frame};
-use super::build::{Build, beam_name, node_name};
+use super::build::Build;
 use super::discs::as_one_polygon;
 use super::panel::triangles;
+use super::surface::{beam_name, node_name};
 use crate::math::Vec3;
 use crate::math::plane::Point2;
 

@@ -4,12 +4,12 @@
 //! model.
 
 use crate::fabricate::beam::Prism;
-use crate::fabricate::build::{Build, beam_name, node_name};
+use crate::fabricate::build::Build;
 use crate::fabricate::file::{Drawing, GlbLayer, GlbPart, glb};
 use crate::fabricate::panel::triangles_in_space;
 use crate::fabricate::plates::Solid;
 use crate::fabricate::sheet::Role;
-use crate::fabricate::surface::{PanelSurface, distinct};
+use crate::fabricate::surface::{PanelSurface, beam_name, distinct, node_name};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Group, GroupKeyword, Mesh};
 use serde::Serialize;

@@ -10,9 +10,10 @@
 mod page;
 mod view;
 
-use super::build::{Build, CutPanel, beam_name, node_name};
+use super::build::{Build, CutPanel};
 use super::file::Drawing;
 use super::sheet::CutPart;
+use super::surface::{beam_name, node_name};
 use super::view_axes::{ViewAxes, compass, from_above, from_camera};
 use crate::math::Vec3;
 use crate::math::plane::{Point2, rotated};

@@ -1,7 +1,6 @@
 //! Checks whether an offset can be built: how far beams and panels are from flat, distances from
 //! the requested one, axes from the normals, and at which distance an edge flips.
 
-use super::Inexact;
 use super::system::across_edge;
 use crate::fabricate::panel::plane_distance;
 use crate::fabricate::surface::PanelSurface;
@@ -153,6 +152,19 @@ pub fn check(
     found.safe_distance = [inverse(slopes[0]), inverse(slopes[1])];
     found.offset_flatness = flatness(surface, axes, distance);
     found
+}
+
+/// The test that exact axes do not pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inexact {
+    /// Around some vertex, the panels moved by the distance do not meet in one point.
+    NoPoint,
+    /// The distance error at this vertex is above the tolerance.
+    Distance(u32),
+    /// The warp of the beam between these vertices is.
+    Warp([u32; 2]),
+    /// They lean much more than the fit.
+    Lean,
 }
 
 /// The first distance error or beam warp of these axes (`#V`) above `tolerance`; none if all are below.

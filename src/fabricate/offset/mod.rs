@@ -39,7 +39,7 @@ mod newton;
 mod reason;
 mod system;
 
-pub use check::{BeamCheck, NodeCheck, OffsetCheck, check};
+pub use check::{BeamCheck, Inexact, NodeCheck, OffsetCheck, check};
 pub use closing::{Closing, closing};
 pub(super) use reason::Reason;
 pub(super) use system::across_edge;
@@ -65,19 +65,6 @@ pub struct Axes {
     pub kind: OffsetKind,
     /// Why the exact axes are not taken, but the fit; none if they are.
     pub inexact: Option<Inexact>,
-}
-
-/// The test that exact axes do not pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Inexact {
-    /// Around some vertex, the panels moved by the distance do not meet in one point.
-    NoPoint,
-    /// The distance error at this vertex is above the tolerance.
-    Distance(u32),
-    /// The warp of the beam between these vertices is.
-    Warp([u32; 2]),
-    /// They lean much more than the fit.
-    Lean,
 }
 
 /// For each kind the exact axes, if beam warp and distance error at the distance `depth` stay below

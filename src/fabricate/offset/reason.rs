@@ -2,7 +2,7 @@
 //! follow from it.
 
 use super::{Axes, Closing, Inexact};
-use crate::fabricate::build::{beam_name, node_name};
+use crate::fabricate::surface::{beam_name, node_name};
 use crate::scene::OffsetKind;
 use crate::words;
 

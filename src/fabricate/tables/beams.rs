@@ -1,8 +1,9 @@
 //! Fins, prisms with their end cuts, the beams around each node, types of nodes, node discs.
 
 use crate::fabricate::beam::Frame;
-use crate::fabricate::build::{Build, beam_name, node_name};
+use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
+use crate::fabricate::surface::{beam_name, node_name};
 
 /// All tables, with the names of their files.
 pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {

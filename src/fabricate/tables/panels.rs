@@ -1,9 +1,10 @@
 //! Panels as cut, and their types.
 
-use crate::fabricate::build::{Build, node_name};
+use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::panel::{perimeter, smallest_box};
 use crate::fabricate::sheet::CutPart;
+use crate::fabricate::surface::node_name;
 use crate::math::plane::rotated;
 
 /// The name of a type of panels.

@@ -1,8 +1,9 @@
 //! Pieces of a paper model, and how each edge is joined.
 
-use crate::fabricate::build::{Build, beam_name};
+use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::paper::{JointKind, PaperModel};
+use crate::fabricate::surface::beam_name;
 use crate::math::plane::distance;
 
 /// Both tables, with the names of their files.

@@ -1,7 +1,8 @@
 //! Edges and nodes of the shape.
 
-use crate::fabricate::build::{Build, beam_name, node_name};
+use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
+use crate::fabricate::surface::{beam_name, node_name};
 use crate::math::polygon_sides;
 
 pub(super) fn edges(build: &Build) -> String {
