@@ -6,6 +6,7 @@
 import { useState } from 'preact/hooks';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { HeldSlider } from '../../ui/components/held-slider.tsx';
+import { useEntered } from '../../ui/components/use-entered.ts';
 import { rounded } from '../../ui/words.ts';
 import type { BuildSetting } from '../../pkg/engine/shape_up.js';
 import type { Parts } from './parts.ts';
@@ -24,6 +25,7 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
   const { report, words } = parts.card.value ?? {};
   /** Where the slider is held. */
   const [held, setHeld] = useState<number | null>(null);
+  const { over, enter } = useEntered<number>();
   const offset = report?.offset;
   if (!offset) return null;
   const settings = parts.settings.value;
@@ -34,7 +36,8 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
   const scale = 1000 * unit.metres;
   const far = FAR * report.mean_edge_mm;
   const [inwards, outwards] = offset.safe_distance_mm;
-  const at = offset.distance_mm / scale;
+  // What was entered may not be built yet.
+  const at = held ?? over(settings.distance ?? offset.distance_mm / scale);
   return (
     <div class="thickness">
       <div class="heading">
@@ -44,8 +47,7 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
           title={`Empty: ${distance?.absent}`}
           min={-Infinity}
           unit={unit.symbol}
-          // The next step starts from what was entered, although it is not built yet.
-          value={rounded(held ?? settings.distance ?? at, 6)}
+          value={rounded(at, 6)}
           onAmount={(to) => parts.change({ distance: to })}
           onEmpty={() => parts.change({ distance: null })}
         />
@@ -68,7 +70,7 @@ export function Thickness({ parts, declared }: { parts: Parts; declared: BuildSe
         onRelease={(to) => {
           setHeld(null);
           if (to === 0) parts.tryDistance(null);
-          else void parts.change({ distance: rounded(to, DIGITS) });
+          else enter(to, parts.change({ distance: rounded(to, DIGITS) }));
         }}
       />
       <p class="quiet">{words?.safe}</p>
