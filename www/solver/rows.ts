@@ -16,20 +16,12 @@ const KEYS: Record<string, ((lists: Lists) => RowKey[]) | undefined> = {
   ...{ goToVariant: variants, removeVariant: variants },
 };
 
-const partsOf = (edit: Edit) => Object.entries(edit)[0] as [string, { index: number }];
-
-/** Returns what the row that an edit names keeps; undefined if it names none of these lists. */
-export function rowOf(edit: Edit, shown: Lists): RowKey | undefined {
-  const [name, { index }] = partsOf(edit);
-  return KEYS[name]?.(shown)[index];
-}
-
 /**
  * Returns an edit with the index that its row has now; null if that is to be removed, and is gone.
  * @throws if the row is gone
  */
 export function editNow(edit: Edit, row: RowKey, now: Lists): Edit | null {
-  const [name, given] = partsOf(edit);
+  const [name, given] = Object.entries(edit)[0] as [string, { index: number }];
   const index = KEYS[name]?.(now).indexOf(row) ?? given.index;
   if (index >= 0) return { [name]: { ...given, index } } as Edit;
   if (name.startsWith('remove')) return null;

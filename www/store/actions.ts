@@ -6,16 +6,16 @@
 import { workingKey } from '../ui/keys.ts';
 import { count } from '../ui/words.ts';
 import { again, Cancelled, messageOf } from '../solver/errors.ts';
-import { rowOf } from '../solver/rows.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
-import type { Edit, PanelStart, Require } from '../pkg/engine/shape_up.js';
+import type { ConstraintRow, Edit, PanelStart, Require } from '../pkg/engine/shape_up.js';
 import { Drags, HANDLES_LOCKED, areHandlesLocked } from './handles.ts';
 import { asksPanels } from './panels-card.ts';
 import { existing, verticesOf } from './selection.ts';
 import { isHard, type Store } from './state.ts';
 import { createViewActions } from './view-actions.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
+import type { RowKey } from '../solver/rows.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Alerts, Offer } from '../ui/controls/alerts.ts';
 
@@ -54,12 +54,6 @@ export function createActions(
     }
   }
 
-  /** What the row that an edit names keeps: its index in the solver may be another one by then. */
-  function row(change: Edit) {
-    const { document } = store.get();
-    return document ? rowOf(change, document) : undefined;
-  }
-
   /**
    * Returns what a constraint acts on; undefined if it is gone, or an error is reported.
    * @param number of its row
@@ -72,8 +66,16 @@ export function createActions(
 
   /** @param showError shows an error at its field; false if there is none, or the words of the alert */
   function edit(change: Edit, showError?: ShowError): Promise<null | undefined> {
-    return attempt(solver.change.edit(change, row(change)), showError);
+    return attempt(solver.change.edit(change), showError);
   }
+
+  /**
+   * Edits a row of a list.
+   * @param row what it keeps: in the solver, its index may be another one than that of the edit by then
+   * @param showError see {@link edit}
+   */
+  const editRow = (row: RowKey, change: Edit, showError?: ShowError) =>
+    attempt(solver.change.edit(change, row), showError);
 
   /**
    * Adds one constraint kind to all panels, and runs until they are within the tolerance.
@@ -210,10 +212,8 @@ export function createActions(
 
     exact: {
       /** Sets the hardness of a row and runs, as one step of undo. */
-      require(index: number, require: Require) {
-        const change: Edit = { setConstraint: { index, require } };
-        return attempt(solver.change.editAndRun(change, row(change)));
-      },
+      require: ({ index, number }: ConstraintRow, require: Require) =>
+        attempt(solver.change.editAndRun({ setConstraint: { index, require } }, number)),
 
       /**
        * Applies a shape that was found, if it belongs to the current one.
@@ -231,6 +231,7 @@ export function createActions(
         Float64Array.from(numbers, ([, value]) => value),
       ),
     edit,
+    editRow,
     members,
     makePanels,
     reportErrors,

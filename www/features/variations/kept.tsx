@@ -157,6 +157,6 @@ function useKeptChange() {
   const { store, actions } = useApp();
   return (name: string, edit: (index: number) => Edit) => {
     const index = store.get().document?.variants.indexOf(name) ?? -1;
-    if (index >= 0) void actions.edit(edit(index));
+    if (index >= 0) void actions.editRow(name, edit(index));
   };
 }

@@ -141,9 +141,11 @@ export class ExactVerdict {
       actions.tint('unmet', { ...elements, colour: UNMET });
     };
     const isFixed = isLocked(store.get(), 'constraints');
+    // The rows as they are now: another one may have this index when the offer is taken.
+    const rows = store.get().document?.constraints ?? [];
     const suggestions = (isFixed ? [] : words.suggestions).map(({ label, index, within }) => ({
       label,
-      act: () => actions.exact.require(index, within === null ? 'soft' : { within }),
+      act: () => actions.exact.require(rows[index], within === null ? 'soft' : { within }),
     }));
     this.#messages.say({
       words: words.brief,

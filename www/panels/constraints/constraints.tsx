@@ -44,7 +44,7 @@ function Row({ row }: { row: ConstraintRow }) {
   const name = `${row.label} on ${row.on}`;
   const details = `constraint-${row.index}-details`;
   const set = (change: { weight?: number; enabled?: boolean }) =>
-    actions.edit({ setConstraint: { index: row.index, ...change } });
+    actions.editRow(row.number, { setConstraint: { index: row.index, ...change } });
 
   const untint = () => actions.tint('pointed', null);
   useEffect(() => untint, []);
@@ -167,7 +167,8 @@ function Name(props: {
     returns.current = hadFocus;
     setRenamed(false);
     if (to === null || to === row.name) return;
-    void actions.edit({ renameConstraint: { index: row.index, name: to === usual ? '' : to } });
+    const change = { index: row.index, name: to === usual ? '' : to };
+    void actions.editRow(row.number, { renameConstraint: change });
   }
 
   if (isRenamed) return <NameField name={row.name} usual={usual} finish={finish} />;

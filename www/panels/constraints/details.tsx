@@ -37,9 +37,9 @@ export function Details({
   const { kinds, document } = store.state;
   const kind = kinds.find(({ id }) => id === row.kind);
   if (!kind) return null;
-  const { eased } = row;
-  const remove = () => actions.edit({ removeConstraint: { index: row.index } });
-  const duplicate = () => actions.edit({ duplicateConstraint: { index: row.index } });
+  const { eased, number, index } = row;
+  const remove = () => actions.editRow(number, { removeConstraint: { index } });
+  const duplicate = () => actions.editRow(number, { duplicateConstraint: { index } });
   return (
     <>
       <Drawing of={kind.sketch} />
@@ -84,7 +84,7 @@ function ParameterRows({ row, name, kind }: Of & { kind: KindWords }) {
       onValue={(id, value) => {
         forget();
         const change = { index: row.index, params: { [id]: value } };
-        return actions.edit({ setConstraint: change }, refuse);
+        return actions.editRow(row.number, { setConstraint: change }, refuse);
       }}
     />
   );
@@ -98,15 +98,16 @@ const OPTIONS = [
 ] as const;
 
 /** The requirement of a constraint: soft, within a length, or exact. */
-function Requirement({ row: { index, require }, name }: Of) {
+function Requirement({ row, name }: Of) {
   const { store, actions } = useApp();
   const { document } = store.state;
   const tolerance = document?.tolerance ?? 0;
   const isTooLarge = Boolean(document?.tooLargeForExact);
+  const { require } = row;
   const length = typeof require === 'object' ? require.within : tolerance;
   const { symbol, factor } = writtenUnit('length', document?.units ?? '', length);
   const required = typeof require === 'object' ? 'within' : require;
-  const ask = (asked: Require) => actions.exact.require(index, asked);
+  const ask = (asked: Require) => actions.exact.require(row, asked);
   return (
     <label class="requirement">
       Required
