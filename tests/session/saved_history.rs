@@ -93,6 +93,25 @@ fn edited() -> Session {
 }
 
 #[test]
+fn rows_behind_a_removed_one_keep_their_numbers_in_a_session_that_is_opened_again() {
+    let mut session = open();
+    for kind in ["plane", "circle", "regular-polygon"] {
+        session.edit(new(kind, "\"faces\"")).expect("faces can be these");
+    }
+    session.edit(Edit::RemoveConstraint { index: 0 }).expect("there is a row");
+    let mut again = reopened(&written(&session), 0, &session.saved_history(), &[]);
+    let numbers = |session: &Session| -> Vec<u32> {
+        session.document().constraints.iter().map(|row| row.number.get()).collect()
+    };
+    let kept = numbers(&again);
+    act(&mut again, Deed::Undo);
+    assert_eq!(numbers(&again)[1..], kept);
+    assert!(!kept.contains(&numbers(&again)[0]));
+    act(&mut again, Deed::Redo);
+    assert_eq!(numbers(&again), kept);
+}
+
+#[test]
 fn a_run_and_a_drag_that_were_cut_off_are_steps_of_undo() {
     for (begin, name) in BEGIN.into_iter().take(3) {
         let mut session = edited();

@@ -206,15 +206,22 @@ fn read(
 }
 
 /// Shares sets and rows with the document `near`, where they are equal: each has been read anew. Rows
-/// that have been changed keep their numbers.
+/// behind one that has been added or removed are found from the end. Rows that have been changed keep
+/// their numbers.
 fn share_lists(document: &mut Scene, near: &Scene) {
     for (name, set) in &mut document.sets {
         if let Some(near) = near.sets.get(name).filter(|near| **near == *set) {
             *set = near.clone();
         }
     }
-    let are_as_many = document.constraints.len() == near.constraints.len();
-    for (row, near) in document.constraints.iter_mut().zip(&near.constraints) {
+    let (rows, there) = (&mut document.constraints, &near.constraints);
+    let count = rows.len();
+    let are_as_many = count == there.len();
+    let first = rows.iter().zip(there).take_while(|(row, near)| row == near).count();
+    for (index, row) in rows.iter_mut().enumerate() {
+        let from_end = || (index + there.len()).checked_sub(count).filter(|&at| at >= first);
+        let at = if index < first { Some(index) } else { from_end() };
+        let Some(near) = at.map(|at| &there[at]) else { continue };
         if *row == *near {
             *row = near.clone();
         } else if are_as_many {
