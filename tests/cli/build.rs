@@ -390,14 +390,19 @@ fn what_cannot_be_written_leaves_every_file_as_it_was_and_no_folder_behind() {
     folder.write("roof.obj", ROOF).write("busy", "");
     std::fs::create_dir_all(folder.0.join("parts/sheets.pdf")).unwrap();
     folder.write("parts/panels.csv", "of before").write("parts/sheet-01.svg", "of before");
-    let places = [
+    let mut places = vec![
         // One of the drawings is a folder: some files are written before it, and some after.
         ["parts", "r.json"],
         ["new/deep", "gone/r.json"],
+        ["new/deep", "busy/r.json"],
         ["new/deep", "parts"],
         ["busy", "r.json"],
         ["busy/parts", "r.json"],
     ];
+    // A full disk when only the last file is left to write.
+    if std::path::Path::new("/dev/full").exists() {
+        places.push(["new/deep", "/dev/full"]);
+    }
     for [out, report] in places {
         folder
             .run(&["build", "roof.obj", "--out", out, "--report", report])
@@ -416,4 +421,8 @@ fn what_cannot_be_written_leaves_every_file_as_it_was_and_no_folder_behind() {
     std::fs::remove_dir(folder.0.join("parts/sheets.pdf")).unwrap();
     folder.run(&["build", "roof.obj", "--out", "parts"]).done();
     assert!(folder.read("parts/panels.csv").starts_with("name,"));
+    // The report was refused, as its folder was made with that of the parts only afterwards.
+    let beside = ["--report", "job/report.json", "--report-page", "job/report.html"];
+    folder.run(&[&["build", "roof.obj", "--out", "job/parts"][..], &beside].concat()).done();
+    assert!(folder.read("job/report.json").starts_with('{'));
 }

@@ -49,6 +49,11 @@ fn one_file_cannot_take_two_outputs_whatever_it_is_called() {
             .run(&["solve", "roof.obj", "--out", "x", "--report", report])
             .misused("another file");
     }
+    // Nor can a device: both would be mixed.
+    if cfg!(unix) {
+        let both = ["--out", "/dev/null", "--report", "/dev/null"];
+        folder.run(&[&["solve", "roof.obj"][..], &both].concat()).misused("another file");
+    }
     assert_eq!(folder.files(), ["roof.obj"]);
 }
 

@@ -50,11 +50,13 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
         };
         files.push((path.clone(), build.report_page(&view).into_bytes()));
     }
-    output::check(files.iter().map(|(path, _)| path), asked.out.as_deref())?;
-    if let Some(out) = &asked.out {
-        output::make_folder(&if settings.one_file_each { out.join(PARTS) } else { out.clone() })?;
+    match &asked.out {
+        Some(out) if settings.one_file_each => {
+            output::write_with_folder(&out.join(PARTS), &files)?;
+        }
+        Some(out) => output::write_with_folder(out, &files)?,
+        None => output::write(&files)?,
     }
-    output::write(&files)?;
     let left_over =
         |folder: &Path, is_of_build: fn(&str) -> bool| left_over(folder, &files, is_of_build);
     let is_drawing = |name: &str| name.ends_with(".svg") || name.ends_with(".dxf");

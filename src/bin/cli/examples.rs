@@ -16,8 +16,7 @@ pub(super) fn list() -> Result<(), Failure> {
 pub(super) fn write(folder: &Path) -> Result<(), Failure> {
     let named = example_files().into_iter().map(|(name, text)| (folder.join(name), text));
     let files: Vec<(PathBuf, String)> = named.collect();
-    output::make_folder(folder)?;
-    output::write(&files)?;
+    output::write_with_folder(folder, &files)?;
     let names: Vec<_> = files.iter().map(|(path, _)| format!("{}\n", path.display())).collect();
     output::print(&names.concat())
 }

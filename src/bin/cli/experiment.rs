@@ -20,7 +20,7 @@ pub(super) fn list() -> Result<(), Failure> {
 
 pub(super) fn run(asked: &Asked) -> Result<(), Failure> {
     let (experiment, Input { scene, mesh, remarks, .. }) = problem(&asked.on)?;
-    output::check(asked.csv.iter().chain(&asked.svg), None)?;
+    output::check(asked.csv.iter().chain(&asked.svg))?;
     let limits = Limits {
         iterations: asked.iterations.unwrap_or(experiment.limits.iterations),
         seconds: asked.seconds.unwrap_or(experiment.limits.seconds),

@@ -1,5 +1,6 @@
-//! Output: atomic writing of files, mesh files with the format by extension and what it cannot store, an
-//! output folder that is removed if it stays empty, text on standard output, and the form of tables.
+//! Output: atomic writing of files, mesh files with the format by extension and what it cannot store,
+//! output folders, which are removed if nothing is written, text on standard output, and the form of
+//! tables.
 
 use super::Failure;
 use crate::cli::input;
@@ -15,34 +16,32 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 /// Checks that files can be written: they replace neither one that was read nor each other, and their
-/// folders are there, or are in the one that is `made` before.
+/// folders are there.
 ///
 /// # Errors
 /// The first file that cannot.
-pub(super) fn check(
-    files: impl IntoIterator<Item = impl AsRef<Path>>,
-    made: Option<&Path>,
-) -> Result<(), Failure> {
-    let absolute = |path: &Path| std::path::absolute(path).unwrap_or_default();
-    let is_made = |file: &Path| made.is_some_and(|it| absolute(file).starts_with(absolute(it)));
+pub(super) fn check(files: impl IntoIterator<Item = impl AsRef<Path>>) -> Result<(), Failure> {
     let mut places = BTreeSet::new();
     for path in files {
         let path = path.as_ref();
-        if let Place::File { place, .. } = Place::of(path)? {
-            if !is_made(path) {
-                let folder = place.parent().unwrap_or(&place);
-                fs::metadata(folder).map_err(|error| cannot(path, &error))?;
+        let (place, was_read) = match Place::of(path)? {
+            Place::File { place, .. } => {
+                let folder = fs::metadata(place.parent().unwrap_or(&place));
+                if !folder.map_err(|error| cannot(path, &error))?.is_dir() {
+                    return Err(cannot(path, &io::ErrorKind::NotADirectory.into()));
+                }
+                let was_read = input::was_read(&place);
+                (place, was_read)
             }
-            let what = match input::was_read(&place) {
-                true => "a file that is read",
-                false if places.insert(place) => continue,
-                false => "another file that is written",
-            };
-            let path = path.display();
-            return Err(Failure::Usage(format!(
-                "{path} would replace {what}, expected another file"
-            )));
-        }
+            Place::Stream(place) => (place, false),
+        };
+        let what = match was_read {
+            true => "a file that is read",
+            false if places.insert(place) => continue,
+            false => "another file that is written",
+        };
+        let path = path.display();
+        return Err(Failure::Usage(format!("{path} would replace {what}, expected another file")));
     }
     Ok(())
 }
@@ -53,7 +52,7 @@ pub(super) fn check(
 /// # Errors
 /// Those of [`check`], or if one cannot be written.
 pub(super) fn write(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> Result<(), Failure> {
-    check(files.iter().map(|(path, _)| path), None)?;
+    check(files.iter().map(|(path, _)| path))?;
     let mut complete: Vec<Complete<'_>> = Vec::new();
     let result = files
         .iter()
@@ -63,7 +62,7 @@ pub(super) fn write(files: &[(impl AsRef<Path>, impl AsRef<[u8]>)]) -> Result<()
             let mut options = OpenOptions::new();
             let opened = match &place {
                 Place::File { beside, .. } => options.write(true).create_new(true).open(beside),
-                Place::Stream => options.write(true).open(path),
+                Place::Stream(_) => options.write(true).open(path),
             };
             let mut file = opened.map_err(|error| cannot(path, &error))?;
             let mut written = file.write_all(content.as_ref());
@@ -104,7 +103,7 @@ enum Place {
         place: PathBuf,
     },
     /// A pipe or a device: written directly, as it must not be replaced.
-    Stream,
+    Stream(PathBuf),
 }
 
 impl Place {
@@ -117,7 +116,7 @@ impl Place {
             )));
         };
         if fs::metadata(&place).is_ok_and(|found| !found.is_file()) {
-            return Ok(Place::Stream);
+            return Ok(Place::Stream(place));
         }
         let mut hidden = std::ffi::OsString::from(".");
         hidden.push(name);
@@ -252,16 +251,28 @@ pub(super) fn left_out(path: &Path, mesh: &Mesh, frame: &UnitsAndUp) -> Option<S
     Some(format!("{} is {name}, which cannot store {parts}", path.display()))
 }
 
-/// Makes a folder and its missing ancestors.
+/// Makes a folder with its missing ancestors, and writes files as [`write`] does. Folders that were
+/// made are removed if it fails.
 ///
 /// # Errors
-/// If the folder cannot be made.
-pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
-    fs::create_dir_all(folder).map_err(|error| {
+/// If the folder cannot be made, and those of [`write`].
+pub(super) fn write_with_folder(
+    folder: &Path,
+    files: &[(impl AsRef<Path>, impl AsRef<[u8]>)],
+) -> Result<(), Failure> {
+    let is_missing = |path: &&Path| !path.as_os_str().is_empty() && !path.exists();
+    let missing: Vec<&Path> = folder.ancestors().take_while(is_missing).collect();
+    let made = fs::create_dir_all(folder).map_err(|error| {
         Failure::Input(format!(
             "{}: cannot be made: {error}, expected the name of a folder",
             folder.display()
         ))
+    });
+    made.and_then(|()| write(files)).inspect_err(|_| {
+        for folder in missing {
+            // Fails for a folder with contents, which is kept.
+            let _ = fs::remove_dir(folder);
+        }
     })
 }
 

@@ -35,7 +35,7 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
     let started = clock::now();
     let path = asked.mesh.display();
     let (read, weld, stated) = input::read_mesh(&asked.mesh)?;
-    output::check(asked.out.iter().chain(&asked.report), None)?;
+    output::check(asked.out.iter().chain(&asked.report))?;
     let mesh = &read.mesh;
     if mesh.faces.is_empty() {
         return Err(Failure::Input(format!("{path}: the mesh has no faces, expected a surface")));

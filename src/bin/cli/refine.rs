@@ -34,7 +34,7 @@ struct Level {
 
 pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     let input::Input { mut scene, mesh, frame, mut remarks, .. } = input::read(&command.input)?;
-    output::check(command.out.iter().chain(&command.report), None)?;
+    output::check(command.out.iter().chain(&command.report))?;
     let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
     let subdivision = command.subdivision;
     if let Some(kind) = command.panels {

@@ -100,7 +100,7 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
         return Err(Failure::Usage(format!("remesh takes a mesh file, found `{path}`")));
     }
     let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&asked.input)?;
-    output::check(asked.out.iter().chain(&asked.report), None)?;
+    output::check(asked.out.iter().chain(&asked.report))?;
     let at_input = |error: String| Failure::Input(format!("{path}: {error}"));
     scene.validate(&mesh).map_err(|error| at_input(error.to_string()))?;
     let loaded = clock::now();

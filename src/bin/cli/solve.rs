@@ -27,7 +27,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         Failure::Input(format!("{}: {message}", command.input.display()))
     };
     let is_press = command.require == Some(Required::Auto);
-    output::check(command.out.iter().chain(&command.report), None)?;
+    output::check(command.out.iter().chain(&command.report))?;
     if command.require.is_some() {
         // What a search chose was for other requirements.
         scene.as_asked();
