@@ -53,14 +53,13 @@ impl FileReader {
         frame: UnitsAndUp,
         unwelded: bool,
     ) -> Result<OpenedFile, ReadError> {
+        // Those that were added are for this file, also if it is refused.
+        let files = std::mem::take(self);
         if is_scene(name) {
             let scene = OpenedFile::scene_in(bytes);
-            return match scene {
-                Ok(scene) => self.scene_with_files(name, scene),
-                Err(error) => Err(fault(name, error.to_string())),
-            };
+            let scene = scene.map_err(|error| fault(name, error.to_string()))?;
+            return files.scene_with_files(name, scene);
         }
-        self.beside.clear();
         let stated = UnitsAndUp::stated(bytes).or(frame);
         Ok(OpenedFile::of_mesh(name, read(name, bytes)?, stated, unwelded))
     }
@@ -69,16 +68,12 @@ impl FileReader {
     ///
     /// # Errors
     /// If one was not added, or the problem of one, with its name beside that of the scene.
-    pub fn scene_with_files(
-        &mut self,
-        name: &str,
-        mut scene: Scene,
-    ) -> Result<OpenedFile, ReadError> {
-        let beside = std::mem::take(&mut self.beside);
+    pub fn scene_with_files(self, name: &str, mut scene: Scene) -> Result<OpenedFile, ReadError> {
         let named = |path: &str| {
-            let (_, bytes) = beside.iter().find(|(other, _)| other == path).ok_or_else(|| {
-                fault(name, format!("it needs the mesh file {path}: open both files together"))
-            })?;
+            let (_, bytes) =
+                self.beside.iter().find(|(other, _)| other == path).ok_or_else(|| {
+                    fault(name, format!("it needs the mesh file {path}: open both files together"))
+                })?;
             let full = Path::new(name).with_file_name(path);
             Ok::<_, ReadError>((read(&full.to_string_lossy(), bytes)?, UnitsAndUp::stated(bytes)))
         };
@@ -225,6 +220,15 @@ mod tests {
             "a.JSON: it needs the mesh file two.obj: open both files together"
         );
         assert_eq!(message(&[0xff]), "a.JSON: not a text file, expected a scene in UTF-8");
+        // A file of the same name that was added for a scene that is none was read instead.
+        let mut reader = FileReader::default();
+        let mut read_with = |mesh: &str, bytes: &[u8]| {
+            reader.add_file("two.obj", mesh.as_bytes().to_vec());
+            reader.read("a.json", bytes, UnitsAndUp::default(), false)
+        };
+        assert!(read_with("v 0 0 0\n", b"{").is_err());
+        let opened = read_with(APART, scene.as_bytes()).expect("both are there");
+        assert_eq!(opened.mesh.positions.len(), 8);
     }
 
     #[test]
