@@ -309,7 +309,7 @@ impl PartialEq for RowNumber {
     }
 }
 
-/// Faces with a larger tolerance than the others of a constraint, since they would fold otherwise.
+/// Faces with a larger tolerance than the others of a constraint.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct EasedFaces {

@@ -8,8 +8,8 @@
 //! | `input` | reading of mesh and scene files |
 //! | `output` | atomic writing of files, mesh files of sessions, output folders, and standard output |
 //! | `watch` | `solve` again whenever the file is saved |
-//! | `solve`, `build`, `check`, `edit`, `refine` | the commands of these names |
-//! | `remesh`, `parametrize`, `examples`, `experiment` | further ones |
+//! | `solve`, `build`, `check`, `edit`, `refine`, `remesh` | the commands of these names |
+//! | `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `new_mesh` | the command `new` |
 //! | `results` | `check` of students' results |
 

@@ -39,7 +39,7 @@ impl Tokens {
         let name = match self.parser.next().map_err(|error| error.to_string())? {
             None => return Ok(None),
             Some(Arg::Value(file)) => return Ok(Some(Token::File(file))),
-            // As in the tables of a build, which have the ids of scenes.
+            // `_` stands for `-`, as in the ids of scenes, which the tables of a build have.
             Some(Arg::Long(name)) => format!("--{}", name.replace('_', "-")),
             Some(Arg::Short(letter)) => format!("-{letter}"),
         };

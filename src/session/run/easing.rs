@@ -1,4 +1,4 @@
-//! A larger tolerance for as few panels as possible, if faces fold within the required one.
+//! A larger tolerance for a part of the panels, if the required one is not met, or faces fold within it.
 //!
 //! The first attempt has the largest tolerance for all panels. If it folds nothing, the tolerance
 //! is reduced in steps to the required one. If a step folds faces, these and the faces around them
