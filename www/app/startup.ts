@@ -92,7 +92,8 @@ export class Startup {
     } catch (error) {
       if (!(await opening.isWanted())) return;
       if (!(error instanceof Cancelled)) this.#alerts.error(messageOf(error));
-      if (this.#solver.isAbsent) return;
+      // One that cannot be solved is shown as it is.
+      if (this.#solver.isAbsent || this.#store.get().model) return;
       this.#actions.look({ nothingOpen: true });
       showNothingOpen(this.#files, async () => {
         await this.#actions.reportErrors(this.#startFresh());

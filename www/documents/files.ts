@@ -69,6 +69,8 @@ export interface Large {
   most: Promise<number>;
   /** asks whether to open so many all the same; rejects if not */
   ask: (faces: number) => Promise<void>;
+  /** called when the solver begins or ends to work for it: a cancelled opening ends that work */
+  atWork: (now: boolean) => void;
   /** aborted when the opening is cancelled */
   cancelled: AbortSignal;
 }
@@ -190,9 +192,11 @@ export class Files extends Emitter<{ opened: void }> {
         // Until now the solver has gone on with the open model.
         const abandon = () => this.#solver.abandon();
         cancelled?.addEventListener('abort', abandon);
-        return this.#actions
-          .open({ ...how, most }, cancelled)
-          .finally(() => cancelled?.removeEventListener('abort', abandon));
+        large.atWork?.(true);
+        return this.#actions.open({ ...how, most }, cancelled).finally(() => {
+          large.atWork?.(false);
+          cancelled?.removeEventListener('abort', abandon);
+        });
       };
       let loaded = await open(most);
       while (typeof loaded === 'number') {

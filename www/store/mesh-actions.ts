@@ -2,6 +2,7 @@
 
 import { endOfRun } from './end-of-run.ts';
 import { Cancelled } from '../solver/errors.ts';
+import { oneAtATime } from '../ui/once.ts';
 import { count } from '../ui/words.ts';
 import type { LaidOut, Remeshing, Edit } from '../pkg/engine/shape_up.js';
 import type { Store } from './state.ts';
@@ -52,14 +53,14 @@ export function meshActions(
   }
 
   return {
-    /** Performs an operation. */
-    async remesh(asked: Remeshing, label: string) {
+    /** Performs an operation; nothing while one is under way, as a second press of its button would. */
+    remesh: oneAtATime(async (asked: Remeshing, label: string) => {
       const { faces: before = 0 } = store.get().model ?? {};
       await solver.change.edit({ remesh: asked });
       const { faces: after = 0 } = store.get().model ?? {};
       actions.setStatus(`${label}: ${count(before, 'face')} became ${count(after, 'face')}`);
       tell(leftOut());
-    },
+    }),
 
     /**
      * Puts panels that were laid out in place of the mesh.

@@ -411,6 +411,7 @@ export function withModel(
     greatest: null,
     halfway: false,
     flatMap: null,
+    goalsRefused: '',
     heldOriginal: null,
     selection: NOTHING,
     dragged: [],

@@ -29,7 +29,7 @@ export function open(
   { files, saved, rows = [], frame = '', solved, most, weld }: Opening,
 ): Opened | number {
   const main = mainOf(files);
-  // Of a scene alone, which may be large, `load` says what is missing.
+  // Of a scene alone, which may be large, `read` says what is missing.
   const named = files.length > 1 ? filesNamed(files, (scene) => solver.sceneFiles(scene)) : [];
   for (const { path, file } of named) if (file) solver.addFile(path, file.bytes);
   const tooMany = solver.read(main.name, main.bytes, frame, weld === false, most);

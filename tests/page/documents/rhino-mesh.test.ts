@@ -57,13 +57,24 @@ const box = (z: number, object: number) =>
     return { layer: '', object, corners };
   });
 
+const verticesOf = (faces: Parameters<typeof objText>[0]) =>
+  objText(faces, [], 'm').match(/^v /gm)?.length;
+
 test('boxes on each other stay two, and objects that only have an edge in common are joined', () => {
   // Edges had four faces, and the floor between the boxes was there twice.
-  const vertices = (faces: Parameters<typeof objText>[0]) => objText(faces, [], 'm').match(/^v /gm);
-  assert.equal(vertices([...box(0, 1), ...box(1, 2)])?.length, 16);
-  const twice = { ...panel(0, 0), object: 2 };
-  assert.equal(vertices([panel(0, 0), panel(1, 0), twice])?.length, 10);
-  assert.equal(vertices([panel(0, 0), { ...panel(1, 0), object: 2 }])?.length, 6);
+  assert.equal(verticesOf([...box(0, 1), ...box(1, 2)]), 16);
+  assert.equal(verticesOf([panel(0, 0), { ...panel(1, 0), object: 2 }]), 6);
+});
+
+test('a copy of an object, or of one of its faces, keeps nothing apart', () => {
+  // One panel that was there twice left all the others of the roof without common vertices.
+  const roof = [0, 1, 2].map((x) => ({ ...panel(x, 0), object: x + 1 }));
+  assert.equal(verticesOf([...roof, { ...panel(1, 0), object: 4 }]), 8);
+  assert.equal(verticesOf([panel(0, 0), panel(1, 0), { ...panel(0, 0), object: 2 }]), 6);
+  assert.equal(verticesOf([...box(0, 1), ...box(0, 2)]), 8);
+  // Boxes on each other stay two beside it, and the panels are joined beside them.
+  const all = [...box(5, 7), ...roof, { ...panel(1, 0), object: 4 }, ...box(6, 8)];
+  assert.equal(verticesOf(all), 24);
 });
 
 test('a layer is named once, with its spaces, wherever its objects are in the file', () => {

@@ -1,7 +1,7 @@
 // Refining by levels: when it waits for a run, goes on, and stops.
 
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { mock, test } from 'node:test';
 import { Cancelled } from '../../../www/solver/errors.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { meshActions } from '../../../www/store/mesh-actions.ts';
@@ -112,4 +112,14 @@ test('whoever changes the mesh, what is left out of the scene is told', async ()
   const { mesh, told } = refineDuringRun();
   await mesh.remesh({ operation: 'join', sizes: [] }, 'Join them');
   assert.deepEqual(told, ['Left out: a handle.']);
+});
+
+test('a second press on a repair, before the first is done, repairs nothing more', async () => {
+  const { mesh, solver } = refineDuringRun();
+  const edits = mock.method(solver.change, 'edit');
+  const press = () => mesh.remesh({ operation: 'join', sizes: [] }, 'Join them');
+  await Promise.all([press(), press()]);
+  assert.equal(edits.mock.callCount(), 1);
+  await press();
+  assert.equal(edits.mock.callCount(), 2);
 });

@@ -3,7 +3,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { handlesNow } from '../../../www/store/handles.ts';
-import { createStore, hasMoved, type State } from '../../../www/store/state.ts';
+import { createStore, hasMoved, withModel, type State } from '../../../www/store/state.ts';
+import type { Loaded } from '../../../www/solver/types.ts';
 
 const reported: string[] = [];
 globalThis.reportError = (error) => reported.push(error.message);
@@ -59,4 +60,11 @@ test('dragged handles have the targets of the drag', () => {
     [1, 2, 3],
   ]);
   assert.deepEqual(handlesNow({ ...state, document: null }), []);
+});
+
+test('why the parts of one lesson could not be built is not said of the next one', () => {
+  const store = createStore();
+  store.set({ goalsRefused: 'Cancelled.' });
+  store.set(withModel({} as Loaded, { restoring: false, reopensSameMesh: false }));
+  assert.equal(store.get().goalsRefused, '');
 });

@@ -10,12 +10,10 @@ import type { Face, Line } from './rhino-objects.ts';
 const SAME = 1e-6;
 /** Upper bound on it relative to the shortest side, so that none vanishes, as where the engine welds. */
 const OF_SHORTEST_SIDE = 0.1;
+/** The key of corners that are welded wherever they coincide; objects are numbered from 0. */
+const JOINED = -1;
 
-/**
- * Faces of objects that touch, as of solids on each other, may coincide. The engine does not weld such
- * objects to each other (`mesh/edit/weld.rs`), and neither are they here.
- * @param units symbol of the unit of length, if there is one
- */
+/** @param units symbol of the unit of length, if there is one */
 export function objText(faces: Face[], curves: Line[], units: string | undefined) {
   // Objects are in the order in which they were made, and each layer is named once.
   const layers: Map<string, Face[]> = new Map();
@@ -26,11 +24,11 @@ export function objText(faces: Face[], curves: Line[], units: string | undefined
   }
   const sorted = [...layers.values()].flat();
   const tolerance = weldingDistance(faces, curves);
-  let { rings, numberOf } = numbered(sorted, tolerance, () => 0);
-  const count = different(rings);
-  if (count < faces.length) {
-    const apart = numbered(sorted, tolerance, ({ object }) => object);
-    if (different(apart.rings) > count) ({ rings, numberOf } = apart);
+  let { rings, numberOf } = numbered(sorted, tolerance, () => JOINED);
+  const apart = touching(sorted, rings);
+  if (apart.size > 0) {
+    const keyOf = ({ object }: Face) => (apart.has(object) ? object : JOINED);
+    ({ rings, numberOf } = numbered(sorted, tolerance, keyOf));
   }
   const lines = [];
   let from = 0;
@@ -61,9 +59,38 @@ function numbered(faces: Face[], tolerance: number, keyOf: (face: Face) => numbe
   return { rings, numberOf };
 }
 
-/** Number of faces without those that coincide with others. */
-const different = (faces: number[][]) =>
-  new Set(faces.map((corners) => corners.toSorted((a, b) => a - b).join())).size;
+/**
+ * Returns the objects that touch others with some of their faces, as solids on each other do: if they
+ * were joined, edges would have four faces. An object whose faces are all in another one is a copy of
+ * them, and no reason to keep anything apart.
+ */
+function touching(faces: Face[], rings: number[][]) {
+  /** The objects that have a face, by its corners. */
+  const owners: Map<string, Set<number>> = new Map();
+  /** The faces of each object. */
+  const objects: Map<number, Set<string>> = new Map();
+  rings.forEach((corners, i) => {
+    const { object } = faces[i];
+    const face = corners.toSorted((a, b) => a - b).join();
+    owners.set(face, (owners.get(face) ?? new Set()).add(object));
+    objects.set(object, (objects.get(object) ?? new Set()).add(face));
+  });
+  const others = (face: string, object: number) =>
+    [...(owners.get(face) ?? [])].filter((other) => other !== object);
+  const copies: Set<number> = new Set();
+  for (const [object, own] of objects) {
+    const [first, ...rest] = own;
+    const isCopyOf = (other: number) =>
+      !copies.has(other) && rest.every((face) => owners.get(face)?.has(other));
+    if (others(first, object).some(isCopyOf)) copies.add(object);
+  }
+  const touches = (face: string, object: number) =>
+    others(face, object).some((other) => !copies.has(other));
+  const apart: Set<number> = new Set();
+  for (const [object, own] of objects)
+    if (!copies.has(object) && [...own].some((face) => touches(face, object))) apart.add(object);
+  return apart;
+}
 
 const distance = (a: Point, b: Point) => Math.hypot(...a.map((x, axis) => x - b[axis]));
 

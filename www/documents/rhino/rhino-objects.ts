@@ -7,7 +7,7 @@
 import { count } from '../../ui/words.ts';
 import type { Point } from '../../solver/scene-text.ts';
 
-/** A face of a mesh; `object` tells the objects of the file and of blocks apart, from 1. */
+/** A face of a mesh; `object` tells the objects of the file and of blocks apart. */
 export type Face = { layer: string; object: number; corners: Point[] };
 export type Line = { layer: string; corners: Point[]; role?: string };
 

@@ -36,6 +36,7 @@ export function Colours() {
           <label for="tolerance">Tolerance</label>
           <span class="with-unit">
             <AmountField
+              key={about.id}
               id="tolerance"
               unit={about.unit === 'length' ? unit.symbol : ''}
               placeholder="none"

@@ -28,10 +28,11 @@ export function Thumbnail({
   label?: string;
 }) {
   const canvas = useRef<HTMLCanvasElement>(null);
-  // In a dialog that is not open yet it has no size.
+  // It has no size before it is measured, and in a dialog that is not open yet.
   const [width, height] = useSize(canvas);
   useLayoutEffect(() => {
-    if (canvas.current) drawShape(canvas.current, connectivity, shape, { up, from, displacements });
+    if (canvas.current && width > 0)
+      drawShape(canvas.current, connectivity, shape, { up, from, displacements });
   }, [connectivity, shape, up, from?.turn, from?.above, displacements, dark, width, height]);
   return (
     <canvas

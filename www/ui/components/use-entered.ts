@@ -6,7 +6,8 @@ import { Subject } from './use-typed.ts';
 
 /**
  * Keeps what was entered, so that the field shows it and the next step starts from it while the
- * solver is still at work. It is forgotten when the field is about something else.
+ * solver is still at work. It is forgotten with another `Subject`; a field that shows one of several values
+ * has a `key` for each.
  */
 export function useEntered<Value>() {
   const subject = useContext(Subject);

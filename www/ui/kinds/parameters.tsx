@@ -1,7 +1,7 @@
 /** Controls for the parameters of a kind, made from their declaration: forms and their fields. */
 
 import { Fragment } from 'preact';
-import { useId, useLayoutEffect, useState } from 'preact/hooks';
+import { useLayoutEffect, useState } from 'preact/hooks';
 import { Choice } from '../components/fields.tsx';
 import { NumberInput, readNumber, type Accepted } from '../components/number-input.tsx';
 import { firstIn } from '../components/number-steps.ts';
@@ -101,6 +101,9 @@ interface Typed {
 }
 const NOTHING: Typed = { texts: [], problems: [] };
 
+/** Number of rows made so far. */
+let made = 0;
+
 /** The row of one parameter. */
 function Parameter({
   param,
@@ -129,7 +132,8 @@ function Parameter({
   const shown = numbers.map((number) =>
     number === null || factor === 1 ? number : rounded(factor * number, DIGITS),
   );
-  const error = useId();
+  // `useId` counts anew in each root, and dialogs are roots of their own.
+  const [error] = useState(() => `parameter-problem-${++made}`);
 
   const [min, max] = isVector ? [] : param.range;
   /** What a number may be; a null is an infinite limit. */
