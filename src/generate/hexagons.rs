@@ -13,9 +13,23 @@ pub(super) fn hexagons(
     point: impl Fn(f64, f64) -> Point,
 ) -> Mesh {
     let triangles = triangle_rows(rows, &across);
-    let mut cells = edited(&triangles, "dual", &[KEPT_TURN], &[]);
-    cells.positions.iter_mut().for_each(|p| *p = point(p[0], p[1]));
-    cells
+    let Mesh { positions, mut faces, .. } = edited(&triangles, "dual", &[KEPT_TURN], &[]);
+    // Links to changed examples, and results handed in, hold numbers of vertices of before the operation
+    // made the cells: the centres of the triangles, then those of the border as faces come to them. The
+    // operation begins with the corners of the square, which it keeps.
+    const CORNERS: u32 = 4;
+    let centres = CORNERS..CORNERS + triangles.faces.len() as u32;
+    let mut numbers = vec![u32::MAX; positions.len()];
+    let mut ordered = Vec::with_capacity(positions.len());
+    for v in centres.chain(faces.indices().iter().copied()) {
+        let [x, y, _] = positions[v as usize];
+        if numbers[v as usize] == u32::MAX {
+            numbers[v as usize] = ordered.len() as u32;
+            ordered.push(point(x, y));
+        }
+    }
+    faces.rename(&numbers);
+    Mesh { positions: ordered, faces, ..Mesh::default() }
 }
 
 /// Rows of triangles over the square from -1 to 1 in x and y; [`hexagons`] is their dual.
@@ -69,8 +83,8 @@ fn stitch(positions: &[Point], below: Range<u32>, above: Range<u32>, faces: &mut
     }
 }
 
-/// The mesh after an operation, which the generator knows to be possible. It acts on `faces`, or on all
-/// if there are none.
+/// The mesh after an operation on `faces`, which the generator knows to be possible. Some operations act
+/// on all faces if there are none, others are refused.
 pub(super) fn edited(mesh: &Mesh, operation: &str, sizes: &[f64], faces: &[u32]) -> Mesh {
     let (rest, topology) = (&mesh.positions, &Topology::new(mesh));
     let task = Task { mesh, rest, topology, up: [0.0, 0.0, 1.0], sizes, vertices: &[], faces };

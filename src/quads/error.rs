@@ -11,8 +11,10 @@ use std::fmt;
 pub enum RemeshError {
     /// There are no faces of positive area.
     Empty,
-    /// All faces are to stay as they are.
+    /// All faces with an area are to stay as they are.
     AllStay,
+    /// All faces with an area, but those that are to stay, have a vertex whose position is a guess.
+    Guesses,
     /// The mesh has tetrahedra: with other faces they would have another surface.
     Tetrahedra,
     /// A part of the surface has too few triangles to have a curvature.
@@ -94,6 +96,7 @@ impl RemeshError {
             self,
             RemeshError::Empty
                 | RemeshError::AllStay
+                | RemeshError::Guesses
                 | RemeshError::Tetrahedra
                 | RemeshError::SizeTooSmall { .. }
                 | RemeshError::Cancelled
@@ -111,7 +114,11 @@ impl RemeshError {
         let side = |size: f64| words::limit_like(words::rounded(size, 3), units, 1.0);
         match self {
             RemeshError::Empty => "there are no faces with an area".to_owned(),
-            RemeshError::AllStay => "all faces are to stay as they are".to_owned(),
+            RemeshError::AllStay => "all faces with an area are to stay as they are".to_owned(),
+            RemeshError::Guesses => {
+                "every face to be covered has a vertex whose coordinates in the file are not numbers, so that its position is a guess"
+                    .to_owned()
+            }
             RemeshError::Tetrahedra => "the mesh has tetrahedra, expected a surface".to_owned(),
             RemeshError::TooFewTriangles { .. } => {
                 "a part of the surface has fewer than ten triangles".to_owned()

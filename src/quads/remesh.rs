@@ -79,10 +79,18 @@ impl Remesher {
         }
         let is_guess = |v: &u32| mesh.unplaced.binary_search(v).is_ok();
         let guesses = (0..).zip(mesh.faces.iter()).filter(|(_, face)| face.iter().any(is_guess));
-        let mut stay: Vec<u32> = stay.iter().copied().chain(guesses.map(|(f, _)| f)).collect();
+        let mut asked = stay.to_vec();
+        asked.sort_unstable();
+        asked.dedup();
+        let mut stay: Vec<u32> = asked.iter().copied().chain(guesses.map(|(f, _)| f)).collect();
         stay.sort_unstable();
         stay.dedup();
-        let InputParts { surfaces, staying: staying_parts } = InputSurface::parts(mesh, &stay)?;
+        let parts = InputSurface::parts(mesh, &stay).map_err(|error| match error {
+            RemeshError::Empty if stay.len() > asked.len() => RemeshError::Guesses,
+            RemeshError::Empty if !asked.is_empty() => RemeshError::AllStay,
+            error => error,
+        });
+        let InputParts { surfaces, staying: staying_parts } = parts?;
         if surfaces.is_empty() {
             let largest = staying_parts.into_iter().max_by(|a, b| a.area.total_cmp(&b.area));
             return Err(largest.map_or(RemeshError::Empty, |part| part.error));

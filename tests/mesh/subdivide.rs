@@ -191,6 +191,25 @@ fn a_thin_triangle_makes_no_crease() {
     }
 }
 
+/// All triangles of the strips are thin, and none is one that rounding tilts: the ridge was rounded.
+#[test]
+fn a_ridge_between_narrow_strips_stays_a_crease() {
+    // A gable roof, each strip 1 mm longer than the one before it.
+    let mut mesh = Mesh::default();
+    for k in 0..5u32 {
+        let (half, across) = (10.0 + 0.0005 * f64::from(k), 0.01 * (f64::from(k) - 2.0));
+        mesh.positions.extend([-half, half].map(|x| [x, across, -across.abs()]));
+        if k > 0 {
+            let [a, b, c, d] = [2 * k - 2, 2 * k - 1, 2 * k, 2 * k + 1];
+            mesh.faces.push(&[a, b, d]);
+            mesh.faces.push(&[a, d, c]);
+        }
+    }
+    let refined = subdivided(&mesh, subdivision(Scheme::Loop, 1)).mesh;
+    let on_ridge = refined.positions.iter().filter(|p| p[0].abs() < 1.0 && p[2].abs() < 1e-9);
+    assert_eq!(on_ridge.count(), 1);
+}
+
 #[test]
 fn linear_keeps_the_shape_and_its_area() {
     let flat = grid(3, 2, |i, j| [f64::from(i), f64::from(j) + 0.2 * f64::from(i), 0.0]);

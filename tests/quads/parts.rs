@@ -280,8 +280,20 @@ fn faces_that_are_to_stay_do() {
     let kept: Vec<Vec<Point>> = last_faces(&mesh, mesh.faces.len()).drain(..40).collect();
     assert_eq!(last_faces(&found.mesh, 40), kept);
     assert!(found.notes.is_empty(), "{:?}", found.notes);
+}
+
+#[test]
+fn where_no_face_is_to_be_covered_the_reason_is_said() {
+    let mut mesh = vault();
+    let refused = |mesh: &Mesh, stay: &[u32]| Remesher::beside(mesh, stay).map(|_| ()).unwrap_err();
     let all: Vec<u32> = (0..mesh.faces.len() as u32).collect();
-    assert_eq!(Remesher::beside(&mesh, &all).map(|_| ()).unwrap_err(), RemeshError::AllStay);
+    assert_eq!(refused(&mesh, &all), RemeshError::AllStay);
+    // All faces but one without area.
+    mesh.faces.push(&[0, 1, 0]);
+    assert_eq!(refused(&mesh, &all), RemeshError::AllStay);
+    // Nothing was asked to stay, but no position is known.
+    mesh.unplaced = (0..mesh.positions.len() as u32).collect();
+    assert_eq!(refused(&mesh, &[]), RemeshError::Guesses);
 }
 
 #[test]

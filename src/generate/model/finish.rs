@@ -73,7 +73,7 @@ pub fn opened(mesh: &Mesh, is_open: impl Fn(Point) -> bool) -> Mesh {
     let middle = |face: &[u32]| mean(face.iter().map(|&v| mesh.positions[v as usize].into()));
     let is_open = |(_, face): &(u32, &[u32])| is_open(middle(face).into());
     let open: Vec<u32> = (0..).zip(mesh.faces.iter()).filter(is_open).map(|(f, _)| f).collect();
-    edited(mesh, "delete", &[], &open)
+    if open.is_empty() { mesh.clone() } else { edited(mesh, "delete", &[], &open) }
 }
 
 /// Rounds coordinates to tenths of a millimetre, so that the file is short.

@@ -16,7 +16,8 @@ const FACING: f64 = -0.5;
 impl Edited {
     /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
     /// from [the same one](Mesh::same_faces), else from the old face at its centre that faces as those at
-    /// its corners do; sets and groups follow that. Curves stay, and so do vertices of no face and of faces that are left as they are.
+    /// its corners do; sets and groups follow that. Curves stay, and so do vertices of no face and of faces
+    /// that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::of_ground(&mesh.positions, mesh);
         let face_at = |point: Point| surface.closest_face(point).unwrap_or(0);

@@ -56,34 +56,31 @@ pub fn mean_dihedral_angle(mesh: &Mesh, topology: &Topology, at: &[Point]) -> f6
 const THIN: f64 = 1e-3;
 
 /// Returns a normal of each face, not of length one, by which creases are told: twice its vector area, or
-/// for a thin triangle that of the face across its longest side. Of two thin triangles that are longest
-/// there, as a narrow strip has them, each keeps its own.
+/// for a thin triangle that of the face across its longest side. Beside another thin triangle, as in a
+/// narrow strip, it keeps its own: a walk over many would leave the surface there.
 pub(crate) fn crease_normals(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
     let areas = mesh.faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v))));
     let areas: Vec<Vec3<f64>> = areas.collect();
-    // The squared length of the longest side, and its edge.
+    // The edge of the longest side.
     let longest_if_thin = |face: u32| {
         let corners = mesh.faces.row(face as usize);
         let sides = polygon_sides(corners)
             .filter_map(|[a, b]| Some(((at(b) - at(a)).length_squared(), topology.edge(a, b)?)));
-        let longest = sides.max_by(|a, b| a.0.total_cmp(&b.0))?;
-        let is_thin = corners.len() == 3 && areas[face as usize].length() <= THIN * longest.0;
-        is_thin.then_some(longest)
+        let (length, edge) = sides.max_by(|a, b| a.0.total_cmp(&b.0))?;
+        let is_thin = corners.len() == 3 && areas[face as usize].length() <= THIN * length;
+        is_thin.then_some(edge)
     };
-    let normal = |mut face: u32| {
-        let mut sign = 1.0;
-        while let Some((length, edge)) = longest_if_thin(face)
+    let normal = |face: u32| {
+        if let Some(edge) = longest_if_thin(face)
             && let &[first, second] = topology.edge_faces().row(edge as usize)
         {
             let across = if first == face { second } else { first };
-            if longest_if_thin(across).is_some_and(|(other, _)| other <= length) {
-                break;
+            if longest_if_thin(across).is_none() {
+                return areas[across as usize] * topology.agreement(edge);
             }
-            sign *= topology.agreement(edge);
-            face = across;
         }
-        areas[face as usize] * sign
+        areas[face as usize]
     };
     (0..mesh.faces.len() as u32).map(normal).collect()
 }

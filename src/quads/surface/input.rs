@@ -59,7 +59,7 @@ impl InputSurface {
     /// belong to their part. The faces `stay` belong to no part.
     ///
     /// # Errors
-    /// If there is nothing to remesh.
+    /// [`RemeshError::Empty`] if there is nothing to remesh.
     pub fn parts(mesh: &Mesh, stay: &[u32]) -> Result<InputParts, RemeshError> {
         let mut welded = mesh.clone();
         let weld = Weld::apply(&mut welded);
@@ -79,8 +79,7 @@ impl InputSurface {
         let mut triangles = all.clone();
         let given = remove_slivers(&positions, &mut triangles);
         if triangles.is_empty() {
-            let stay_all = !stays.is_empty() && !stays.contains(&false);
-            return Err(if stay_all { RemeshError::AllStay } else { RemeshError::Empty });
+            return Err(RemeshError::Empty);
         }
         let (part_of, mut faults) = orient(&positions, &mut triangles);
         let mut members: Vec<(Vec<[usize; 3]>, Vec<u32>)> = vec![Default::default(); faults.len()];
