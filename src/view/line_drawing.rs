@@ -37,7 +37,7 @@ const CIRCLE: u32 = 13;
 /// If no line of the model is in the picture.
 pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
     let camera = state.camera();
-    let [low, high] = frame(state).ok_or(ViewError::Outside)?;
+    let [low, high] = frame(state).ok_or(ViewError::NoLine)?;
     let scale = (SHEET / (high - low).max(Vec2::ONE)).min_element();
     let size = ((high - low) * scale).round();
     let sight = Sight {
@@ -107,7 +107,7 @@ pub fn line_drawing(state: &ViewState) -> Result<String, ViewError> {
         ("outlines", "#000", OUTLINE, edges.outlines),
     ];
     if pens.iter().all(|(.., data)| data.is_empty()) {
-        return Err(ViewError::Outside);
+        return Err(ViewError::NoLine);
     }
     for (id, ink, pen, data) in pens {
         if !data.is_empty() {
@@ -285,7 +285,7 @@ mod tests {
         state.move_camera(|camera| camera.look_from("top")).unwrap();
         assert!(line_drawing(&state).is_ok());
         state.move_camera(|camera| camera.pan(4000.0, 0.0));
-        assert_eq!(line_drawing(&state), Err(ViewError::Outside));
+        assert_eq!(line_drawing(&state), Err(ViewError::NoLine));
     }
 
     #[test]
@@ -308,7 +308,7 @@ mod tests {
         };
         assert!((size("width") / size("height") - 1.0).abs() < 0.05, "{svg}");
         state.zoom(5.0, Vec2::new(400.0, 300.0));
-        assert_eq!(line_drawing(&state), Err(ViewError::Outside));
+        assert_eq!(line_drawing(&state), Err(ViewError::NoLine));
     }
 
     #[test]
@@ -318,7 +318,7 @@ mod tests {
             .set_mesh((vec![0], vec![]), (vec![0], vec![]), &[0.0, 0.0, 0.0, 1.0, 2.0, 3.0])
             .unwrap();
         state.resize(Vec2::new(800.0, 600.0));
-        assert_eq!(line_drawing(&state), Err(ViewError::Outside));
+        assert_eq!(line_drawing(&state), Err(ViewError::NoLine));
     }
 
     /// Returns the lengths of the lines of a pen, in hundredths of a millimetre.

@@ -448,6 +448,20 @@ fn a_closed_surface_that_faces_inwards_is_said_to_and_no_other() {
 }
 
 #[test]
+fn flat_layers_joined_at_their_rim_face_nowhere() {
+    // In tilted planes, so that their volume is a rounding error, of either sign.
+    let corners = [[0.0, 0.0], [1.1, 0.2], [1.3, 1.7], [-0.1, 0.9]];
+    for tilt in 1..9 {
+        let at = corners.map(|[x, y]| [x, y, 0.1 * f64::from(tilt) * x + 0.7 * y]);
+        for [a, b, c, d] in [[0, 1, 2, 3], [3, 2, 1, 0]] {
+            let mesh = faces(&[&[a, b, c], &[a, c, d], &[a, d, b], &[b, d, c]], &at);
+            let problems = build(&mesh, &BuildSettings::default()).card().problems;
+            assert!(!problems.iter().any(|words| words.contains("inwards")), "{problems:?}");
+        }
+    }
+}
+
+#[test]
 fn parts_too_narrow_to_be_cut_are_named_and_not_placed() {
     // A row of quads with one of a thousandth of a millimetre in it, turned.
     let x = [0.0, 1.0, 1.0 + 2e-5, 2.0];

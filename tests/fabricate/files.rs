@@ -459,8 +459,11 @@ fn a_panel_that_is_larger_than_the_sheet_is_named_and_not_scaled() {
     // Nothing of it is left out on the sheet that is said to be needed.
     let sheet = report.larger_sheet_mm.expect("it is too large");
     assert_eq!(sheet, [510.0, 110.0]);
-    let report = build(&mesh, &BuildSettings { sheet, ..own }).report();
+    let report = build(&mesh, &BuildSettings { sheet, ..own.clone() }).report();
     assert_eq!((report.placed, report.larger_sheet_mm), (2, None));
+    // No sheet may be that large.
+    let report = build(&mesh, &BuildSettings { scale: 0.01, ..own }).report();
+    assert_eq!((report.too_large.len(), report.larger_sheet_mm), (2, None));
 }
 
 #[test]

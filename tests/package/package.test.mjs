@@ -2,11 +2,12 @@
 
 import test from 'node:test';
 import assert from 'node:assert/strict';
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { writePackage } from '../../.scripts/package.mjs';
+import { at } from '../../.scripts/project.mjs';
 
 /** A vault of quads, 8 along a half circle and 5 along the axis; the inner vertices are moved a little. */
 function vault() {
@@ -21,6 +22,16 @@ function vault() {
     for (let i = 1; i <= 8; i++)
       lines.push(`f ${[i, i + 1, i + 10, i + 9].map((v) => v + 9 * j).join(' ')}`);
   return `${lines.join('\n')}\n`;
+}
+
+/** Returns what TypeScript finds wrong with some files of a folder. */
+function typeErrors(cwd, ...files) {
+  const compiler = at('node_modules', 'typescript', 'bin', 'tsc');
+  const options = '--noEmit --allowJs --checkJs --strict false --skipLibCheck --pretty false';
+  const modules = '--target esnext --module esnext --moduleResolution bundler';
+  const words = `${options} ${modules}`.split(' ');
+  const found = spawnSync('node', [compiler, ...words, ...files], { cwd, encoding: 'utf8' });
+  return found.stdout + found.stderr;
 }
 
 test('the engine is packed, installed in an empty project, and solves', () => {
@@ -51,15 +62,28 @@ test('the engine is packed, installed in an empty project, and solves', () => {
     const out = readFileSync(join(folder, 'out.obj'), 'utf8');
     assert.equal(out.match(/^v /gm)?.length, 54);
     // The program of the README.
-    const [, code] = /```js\n([^]*?)```/.exec(
-      readFileSync(join(folder, 'made', 'README.md'), 'utf8'),
-    );
+    const readme = readFileSync(join(folder, 'made', 'README.md'), 'utf8');
+    const [, code] = /```js\n([^]*?)```/.exec(readme);
     const bytes = "const bytes = (await import('node:fs')).readFileSync('vault.obj');\n";
     writeFileSync(
       join(folder, 'readme.mjs'),
       code.replace('await load();', `await load();\n${bytes}`),
     );
     assert.match(run('node', 'readme.mjs'), /All 40 panels are circular within /);
+    // What the README calls stable is declared, and so is what the example for pages calls.
+    const [, stable] = /## What is stable\n([^]*?)change only/.exec(readme);
+    const members = [...stable.matchAll(/`(\w+)`/g)].map(([, name]) => name);
+    assert.ok(members.includes('faceOffsets'), stable);
+    const page = readFileSync(join(folder, 'made', 'examples', 'view.html'), 'utf8');
+    const [, program] = /<script type="module">([^]*)<\/script>/.exec(page);
+    writeFileSync(join(folder, 'made', 'examples', 'view.js'), program);
+    writeFileSync(
+      join(folder, 'stable.ts'),
+      `import { load, Solver } from 'shape-up-engine';
+      export const all: ('Solver' | keyof Solver)[] = ${JSON.stringify(members)};
+      void load().then(() => new Solver());`,
+    );
+    assert.equal(typeErrors(folder, 'stable.ts', 'made/examples/view.js'), '');
   } finally {
     rmSync(folder, { recursive: true });
   }

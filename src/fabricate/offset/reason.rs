@@ -17,10 +17,9 @@ pub(in crate::fabricate) enum Reason {
     OddPanels(usize),
     /// Corners: a panel, and the angle in degrees by which an axis is turned around it.
     PanelTurn(u32, f64),
-    /// Corners: a rim has an odd number of edges. Where it bounds a part without openings, axes close
-    /// around it if they do around all panels.
+    /// Corners, with openings: a rim has an odd number of edges.
     OddRim,
-    /// Corners: the angle in degrees by which an axis is turned around a rim.
+    /// Corners, with openings: the angle in degrees by which an axis is turned around a rim.
     RimTurn(f64),
     /// Corners: axes close around panels and rims, but not around openings through the surface.
     Openings,
@@ -47,7 +46,10 @@ impl Closing {
             Some(Reason::OddPanels(self.odd_panels))
         } else if self.panel_deg > CLOSED {
             Some(Reason::PanelTurn(self.panel, self.panel_deg))
-        } else if self.has_openings && self.rims_deg.contains(&None) {
+        } else if !self.has_openings {
+            // Axes that close around all panels do around every rim, whatever others are turned by.
+            None
+        } else if self.rims_deg.contains(&None) {
             Some(Reason::OddRim)
         } else {
             (rim > CLOSED).then_some(Reason::RimTurn(rim))
@@ -161,6 +163,19 @@ mod tests {
         };
         assert_eq!(of_odd(2), Some(Reason::PanelTurn(0, 3.0)));
         assert_eq!(of_odd(3), Some(Reason::OddPanels(3)));
+    }
+
+    #[test]
+    fn without_openings_a_rim_is_no_reason() {
+        // The turn around two odd panels leaves the axis along the line of their planes.
+        let two = Closing {
+            odd_panels: 2,
+            most_odd: 2,
+            rims_deg: vec![Some(40.0)],
+            ..Closing::default()
+        };
+        assert_eq!(reason(&two, WARP), Some(Reason::Warp([3, 7])));
+        assert_eq!(two.reason(), None);
     }
 
     #[test]

@@ -26,7 +26,7 @@ pub struct Renderer {
     map_tables: GpuTables,
     backdrop: Backdrop,
     occlusion: Occlusion,
-    /// Camera, depths and size for which the occlusion was last computed.
+    /// Inputs for which the occlusion was last computed.
     occlusion_of: Option<OcclusionInputs>,
     /// The section with which the shadow on the ground was computed.
     shadow_of: Option<Section>,
@@ -42,8 +42,13 @@ pub struct Renderer {
     gizmo: Instances,
 }
 
-/// The inputs of the occlusion beside the shape: camera, near and far depth, size of the picture.
-type OcclusionInputs = (Camera, (f32, f32), (u32, u32));
+/// The inputs of the occlusion beside the shape: camera, near and far depth, height of the ground, size
+/// of the picture.
+type OcclusionInputs = (Camera, (f32, f32), f32, (u32, u32));
+
+fn occlusion_inputs(state: &ViewState, size: (u32, u32)) -> OcclusionInputs {
+    (state.camera(), state.depth_range(), state.floor(), size)
+}
 
 impl Renderer {
     /// Creates the pipelines.
@@ -78,7 +83,7 @@ impl Renderer {
     pub fn occlusion_fits(&self, state: &ViewState, size: (u32, u32)) -> bool {
         let changes = state.changes();
         let is_moved = changes.mesh || changes.positions;
-        !is_moved && self.occlusion_of == Some((state.camera(), state.depth_range(), size))
+        !is_moved && self.occlusion_of == Some(occlusion_inputs(state, size))
     }
 
     /// Draws the model, with its flat map beside it if there is one, if anything has changed;
@@ -121,7 +126,7 @@ impl Renderer {
             let size = parts.map_or(picture.size, |[part, _]| part.size);
             let (device, tables) = (&self.device.device, &self.tables);
             self.occlusion.find(device, &mut encoder, tables, &self.faces, size);
-            self.occlusion_of = Some((state.camera(), state.depth_range(), picture.size));
+            self.occlusion_of = Some(occlusion_inputs(state, picture.size));
         } else if !fits {
             self.occlusion_of = None;
         }

@@ -5,8 +5,8 @@ use std::fmt;
 /// Why arrays from outside cannot be shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ViewError {
-    /// Nothing of the model is in the picture.
-    Outside,
+    /// No line of the model is in the picture.
+    NoLine,
     /// The length of an array does not match the others.
     Length {
         /// Which array.
@@ -51,7 +51,7 @@ pub enum ViewError {
 impl fmt::Display for ViewError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            ViewError::Outside => write!(f, "Nothing of the model is in the picture."),
+            ViewError::NoLine => write!(f, "No line of the model is in the picture."),
             ViewError::Length { what, got, expected } => {
                 write!(f, "{what}: {got} entries, expected {expected}")
             }

@@ -11,7 +11,7 @@ use serde::Serialize;
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
 
-/// The connectivity of the mesh.
+/// The connectivity of the mesh, as it is sent to the page.
 #[derive(Serialize, Tsify)]
 #[serde(rename_all = "camelCase")]
 pub struct Connectivity {
@@ -70,17 +70,33 @@ pub struct DrawnRowColours {
 impl Solver {
     /// Returns the connectivity of the mesh.
     pub fn connectivity(&self) -> Result<Js<Connectivity>, JsValue> {
-        let session = self.open()?;
-        let mesh = session.mesh();
+        let mesh = self.open()?.mesh();
         plain(&Connectivity {
-            face_offsets: indices(mesh.faces.offsets()),
-            face_indices: indices(mesh.faces.indices()),
+            face_offsets: AsIs(self.face_offsets()?),
+            face_indices: AsIs(self.face_indices()?),
             untouched_offsets: indices(mesh.untouched.offsets()),
             unplaced: indices(&mesh.unplaced),
             curve_offsets: indices(mesh.curves.offsets()),
             curve_indices: indices(mesh.curves.indices()),
-            edges: indices(session.topology().edges().as_flattened()),
+            edges: AsIs(self.edges()?),
         })
+    }
+
+    /// Returns where the corners of each face start, `#F + 1`.
+    #[wasm_bindgen(js_name = faceOffsets)]
+    pub fn face_offsets(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().faces.offsets()))
+    }
+
+    /// Returns the corners of all faces.
+    #[wasm_bindgen(js_name = faceIndices)]
+    pub fn face_indices(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.mesh().faces.indices()))
+    }
+
+    /// Returns the edges of the mesh: `#E by 2` vertices, in the numbering that selections use.
+    pub fn edges(&self) -> Result<Uint32Array, JsValue> {
+        Ok(Uint32Array::from(self.open()?.topology().edges().as_flattened()))
     }
 
     /// Writes the current positions, `#V by 3`.
