@@ -91,3 +91,17 @@ pub(super) fn edited(mesh: &Mesh, operation: &str, sizes: &[f64], faces: &[u32])
     let edited = MeshOperation::of(operation).and_then(|operation| operation.apply(&task));
     edited.expect("the operation fits the mesh").mesh
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vertices_have_the_numbers_that_links_hold() {
+        let Mesh { positions, .. } = hexagons(2, |_| 2, |x, y| [x, y, 0.0]);
+        // The centres of six triangles, then six midpoints and four corners, by the faces they are of.
+        let count_on_border = |p: &Point| p.iter().filter(|x| x.abs() == 1.0).count();
+        let on_border: Vec<usize> = positions.iter().map(count_on_border).collect();
+        assert_eq!(on_border, [0, 0, 0, 0, 0, 0, 1, 1, 2, 1, 2, 1, 1, 1, 2, 2]);
+    }
+}
