@@ -154,7 +154,7 @@ test('a large file shows its progress, and reading can be cancelled', async ({ p
   const before = await state(page);
   const open = () => page.getByLabel('Open file').setInputFiles(file('wide.obj', large(2000)));
   await open();
-  await expect(card(page)).toContainText(/Reading wide\.obj · 1\.\d of 2\.1 MB · [\d ,]+ faces/);
+  await expect(card(page)).toContainText(/Reading wide\.obj · 1\.\d of 2\.1 MB/);
   await expect(card(page).getByRole('progressbar')).toHaveJSProperty('max', 1);
   await card(page).getByRole('button', { name: 'Cancel' }).click();
   await expect(card(page)).toBeHidden();
