@@ -1,10 +1,11 @@
-// Texts that a person cannot read: under another element, or cut off without an ellipsis.
+// Texts that a person cannot read: under another element, cut off without an ellipsis, or in columns.
 
 import type { Page } from '@playwright/test';
 
 /**
  * The texts of labels, buttons, headings and terms in view whose last letter lies under something
- * else or outside of what their box shows, each with its reason.
+ * else or outside of what their box shows, and those of buttons with pieces of text beside each other
+ * as columns, each with its reason.
  */
 export const hiddenTexts = (page: Page) =>
   page.evaluate(() => {
@@ -29,6 +30,12 @@ export const hiddenTexts = (page: Page) =>
     let end = { x: 0, y: 0 };
     for (const own of document.querySelectorAll('label, button, summary, dt, th, legend, h2, h3')) {
       if (!isShown(own) || !(document.fullscreenElement ?? document).contains(own)) continue;
+      const isRow =
+        own.matches('button, summary') && /flex|grid/.test(getComputedStyle(own).display);
+      const pieces = [...own.childNodes].map((one) => one.nodeType === Node.TEXT_NODE);
+      // Neighbouring pieces of text are one column.
+      const columns = pieces.filter((isText, k) => isText && !pieces[k - 1]).length;
+      if (isRow && columns > 1) found.push(`“${own.textContent}” is in ${columns} columns`);
       const texts = document.createTreeWalker(own, NodeFilter.SHOW_TEXT);
       for (let text = texts.nextNode(); text; text = texts.nextNode()) {
         const parent = text.parentElement;

@@ -185,7 +185,7 @@ function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forec
               class={k === 0 ? 'bordered recommended' : 'bordered'}
               onClick={() => choose(press)}
             >
-              {press.label}: <Sentence words={press.words} />
+              <Sentence words={`${press.label}: ${press.words}`} />
             </Button>
           ))}
           {isLooking && <p class="quiet">Looking for suggestions …</p>}
