@@ -32,7 +32,9 @@ export const hiddenTexts = (page: Page) =>
       if (!isShown(own) || !(document.fullscreenElement ?? document).contains(own)) continue;
       const isRow =
         own.matches('button, summary') && /flex|grid/.test(getComputedStyle(own).display);
-      const pieces = [...own.childNodes].map((one) => one.nodeType === Node.TEXT_NODE);
+      const pieces = [...own.childNodes]
+        .filter((one) => one.nodeType === Node.ELEMENT_NODE || one.nodeValue?.trim())
+        .map((one) => one.nodeType === Node.TEXT_NODE);
       // Neighbouring pieces of text are one column.
       const columns = pieces.filter((isText, k) => isText && !pieces[k - 1]).length;
       if (isRow && columns > 1) found.push(`“${own.textContent}” is in ${columns} columns`);

@@ -145,6 +145,18 @@ test('a value that is shown twice is found', async ({ page }) => {
   ]);
 });
 
+test('a button whose sentence is in columns is found', async ({ page }) => {
+  const sentence = 'within <span>24 mm</span>; moves by <span>30 mm</span>';
+  const button = (content: string) => `<button>${content}</button>`;
+  await page.goto('./licences.html');
+  const html = `${button(sentence)}${button(`<svg></svg>\n <span>${sentence}</span>`)}`;
+  await page.evaluate((html) => {
+    document.body.innerHTML = html;
+    for (const button of document.querySelectorAll('button')) button.style.display = 'flex';
+  }, html);
+  expect(await hiddenTexts(page)).toEqual(['“within 24 mm; moves by 30 mm” is in 2 columns']);
+});
+
 test('axe: while only the HTML has loaded', async ({ page }) => {
   await page.route('**/{engine,view}-*.wasm', () => {});
   await page.goto('./');
