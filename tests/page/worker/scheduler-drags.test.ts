@@ -3,8 +3,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { FromWorker } from '../../../www/solver/events.ts';
+import type { Drag } from '../../../www/solver/types.ts';
 import { Scheduler } from '../../../www/worker/scheduler.ts';
 import { closeChannel, died, solverWith } from './fake-solver.ts';
+
+/** Moves vertex 0 to a place on the x axis, in the phases of the drag with this number. */
+const dragsOf = (scheduler: Scheduler, id: number) => (phase: Drag['phase'], x: number) =>
+  scheduler.drag({ id, vertices: Uint32Array.of(0), targets: Float64Array.of(x, 0, 0), phase });
 
 test('a refused drag leaves the run and the document as they were', (context) => {
   // It used to end the run, and its end was not answered, so that the page kept the dragged target.
@@ -49,13 +54,7 @@ test('an edit during a drag acts on its latest move, and ends it', (context) => 
   const scheduler = new Scheduler(solver, ({ type }) => sent.push(type), died);
   scheduler.begin(false);
   scheduler.frames.renew(1);
-  const drag = (phase: 'start' | 'move' | 'end', x: number) =>
-    scheduler.drag({
-      id: 1,
-      vertices: Uint32Array.of(0),
-      targets: Float64Array.of(x, 0, 0),
-      phase,
-    });
+  const drag = dragsOf(scheduler, 1);
   drag('start', 0);
   drag('move', 1);
   scheduler.betweenRuns(() => solver.undo());
@@ -84,17 +83,16 @@ test('a refused edit leaves a drag as it was, and another drag does not touch it
   const scheduler = new Scheduler(solver, () => {}, died);
   scheduler.begin(false);
   scheduler.frames.renew(1);
-  const drag = (id: number, phase: 'start' | 'move' | 'end' | 'cancel', x: number) =>
-    scheduler.drag({ id, vertices: Uint32Array.of(0), targets: Float64Array.of(x, 0, 0), phase });
-  drag(2, 'start', 0);
+  const [own, other] = [2, 1].map((id) => dragsOf(scheduler, id));
+  own('start', 0);
   assert.throws(() =>
     scheduler.betweenRuns(() => {
       throw new Error('locked by the lesson');
     }),
   );
-  for (const phase of ['move', 'end', 'cancel'] as const) drag(1, phase, 7);
+  for (const phase of ['move', 'end', 'cancel'] as const) other(phase, 7);
   assert.equal(scheduler.isMoving, true);
-  drag(2, 'end', 1);
+  own('end', 1);
   assert.deepEqual(calls, ['start 0,0,0', 'end 1,0,0']);
 });
 
@@ -113,13 +111,7 @@ test('a half step during a drag ends it with its latest move', (context) => {
   const scheduler = new Scheduler(solver, ({ type }) => sent.push(type), died);
   scheduler.begin(false);
   scheduler.frames.renew(1);
-  const drag = (phase: 'start' | 'move', x: number) =>
-    scheduler.drag({
-      id: 1,
-      vertices: Uint32Array.of(0),
-      targets: Float64Array.of(x, 0, 0),
-      phase,
-    });
+  const drag = dragsOf(scheduler, 1);
   drag('start', 0);
   drag('move', 1);
   scheduler.halfStep();
