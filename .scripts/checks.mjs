@@ -10,9 +10,10 @@ import { moduleArguments, modules, sourcesOf } from './wasm.mjs';
 const tool = (name) => at('node_modules', '.bin', name);
 const script = (name, ...words) => ['node', [`.scripts/${name}.mjs`, ...words]];
 /** Node's own tests; tsx reads the modules of the page, which are in TypeScript. */
-const node = (...tests) => {
-  const imports = ['tsx', './tests/page/fetch-files.mjs'].flatMap((name) => ['--import', name]);
-  return ['node', [...imports, '--test', '--test-reporter=tap', ...tests]];
+const node = (tests, ...before) => {
+  const imports = ['tsx', './tests/page/fetch-files.mjs', ...before];
+  const words = imports.flatMap((name) => ['--import', name]);
+  return ['node', [...words, '--test', '--test-reporter=tap', ...tests]];
 };
 
 /**
@@ -112,7 +113,10 @@ const texts = [
   module(words),
   {
     title: 'tests of the scripts, and of the page without a browser',
-    run: node(...nodeTests.filter((path) => !asksEngine(path))),
+    run: node(
+      nodeTests.filter((path) => !asksEngine(path)),
+      './tests/page/without-engine.mjs',
+    ),
     count: 'node',
   },
 ];
@@ -188,18 +192,18 @@ const programBuilt = {
 const bench = [
   {
     title: 'tests of the page with the engine, without a browser',
-    run: node(...nodeTests.filter(asksEngine)),
+    run: node(nodeTests.filter(asksEngine)),
     count: 'node',
   },
   {
     title: 'the package, installed in an empty folder',
-    run: node('tests/package/package.test.mjs'),
+    run: node(['tests/package/package.test.mjs']),
     count: 'node',
     inputs: () => [...common(), at('www', 'pkg', 'engine'), at('tests', 'package')],
   },
   {
     title: 'benchmark at its smallest size',
-    run: node('tests/bench/bench.test.mjs'),
+    run: node(['tests/bench/bench.test.mjs']),
     count: 'node',
     inputs: rust,
   },

@@ -1,12 +1,10 @@
-// What becomes of the trials of a new mesh, and of a plan.
+// What becomes of the trials of a new mesh.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import '../documents/storage.ts';
 import { Openings } from '../../../www/documents/openings.ts';
-import { DrawnPlan } from '../../../www/features/new-mesh/plan.ts';
 import { Trial } from '../../../www/features/new-mesh/trial.ts';
-import init from '../../../www/pkg/engine/shape_up.js';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import type { AppContext } from '../../../www/app/context.ts';
 import type { Origin } from '../../../www/documents/files.ts';
@@ -101,20 +99,4 @@ test('a mesh that could not be kept with its supports gives way to the model bef
   end();
   await new Promise((done) => setTimeout(done));
   assert.equal(files.origin.work, 'roof');
-});
-
-test('a point that is added to an arc leaves its circle as it is', async () => {
-  // Both halves became straight.
-  await init({
-    module_or_path: new URL('../../../www/pkg/engine/shape_up_bg.wasm', import.meta.url),
-  });
-  const plan = new DrawnPlan('m');
-  const { radius, clockwise } = plan.now().side;
-  assert.ok(radius);
-  plan.insertPoint();
-  const [before, after] = plan.sides.value.loops[0];
-  for (const side of [before, after]) {
-    assert.ok(Math.abs((side.radius ?? 0) - radius) < 1e-3 * radius);
-    assert.equal(side.clockwise, clockwise);
-  }
 });
