@@ -1,6 +1,7 @@
 //! The session itself: its parts, and plain access to them.
 
 use super::measured::MeasureCache;
+use super::report::panel_row;
 use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, Search, TraceEntry};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
 use super::undo::{History, Transaction};
@@ -90,9 +91,11 @@ impl Session {
         self.progress.halfway()
     }
 
-    /// How the shape has collapsed since iterating began, if it has.
+    /// How the shape has collapsed since iterating began, if it has. The end of a search for panels is
+    /// judged by its verdict instead.
     pub fn collapse(&self) -> Option<Collapse> {
-        self.guard.collapse()
+        let has_verdict = || self.is_searched() && panel_row(self.document()).is_some();
+        self.guard.collapse().filter(|_| !has_verdict())
     }
 
     /// Whether the last iteration changed the total by no more than the tolerance, or a run has met the

@@ -220,7 +220,7 @@ impl Session {
             Some(name) => self.add_step(name, transaction.into_before()),
             None => {}
         }
-        self.guard.collapse_to_tell()
+        self.collapse().filter(|_| !self.guard.ignores_collapse())
     }
 
     fn move_handles(&mut self, vertices: &[u32], targets: &[Point]) {

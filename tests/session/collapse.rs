@@ -1,9 +1,10 @@
 //! The guard against shapes that collapse during a run without a drag.
 
+use super::search::press;
 use shape_up::generate::example::EXAMPLES;
-use shape_up::mesh::Mesh;
+use shape_up::mesh::{Mesh, read};
 use shape_up::scene::{Closeness, Scene, Smoothness, Weights};
-use shape_up::session::{CollapseReason, Edit, PanelStart, Session};
+use shape_up::session::{CollapseReason, Edit, Level, PanelStart, Session};
 
 /// The weights of Fig. 5, which are unsuitable for an open mesh whose boundary is free.
 const FIG_5: Weights = Weights { shape: 5.0, close: 10.0, smooth: 2.0 };
@@ -79,6 +80,25 @@ fn a_run_that_stops_says_in_which_way() {
         run(&mut session, 2000, false);
         assert_eq!(session.collapse().unwrap().reason, reason, "{file}");
     }
+}
+
+#[test]
+fn a_search_for_panels_is_judged_by_its_verdict() {
+    // Beside the verdict, a message said that the run was stopped, and another run was proposed.
+    let pavilion = "v 0 0 0\nv 6 0 0\nv 6 4 0\nv 0 4 0\nv 0 0 3\nv 6 0 3\nv 6 4 3\nv 0 4 3\nv 0 2 4.5\nv 6 2 4.5
+        v 2.5 0 0\nv 3.5 0 0\nv 3.5 0 2.1\nv 2.5 0 2.1\nf 1 11 14 13 12 2 6 5\nf 2 3 7 10 6\nf 3 4 8 7
+        f 4 1 5 9 8\nf 5 6 10 9\nf 8 9 10 7\nf 1 4 3 2 12 11";
+    let mesh = read("pavilion.obj", pavilion.as_bytes()).expect("it is a mesh").mesh;
+    let mut session = Session::open(Scene::opened("pavilion.obj"), mesh).expect("it fits");
+    let before = session.positions();
+    let verdict = press(&mut session, "circle");
+    assert_eq!(verdict.level, Level::Poor);
+    assert!(verdict.moved.max > 0.25 * session.mesh().size(), "{:?}", verdict.moved);
+    assert!(session.collapse().is_none() && session.converged());
+    session.undo().expect("a press can be undone");
+    assert_eq!(session.positions(), before, "a press is one step");
+    session.redo().expect("it can be redone");
+    assert!(session.collapse().is_none() && session.converged());
 }
 
 #[test]

@@ -36,9 +36,9 @@ impl CollapseGuard {
         self.collapse
     }
 
-    /// The collapse to be told at the end of a run; none if the run was to continue.
-    pub(crate) fn collapse_to_tell(&self) -> Option<Collapse> {
-        self.collapse.filter(|_| !self.ignores_collapse)
+    /// Whether the run continues if the shape collapses.
+    pub(crate) fn ignores_collapse(&self) -> bool {
+        self.ignores_collapse
     }
 
     pub(crate) fn start(&self) -> Option<Rc<Start>> {
