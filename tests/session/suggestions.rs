@@ -1,9 +1,10 @@
 //! Suggestions that are offered for unmet constraints: each lowers the worst distance.
 
+use super::search::{opened, press, sheared};
 use crate::support::grid::grid;
 use shape_up::mesh::Mesh;
 use shape_up::scene::Scene;
-use shape_up::session::{Edit, Session, Suggestion, Suggestions};
+use shape_up::session::{BetterPresses, Edit, Session, Suggestion, Suggestions};
 
 /// A session with the weights of an opened mesh and the scene keys `more`.
 fn session(mesh: Mesh, more: &str) -> Session {
@@ -143,4 +144,23 @@ fn what_has_no_weight_hides_no_suggestion() {
     assert!(!alone.is_empty());
     let beside = rows(r#", { "kind": "line", "on": { "vertices": [0, 6, 48] }, "weight": 0 }"#);
     assert!(alone.iter().all(|label| beside.contains(label)), "{beside:?} {alone:?}");
+}
+
+#[test]
+fn the_best_of_the_better_presses_is_recommended() {
+    // The first was, which moves the surface by a metre where another one moves it by 5 cm.
+    let mut session = opened(sheared(12, |x, y| 0.6 * x * y, 0.0, 0.0));
+    press(&mut session, "plane");
+    let tolerance = session.tolerance();
+    let mut presses = BetterPresses::new(&mut session, tolerance).expect("it is not good");
+    while presses.step().expect("it could be solved before") {}
+    let [recommended, others] =
+        [true, false].map(|it| presses.found().iter().filter(move |press| press.recommended == it));
+    let recommended: Vec<_> = recommended.collect();
+    let [best] = recommended[..] else { panic!("one is recommended: {recommended:?}") };
+    assert_ne!(best, &presses.found()[0]);
+    for other in others.filter(|other| other.kind == best.kind) {
+        let is_worse = other.level > best.level || other.surface > 0.6 * best.surface;
+        assert!(is_worse, "{other:?} {best:?}");
+    }
 }

@@ -14,8 +14,8 @@ use serde::Serialize;
 const LARGER: [f64; 2] = [10.0, 50.0];
 const LARGEST: f64 = 0.15;
 
-/// A choice of the same level is offered if the surface moves at most this fraction of the distance,
-/// and if the panels stay [`AS_MANY`].
+/// A choice of the same level is better if the surface moves at most this fraction of the distance. It
+/// is offered if the panels also stay [`AS_MANY`].
 const NEARER: f64 = 0.6;
 
 /// At least this fraction of the panels within the tolerance stays so.
@@ -44,6 +44,17 @@ pub struct BetterPress {
     pub level: Level,
     /// The largest distance of its surface from the original, in the unit of the mesh.
     pub surface: f64,
+    /// Whether it is the best of those found.
+    pub recommended: bool,
+}
+
+impl BetterPress {
+    /// Whether it ends better than another one of the same kind, at a better level or much nearer.
+    fn ends_better_than(&self, other: &BetterPress) -> bool {
+        let is_nearer = self.surface <= NEARER * other.surface;
+        self.kind == other.kind
+            && (self.level < other.level || (self.level == other.level && is_nearer))
+    }
 }
 
 /// The verdict in a report, with its words, and with what would end better.
@@ -122,6 +133,7 @@ impl BetterPresses {
             let press = press.clone();
             self.current = None;
             self.found.extend(verdict.and_then(|after| self.offer(press, &after)));
+            self.recommend();
         }
         Ok(self.current.is_some() || !self.untried.is_empty())
     }
@@ -144,6 +156,18 @@ impl BetterPresses {
             self.current = Some((press, Box::new(session)));
         }
         Ok(true)
+    }
+
+    /// Recommends the best that was found.
+    fn recommend(&mut self) {
+        let found = &self.found;
+        let better = |best: usize, k: usize| {
+            if found[k].ends_better_than(&found[best]) { k } else { best }
+        };
+        let best = (1..found.len()).fold(0, better);
+        for (k, press) in self.found.iter_mut().enumerate() {
+            press.recommended = k == best;
+        }
     }
 
     /// Returns the suggestion of a press that ends like `after`, if that is better.
@@ -202,7 +226,7 @@ fn presses(session: &Session, before: &Verdict) -> Vec<BetterPress> {
     let (level, surface) = (before.level, before.surface.max);
     let press = |id, label, kind, within, from| {
         let words = String::new();
-        BetterPress { id, label, words, kind, within, from, level, surface }
+        BetterPress { id, label, words, kind, within, from, level, surface, recommended: false }
     };
     let mut presses = Vec::new();
     let edge = session.mean_edge();

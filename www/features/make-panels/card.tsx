@@ -179,10 +179,10 @@ function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forec
       {again !== null && <Button onClick={makeAgain}>{again}</Button>}
       {isSearched && (
         <div class="better" role="group" aria-label="Suggestions">
-          {presses.map((press, k) => (
+          {presses.map((press) => (
             <Button
               key={press.id}
-              class={k === 0 ? 'bordered recommended' : 'bordered'}
+              class={press.recommended ? 'bordered recommended' : 'bordered'}
               onClick={() => choose(press)}
             >
               <Sentence words={`${press.label}: ${press.words}`} />
