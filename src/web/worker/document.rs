@@ -5,7 +5,7 @@ use crate::constraint::describe;
 use crate::scene::{
     ClosenessTo, Hold, Lesson, Lock, PRESETS, Preset, PresetOffer, Slide, SmoothnessOf, Up,
 };
-use crate::session::{EasedPanels, GoalWords, Session, goals_in_words, settings_of};
+use crate::session::{GoalWords, Session, goals_in_words, settings_of};
 use crate::solve::Require;
 use crate::web::values::{Js, plain};
 use serde::Serialize;
@@ -99,8 +99,8 @@ struct ConstraintRow<'a> {
     enabled: bool,
     /// In the form of the scene file.
     require: Require,
-    /// The panels with a weaker requirement.
-    eased: Option<EasedPanels>,
+    /// The larger tolerance of some panels.
+    eased: Option<f64>,
     #[tsify(type = "Record<string, ParamValue>")]
     params: Value,
 }
@@ -163,10 +163,7 @@ impl<'a> Document<'a> {
                     weight: spec.weight,
                     enabled: spec.enabled,
                     require: spec.require,
-                    eased: spec.eased.as_ref().map(|eased| EasedPanels {
-                        panels: eased.faces.len(),
-                        within: eased.within,
-                    }),
+                    eased: spec.eased.as_ref().map(|eased| eased.within),
                     params: spec.kind.params(),
                 }
             })

@@ -6,7 +6,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Icon } from '../../ui/components/buttons.tsx';
 import { AmountField } from '../../ui/components/fields.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { count, groupDigits, length, lengthOrZero, limit } from '../../ui/words.ts';
+import { groupDigits, length, lengthOrZero, limit } from '../../ui/words.ts';
 import { valueInWords } from '../../ui/kinds/parameter-forms.ts';
 import { Details } from './details.tsx';
 import type { ConstraintRow, Param } from '../../pkg/engine/shape_up.js';
@@ -243,10 +243,7 @@ function Worst({ row }: { row: ConstraintRow }) {
   const unmet = isSoft ? undefined : found.unmet;
   const isWithin = unmet ? !unmet.includes(row.index) : value <= allowed;
   const { eased } = row;
-  const others =
-    eased && value > allowed
-      ? `, ${count(eased.panels, 'panel')} within ${limit(eased.within, units)}`
-      : '';
+  const others = eased !== null && value > allowed ? `, some within ${limit(eased, units)}` : '';
   // The row says what it requires.
   const compared = isSoft
     ? `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`
