@@ -283,24 +283,18 @@ impl BuildReport {
             return String::new();
         }
         let panels = format!("Panels of {}", words::millimetres_limit(thickness));
-        if !self.no_least_joint.is_empty() {
-            return format!("{panels} need a joint that is not known: {}.", self.no_least_joint);
-        }
-        let joint =
-            |least: f64| format!("a joint on the sheet of at least {}", words::millimetres(least));
-        match self.least_joint_mm {
-            [None, None] => format!("{panels} need no joint."),
-            [Some(outside), None] => {
-                format!("{panels} need {} outside the surface, and none inside.", joint(outside))
+        let of_side = |k: usize| match (self.no_least_joint[k], self.least_joint_mm[k]) {
+            ("", Some(least)) => {
+                format!("a joint on the sheet of at least {}", words::millimetres(least))
             }
-            [None, Some(inside)] => {
-                format!("{panels} need no joint outside the surface, and {} inside.", joint(inside))
+            ("", None) => "no joint".to_owned(),
+            (why, _) => format!("a joint that is not known ({why})"),
+        };
+        match [of_side(0), of_side(1)] {
+            [outside, inside] if outside == inside => format!("{panels} need {outside}."),
+            [outside, inside] => {
+                format!("{panels} need {outside} outside the surface, and {inside} inside.")
             }
-            [Some(outside), Some(inside)] => format!(
-                "{panels} need {} outside the surface, and {} inside.",
-                joint(outside),
-                words::millimetres(inside)
-            ),
         }
     }
 }

@@ -79,8 +79,9 @@ fn summary(build: &Build) -> String {
     if report.product == Product::Panels {
         row("joint on the sheet", Cell::from(report.joint_mm), "sheet mm");
         // A joint below it lets panels of this thickness meet.
-        for (side, least) in ["outside", "inside"].into_iter().zip(report.least_joint_mm) {
-            let known = report.no_least_joint.is_empty().then(|| least.unwrap_or(0.0));
+        for (side, k) in ["outside", "inside"].into_iter().zip(0..) {
+            let is_known = report.no_least_joint[k].is_empty();
+            let known = is_known.then(|| report.least_joint_mm[k].unwrap_or(0.0));
             row(&format!("least joint, panels {side}"), Cell::from(known), "sheet mm");
         }
     }
