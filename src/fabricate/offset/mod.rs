@@ -40,7 +40,7 @@ mod reason;
 mod system;
 
 pub use check::{BeamCheck, Inexact, NodeCheck, OffsetCheck, check};
-pub use closing::{Closing, closing};
+pub use closing::{Closing, Closings, closings};
 pub(super) use reason::Reason;
 pub(super) use system::across_edge;
 
