@@ -23,7 +23,7 @@ const ERROR_DIGITS: usize = 2;
 pub struct CheckWords {
     /// Its value.
     pub value: String,
-    /// Its limit.
+    /// Its limit; empty if it is not known either.
     pub limit: String,
     /// Whether it is within the limit, and how many elements are not.
     pub state: String,
@@ -88,7 +88,9 @@ impl CheckRow {
                     let sign = if measured < 0.0 { "≥" } else { "≤" };
                     format!("{sign} {}", self.value_in_words(measured))
                 }
-                other => other.map_or("no limit".to_owned(), limit),
+                Some(other) => limit(other),
+                None if self.value.is_some() => "no limit".to_owned(),
+                None => String::new(),
             },
             state,
         }

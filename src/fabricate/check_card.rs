@@ -16,7 +16,8 @@ pub struct CheckRow {
     pub label: &'static str,
     /// Its value; none if it does not apply.
     pub value: Option<f64>,
-    /// The largest permitted value; none for the offset distance if it has no limit on this side.
+    /// The largest permitted value; none for the offset distance if it has no limit on this side, or
+    /// there is no offset.
     pub limit: Option<f64>,
     /// `mm` or `deg`.
     pub unit: &'static str,

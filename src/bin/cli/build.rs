@@ -153,6 +153,7 @@ fn advice_line(Advice { words, choices }: &Advice) -> String {
 }
 
 fn check_line((row, CheckWords { value, limit, state }): (&CheckRow, &CheckWords)) -> String {
+    let limit = if limit.is_empty() { String::new() } else { format!(" ({limit})") };
     let state = if state.is_empty() { String::new() } else { format!(": {state}") };
-    format!("{:<15} {value} ({limit}){state}", row.label)
+    format!("{:<15} {value}{limit}{state}", row.label)
 }
