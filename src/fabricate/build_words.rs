@@ -246,7 +246,7 @@ impl BuildReport {
             counted(
                 without_prism,
                 words::count(without_prism, "beam has", "beams have")
-                    + " no solid: the cuts at its ends leave nothing of it.",
+                    + " no solid: the cuts at both ends leave nothing.",
             ),
             named(bare, format!("No tab between {}.", some(bare))),
             named(unpaired, format!("Not joined along their edges: {}.", some(unpaired))),

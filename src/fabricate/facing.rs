@@ -6,9 +6,9 @@ use crate::math::{Vec3, angle_between};
 use crate::mesh::components;
 
 impl PanelSurface {
-    /// Whether all panels are to be flipped, since all parts are closed and then none faces inwards; none
-    /// if the panels of no closed part do. They do where it encloses a negative volume, and its box does
-    /// not lie in that of a larger closed part, whose hollow it would be.
+    /// Whether all panels are to be flipped, since all parts are closed and then none faces inwards. None
+    /// if no closed part faces inwards. A part faces inwards if it encloses a negative volume, and its box
+    /// does not lie in that of a larger closed part, whose hollow it would be.
     pub fn inside_out(&self) -> Option<bool> {
         if self.one_sided.is_some() {
             return None;

@@ -16,7 +16,7 @@ pub const PARTS: &str = "parts";
 pub struct BuildFile {
     /// Its name; those of single parts begin with the folder [`PARTS`] and a slash.
     pub name: String,
-    /// Its content: ASCII, except for the names of units and materials in tables.
+    /// Its content: ASCII, except for the names of materials in tables.
     pub text: String,
 }
 
