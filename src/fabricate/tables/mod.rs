@@ -5,6 +5,7 @@
 mod beams;
 mod panels;
 mod paper;
+mod place;
 mod reading;
 mod shape;
 mod splices;
