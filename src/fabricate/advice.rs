@@ -1,8 +1,7 @@
 //! Advice: other values of settings with which parts can be cut and joined.
 
 use super::build::Build;
-use super::cutting::distinct_corners;
-use super::panel::smallest_box_within;
+use super::panel::{distinct_corners, smallest_box_within};
 use super::paper::PaperModel;
 use super::report::BuildReport;
 use crate::math::plane::{Point2, rotated};

@@ -5,8 +5,8 @@ use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, Splice};
 use super::fault::Fault;
 use super::panel::{
-    PieceSide, SplicePlate, Spliced, check_size, corners, inset, is_simple, smallest_box,
-    smallest_box_within, spliced,
+    PieceSide, SplicePlate, Spliced, check_size, corners, distinct_corners, inset, is_simple,
+    smallest_box, smallest_box_within, spliced,
 };
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
 use super::sheet::{
@@ -25,12 +25,6 @@ fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
     } else {
         "it is too small for the joint"
     }
-}
-
-/// An outline without the corners that coincide with the next one.
-pub(super) fn distinct_corners(outline: &[Point2]) -> Vec<Point2> {
-    let next = outline.iter().cycle().skip(1);
-    outline.iter().zip(next).filter(|(own, next)| own != next).map(|(own, _)| *own).collect()
 }
 
 impl Build {

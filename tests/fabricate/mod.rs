@@ -26,9 +26,11 @@ mod space;
 mod words;
 mod workshop;
 
-use shape_up::fabricate::{Build, Stand};
+use shape_up::fabricate::offset::axes_of;
+use shape_up::fabricate::{Build, PanelSurface, Stand};
+use shape_up::math::Vec3;
 use shape_up::mesh::Mesh;
-use shape_up::scene::BuildSettings;
+use shape_up::scene::{BuildSettings, OffsetKind};
 use shape_up::words::{LengthUnit, UNITS};
 
 /// Whether no file has a number that is none. The pages of a PDF are compressed.
@@ -54,6 +56,18 @@ pub(crate) fn metres() -> LengthUnit {
 /// A build of a mesh in metres.
 pub(crate) fn build(mesh: &Mesh, settings: &BuildSettings) -> Build {
     Build::new(mesh, settings, metres(), &Stand::default()).expect("it can be built")
+}
+
+/// The least-squares axes: no tolerance lets the exact ones pass.
+pub(crate) fn fit(surface: &PanelSurface, kind: OffsetKind, mu: f64) -> Vec<Vec3<f64>> {
+    axes_of(surface, &[kind], mu, 1.0, -1.0).remove(0).axes
+}
+
+/// The axes of the exact pass.
+pub(crate) fn exact(surface: &PanelSurface, kind: OffsetKind) -> Vec<Vec3<f64>> {
+    let found = axes_of(surface, &[kind], 1.0, 1.0, f64::INFINITY).remove(0);
+    assert_eq!(found.inexact, None, "{kind:?}");
+    found.axes
 }
 
 /// Length of a vector in the plane.
