@@ -38,14 +38,24 @@ pub(crate) fn without_nan(made: &Build) -> bool {
     let is_without = |text: &[u8]| !text.windows(3).any(|word| word == b"NaN");
     made.files(true).iter().all(|file| {
         if !file.name.ends_with(".pdf") {
-            return is_without(file.text.as_bytes());
+            return is_without(&file.bytes);
         }
-        let document = lopdf::Document::load_mem(file.text.as_bytes()).expect("it is PDF");
+        let document = lopdf::Document::load_mem(&file.bytes).expect("it is PDF");
         document.get_pages().values().all(|page| {
             let content = document.get_page_content(*page);
             is_without(&content)
         })
     })
+}
+
+/// The content of the file of this name.
+pub(crate) fn bytes_of(made: &Build, name: &str) -> Vec<u8> {
+    made.files(true).into_iter().find(|file| file.name == name).expect("it is there").bytes
+}
+
+/// The text of the file of this name.
+pub(crate) fn text_of(made: &Build, name: &str) -> String {
+    String::from_utf8(bytes_of(made, name)).expect("it is text")
 }
 
 /// The unit of a mesh in metres.
