@@ -1,10 +1,10 @@
 //! Advice: other values of settings with which parts can be cut and joined.
 
-use super::beam::Frame;
 use super::build::Build;
-use super::cutting::distinct_corners;
-use super::panel::{inset, smallest_box_within};
+use super::panel::{distinct_corners, smallest_box_within};
+use super::paper::PaperModel;
 use super::report::BuildReport;
+use crate::math::plane::{Point2, rotated};
 use crate::scene::{BuildSettings, Product};
 use crate::words;
 use serde::Serialize;
@@ -78,9 +78,10 @@ impl Build {
             .filter(|&&panel| self.types.of[panel as usize].is_none_or(|kind| tried.insert(kind)));
         // Reliefs are cut into its pieces, not into the whole panel.
         let can_be_spliced = |&panel: &u32| {
-            let whole = self.cut[panel as usize].as_ref().map(|cut| &cut.whole);
-            let outline = whole.and_then(|whole| inset(whole, self.panel_inset()))?;
-            self.spliced(&distinct_corners(&outline), width)
+            let turn = self.cut[panel as usize].as_ref()?.turn;
+            let [_, outline] = self.outline(panel as usize, &self.settings).ok()?;
+            let turned: Vec<Point2> = outline.iter().map(|&corner| rotated(corner, turn)).collect();
+            self.spliced(&distinct_corners(&turned), width)
         };
         large.all(|panel| can_be_spliced(panel).is_some()).then(|| Advice {
             words: "Panels that are larger than the sheet can be cut into pieces with plates behind their seams."
@@ -94,7 +95,8 @@ impl Build {
     }
 
     /// The joints that keep panels of this thickness apart outside and inside the surface, if each of
-    /// the sides that need one needs a wider one than there is.
+    /// the sides that need one needs a wider one than there is: those that leave something of every
+    /// panel of which there is a part now.
     fn advice_on_joint(&self, report: &BuildReport) -> Option<Advice> {
         let words = report.joint(self.settings.thickness);
         let needed = || report.least_joint_mm.into_iter().flatten();
@@ -102,12 +104,15 @@ impl Build {
         if words.is_empty() || needed().any(|least| least - report.joint_mm < STEP) {
             return None;
         }
+        let BuildSettings { scale, joint, .. } = self.settings;
+        let made = self.made(scale, joint);
         let mut choices: Vec<AdvisedValue> = Vec::new();
         for least in needed() {
             let joint = (least / STEP - 1e-9).ceil() * STEP;
             let value = words::rounded(joint / self.mm_of_sheet(), 6);
             let label = format!("Joint {}", self.as_entered(value));
-            if choices.iter().all(|other| other.label != label) {
+            let is_new = choices.iter().all(|other| other.label != label);
+            if is_new && self.made(scale, value) >= made {
                 choices.push(AdvisedValue { label, setting: "joint", value });
             }
         }
@@ -125,35 +130,28 @@ impl Build {
 
     /// The scale at which parts fit on a sheet, or are large enough for hands.
     fn advice_on_scale(&self, report: &BuildReport) -> Option<Advice> {
-        let now = self.settings.scale;
+        let BuildSettings { scale: now, joint, .. } = self.settings;
         let mean_edge = report.card.mean_edge_mm;
-        if !report.too_large.is_empty() {
-            // A disc is as large at every scale.
-            let is_disc = |&k: &usize| self.disc_of(k).is_some();
-            if self.layout.too_large.iter().any(is_disc) {
-                return None;
-            }
-            let fits = *SCALES.iter().find(|&&scale| scale >= now * self.beyond_the_sheet())?;
-            // Plates are as thick at every scale, and cut short fins away in a smaller model.
-            let lost = |frame: &Frame| frame.lost();
-            if self.frame_at(fits).as_ref().map(lost) > self.frame.as_ref().map(lost) {
+        let is_too_large = !report.too_large.is_empty();
+        if !is_too_large && (mean_edge / now >= SMALL || report.parts < 2) {
+            return None;
+        }
+        // A disc is as large at every scale.
+        if self.layout.too_large.iter().any(|&part| self.disc_of(part).is_some()) {
+            return None;
+        }
+        if is_too_large {
+            let fits = *SCALES.iter().find(|&&scale| scale > now && self.fits_at(scale))?;
+            if self.made(fits, joint) < self.made(now, joint) {
                 return None;
             }
             let words = format!("At a scale of 1:{fits} every part fits on a sheet.");
             return Some(Advice { words, choices: vec![AdvisedValue::scale(fits)] });
         }
-        if mean_edge / now >= SMALL || report.parts < 2 {
-            return None;
-        }
         let handy = SCALES.iter().rev().find(|&&scale| mean_edge / scale >= HANDY);
         let handy = *handy.unwrap_or(&SCALES[0]);
-        // Pieces of paper are made for the sheet.
-        let least = match self.settings.product {
-            Product::Paper => 0.0,
-            Product::Panels | Product::Fins => now * self.beyond_the_sheet(),
-        };
-        let fits = SCALES.iter().find(|&&scale| scale >= handy.max(least));
-        let scale = *fits.filter(|&&scale| scale < now)?;
+        let mut larger = SCALES.into_iter().take_while(|&scale| scale < now);
+        let scale = larger.find(|&scale| scale >= handy && self.fits_at(scale))?;
         let words = format!(
             "On the sheet, edges are {} long on average.",
             words::millimetres(mean_edge / now)
@@ -161,20 +159,33 @@ impl Build {
         Some(Advice { words, choices: vec![AdvisedValue::scale(scale)] })
     }
 
-    /// How many times as large as the room on a sheet the largest part is that gets smaller with the
-    /// scale. The kerf does not.
-    fn beyond_the_sheet(&self) -> f64 {
-        let kerf = match self.settings.product {
-            Product::Paper => 0.0,
-            Product::Panels | Product::Fins => self.settings.kerf,
-        };
+    /// The number of panels, or of fins and node discs, of which there are parts at this scale and with
+    /// this joint. Neither a joint nor, in general, a scale takes away what is made of paper: 0.
+    fn made(&self, scale: f64, joint: f64) -> usize {
+        let settings = &BuildSettings { scale, joint, ..self.settings.clone() };
+        match settings.product {
+            Product::Panels => {
+                let panels = 0..self.flat.len();
+                panels.filter(|&f| self.outline(f, settings).is_ok()).count()
+            }
+            Product::Fins => self.frame_at(scale).map_or(0, |frame| frame.made()),
+            Product::Paper => 0,
+        }
+    }
+
+    /// Whether every part has room on a sheet at this scale, except for discs, which are as large at
+    /// every scale, as the kerf is. Pieces of paper are made for the sheet, of facets.
+    fn fits_at(&self, scale: f64) -> bool {
+        let BuildSettings { product, kerf, scale: now, .. } = self.settings;
+        if product == Product::Paper {
+            return PaperModel::has_room(&self.surface, &self.flat, self.paper_size(scale));
+        }
         let most = self.room();
-        let parts = self.parts.iter().enumerate().filter(|(k, _)| self.disc_of(*k).is_none());
-        let beyond = parts.map(|(_, part)| {
+        let mut parts = self.parts.iter().enumerate().filter(|(k, _)| self.disc_of(*k).is_none());
+        parts.all(|(_, part)| {
             let (_, size) = smallest_box_within(&part.outline, most);
-            [0, 1].map(|k| (size[k] - kerf) / (most[k] - kerf)).into_iter().fold(0.0, f64::max)
-        });
-        beyond.fold(0.0, f64::max)
+            (0..2).all(|k| (size[k] - kerf) * now / scale <= most[k] - kerf)
+        })
     }
 }
 
@@ -182,27 +193,45 @@ impl Build {
 mod tests {
     use super::*;
     use crate::fabricate::Stand;
+    use crate::math::cosine_and_sine_of_degrees;
     use crate::mesh::Mesh;
     use crate::words::{LengthUnit, UNITS};
 
-    /// A ridge of two panels with sides of this length, 90 degrees from each other.
-    fn ridge(side: f64) -> Mesh {
-        let at = |x: f64, y: f64, z: f64| [x * side, y * side, z * side];
+    /// A ridge of two panels with sides of this length, each of which goes down by this angle.
+    fn ridge(side: f64, degrees: f64) -> Mesh {
+        let [cosine, sine] = cosine_and_sine_of_degrees(degrees);
+        let at = |x: f64, y: f64| [x * side * cosine, y * side, -x.abs() * side * sine];
         let positions = vec![
-            at(0.0, 0.0, 1.0),
-            at(0.0, 1.0, 1.0),
-            at(1.0, 0.0, 0.0),
-            at(1.0, 1.0, 0.0),
-            at(-1.0, 0.0, 0.0),
-            at(-1.0, 1.0, 0.0),
+            at(0.0, 0.0),
+            at(0.0, 1.0),
+            at(1.0, 0.0),
+            at(1.0, 1.0),
+            at(-1.0, 0.0),
+            at(-1.0, 1.0),
         ];
         let faces = [[0, 2, 3, 1], [4, 0, 1, 5]].into_iter().collect();
         Mesh { positions, faces, ..Mesh::default() }
     }
 
-    fn advice(side: f64, settings: &BuildSettings) -> Vec<Advice> {
-        let unit = UNITS[0];
-        let build = Build::new(&ridge(side), settings, unit, &Stand::default()).expect("panels");
+    /// A floor of 12 by 8 with sides of 0.4, and a quad by itself.
+    fn floor() -> Mesh {
+        let along = |from: [f64; 2], step: [f64; 2], count: u32| {
+            (0..count).map(move |k| [0, 1].map(|axis| from[axis] + f64::from(k) * step[axis]))
+        };
+        let rim = along([0.0, 0.0], [0.4, 0.0], 30)
+            .chain(along([12.0, 0.0], [0.0, 0.4], 20))
+            .chain(along([12.0, 8.0], [-0.4, 0.0], 30))
+            .chain(along([0.0, 8.0], [0.0, -0.4], 20));
+        let quad = [[0.0, -1.0], [0.4, -1.0], [0.4, -0.6], [0.0, -0.6]];
+        let positions: Vec<_> = rim.chain(quad).map(|[x, y]| [x, y, 0.0]).collect();
+        let mut mesh = Mesh { positions, ..Mesh::default() };
+        mesh.faces.push(&(0..100).collect::<Vec<u32>>());
+        mesh.faces.push(&[100, 101, 102, 103]);
+        mesh
+    }
+
+    fn advice(mesh: &Mesh, settings: &BuildSettings) -> Vec<Advice> {
+        let build = Build::new(mesh, settings, UNITS[0], &Stand::default()).expect("panels");
         let report = build.report();
         build.words(&report).advice
     }
@@ -216,17 +245,46 @@ mod tests {
 
     #[test]
     fn advice_that_is_followed_is_not_given_again() {
-        let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
-        // Far too large, right, and far too small for a sheet at 1:50.
-        for side in [50.0, 5.0, 0.1, 0.004] {
-            let mut own = settings.clone();
-            let mut given = 0;
-            while let Some(first) = advice(side, &own).first().cloned() {
-                follow(&mut own, first.choices.first().expect("a choice"));
-                given += 1;
-                assert!(given <= 2, "{side}: {first:?}");
+        // Far too large, right, and far too small for a sheet at 1:50; and large with short edges.
+        let ridges = [50.0, 5.0, 0.1, 0.004].map(|side| ridge(side, 45.0));
+        for product in Product::ALL {
+            let settings = BuildSettings { product, thickness: 3.0, ..BuildSettings::default() };
+            for (k, mesh) in ridges.iter().chain([&floor()]).enumerate() {
+                let mut own = settings.clone();
+                let mut given = 0;
+                while let Some(first) = advice(mesh, &own).first().cloned() {
+                    follow(&mut own, first.choices.first().expect("a choice"));
+                    given += 1;
+                    assert!(given <= 2, "{product:?} {k}: {first:?}");
+                }
+                let meet = product == Product::Panels && k < ridges.len();
+                assert!(given > 0 || !meet, "{k}: panels of 3 mm meet inside");
             }
-            assert!(given > 0, "{side}: panels of 3 mm meet inside");
+        }
+    }
+
+    #[test]
+    fn no_scale_is_advised_at_which_a_face_of_paper_is_larger_than_the_sheet() {
+        let at = |scale: f64| {
+            let (product, sheet) = (Product::Paper, [420.0, 297.0]);
+            let own = BuildSettings { product, sheet, scale, ..BuildSettings::default() };
+            let given = advice(&floor(), &own);
+            given.iter().flat_map(|own| &own.choices).map(|own| own.value).collect::<Vec<_>>()
+        };
+        assert_eq!([at(25.0), at(50.0), at(200.0)], [vec![50.0], vec![], vec![50.0]]);
+    }
+
+    #[test]
+    fn no_joint_is_advised_that_leaves_nothing_of_panels() {
+        let own = BuildSettings { thickness: 4.0, ..BuildSettings::default() };
+        // 20 mm wide on the sheet; at a fold of 140 degrees the joint would be 22 mm.
+        for (side, offers) in [(1.0, 0), (2.0, 1)] {
+            let (mesh, stand) = (ridge(side, 70.0), Stand::default());
+            let build = Build::new(&mesh, &own, UNITS[0], &stand).expect("panels");
+            let words = build.words(&build.report());
+            assert_eq!(words.advice.len(), offers, "{words:?}");
+            let said = words.advice.first().map_or(&words.joint, |advice| &advice.words);
+            assert!(said.contains("joint on the sheet of at least 22.0 mm"), "{said}");
         }
     }
 
@@ -235,7 +293,8 @@ mod tests {
         let unit = UNITS[0];
         let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
         let advised = |own: &BuildSettings| {
-            let build = Build::new(&ridge(5.0), own, unit, &Stand::default()).expect("panels");
+            let build =
+                Build::new(&ridge(5.0, 45.0), own, unit, &Stand::default()).expect("panels");
             let report = BuildReport { least_joint_mm: [Some(1.0), Some(2.0)], ..build.report() };
             build.advice_on_joint(&report).map_or(Vec::new(), |advice| advice.choices)
         };
@@ -258,8 +317,8 @@ mod tests {
         ] {
             let unit = LengthUnit::of(unit).expect("it is known");
             let settings = BuildSettings { scale, ..BuildSettings::default() };
-            let build = Build::new(&ridge(scale / unit.metres), &settings, unit, &Stand::default())
-                .expect("panels");
+            let mesh = ridge(scale / unit.metres, 45.0);
+            let build = Build::new(&mesh, &settings, unit, &Stand::default()).expect("panels");
             let report = BuildReport { least_joint_mm: [None, Some(2.95)], ..build.report() };
             let choices = build.advice_on_joint(&report).map_or(Vec::new(), |own| own.choices);
             assert_eq!(choices.iter().map(|own| &*own.label).collect::<Vec<_>>(), [label]);

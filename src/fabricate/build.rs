@@ -148,8 +148,8 @@ pub(super) fn all_flat(surface: &PanelSurface) -> Vec<Option<FlatPanel>> {
     (0..surface.faces.len() as u32).map(|f| lay_flat(surface, f)).collect()
 }
 
-/// The unit with this symbol; metres for an empty one, of a file that has no unit. A wrong one makes
-/// every part wrong.
+/// The unit with this symbol; metres for an empty one, of a file that has no unit. An unknown
+/// one is refused: parts would have a wrong size.
 ///
 /// # Errors
 /// If it is none of [`UNITS`].
@@ -232,7 +232,7 @@ impl Build {
         self.layout.sheets.len() as u64 * Tiling::of(sheet, page.size()).count()
     }
 
-    /// The page size of the PDF: that which was asked for, unless they are too many.
+    /// The page size of the PDF: that which was asked for, unless that makes too many pages.
     pub(super) fn printed_page(&self) -> Page {
         if self.pages() > MOST_PAGES_OF_ALL { Page::Sheet } else { self.settings.page }
     }
@@ -385,12 +385,10 @@ impl Build {
     /// The title of a sheet, with the units of the model and of the sheet.
     fn title(&self, number: usize, count: usize) -> String {
         let scale = places(self.settings.scale, 6);
-        // Only characters that every program can read.
-        let plain = |text: &str| {
-            text.chars().filter(|c| c.is_ascii_graphic() || *c == ' ').collect::<String>()
-        };
         let [width, height] = self.settings.sheet.map(|size| places(size, 3));
-        let material = plain(&self.settings.material);
+        // Only characters that every program can read.
+        let is_plain = |c: &char| c.is_ascii_graphic() || *c == ' ';
+        let material: String = self.settings.material.chars().filter(is_plain).collect();
         let thickness = match self.settings.thickness > 0.0 {
             true => format!("{} MM ", places(self.settings.thickness, 3)),
             false => String::new(),
@@ -399,7 +397,7 @@ impl Build {
         let material = if material.is_empty() { material } else { format!(", {material}") };
         format!(
             "SHEET {number}/{count}, SCALE 1:{scale}, MODEL IN {}, SHEET {width} X {height} MM{material}",
-            plain(self.unit.symbol).to_ascii_uppercase()
+            self.unit.symbol.to_ascii_uppercase()
         )
     }
 }

@@ -23,7 +23,7 @@ const ERROR_DIGITS: usize = 2;
 pub struct CheckWords {
     /// Its value.
     pub value: String,
-    /// Its limit.
+    /// Its limit; empty if it is not known either.
     pub limit: String,
     /// Whether it is within the limit, and how many elements are not.
     pub state: String,
@@ -88,7 +88,9 @@ impl CheckRow {
                     let sign = if measured < 0.0 { "≥" } else { "≤" };
                     format!("{sign} {}", self.value_in_words(measured))
                 }
-                other => other.map_or("no limit".to_owned(), limit),
+                Some(other) => limit(other),
+                None if self.value.is_some() => "no limit".to_owned(),
+                None => String::new(),
             },
             state,
         }
@@ -244,7 +246,7 @@ impl BuildReport {
             counted(
                 without_prism,
                 words::count(without_prism, "beam has", "beams have")
-                    + " no solid: the cuts at its ends leave nothing of it.",
+                    + " no solid: the cuts at both ends leave nothing.",
             ),
             named(bare, format!("No tab between {}.", some(bare))),
             named(unpaired, format!("Not joined along their edges: {}.", some(unpaired))),
@@ -283,24 +285,18 @@ impl BuildReport {
             return String::new();
         }
         let panels = format!("Panels of {}", words::millimetres_limit(thickness));
-        if !self.no_least_joint.is_empty() {
-            return format!("{panels} need a joint that is not known: {}.", self.no_least_joint);
-        }
-        let joint =
-            |least: f64| format!("a joint on the sheet of at least {}", words::millimetres(least));
-        match self.least_joint_mm {
-            [None, None] => format!("{panels} need no joint."),
-            [Some(outside), None] => {
-                format!("{panels} need {} outside the surface, and none inside.", joint(outside))
+        let of_side = |k: usize| match (self.no_least_joint[k], self.least_joint_mm[k]) {
+            ("", Some(least)) => {
+                format!("a joint on the sheet of at least {}", words::millimetres(least))
             }
-            [None, Some(inside)] => {
-                format!("{panels} need no joint outside the surface, and {} inside.", joint(inside))
+            ("", None) => "no joint".to_owned(),
+            (why, _) => format!("a joint that is not known ({why})"),
+        };
+        match [of_side(0), of_side(1)] {
+            [outside, inside] if outside == inside => format!("{panels} need {outside}."),
+            [outside, inside] => {
+                format!("{panels} need {outside} outside the surface, and {inside} inside.")
             }
-            [Some(outside), Some(inside)] => format!(
-                "{panels} need {} outside the surface, and {} inside.",
-                joint(outside),
-                words::millimetres(inside)
-            ),
         }
     }
 }

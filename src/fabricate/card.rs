@@ -3,7 +3,7 @@
 use super::build::Build;
 use super::check_card::CheckRow;
 use super::fault::Fault;
-use super::offset::{Closing, Reason, closing};
+use super::offset::{Closings, Reason, closings};
 use super::tighten::Tighten;
 use crate::scene::OffsetKind;
 use serde::Serialize;
@@ -66,24 +66,25 @@ impl Build {
     /// The card, without the parts of the report that take longer.
     pub fn card(&self) -> BuildCard {
         let check = self.check_rows();
-        let closing = closing(&self.surface);
-        let inexact = self.inexact(&closing);
+        let closings = closings(&self.surface);
+        let inexact = self.inexact(&closings);
         BuildCard {
             mean_edge_mm: self.surface.mean_edge() * self.mm_of_building(),
-            tighten: self.tighten(&check, &closing, inexact),
-            offset: self.offset_report(closing, inexact),
+            tighten: self.tighten(&check, &closings, inexact),
+            offset: self.offset_report(&closings, inexact),
             check,
             problems: self.faults.iter().map(Fault::sentence).collect(),
         }
     }
 
-    fn offset_report(&self, closing: Closing, inexact: Option<Reason>) -> Option<OffsetReport> {
+    fn offset_report(&self, closings: &Closings, inexact: Option<Reason>) -> Option<OffsetReport> {
         let (axes, check) = self.offset.as_ref()?;
         let building = self.mm_of_building();
+        let parts = || closings.parts.iter();
         Some(OffsetReport {
             kind: axes.kind,
             exact: inexact.is_none(),
-            why_not: inexact.map_or_else(String::new, |reason| reason.words(&self.names)),
+            why_not: inexact.map_or_else(String::new, |reason| self.in_words(reason)),
             distance_mm: self.distance() * building,
             warp_mm: check.warp * building,
             twist_deg: check.twist_deg,
@@ -93,18 +94,23 @@ impl Build {
             offset_flatness_mm: check.offset_flatness * building,
             safe_distance_mm: check.safe_distance.map(|limit| limit.map(|limit| limit * building)),
             beam_height_mm: check.edge_distance.map(|height| height * building),
-            closing_panel_deg: closing.panel_deg,
-            odd_panels: closing.odd_panels,
-            closing_rims_deg: closing.rims_deg,
+            closing_panel_deg: parts().map(|own| own.panel_deg).fold(0.0, f64::max),
+            odd_panels: parts().map(|own| own.odd_panels).sum(),
+            closing_rims_deg: parts().flat_map(|own| own.rims_deg.iter().copied()).collect(),
         })
     }
 
     /// Why the axes of the offset are not exact; none if they are, or there is no offset.
-    fn inexact(&self, closing: &Closing) -> Option<Reason> {
+    fn inexact(&self, closings: &Closings) -> Option<Reason> {
         /// Panels are flat within this fraction of the tolerance of exact offsets.
         const FLAT: f64 = 0.01;
         let most = FLAT * self.exact_tolerance();
         let are_flat = self.flat.iter().flatten().all(|flat| flat.flatness <= most);
-        self.offset.as_ref()?.0.reason(closing, are_flat)
+        self.offset.as_ref()?.0.reason(closings, are_flat)
+    }
+
+    /// Why axes are not exact, as a clause.
+    pub(super) fn in_words(&self, reason: Reason) -> String {
+        reason.words(&self.names, self.exact_tolerance() * self.mm_of_building())
     }
 }

@@ -2,6 +2,7 @@
 //! elements that exceed a limit. Lengths are in mm of the building.
 
 use super::build::{Build, is_within};
+use super::numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
 use super::offset::{BeamCheck, NodeCheck};
 use super::surface::distinct;
 use serde::Serialize;
@@ -16,7 +17,8 @@ pub struct CheckRow {
     pub label: &'static str,
     /// Its value; none if it does not apply.
     pub value: Option<f64>,
-    /// The largest permitted value; none for the offset distance if it has no limit on this side.
+    /// The largest permitted value; none for the offset distance if it has no limit on this side, or
+    /// there is no offset.
     pub limit: Option<f64>,
     /// `mm` or `deg`.
     pub unit: &'static str,
@@ -98,12 +100,16 @@ impl Build {
     /// The five rows of the build check.
     pub(super) fn check_rows(&self) -> Vec<CheckRow> {
         let beam = |e: u32| Worst::Edge(self.surface.edges[e as usize].ends);
+        let [warp, error, lean, flatness, ..] =
+            BUILD_NUMBERS.map(|BuildNumber { id, label, unit, .. }| {
+                (id, label, if unit == NumberUnit::Degrees { "deg" } else { "mm" })
+            });
         vec![
-            self.warp().row(("beam_warp", "Beam warp", "mm"), beam),
-            self.distance_error().row(("distance_error", "Offset error", "mm"), Worst::Vertex),
-            self.lean().row(("lean", "Axis lean", "deg"), Worst::Vertex),
+            self.warp().row(warp, beam),
+            self.distance_error().row(error, Worst::Vertex),
+            self.lean().row(lean, Worst::Vertex),
             self.safe_distance_row(beam),
-            self.flatness().row(("panel_flatness", "Panel flatness", "mm"), Worst::Panel),
+            self.flatness().row(flatness, Worst::Panel),
         ]
     }
 

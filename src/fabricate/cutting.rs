@@ -5,8 +5,8 @@ use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, Splice};
 use super::fault::Fault;
 use super::panel::{
-    PieceSide, SplicePlate, Spliced, check_size, corners, inset, is_simple, smallest_box,
-    smallest_box_within, spliced,
+    PieceSide, SplicePlate, Spliced, check_size, corners, distinct_corners, inset, is_simple,
+    smallest_box, smallest_box_within, spliced,
 };
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
 use super::sheet::{
@@ -25,12 +25,6 @@ fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
     } else {
         "it is too small for the joint"
     }
-}
-
-/// An outline without the corners that coincide with the next one.
-pub(super) fn distinct_corners(outline: &[Point2]) -> Vec<Point2> {
-    let next = outline.iter().cycle().skip(1);
-    outline.iter().zip(next).filter(|(own, next)| own != next).map(|(own, _)| *own).collect()
 }
 
 impl Build {
@@ -62,13 +56,18 @@ impl Build {
         }
     }
 
-    /// How far the sides of a panel are moved inwards for its outline, in mm.
-    pub(super) fn panel_inset(&self) -> f64 {
-        0.5 * (self.settings.joint * self.mm_of_sheet() - self.settings.kerf)
-    }
-
-    fn cut_panel(&mut self, f: usize) -> Result<CutPanel, &'static str> {
-        let (model, by) = (self.mm_of_sheet(), self.panel_inset());
+    /// A panel in mm of the sheet, and its outline: with the joint subtracted and the kerf added, at the
+    /// scale of these settings.
+    ///
+    /// # Errors
+    /// Why it cannot be cut, in words.
+    pub(super) fn outline(
+        &self,
+        f: usize,
+        settings: &BuildSettings,
+    ) -> Result<[Vec<Point2>; 2], &'static str> {
+        let model = self.mm_of_building() / settings.scale;
+        let by = 0.5 * (settings.joint * model - settings.kerf);
         let flat = self.flat[f].as_ref().ok_or("it has no area")?;
         let scaled: Vec<Point2> =
             flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
@@ -78,6 +77,11 @@ impl Build {
         }
         let outline = inset(&scaled, by).ok_or_else(|| why_no_outline(&scaled, by))?;
         check_size(&outline)?;
+        Ok([scaled, outline])
+    }
+
+    fn cut_panel(&mut self, f: usize) -> Result<CutPanel, &'static str> {
+        let [scaled, outline] = self.outline(f, &self.settings)?;
         let (turn, size) = smallest_box(&outline);
         let turned =
             |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
@@ -241,13 +245,18 @@ impl Build {
         self.frame = Some(frame);
     }
 
-    /// Cuts the pieces of a paper model; `write_names` finds neighbours, which depend on the tabs.
-    fn cut_paper(&mut self) {
-        let BuildSettings { sheet, margin, pieces, print_inside, fold, thickness, .. } =
-            self.settings;
+    /// The sizes of a paper model at this scale.
+    pub(super) fn paper_size(&self, scale: f64) -> PaperSize {
+        let BuildSettings { sheet, margin, fold, thickness, .. } = self.settings;
         let room = sheet.map(|side| side - 2.0 * margin);
         let card = Card { fold, thickness };
-        let size = PaperSize { model: self.mm_of_sheet(), room, tab: self.tab(), card };
+        PaperSize { model: self.mm_of_building() / scale, room, tab: self.tab(), card }
+    }
+
+    /// Cuts the pieces of a paper model; `write_names` finds neighbours, which depend on the tabs.
+    fn cut_paper(&mut self) {
+        let BuildSettings { pieces, print_inside, scale, .. } = self.settings;
+        let size = self.paper_size(scale);
         let model = PaperModel::new(&self.surface, &self.flat, pieces, size);
         self.parts = (0..model.pieces.len()).map(|k| drawn(&model, k, print_inside)).collect();
         for &(panel, why) in &model.without {

@@ -6,9 +6,9 @@ use crate::math::{Vec3, angle_between};
 use crate::mesh::components;
 
 impl PanelSurface {
-    /// Whether all panels are to be flipped, since all parts are closed and then none faces inwards; none
-    /// if the panels of no closed part do. They do where it encloses a negative volume, and its box does
-    /// not lie in that of a larger closed part, whose hollow it would be.
+    /// Whether all panels are to be flipped, since all parts are closed and then none faces inwards. None
+    /// if no closed part faces inwards. A part faces inwards if it encloses a negative volume, and its box
+    /// does not lie in that of a larger closed part, whose hollow it would be.
     pub fn inside_out(&self) -> Option<bool> {
         if self.one_sided.is_some() {
             return None;
@@ -25,8 +25,9 @@ impl PanelSurface {
         let labels = components(self.faces.len(), self.panels.iter());
         let count = labels.iter().max().map_or(0, |last| *last as usize + 1);
         let mut shells = vec![Shell::default(); count];
-        for ((face, area), label) in self.faces.iter().zip(&self.areas).zip(&labels) {
+        for (((face, area), label), f) in self.faces.iter().zip(&self.areas).zip(&labels).zip(0..) {
             let shell = &mut shells[*label as usize];
+            shell.panel = f;
             let sum = face.iter().fold(Vec3::zero(), |sum, &v| sum + self.at(v));
             shell.volume += sum.dot(*area) / (3 * face.len()) as f64;
             for point in face.iter().map(|&v| <[f64; 3]>::from(self.at(v))) {
@@ -81,6 +82,8 @@ fn any_inwards(shells: &[Shell]) -> bool {
 /// Panels that are connected across edges.
 #[derive(Clone, Debug)]
 pub(super) struct Shell {
+    /// One of its panels.
+    pub(super) panel: u32,
     /// Whether it has no rim.
     pub(super) is_closed: bool,
     /// The volume that it encloses if it is closed; negative if its panels face inwards.
@@ -101,6 +104,6 @@ impl Shell {
 impl Default for Shell {
     fn default() -> Shell {
         let (low, high) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        Shell { is_closed: true, volume: 0.0, low, high }
+        Shell { panel: 0, is_closed: true, volume: 0.0, low, high }
     }
 }

@@ -124,10 +124,10 @@ impl Fault {
     pub(super) fn folded_over(panels: usize, first: &str) -> Fault {
         let what = match panels {
             1 => {
-                format!("panel {first} is folded over: it faces the opposite way to its neighbours")
+                format!("panel {first} is folded over, facing the opposite way to its neighbours")
             }
             many => format!(
-                "{many} panels are folded over (the first is {first}): they face the opposite way to their neighbours"
+                "{many} panels are folded over (the first is {first}), facing the opposite way to their neighbours"
             ),
         };
         Fault(format!(

@@ -31,7 +31,7 @@ pub struct BuildNumber {
     pub unit: NumberUnit,
 }
 
-/// All numbers.
+/// All numbers; the first four are of the build check, in its order.
 pub const BUILD_NUMBERS: [BuildNumber; 6] = [
     BuildNumber {
         id: "beam_warp",

@@ -3,7 +3,7 @@
 use super::build::Build;
 use super::file::{Drawing, dxf, pdf, svg};
 use super::sheet::{CutPart, Place};
-use super::space::{assembled, solids};
+use super::space::{PRESENTATION, assembled, solids};
 use super::tables;
 use crate::mesh::write_obj_with_comments;
 use crate::scene::{BuildSettings, UnitsAndUp, Up};
@@ -16,8 +16,8 @@ pub const PARTS: &str = "parts";
 pub struct BuildFile {
     /// Its name; those of single parts begin with the folder [`PARTS`] and a slash.
     pub name: String,
-    /// Its content: ASCII, except for the names of units and materials in tables.
-    pub text: String,
+    /// Its content. Texts are ASCII, except for the names of materials in tables, which are UTF-8.
+    pub bytes: Vec<u8>,
 }
 
 impl BuildFile {
@@ -33,42 +33,43 @@ impl BuildFile {
         let is_key = name.strip_prefix("key-").and_then(|rest| rest.strip_suffix(".svg"));
         is_sheet
             || is_key.is_some_and(|number| number.parse::<u8>().is_ok())
-            || ["sheets.pdf", "key.pdf", "beams.obj", "plates.obj"].contains(&name)
+            || ["sheets.pdf", "key.pdf", "beams.obj", "plates.obj", PRESENTATION].contains(&name)
             || tables::NAMES.contains(&name)
     }
 }
 
 impl Build {
     /// All files: a drawing of each sheet and, if asked, of each part in two formats, all sheets as PDF,
-    /// the key, the tables, the beams, and with node discs all plates as they are assembled.
-    /// `z_up` is whether z is up in the mesh; else y is.
+    /// the key, the tables, the beams, with node discs all plates as they are assembled, and the shape for
+    /// presentations. `z_up` is whether z is up in the mesh; else y is.
     pub fn files(&self, z_up: bool) -> Vec<BuildFile> {
         let drawings: Vec<Drawing> = self.drawings().into_iter().map(Drawing::cut_once).collect();
-        let mut files = Vec::new();
-        let mut add = |name: String, text: String| files.push(BuildFile { name, text });
-        let single = self.drawings_of_parts();
+        let (single, mut files) = (self.drawings_of_parts(), Vec::new());
+        let mut add =
+            |name: &str, bytes: Vec<u8>| files.push(BuildFile { name: name.into(), bytes });
         for drawing in drawings.iter().chain(&single) {
             let layers = !self.settings.outlines_only;
-            add(format!("{}.svg", drawing.name), svg(drawing));
+            add(&format!("{}.svg", drawing.name), svg(drawing).into());
             let text = dxf(drawing, self.settings.dxf, layers);
-            add(format!("{}.dxf", drawing.name), text);
+            add(&format!("{}.dxf", drawing.name), text.into());
         }
         if !drawings.is_empty() {
-            add("sheets.pdf".to_owned(), pdf(&drawings, self.printed_page().size()));
+            add("sheets.pdf", pdf(&drawings, self.printed_page().size()));
             let key = self.key(z_up);
-            key.iter().for_each(|drawing| add(format!("{}.svg", drawing.name), svg(drawing)));
-            add("key.pdf".to_owned(), pdf(&key, None));
+            key.iter().for_each(|own| add(&format!("{}.svg", own.name), svg(own).into()));
+            add("key.pdf", pdf(&key, None));
         }
         for (name, text) in tables::all(self) {
-            add(name.to_owned(), text);
+            add(name, text.into());
         }
         let meshes = [("beams.obj", solids(self)), ("plates.obj", assembled(self))];
         for (name, mesh) in meshes {
             let Some(mesh) = mesh else { continue };
             let up = if z_up { Up::Z } else { Up::Y };
             let comments = UnitsAndUp::comments(self.unit.symbol, Some(up), &mesh);
-            add(name.to_owned(), write_obj_with_comments(&mesh, &mesh.positions, &comments));
+            add(name, write_obj_with_comments(&mesh, &mesh.positions, &comments).into());
         }
+        add(PRESENTATION, self.presentation(z_up));
         files
     }
 

@@ -5,25 +5,15 @@ use super::beam::{BeamPlane, Disc, Frame};
 use super::build::Build;
 use super::discs::as_one_polygon;
 use super::panel::triangles;
+use super::space::Body;
 use super::surface::{beam_name, node_name};
 use crate::math::Vec3;
 use crate::math::plane::Point2;
 
-/// A plate: the faces over the points, counterclockwise seen from outside.
-#[derive(Clone, Debug)]
-pub(super) struct Solid {
-    /// The name of the part.
-    pub name: String,
-    /// About the centre of the surface, in the unit of the mesh.
-    pub points: Vec<Vec3<f64>>,
-    /// Its two sides as triangles, then its edges.
-    pub faces: Vec<Vec<u32>>,
-}
-
-impl Solid {
-    /// A plate of an outline, of which `put` places a point on the lower side and on the upper. Corners
-    /// that coincide are one point.
-    fn new(name: String, outline: &[Point2], put: impl Fn(Point2) -> [Vec3<f64>; 2]) -> Solid {
+impl Body {
+    /// A plate of an outline, of which `put` places a point on the lower side and on the upper: its two
+    /// sides as triangles, then its edges. Corners that coincide are one point.
+    fn plate(name: String, outline: &[Point2], put: impl Fn(Point2) -> [Vec3<f64>; 2]) -> Body {
         let mut corners: Vec<Point2> = Vec::new();
         let number = |corner: &Point2| {
             corners.iter().position(|own| own == corner).unwrap_or_else(|| {
@@ -48,13 +38,13 @@ impl Solid {
                 faces.push(vec![a, b, n + b, n + a]);
             }
         }
-        Solid { name, points: points.collect(), faces }
+        Body { name, points: points.collect(), faces }
     }
 }
 
 impl Build {
     /// The fins and the discs, as assembled; empty without discs.
-    pub(super) fn plates(&self) -> [Vec<Solid>; 2] {
+    pub(super) fn plates(&self) -> [Vec<Body>; 2] {
         let (Some(frame), Some((axes, _))) = (&self.frame, &self.offset) else {
             return [Vec::new(), Vec::new()];
         };
@@ -71,19 +61,19 @@ impl Build {
                 [point - aside, point + aside]
             };
             let name = beam_name(self.surface.edges[edge as usize].ends);
-            Some(Solid::new(name, &fin.cut, put))
+            Some(Body::plate(name, &fin.cut, put))
         });
         let discs = self.discs.iter().filter_map(|own| self.placed(frame, own.vertex, thickness));
         [fins.collect(), discs.collect()]
     }
 
-    fn placed(&self, frame: &Frame, vertex: u32, thickness: f64) -> Option<Solid> {
+    fn placed(&self, frame: &Frame, vertex: u32, thickness: f64) -> Option<Body> {
         let node = frame.nodes[vertex as usize].as_ref()?;
         let disc: &Disc = frame.discs[vertex as usize].as_ref()?.as_ref().ok()?;
         let other = disc.seat + self.distance().signum() * thickness;
         let heights = [disc.seat.min(other), disc.seat.max(other)];
         let put =
             |point: Point2| heights.map(|height| disc.in_space(&self.surface, node, point, height));
-        Some(Solid::new(node_name(vertex), &as_one_polygon(disc), put))
+        Some(Body::plate(node_name(vertex), &as_one_polygon(disc), put))
     }
 }

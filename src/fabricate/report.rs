@@ -117,8 +117,8 @@ pub struct BuildReport {
     /// The least joint on the sheet that keeps panels of this thickness from colliding, if they are
     /// laid outside and inside of the surface; null if no edge closes, or it is not known.
     pub least_joint_mm: [Option<f64>; 2],
-    /// Why the least joint is not known; empty if it is.
-    pub no_least_joint: &'static str,
+    /// Why the least joint of either side is not known; empty if it is.
+    pub no_least_joint: [&'static str; 2],
     /// Neighbours' names without room on their part.
     pub dropped_names: usize,
     /// Parts whose own name, or of one of whose panels, is lower than 2 mm.
@@ -254,7 +254,7 @@ impl Build {
             cut_length_mm: sum(|part| perimeter(&part.outline)) - self.shared() + around_holes,
             joint_mm: self.settings.joint * self.mm_of_sheet(),
             least_joint_mm: least.map(|least| least.ok().flatten()),
-            no_least_joint: least[0].and(least[1]).err().unwrap_or(""),
+            no_least_joint: least.map(|least| least.err().unwrap_or("")),
             dropped_names: self.dropped_names,
             small_names: self.small_names,
             unnamed: (self.layout.places(self.parts.len()).iter().zip(&self.parts))

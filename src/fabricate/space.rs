@@ -7,9 +7,8 @@ use crate::fabricate::beam::Prism;
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Drawing, GlbLayer, GlbPart, glb};
 use crate::fabricate::panel::triangles_in_space;
-use crate::fabricate::plates::Solid;
 use crate::fabricate::sheet::Role;
-use crate::fabricate::surface::{PanelSurface, beam_name, distinct, node_name};
+use crate::fabricate::surface::{Edge, beam_name, distinct, node_name};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Group, GroupKeyword, Mesh};
 use serde::Serialize;
@@ -33,36 +32,48 @@ pub struct SpatialPart {
     pub closed: bool,
 }
 
-/// The vertices of panels, and the panels over these alone. To other vertices belongs nothing that is
-/// built, and one far away would move what is laid beside the shape.
-fn used(surface: &PanelSurface) -> (Vec<u32>, Vec<Vec<u32>>) {
-    let used = distinct(surface.faces.indices().iter().copied());
-    let mut place = vec![0; surface.positions.len()];
-    used.iter().zip(0..).for_each(|(&v, k)| place[v as usize] = k);
-    let faces = surface.faces.iter();
-    let faces = faces.map(|face| face.iter().map(|&v| place[v as usize]).collect()).collect();
-    (used, faces)
+/// A body, a surface or a polygon in space, about the centre of the shape, in the unit of the mesh.
+#[derive(Clone, Debug)]
+pub(super) struct Body {
+    /// The name of its part; may be empty.
+    pub name: String,
+    /// Its points.
+    pub points: Vec<Vec3<f64>>,
+    /// Its faces over the points, counterclockwise seen from outside.
+    pub faces: Vec<Vec<u32>>,
 }
 
-/// Faces, those with more than four corners or a notch as triangles.
-fn filled(faces: &[Vec<u32>], points: &[Vec3<f64>]) -> Vec<Vec<u32>> {
-    let mut found = Vec::new();
-    for face in faces {
-        let corners: Vec<Vec3<f64>> = face.iter().map(|&v| points[v as usize]).collect();
-        let outside = twice_vector_area(corners.iter().copied());
-        let n = corners.len();
-        let turns_left = |k: usize| {
-            let [a, b, c] = [k, k + 1, k + 2].map(|k| corners[k % n]);
-            (b - a).cross(c - b).dot(outside) >= 0.0
-        };
-        match n <= 4 && (0..n).all(turns_left) {
-            true => found.push(face.clone()),
-            false => found.extend(
-                triangles_in_space(&corners).into_iter().map(|own| own.map(|k| face[k]).into()),
-            ),
-        }
+impl Body {
+    /// A single polygon.
+    fn polygon(name: String, points: Vec<Vec3<f64>>) -> Body {
+        let faces = vec![(0..points.len() as u32).collect()];
+        Body { name, points, faces }
     }
-    found
+
+    /// The corners of each of its faces.
+    fn polygons(&self) -> impl Iterator<Item = Vec<Vec3<f64>>> {
+        self.faces.iter().map(|face| face.iter().map(|&v| self.points[v as usize]).collect())
+    }
+
+    /// Its faces, those with more than four corners or a notch as triangles.
+    fn filled(&self) -> Vec<Vec<u32>> {
+        let mut found = Vec::new();
+        for (face, corners) in self.faces.iter().zip(self.polygons()) {
+            let outside = twice_vector_area(corners.iter().copied());
+            let n = corners.len();
+            let turns_left = |k: usize| {
+                let [a, b, c] = [k, k + 1, k + 2].map(|k| corners[k % n]);
+                (b - a).cross(c - b).dot(outside) >= 0.0
+            };
+            if n <= 4 && (0..n).all(turns_left) {
+                found.push(face.clone());
+                continue;
+            }
+            let triangles = triangles_in_space(&corners).into_iter();
+            found.extend(triangles.map(|own| own.map(|k| face[k]).to_vec()));
+        }
+        found
+    }
 }
 
 /// Distance of sheets from the shape and from each other, as a fraction of their width.
@@ -76,7 +87,7 @@ impl Build {
             let [x, y, z] = (point + surface.centre).into();
             if z_up { [x, y, z] } else { [x, -z, y] }
         };
-        let on = |layer: &str, colour, name: &str, points: &[Vec3<f64>]| SpatialPart {
+        let line = |layer: &str, colour, name: &str, points: &[Vec3<f64>]| SpatialPart {
             layer: layer.to_owned(),
             colour,
             name: name.to_owned(),
@@ -84,37 +95,30 @@ impl Build {
             faces: Vec::new(),
             closed: false,
         };
-        let (used, faces) = used(surface);
-        let below: Vec<Vec3<f64>> = used.iter().map(|&v| surface.at(v)).collect();
+        let solid = |layer: &str, colour, body: &Body| SpatialPart {
+            faces: body.filled(),
+            ..line(layer, colour, &body.name, &body.points)
+        };
         let (grey, violet, brown, blue) =
             ([110, 110, 115], [90, 50, 165], [115, 75, 45], [0, 90, 160]);
-        let mut parts =
-            vec![SpatialPart { faces: filled(&faces, &below), ..on("Surface", grey, "", &below) }];
-        for (face, name) in surface.faces.iter().zip(&self.names) {
-            let corners: Vec<_> = face.iter().map(|&v| surface.at(v)).collect();
-            parts.push(SpatialPart { closed: true, ..on("Panels", grey, name, &corners) });
-        }
-        if let Some((axes, _)) = &self.offset {
-            let moved = |&v: &u32| surface.at(v) + axes.axes[v as usize] * self.distance();
-            let above: Vec<_> = used.iter().map(moved).collect();
-            let own = on("Offset", violet, "", &above);
-            parts.push(SpatialPart { faces: filled(&faces, &above), ..own });
-            for (&v, (&low, &high)) in used.iter().zip(below.iter().zip(&above)) {
-                if low != high {
-                    parts.push(on("Nodes", blue, &node_name(v), &[low, high]));
+        let below = self.moved("", 0.0);
+        let mut parts = vec![solid("Surface", grey, &below)];
+        parts.extend(self.panels().iter().map(|own| SpatialPart {
+            closed: true,
+            ..line("Panels", grey, &own.name, &own.points)
+        }));
+        if self.offset.is_some() {
+            let above = self.moved("", self.distance());
+            parts.push(solid("Offset", violet, &above));
+            for (v, ends) in self.nodes().into_iter().zip(below.points.iter().zip(&above.points)) {
+                if ends.0 != ends.1 {
+                    parts.push(line("Nodes", blue, &node_name(v), &[*ends.0, *ends.1]));
                 }
             }
         }
-        for (name, prism) in self.prisms() {
-            let own = on("Beams", brown, &name, &prism.corners);
-            let faces = filled(&Prism::faces(), &prism.corners);
-            parts.push(SpatialPart { faces, ..own });
-        }
-        for (layer, plates) in ["Fins", "Discs"].into_iter().zip(self.plates()) {
-            parts.extend(plates.into_iter().map(|own| {
-                let placed = on(layer, brown, &own.name, &own.points);
-                SpatialPart { faces: own.faces, ..placed }
-            }));
+        let [fins, discs] = self.plates();
+        for (layer, bodies) in [("Beams", self.prisms()), ("Fins", fins), ("Discs", discs)] {
+            parts.extend(bodies.iter().map(|own| solid(layer, brown, own)));
         }
         let beside = parts.iter().flat_map(|part| &part.points);
         let (mut right, mut low) = (f64::NEG_INFINITY, [f64::INFINITY; 2]);
@@ -125,11 +129,43 @@ impl Build {
         parts
     }
 
-    /// The beams as solids, with their names; none if no beams are made.
-    fn prisms(&self) -> impl Iterator<Item = (String, &Prism)> {
+    /// The vertices of panels. To other vertices belongs nothing that is built, and one far away would
+    /// move what is laid beside the shape.
+    fn nodes(&self) -> Vec<u32> {
+        distinct(self.surface.faces.indices().iter().copied())
+    }
+
+    /// All panels as one surface over their vertices, which are moved this far along their axes.
+    fn moved(&self, name: &str, by: f64) -> Body {
+        let (surface, nodes) = (&self.surface, self.nodes());
+        let mut place = vec![0; surface.positions.len()];
+        nodes.iter().zip(0..).for_each(|(&v, k)| place[v as usize] = k);
+        let faces = surface.faces.iter();
+        let faces = faces.map(|face| face.iter().map(|&v| place[v as usize]).collect()).collect();
+        let axis = |v: u32| match &self.offset {
+            Some((axes, _)) => axes.axes[v as usize],
+            None => Vec3::zero(),
+        };
+        let points = nodes.iter().map(|&v| surface.at(v) + axis(v) * by).collect();
+        Body { name: name.to_owned(), points, faces }
+    }
+
+    /// Each panel.
+    fn panels(&self) -> Vec<Body> {
+        let whole = self.moved("", 0.0);
+        let panels = whole.polygons().zip(&self.names);
+        panels.map(|(corners, name)| Body::polygon(name.clone(), corners)).collect()
+    }
+
+    /// The beams as prisms; none if no beams are made.
+    fn prisms(&self) -> Vec<Body> {
         let prisms = self.frame.iter().flat_map(|frame| &frame.prisms);
         let all = self.surface.edges.iter().zip(prisms);
-        all.filter_map(|(edge, prism)| Some((beam_name(edge.ends), prism.as_ref()?)))
+        let body = |(edge, prism): (&Edge, &Option<Prism>)| {
+            let (name, points) = (beam_name(edge.ends), prism.as_ref()?.corners.to_vec());
+            Some(Body { name, points, faces: Prism::faces() })
+        };
+        all.filter_map(body).collect()
     }
 
     /// The lines of all sheets as they are cut, at their real size, side by side to the right of this
@@ -175,50 +211,37 @@ impl Build {
     /// is up in the mesh; else y is.
     pub fn presentation(&self, z_up: bool) -> Vec<u8> {
         let is_named = self.names.len() <= NAMED_PANELS;
-        let layer = |name, colour, polygons: Vec<(String, Vec<Vec3<f64>>)>| {
+        let metres = self.unit.metres;
+        let layer = |name, colour, bodies: Vec<Body>| {
             let mut parts = vec![GlbPart::named(name)];
-            for (own, corners) in polygons {
-                if is_named && !own.is_empty() {
-                    parts.push(GlbPart::named(&own));
+            for body in bodies {
+                if is_named && !body.name.is_empty() {
+                    parts.push(GlbPart::named(&body.name));
                 }
-                parts.last_mut().expect("there is the first").add_polygon(&corners);
+                let part = parts.last_mut().expect("there is the first");
+                for corners in body.polygons() {
+                    part.add_polygon(&corners.iter().map(|&at| at * metres).collect::<Vec<_>>());
+                }
             }
             GlbLayer { name, colour, parts }
         };
-        let metres = self.unit.metres;
-        let surface = &self.surface;
-        let below = |v: u32| surface.at(v) * metres;
-        let panels = self.names.iter().cloned().zip(surface.faces.iter());
-        let panels = panels.map(|(name, face)| (name, face.iter().map(|&v| below(v)).collect()));
-        let mut layers = vec![layer("panels", [0.80, 0.81, 0.83, 1.0], panels.collect())];
+        let mut layers = vec![layer("panels", [0.80, 0.81, 0.83, 1.0], self.panels())];
         if let Some((axes, _)) = &self.offset {
-            let by = self.distance() * metres;
-            let above = |v: u32| -> Vec3<f64> { below(v) + axes.axes[v as usize] * by };
-            let panels = surface.faces.iter();
-            let panels =
-                panels.map(|face| (String::new(), face.iter().map(|&v| above(v)).collect()));
-            layers.push(layer("offset", [0.35, 0.20, 0.65, 0.35], panels.collect()));
-            let beams = surface.beams().map(|(edge, _)| edge.ends);
-            let beams = beams
-                .map(|[i, j]| (beam_name([i, j]), vec![below(i), below(j), above(j), above(i)]));
-            let plates = self.plates();
+            let by = self.distance();
+            layers.push(layer("offset", [0.35, 0.20, 0.65, 0.35], vec![self.moved("", by)]));
+            let below = |v: u32| self.surface.at(v);
+            let above = |v: u32| below(v) + axes.axes[v as usize] * by;
+            let [fins, discs] = self.plates();
             // Plates have the beams within them.
-            if plates.iter().all(Vec::is_empty) {
+            if fins.is_empty() && discs.is_empty() {
+                let beam = |[i, j]: [u32; 2]| {
+                    let corners = vec![below(i), below(j), above(j), above(i)];
+                    Body::polygon(beam_name([i, j]), corners)
+                };
+                let beams = self.surface.beams().map(|(edge, _)| beam(edge.ends));
                 layers.push(layer("beams", BROWN, beams.collect()));
             }
-            for ((name, colour), own) in [("fins", BROWN), ("discs", LIGHT)].into_iter().zip(plates)
-            {
-                let of_plate = |plate: Solid| {
-                    let corners = |face: &Vec<u32>| -> Vec<Vec3<f64>> {
-                        face.iter().map(|&v| plate.points[v as usize] * metres).collect()
-                    };
-                    // Only the first face of a part has its name.
-                    let names =
-                        std::iter::once(plate.name.clone()).chain(std::iter::repeat(String::new()));
-                    names.zip(plate.faces.iter().map(corners)).collect::<Vec<_>>()
-                };
-                layers.push(layer(name, colour, own.into_iter().flat_map(of_plate).collect()));
-            }
+            layers.extend([layer("fins", BROWN, fins), layer("discs", LIGHT, discs)]);
         }
         glb(&layers, z_up)
     }
@@ -227,46 +250,33 @@ impl Build {
 /// Panels and their offset, together and each panel by its name, and every prism by its name; none if no
 /// beams are made.
 pub(in crate::fabricate) fn solids(build: &Build) -> Option<Mesh> {
-    let (axes, _) = build.offset.as_ref().filter(|_| build.frame.is_some())?;
-    let mut mesh = Mesh::default();
-    let (used, faces) = used(&build.surface);
-    let moved = |by: f64| -> Vec<Vec3<f64>> {
-        used.iter().map(|&v| build.surface.at(v) + axes.axes[v as usize] * by).collect()
-    };
-    let centre = build.surface.centre;
-    add(&mut mesh, "panels", &moved(0.0), centre, faces.clone());
+    build.offset.as_ref().filter(|_| build.frame.is_some())?;
+    let bodies = [build.moved("panels", 0.0), build.moved("offset", build.distance())];
+    let mut mesh = joined(bodies.into_iter().chain(build.prisms()), build.surface.centre);
     // The faces of the panels are the first ones of the mesh.
-    mesh.groups.extend((0..).zip(&build.names).map(|(face, name)| group(name, vec![face])));
-    add(&mut mesh, "offset", &moved(build.distance()), centre, faces);
-    for (name, prism) in build.prisms() {
-        add(&mut mesh, &name, &prism.corners, centre, Prism::faces());
-    }
+    let panels = (0..).zip(&build.names).map(|(face, name)| group(name, vec![face]));
+    mesh.groups.splice(1..1, panels);
     Some(mesh)
 }
 
 /// All fins and node discs as plates; none without discs.
 pub(in crate::fabricate) fn assembled(build: &Build) -> Option<Mesh> {
-    let mut mesh = Mesh::default();
-    for Solid { name, points, faces } in build.plates().into_iter().flatten() {
-        add(&mut mesh, &name, &points, build.surface.centre, faces);
-    }
+    let mesh = joined(build.plates().into_iter().flatten(), build.surface.centre);
     (!mesh.faces.is_empty()).then_some(mesh)
 }
 
-fn add(
-    mesh: &mut Mesh,
-    name: &str,
-    points: &[Vec3<f64>],
-    centre: Vec3<f64>,
-    faces: impl IntoIterator<Item = Vec<u32>>,
-) {
-    let first = mesh.positions.len() as u32;
-    mesh.positions.extend(points.iter().map(|&point| <[f64; 3]>::from(point + centre)));
-    let first_face = mesh.faces.len() as u32;
-    for face in faces {
-        mesh.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
+/// Bodies as one mesh, each as a group of its name.
+fn joined(bodies: impl Iterator<Item = Body>, centre: Vec3<f64>) -> Mesh {
+    let mut mesh = Mesh::default();
+    for Body { name, points, faces } in bodies {
+        let (first, first_face) = (mesh.positions.len() as u32, mesh.faces.len() as u32);
+        mesh.positions.extend(points.iter().map(|&point| <[f64; 3]>::from(point + centre)));
+        for face in faces {
+            mesh.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
+        }
+        mesh.groups.push(group(&name, (first_face..mesh.faces.len() as u32).collect()));
     }
-    mesh.groups.push(group(name, (first_face..mesh.faces.len() as u32).collect()));
+    mesh
 }
 
 fn group(name: &str, faces: Vec<u32>) -> Group {

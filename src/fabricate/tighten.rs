@@ -2,7 +2,7 @@
 
 use super::build::{Build, allowed};
 use super::check_card::CheckRow;
-use super::offset::{Closing, Reason};
+use super::offset::{Closing, Closings, Reason};
 use crate::scene::OffsetKind;
 use serde::Serialize;
 
@@ -35,7 +35,7 @@ impl Build {
     pub(super) fn tighten(
         &self,
         rows: &[CheckRow],
-        closing: &Closing,
+        closings: &Closings,
         inexact: Option<Reason>,
     ) -> Tighten {
         let missed = |id: &str| rows.iter().find(|row| row.id == id && row.met == Some(false));
@@ -45,7 +45,9 @@ impl Build {
         let flatness = limit("panel_flatness");
         let is_turned = |reason| matches!(reason, Some(Reason::PanelTurn(..)));
         let kind = self.settings.kind;
-        let circles = is_turned(inexact) || (kind.is_none() && is_turned(closing.reason()));
+        let reasons: Vec<Reason> = closings.parts.iter().filter_map(Closing::reason).collect();
+        let all_turned = !reasons.is_empty() && reasons.iter().all(|&own| is_turned(Some(own)));
+        let circles = is_turned(inexact) || (kind.is_none() && all_turned);
         // Panels with their corners on circles are also flat.
         let circle = of_offset.filter(|_| circles);
         let circle = circle.map(|within| flatness.map_or(within, |flatness| flatness.min(within)));
@@ -60,7 +62,8 @@ impl Build {
         let irremovable = inexact.filter(|_| of_offset.is_some() && suggestions.is_empty());
         let otherwise = if let Some(reason) = irremovable {
             let others = kind.is_some_and(|kind| kind != OffsetKind::Corner);
-            match others && is_turned(closing.reason()) && !closing.has_openings {
+            let has_openings = closings.parts.iter().any(|own| own.has_openings);
+            match others && all_turned && !has_openings {
                 true => {
                     "Set “Measured at” to “Corners”: circular panels then make the offset exact."
                 }
@@ -70,7 +73,7 @@ impl Build {
                         Reason::Distance(_) | Reason::Warp(_) => "The offset is not exact",
                         _ => "No constraint on panels makes the offset exact",
                     };
-                    let otherwise = format!("{denied}: {}.", reason.words(&self.names));
+                    let otherwise = format!("{denied}: {}.", self.in_words(reason));
                     return Tighten { suggestions, otherwise };
                 }
             }

@@ -1,6 +1,6 @@
 //! Lengths with their units.
 
-use super::number::{brief, decimal, leading_exponent, number, rounded, signed};
+use super::number::{DIGITS, brief, decimal, leading_exponent, number, rounded, signed};
 use super::units::LengthUnit;
 
 /// Lengths below this many mm are 0: they are irrelevant for buildings.
@@ -10,9 +10,7 @@ const LEAST_M: f64 = 0.1;
 /// Millimetres of a building from this on become metres.
 const MOST_MM: f64 = 1e4;
 /// Significant digits of the longest of lengths that are compared.
-const COMPARED_DIGITS: i32 = 5;
-/// Components of a displacement below this fraction of its length are not written.
-const NEGLIGIBLE_PART: f64 = 1e-3;
+const COMPARED_DIGITS: usize = 5;
 /// Resolution of coordinates relative to the model: millimetres for a building of some 100 m.
 const STEPS: f64 = 2e5;
 /// Lengths below this fraction of the size of a mesh are rounding errors: sixteen digits of a coordinate
@@ -78,25 +76,29 @@ pub struct ComparedLengths {
 pub fn compared_lengths(lengths: &[f64], units: &str) -> ComparedLengths {
     let longest = lengths.iter().fold(0.0_f64, |longest, length| longest.max(length.abs()));
     let (unit, factor) = unit_of(longest, units);
-    let decimals = (COMPARED_DIGITS - 1 - leading_exponent(longest * factor)).clamp(0, 12) as usize;
+    let decimals = decimals_of(longest * factor, COMPARED_DIGITS);
     let lengths = lengths.iter().map(|length| fixed(length * factor, decimals, "−")).collect();
     ComparedLengths { lengths, unit: unit.to_owned() }
 }
 
-/// Formats the components of a displacement that are not negligible: `x +0.200  z −1.50 m`. `size` is
-/// that of the mesh.
+/// The decimals with which a size has this many significant digits, at most twelve.
+fn decimals_of(size: f64, digits: usize) -> usize {
+    (digits as i32 - 1 - leading_exponent(size)).clamp(0, 12) as usize
+}
+
+/// Formats the components of a displacement: `x +0.20  z −1.50 m`, all with the decimals of the
+/// longest, without those that are then zero. `size` is that of the mesh.
 pub fn displacement(by: [f64; 3], units: &str, size: f64) -> String {
-    let far = by.iter().map(|part| part * part).sum::<f64>().sqrt();
-    let (unit, factor) = unit_of(far, units);
-    let least =
-        LengthUnit::of(units).map_or(ROUNDING * size, |unit| LEAST_MM / (1000.0 * unit.metres));
-    let negligible = least.max(NEGLIGIBLE_PART * far);
+    let longest = by.iter().fold(0.0_f64, |longest, part| longest.max(part.abs()));
+    let (unit, factor) = unit_of(longest, units);
+    let decimals = decimals_of(longest * factor, DIGITS);
+    let is_nothing = in_mm(longest, units).map_or(longest <= ROUNDING * size, |mm| mm < LEAST_MM);
     let parts: Vec<String> = ["x", "y", "z"]
         .into_iter()
-        .zip(by)
-        .filter(|(_, part)| part.abs() > negligible)
+        .zip(by.map(|part| fixed(part * factor, decimals, "−")))
+        .filter(|(_, part)| !is_nothing && !is_zero(part))
         .map(|(axis, part)| {
-            format!("{axis} {}{}", if part > 0.0 { "+" } else { "" }, number(part * factor))
+            format!("{axis} {}{part}", if part.starts_with('−') { "" } else { "+" })
         })
         .collect();
     with_unit(if parts.is_empty() { "0".to_owned() } else { parts.join("  ") }.as_str(), unit)
@@ -124,8 +126,12 @@ pub fn coordinate(value: f64, decimals: usize) -> String {
 /// Formats a number with this many decimals, zero without its sign.
 fn fixed(value: f64, decimals: usize, minus: &str) -> String {
     let size = decimal(value.abs(), decimals);
-    let is_zero = !size.contains(|digit: char| ('1'..='9').contains(&digit));
-    if value < 0.0 && !is_zero { format!("{minus}{size}") } else { size }
+    if value < 0.0 && !is_zero(&size) { format!("{minus}{size}") } else { size }
+}
+
+/// Whether a number in words is zero.
+fn is_zero(number: &str) -> bool {
+    !number.contains(|digit: char| ('1'..='9').contains(&digit))
 }
 
 /// Formats a measured length of a building in mm; in metres from 10 m on.

@@ -1,7 +1,7 @@
 //! Numbers without a unit, and angles.
 
 /// Significant digits of measured values.
-const DIGITS: usize = 3;
+pub(super) const DIGITS: usize = 3;
 /// Significant digits of entered values, at most.
 const MOST_DIGITS: usize = 6;
 /// Smaller and larger numbers are written as powers of ten.

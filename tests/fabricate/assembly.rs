@@ -2,7 +2,7 @@
 //! no plate is where another one is.
 
 use super::identities::revolution;
-use super::{build, metres};
+use super::{build, metres, text_of};
 use shape_up::fabricate::sheet::Role;
 use shape_up::fabricate::{Build, Stand};
 use shape_up::generate::NewKind;
@@ -49,8 +49,8 @@ struct Delivered {
 }
 
 fn rows(made: &Build, name: &str) -> Rows {
-    let file = made.files(true).into_iter().find(|file| file.name == name).expect("it is there");
-    let mut lines = file.text.lines().map(|line| line.split(','));
+    let text = text_of(made, name);
+    let mut lines = text.lines().map(|line| line.split(','));
     let columns: Vec<&str> = lines.next().expect("a header").collect();
     let row = |cells: std::str::Split<'_, char>| {
         columns.iter().map(|&column| column.to_owned()).zip(cells.map(str::to_owned)).collect()

@@ -1,7 +1,7 @@
 //! Fins, prisms and nodes.
 
 use super::identities::revolution;
-use super::{build, dxf, length};
+use super::{build, dxf, length, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::beam::{EndCut, cut_back, end_cuts, node_types, nodes};
 use shape_up::fabricate::sheet::{Inscription, NamePlace, label, strokes};
@@ -148,10 +148,6 @@ fn nodes_of_a_surface_of_revolution_have_a_type_for_each_row_and_rim() {
     }
 }
 
-fn text(build: &Build, name: &str) -> String {
-    build.files(true).into_iter().find(|file| file.name == name).unwrap().text
-}
-
 #[test]
 fn fins_are_on_the_sheets_and_in_lists() {
     let made = build(&revolution(5, 4), &settings());
@@ -163,15 +159,15 @@ fn fins_are_on_the_sheets_and_in_lists() {
     let outlines = files
         .iter()
         .filter(|file| file.name.ends_with(".dxf"))
-        .flat_map(|file| dxf::polylines(&file.text))
+        .flat_map(|file| dxf::polylines(std::str::from_utf8(&file.bytes).unwrap()))
         .filter(|line| line.is_closed);
     let sum: f64 = outlines.map(|line| area(&line.points)).sum();
     let expected: f64 = made.parts.iter().map(|part| area(&part.outline)).sum();
     assert!((sum - expected).abs() < 1e-6 * expected);
-    let rows = |name: &str| text(&made, name).lines().count() - 1;
+    let rows = |name: &str| text_of(&made, name).lines().count() - 1;
     assert_eq!((rows("fins.csv"), rows("beams.csv")), (edges, edges));
     assert_eq!(rows("node-beams.csv"), 2 * edges);
-    let solids = text(&made, "beams.obj");
+    let solids = text_of(&made, "beams.obj");
     assert_eq!(solids.lines().filter(|line| line.starts_with("g B")).count(), edges);
     let read = shape_up::mesh::read("beams.obj", solids.as_bytes()).unwrap();
     // Panels have their names, and each its own face.
@@ -181,7 +177,7 @@ fn fins_are_on_the_sheets_and_in_lists() {
     }
     assert_eq!(read.mesh.faces.len(), 2 * made.surface.faces.len() + 8 * edges);
     for name in ["fins.csv", "beams.csv", "node-beams.csv", "node-types.csv", "beams.obj"] {
-        assert!(!text(&made, name).contains("NaN"), "{name}");
+        assert!(!text_of(&made, name).contains("NaN"), "{name}");
     }
 }
 
@@ -192,9 +188,9 @@ fn beams_state_the_unit_and_the_up_axis_of_the_model() {
     for up in [Up::Y, Up::Z] {
         let files = made.files(up == Up::Z);
         let beams = files.iter().find(|file| file.name == "beams.obj").unwrap();
-        let stated = UnitsAndUp::stated(beams.text.as_bytes());
+        let stated = UnitsAndUp::stated(&beams.bytes);
         assert_eq!(stated.units.as_deref(), Some("ft"));
-        let read = shape_up::mesh::read("beams.obj", beams.text.as_bytes()).unwrap();
+        let read = shape_up::mesh::read("beams.obj", &beams.bytes).unwrap();
         assert_eq!(stated.up.unwrap_or_else(|| UnitsAndUp::guess_up(&read.mesh)), up);
     }
 }
@@ -210,7 +206,7 @@ fn what_is_no_fin_is_named_and_the_rest_is_cut() {
     assert_eq!((report.placed + 1, report.parts), (report.edges, report.placed));
     let number = BUILD_NUMBERS.iter().position(|number| number.id == "sheets").unwrap();
     assert_eq!(made.numbers()[number], Some(report.sheets as f64));
-    let saw_list = made.files(true).into_iter().find(|file| file.name == "beams.csv").unwrap().text;
+    let saw_list = text_of(&made, "beams.csv");
     assert_eq!(saw_list.lines().count(), 1 + report.placed);
     // Plates as thick as the edges are long.
     let report = build(&mesh, &BuildSettings { thickness: 120.0, ..settings() }).report();
@@ -256,7 +252,7 @@ fn without_an_outside_there_are_no_fins_and_it_says_so() {
     let made = build(&mesh, &settings());
     assert!(made.parts.is_empty() && made.card().problems[0].contains("beams are not available"));
     let names: Vec<_> = made.files(true).into_iter().map(|file| file.name).collect();
-    assert_eq!(names, ["edges.csv", "nodes.csv", "summary.csv"]);
+    assert_eq!(names, ["edges.csv", "nodes.csv", "summary.csv", "model.glb"]);
 }
 
 #[test]

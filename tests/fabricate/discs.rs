@@ -1,8 +1,8 @@
 //! Node discs on sheets, in tables and in words, and those that cannot be made. That they go together
 //! with the fins is in `assembly`.
 
-use super::build;
 use super::identities::revolution;
+use super::{build, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::{Build, BuildFile};
 use shape_up::math::plane::distance;
@@ -21,10 +21,6 @@ fn settings() -> BuildSettings {
     }
 }
 
-fn text(made: &Build, name: &str) -> String {
-    made.files(true).into_iter().find(|file| file.name == name).expect("it is there").text
-}
-
 #[test]
 fn discs_are_on_the_sheets_in_a_table_in_words_and_in_space() {
     let made = build(&revolution(5, 4), &settings());
@@ -41,15 +37,15 @@ fn discs_are_on_the_sheets_in_a_table_in_words_and_in_space() {
         link: String::new(),
     });
     assert!(page.contains("<dt>Parts on sheets</dt><dd>49 fins and 30 node discs</dd>"));
-    let table = text(&made, "discs.csv");
+    let table = text_of(&made, "discs.csv");
     let slots = table.lines().skip(1).map(|row| row.split(',').nth(2).unwrap().parse::<usize>());
     assert_eq!(slots.map(Result::unwrap).sum::<usize>(), 2 * edges);
     assert_eq!(table.lines().count(), 1 + nodes);
-    assert!(text(&made, "summary.csv").contains("\r\nnode discs,30,\r\n"));
-    assert!(text(&made, "summary.csv").contains("\r\nNode discs (disc),,mm\r\n"));
+    assert!(text_of(&made, "summary.csv").contains("\r\nnode discs,30,\r\n"));
+    assert!(text_of(&made, "summary.csv").contains("\r\nNode discs (disc),,mm\r\n"));
     let files = made.files(true);
     assert!(files.iter().all(|file| BuildFile::is_name_of_one(&file.name)));
-    let plates = text(&made, "plates.obj");
+    let plates = text_of(&made, "plates.obj");
     assert_eq!(plates.lines().filter(|line| line.starts_with("g B")).count(), edges);
     assert_eq!(plates.lines().filter(|line| line.starts_with("g N")).count(), nodes);
     let layers: Vec<String> = made.spatial_parts(true).into_iter().map(|part| part.layer).collect();
@@ -96,14 +92,14 @@ fn a_fin_that_is_not_cut_and_a_disc_that_is_on_no_sheet_do_not_count() {
     let made = build(&grid(4, 2, |i, j| [at[i as usize], f64::from(j), 0.0]), &own);
     let small: Vec<_> = made.not_cut.iter().filter(|not| not.part.starts_with('B')).collect();
     assert!(!small.is_empty() && small.iter().all(|not| not.why.contains("mm")), "{small:?}");
-    let (plates, parts) = (text(&made, "plates.obj"), &made.parts);
+    let (plates, parts) = (text_of(&made, "plates.obj"), &made.parts);
     let mut groups = plates.lines().filter_map(|line| line.strip_prefix("g "));
     assert!(groups.all(|name| parts.iter().any(|part| part.name == name)), "{:?}", made.not_cut);
     // Higher than fins, which are 20 mm.
     let low = BuildSettings { disc: Some(31.0), sheet: [600.0, 40.0], ..own };
     let made = build(&revolution(5, 4), &low);
     assert_eq!(made.report().too_large.len(), made.discs.len());
-    assert!(text(&made, "summary.csv").contains("\r\nnode discs,0,\r\n"));
+    assert!(text_of(&made, "summary.csv").contains("\r\nnode discs,0,\r\n"));
 }
 
 #[test]

@@ -1,10 +1,11 @@
 //! Comparison with the numbers of an independent implementation.
 
+use super::{exact, fit};
 use crate::support::shared;
 use serde_json::Value;
 use shape_up::fabricate::PanelSurface;
 use shape_up::fabricate::beam::{end_cuts, nodes};
-use shape_up::fabricate::offset::{OffsetCheck, check, exact, fit};
+use shape_up::fabricate::offset::{OffsetCheck, check};
 use shape_up::fabricate::panel::{inset, lay_flat, panel_types};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;

@@ -1,10 +1,10 @@
 //! Identities of offsets and panels that hold for every mesh, with their tolerances.
 
-use super::build;
+use super::{build, exact, fit};
 use crate::support::grid::grid;
 use crate::support::shared;
 use shape_up::fabricate::PanelSurface;
-use shape_up::fabricate::offset::{check, exact, fit};
+use shape_up::fabricate::offset::check;
 use shape_up::fabricate::panel::lay_flat;
 use shape_up::math::plane::area;
 use shape_up::math::{Vec3, cosine, sine};

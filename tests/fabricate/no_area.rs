@@ -1,8 +1,8 @@
 //! Panels without area, of which nothing is made, and what lies beside them.
 
 use super::bad_input::faces;
-use super::build;
 use super::identities::revolution;
+use super::{build, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::Build;
 use shape_up::math::plane::area;
@@ -81,7 +81,7 @@ fn panels_beside_one_without_area_meet_each_other_in_folds_joints_holes_paper_an
     assert!((report.least_joint_mm[1].expect("inside") - 6.0).abs() < 1e-9, "{report:?}");
     // Two on the side of the west, and two on each of the three sides of the east.
     assert_eq!((report.holes, report.dropped_holes, report.unpaired_holes), (0, 0, 8));
-    let edges = made.files(true).into_iter().find(|file| file.name == "edges.csv").unwrap().text;
+    let edges = text_of(&made, "edges.csv");
     let of_ridge = ["B0-1", "B0-2", "B2-3", "B1-3", "B1-2"];
     for line in of_ridge.map(|name| edges.lines().find(|line| line.starts_with(name)).unwrap()) {
         assert!(line.contains("P0") && line.contains("P1") && line.contains(",90,"), "{line}");

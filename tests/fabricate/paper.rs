@@ -1,7 +1,7 @@
 //! Paper models: no overlaps, hidden tabs, and folds and lengths of the shape.
 
-use super::build;
 use super::identities::revolution;
+use super::{build, text_of};
 use crate::support::grid::grid;
 use crate::support::long_or;
 use crate::support::shared;
@@ -281,8 +281,7 @@ fn folds_of_rounding_are_neither_ridges_nor_valleys() {
     assert!(model(&made).net.joints.iter().any(|joint| joint.fold != 0.0));
     let report = made.report().paper.unwrap();
     assert_eq!((report.ridges, report.valleys), (0, 0));
-    let files = made.files(true);
-    let joins = &files.iter().find(|file| file.name == "joins.csv").unwrap().text;
+    let joins = text_of(&made, "joins.csv");
     let folds: Vec<&str> =
         joins.lines().skip(1).map(|row| row.split(',').nth(6).unwrap()).collect();
     assert!(!folds.is_empty() && folds.iter().all(|fold| *fold == "flat"), "{folds:?}");
@@ -320,13 +319,11 @@ fn tabs_that_are_too_high_leave_panels_folded_together() {
 #[test]
 fn tables_tell_what_becomes_of_every_edge() {
     let made = build(&revolution(9, 7), &settings(Pieces::Strips));
-    let files = made.files(true);
-    let rows =
-        |name: &str| files.iter().find(|file| file.name == name).unwrap().text.lines().count() - 1;
+    let rows = |name: &str| text_of(&made, name).lines().count() - 1;
     let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
     assert_eq!((rows("pieces.csv"), rows("joins.csv")), (made.parts.len(), inner));
     // Where a piece is on its sheet is said of a point that is seen there.
-    let pieces = &files.iter().find(|file| file.name == "pieces.csv").unwrap().text;
+    let pieces = text_of(&made, "pieces.csv");
     let place = made.layout.sheets[0].places[0];
     let part = &made.parts[place.part];
     let corner = bounds(part.outline.iter().map(|&point| place.to_sheet(point)))[0];

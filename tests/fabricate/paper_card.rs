@@ -1,9 +1,9 @@
 //! Card: plates with a thickness, folded at their hinges, have their outer faces on the panels of the mesh,
 //! and keep apart.
 
-use super::build;
 use super::identities::revolution;
 use super::paper::{model, scale, settings, waves};
+use super::{build, text_of};
 use shape_up::fabricate::Build;
 use shape_up::fabricate::panel::inset_sides;
 use shape_up::fabricate::paper::PaperNet;
@@ -243,7 +243,7 @@ fn card_that_ends_farther_than_its_fold_asks_is_written_and_told() {
         let told =
             warnings.iter().any(|words| words.ends_with("in line with a steeper one: P0 at P1."));
         assert_eq!(told, fold != Fold::VCut, "{fold:?}: {warnings:?}");
-        let text = made.files(true).into_iter().find(|file| file.name == "joins.csv").unwrap().text;
+        let text = text_of(&made, "joins.csv");
         let net = &model(&made).net;
         for (joint, row) in net.joints.iter().zip(text.lines().skip(1)) {
             let cells: Vec<f64> =

@@ -1,9 +1,9 @@
 //! Names on the pieces of a paper model: on their panels, on their tabs, or beside pieces without
 //! room; names that fit nowhere are reported.
 
-use super::build;
 use super::identities::revolution;
 use super::paper::{cases, model, scale, settings};
+use super::{build, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::paper::write_names;
 use shape_up::fabricate::sheet::Place;
@@ -131,9 +131,8 @@ fn a_piece_without_room_for_its_name_anywhere_is_told_by_that_name() {
     let made = build(&mesh, &own);
     let report = made.report();
     assert!(!report.unnamed.is_empty() && report.unnamed.len() < report.parts, "{report:?}");
-    let files = made.files(true);
     let rows = |name: &str, cell: &str| -> Vec<String> {
-        let text = &files.iter().find(|file| file.name == name).unwrap().text;
+        let text = text_of(&made, name);
         let lines = text.lines().filter(|line| line.contains(cell));
         lines.map(|line| line.split(',').next().unwrap().to_owned()).collect()
     };

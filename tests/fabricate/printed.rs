@@ -1,8 +1,8 @@
 //! The PDF of the sheets: pages of their size, tiled to paper, and not more than anybody would glue.
 
-use super::build;
 use super::identities::revolution;
 use super::paper::{scale, settings};
+use super::{build, bytes_of};
 use shape_up::fabricate::{Build, BuildFile};
 use shape_up::scene::{BuildSettings, Page, Pieces};
 
@@ -12,23 +12,18 @@ fn a_pdf_is_tiled_to_the_page() {
     let made = build(&revolution(9, 7), &own);
     let files = made.files(true);
     assert!(files.iter().all(|file| BuildFile::is_name_of_one(&file.name)));
-    let text = &files.iter().find(|file| file.name == "sheets.pdf").unwrap().text;
-    let document = lopdf::Document::load_mem(text.as_bytes()).expect("it is PDF");
+    let document = lopdf::Document::load_mem(&bytes_of(&made, "sheets.pdf")).expect("it is PDF");
     // A3 on A4, with overlap and margins.
     assert_eq!(document.get_pages().len(), 4 * made.layout.sheets.len());
     let whole = BuildSettings { sheet: [297.0, 210.0], ..own };
     let made = build(&revolution(9, 7), &whole);
-    let files = made.files(true);
-    let text = &files.iter().find(|file| file.name == "sheets.pdf").unwrap().text;
-    let document = lopdf::Document::load_mem(text.as_bytes()).unwrap();
+    let document = lopdf::Document::load_mem(&bytes_of(&made, "sheets.pdf")).unwrap();
     assert_eq!(document.get_pages().len(), made.layout.sheets.len());
 }
 
 /// The pages of the sheets of a build: their sizes in mm, as a reader of the file computes them.
 fn printed(made: &Build) -> Vec<[f64; 2]> {
-    let files = made.files(true);
-    let text = &files.iter().find(|file| file.name == "sheets.pdf").unwrap().text;
-    let document = lopdf::Document::load_mem(text.as_bytes()).expect("it is PDF");
+    let document = lopdf::Document::load_mem(&bytes_of(made, "sheets.pdf")).expect("it is PDF");
     let number = |object: &lopdf::Object| f64::from(object.as_float().unwrap());
     let pages = document.get_pages();
     let size = |page: &lopdf::ObjectId| {

@@ -2,7 +2,7 @@
 //! they share.
 
 use super::files::settings;
-use super::{build, dxf};
+use super::{build, dxf, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::{Build, BuildFile, Splice};
 use shape_up::math::cosine_and_sine_of_degrees;
@@ -155,7 +155,8 @@ fn each_part_is_a_drawing_of_its_own_too_if_asked_and_nothing_else_changes() {
         for part in &made.parts {
             let text = |kind: &str| {
                 let name = format!("parts/{}.{kind}", part.name);
-                &single.iter().find(|file| file.name == name).expect("it is there").text
+                let file = single.iter().find(|file| file.name == name).expect("it is there");
+                std::str::from_utf8(&file.bytes).expect("it is text")
             };
             let lines = dxf::polylines(text("dxf"));
             assert!(lines.iter().all(|line| line.layer != "SHEET"));
@@ -179,12 +180,13 @@ fn lengths_of_cuts(made: &Build) -> [f64; 3] {
         all.windows(2).map(|ends| distance(*ends[0], *ends[1])).sum::<f64>()
     };
     let mut found = [0.0; 3];
-    for BuildFile { name, text } in made.files(true) {
+    for BuildFile { name, bytes } in made.files(true) {
+        let text = || std::str::from_utf8(&bytes).expect("it is text");
         if name.ends_with(".dxf") {
-            let lines = dxf::polylines(&text);
+            let lines = dxf::polylines(text());
             found[0] += lines.iter().map(|line| length(&line.points, line.is_closed)).sum::<f64>();
         } else if name.starts_with("sheet-") {
-            let paths = text.split(" d=\"").skip(1).map(|rest| rest.split('"').next().unwrap());
+            let paths = text().split(" d=\"").skip(1).map(|rest| rest.split('"').next().unwrap());
             for line in paths.flat_map(|path| path.split('M').skip(1)) {
                 let point = |pair: &str| {
                     let (x, y) = pair.split_once(',').unwrap();
@@ -194,7 +196,7 @@ fn lengths_of_cuts(made: &Build) -> [f64; 3] {
                 found[1] += length(&points, line.ends_with('Z'));
             }
         } else if name == "sheets.pdf" {
-            let document = lopdf::Document::load_mem(text.as_bytes()).expect("it is PDF");
+            let document = lopdf::Document::load_mem(&bytes).expect("it is PDF");
             let mut points: Vec<[f64; 2]> = Vec::new();
             for page in document.get_pages().values() {
                 let content = document.get_and_decode_page_content(*page).unwrap();
@@ -275,11 +277,9 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
         assert_eq!(pieces.each_ref().map(on), [2, 2]);
     }
     // The areas in the tables add up.
-    let files = made.files(true);
-    let text =
-        |name: &str| &*files.iter().find(|file| file.name == name).expect("it is there").text;
     let column = |name: &str, column: &str| {
-        let mut lines = text(name).lines();
+        let text = text_of(&made, name);
+        let mut lines = text.lines();
         let at = lines.next().unwrap().split(',').position(|name| name == column);
         let cell = |line: &str| line.split(',').nth(at.unwrap()).unwrap().parse::<f64>().unwrap();
         lines.map(cell).collect::<Vec<f64>>()
@@ -288,7 +288,7 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
     assert_eq!((panels.len(), plates.len()), (4, 2));
     let sum: f64 = panels.iter().chain(&plates).sum();
     assert!((sum - report.cut_area_mm2).abs() < 1e-3, "{sum}");
-    assert!(text("summary.csv").contains("splice plates,2,"));
+    assert!(text_of(&made, "summary.csv").contains("splice plates,2,"));
     // And plates are where the table says.
     let place = |part: usize| {
         let mut places = made.layout.sheets.iter().flat_map(|sheet| &sheet.places);

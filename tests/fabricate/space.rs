@@ -1,8 +1,8 @@
 //! The built parts as objects on layers: every part is present, at its position and size.
 
-use super::build;
 use super::glb::TWO_NOTCHES;
 use super::identities::revolution;
+use super::{build, text_of};
 use shape_up::fabricate::{Build, SpatialPart};
 use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
@@ -103,9 +103,7 @@ fn a_vertex_of_no_panel_is_in_no_file_and_moves_no_sheet() {
         assert!(far.fold(0.0_f64, |most, x| most.max(x.abs())) < 1e3);
     }
     let beams = |made: &Build| {
-        let files = made.files(true);
-        let text = &files.iter().find(|file| file.name == "beams.obj").unwrap().text;
-        text.lines().filter(|line| line.starts_with("v ")).count()
+        text_of(made, "beams.obj").lines().filter(|line| line.starts_with("v ")).count()
     };
     assert_eq!(beams(&without), beams(&with));
 }

@@ -72,7 +72,7 @@ fn a_joint_is_needed_where_panels_of_a_thickness_would_collide() {
         ),
         (
             [Some(1.0), None],
-            "need a joint on the sheet of at least 1.00 mm outside the surface, and none inside.",
+            "need a joint on the sheet of at least 1.00 mm outside the surface, and no joint inside.",
         ),
         ([None, None], "need no joint."),
     ] {
@@ -161,6 +161,27 @@ fn no_joint_is_named_where_panels_meet_that_have_no_outside() {
     let words = made.words(&made.report());
     assert!(!words.joint.contains("need no joint"), "{}", words.joint);
     assert!(words.joint.contains("more than two panels"), "{}", words.joint);
+}
+
+#[test]
+fn the_joint_of_one_side_is_known_where_panels_lie_on_each_other_on_the_other_side() {
+    // A square with a neighbour folded back onto it, one that goes up and one that goes down.
+    let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let back = [[0.5, 0.0, 0.0], [0.5, 1.0, 0.0]];
+    let (up, down) = ([[-1.0, 1.0, 0.5], [-1.0, 0.0, 0.5]], [[1.0, 2.0, -0.5], [0.0, 2.0, -0.5]]);
+    let positions = [&square[..], &back, &up, &down].concat();
+    let faces = [[0, 1, 2, 3], [2, 1, 4, 5], [0, 3, 6, 7], [3, 2, 8, 9]].into_iter().collect();
+    let mesh = Mesh { positions, faces, ..Mesh::default() };
+    let made = build(&mesh, &BuildSettings { thickness: 3.0, ..BuildSettings::default() });
+    let report = made.report();
+    let are_known = report.no_least_joint.map(str::is_empty);
+    assert!(are_known[0] != are_known[1], "{report:?}");
+    assert_eq!(report.least_joint_mm.map(|least| least.is_some()), are_known);
+    let advice = made.words(&report).advice;
+    assert_eq!(advice[0].choices.len(), 1);
+    for words in ["at least", "(panels lie on each other)"] {
+        assert!(advice[0].words.contains(words), "{advice:?}");
+    }
 }
 
 #[test]

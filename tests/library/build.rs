@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [name, folder] = &names[..] else { return Err("expected a file and a folder".into()) };
     std::fs::create_dir_all(folder)?;
     for file in parts(name, &std::fs::read(name)?)? {
-        std::fs::write(Path::new(folder).join(&file.name), file.text)?;
+        std::fs::write(Path::new(folder).join(&file.name), file.bytes)?;
         println!("{}", file.name);
     }
     Ok(())

@@ -3,7 +3,7 @@
 use super::{Failure, arguments, input, output};
 use shape_up::fabricate::{
     Advice, AdvisedValue, Build, BuildFile, BuildReport, BuildWords, CardWords, CheckRow,
-    CheckWords, FrameReport, PARTS, PRESENTATION, PaperReport, ReportView, Stand, unit_of,
+    CheckWords, FrameReport, PARTS, PaperReport, ReportView, Stand, unit_of,
 };
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BUILD_SETTINGS, BuildSetting, BuildSettings, Scene, Up};
@@ -34,8 +34,7 @@ pub(super) fn build(asked: &arguments::Build) -> Result<(), Failure> {
     let mut files: Vec<(PathBuf, Vec<u8>)> = Vec::new();
     if let Some(folder) = &asked.out {
         let drawn = build.files(scene.up == Up::Z).into_iter();
-        files.extend(drawn.map(|file| (folder.join(file.name), file.text.into_bytes())));
-        files.push((folder.join(PRESENTATION), build.presentation(scene.up == Up::Z)));
+        files.extend(drawn.map(|file| (folder.join(file.name), file.bytes)));
     }
     if let Some(path) = &asked.report {
         files.push((path.clone(), output::json(&report).into_bytes()));
@@ -153,6 +152,7 @@ fn advice_line(Advice { words, choices }: &Advice) -> String {
 }
 
 fn check_line((row, CheckWords { value, limit, state }): (&CheckRow, &CheckWords)) -> String {
+    let limit = if limit.is_empty() { String::new() } else { format!(" ({limit})") };
     let state = if state.is_empty() { String::new() } else { format!(": {state}") };
-    format!("{:<15} {value} ({limit}){state}", row.label)
+    format!("{:<15} {value}{limit}{state}", row.label)
 }

@@ -86,10 +86,10 @@ impl Frame {
         Frame { types, nodes, fins, discs, cuts, prisms, without_prism }
     }
 
-    /// Fins and discs that are not made.
-    pub fn lost(&self) -> usize {
-        let discs = self.discs.iter().flatten().filter(|disc| disc.is_err());
-        self.fins.iter().filter(|fin| fin.is_err()).count() + discs.count()
+    /// The number of fins and discs.
+    pub fn made(&self) -> usize {
+        let discs = self.discs.iter().flatten().flatten().count();
+        self.fins.iter().flatten().count() + discs
     }
 
     /// The largest step between the upper faces of neighbouring prisms, and its node.

@@ -17,7 +17,7 @@ const EFFORT: u8 = 4;
 
 /// Writes all sheets, each on one page of its size, or on as many of the size `page` (shorter and
 /// longer side in mm) as needed.
-pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
+pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> Vec<u8> {
     let layers = Role::ALL.len();
     let references = |numbers: &[usize]| {
         numbers.iter().map(|number| format!("{number} 0 R")).collect::<Vec<_>>().join(" ")
@@ -31,11 +31,12 @@ pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
     let mut objects = vec![
         format!(
             "<< /Type /Catalog /Pages 2 0 R /ViewerPreferences << /PrintScaling /None >> /OCProperties << /OCGs [{of_layers}] /D << /Order [{of_layers}] >> >> >>"
-        ),
-        String::new(),
+        )
+        .into_bytes(),
+        Vec::new(),
     ];
     for role in Role::ALL {
-        objects.push(format!("<< /Type /OCG /Name ({}) >>", role.layer()));
+        objects.push(format!("<< /Type /OCG /Name ({}) >>", role.layer()).into_bytes());
     }
     let mut kids = Vec::new();
     for drawing in drawings {
@@ -51,12 +52,14 @@ pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> String {
             objects.push(
                 format!(
                     "<< /Type /Page /Parent 2 0 R {unit}/MediaBox [0 0 {width} {height}] /Resources << /Properties << {properties} >> >> /Contents [{contents}] >>"
-                ),
+                )
+                .into_bytes(),
             );
             kids.push(objects.len());
         }
     }
-    objects[1] = format!("<< /Type /Pages /Kids [{}] /Count {} >>", references(&kids), kids.len());
+    let (count, kids) = (kids.len(), references(&kids));
+    objects[1] = format!("<< /Type /Pages /Kids [{kids}] /Count {count} >>").into_bytes();
     assembled(&objects)
 }
 
@@ -111,68 +114,31 @@ fn path(text: &mut String, line: &DrawnLine) {
     *text += if line.closed { "s\n" } else { "S\n" };
 }
 
-/// Makes a stream object, such as the content of a page: compressed, and written as text, as all
-/// files of a build are.
-fn stream(text: &str) -> String {
-    let data = ascii85(&compress_to_vec_zlib(text.as_bytes(), EFFORT));
-    format!(
-        "<< /Filter [/ASCII85Decode /FlateDecode] /Length {} >>\nstream\n{data}\nendstream",
-        data.len()
-    )
-}
-
-/// Four bytes as five digits to the base 85 (Adobe, *PostScript Language Reference*, 3.13.3), in lines.
-fn ascii85(bytes: &[u8]) -> String {
-    const LINE: usize = 20;
-    let mut text = String::with_capacity(bytes.len() / 4 * 5 + bytes.len() / 80 + 8);
-    for (group, bytes) in bytes.chunks(4).enumerate() {
-        if group > 0 && group % LINE == 0 {
-            text.push('\n');
-        }
-        let mut four = [0; 4];
-        four[..bytes.len()].copy_from_slice(bytes);
-        let number = u32::from_be_bytes(four);
-        if number == 0 && bytes.len() == 4 {
-            text.push('z');
-            continue;
-        }
-        // Of a group that is not whole, one digit more than it has bytes.
-        let digits = (0..5).rev().map(|place| number / 85_u32.pow(place) % 85);
-        text.extend(digits.take(bytes.len() + 1).map(|digit| char::from(b'!' + digit as u8)));
-    }
-    text + "~>"
+/// Makes a stream object, such as the content of a page, compressed.
+fn stream(text: &str) -> Vec<u8> {
+    let data = compress_to_vec_zlib(text.as_bytes(), EFFORT);
+    let head = format!("<< /Filter /FlateDecode /Length {} >>\nstream\n", data.len());
+    [head.as_bytes(), &data, b"\nendstream"].concat()
 }
 
 /// The file, with the cross-reference table of the objects, which are numbered from one; the first
-/// is the catalogue.
-fn assembled(objects: &[String]) -> String {
-    let mut file = "%PDF-1.6\n".to_owned();
+/// is the catalogue. The comment in the second line says that the file is binary (ISO 32000-1, 7.5.2).
+fn assembled(objects: &[Vec<u8>]) -> Vec<u8> {
+    let mut file = b"%PDF-1.6\n%\xE2\xE3\xCF\xD3\n".to_vec();
     let mut starts = Vec::new();
     for (object, number) in objects.iter().zip(1..) {
         starts.push(file.len());
-        file += &format!("{number} 0 obj\n{object}\nendobj\n");
+        file.extend(format!("{number} 0 obj\n").into_bytes());
+        file.extend(object);
+        file.extend(b"\nendobj\n");
     }
     let table = file.len();
     let count = objects.len() + 1;
-    file += &format!("xref\n0 {count}\n0000000000 65535 f \n");
+    let mut end = format!("xref\n0 {count}\n0000000000 65535 f \n");
     for start in starts {
-        file += &format!("{start:010} 00000 n \n");
+        end += &format!("{start:010} 00000 n \n");
     }
-    file + &format!("trailer\n<< /Size {count} /Root 1 0 R >>\nstartxref\n{table}\n%%EOF\n")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::ascii85;
-
-    #[test]
-    fn bytes_are_written_as_digits_to_the_base_85() {
-        let known =
-            [("", ""), ("sure.", "F*2M7/c"), ("Ma", "9jn"), ("Man", "9jqo"), ("Man ", "9jqo^")];
-        for (bytes, digits) in known {
-            assert_eq!(ascii85(bytes.as_bytes()), format!("{digits}~>"));
-        }
-        assert_eq!(ascii85(&[0; 7]), "z!!!!~>");
-        assert_eq!(ascii85(&[1; 84]).lines().map(str::len).collect::<Vec<_>>(), [100, 7]);
-    }
+    end += &format!("trailer\n<< /Size {count} /Root 1 0 R >>\nstartxref\n{table}\n%%EOF\n");
+    file.extend(end.into_bytes());
+    file
 }

@@ -2,7 +2,7 @@
 //! `n_j = R_e n_i` with `R_e = I - 2 t_e t_e'`. Around a panel, and around a hole, the product of
 //! these reflections must leave the axis unchanged.
 
-use crate::fabricate::surface::{PanelSurface, distinct};
+use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use crate::mesh::components;
 
@@ -11,44 +11,60 @@ type Matrix = [[f64; 3]; 3];
 
 const IDENTITY: Matrix = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// How well reflections close around panels and rims.
+/// How well reflections close around the panels and rims of one connected part.
 #[derive(Clone, Debug, Default)]
 pub struct Closing {
     /// Largest turn around a panel with an even number of edges, in degrees.
     pub panel_deg: f64,
     /// The panel of `panel_deg`.
     pub panel: u32,
-    /// Number of panels with an odd number of edges, around which not every axis can close.
+    /// Number of panels with an odd number of edges, around which not every axis can close. Each
+    /// removes one of the three degrees of freedom of an axis.
     pub odd_panels: usize,
-    /// The largest number of them in one part. Each leaves one of three dimensions of axes less.
-    pub most_odd: usize,
     /// The turn around each rim in degrees; none if it has an odd number of edges.
     pub rims_deg: Vec<Option<f64>>,
-    /// Whether there are openings through the surface, as in a ring or a tube: its first Betti number
+    /// Whether there are openings through the part, as in a ring or a tube: its first Betti number
     /// is not 0. Elsewhere axes that close around all panels close everywhere.
     pub has_openings: bool,
 }
 
+/// How well reflections close in all parts of a surface.
+#[derive(Clone, Debug)]
+pub struct Closings {
+    /// Of each part; a vertex of no panel is a part by itself.
+    pub parts: Vec<Closing>,
+    /// The part of each vertex (`#V`).
+    pub part_of: Vec<u32>,
+}
+
 /// Follows the reflections around all panels and rims.
-pub fn closing(surface: &PanelSurface) -> Closing {
-    let nodes = distinct(surface.faces.indices().iter().copied()).len();
-    // V - E + F = b0 - b1 + b2, where b0 counts parts and b2 those that are closed.
-    let closed = surface.shells().iter().filter(|shell| shell.is_closed).count();
-    let has_openings = nodes + surface.faces.len() < surface.edges.len() + surface.parts + closed;
-    let mut found = Closing { has_openings, ..Closing::default() };
-    let parts = components(surface.positions.len(), surface.faces.iter());
-    let mut odd = vec![0; parts.len()];
+pub fn closings(surface: &PanelSurface) -> Closings {
+    let part_of = components(surface.positions.len(), surface.faces.iter());
+    let part = |v: u32| part_of[v as usize] as usize;
+    let count = part_of.iter().max().map_or(0, |last| *last as usize + 1);
+    let mut parts = vec![Closing::default(); count];
+    // b1 = 1 + b2 - (V - E + F) of each part, where b2 counts the shells that are closed.
+    let mut openings = vec![1_i64; count];
+    part_of.iter().for_each(|&k| openings[k as usize] -= 1);
+    surface.edges.iter().for_each(|edge| openings[part(edge.ends[0])] += 1);
+    for shell in surface.shells().iter().filter(|shell| shell.is_closed) {
+        openings[part(surface.faces.row(shell.panel as usize)[0])] += 1;
+    }
     for (face, f) in surface.faces.iter().zip(0..) {
+        let own = part(face[0]);
+        openings[own] -= 1;
+        let own = &mut parts[own];
         match turn(surface, face) {
-            Some(angle) if angle > found.panel_deg => (found.panel_deg, found.panel) = (angle, f),
+            Some(angle) if angle > own.panel_deg => (own.panel_deg, own.panel) = (angle, f),
             Some(_) => {}
-            None => odd[parts[face[0] as usize] as usize] += 1,
+            None => own.odd_panels += 1,
         }
     }
-    found.odd_panels = odd.iter().sum();
-    found.most_odd = odd.into_iter().max().unwrap_or(0);
-    found.rims_deg = surface.rims.iter().map(|rim| turn(surface, rim)).collect();
-    found
+    for rim in surface.rims.iter() {
+        parts[part(rim[0])].rims_deg.push(turn(surface, rim));
+    }
+    parts.iter_mut().zip(openings).for_each(|(own, b1)| own.has_openings = b1 > 0);
+    Closings { parts, part_of }
 }
 
 /// The angle in degrees by which an axis is rotated around a loop of vertices; none for an odd

@@ -40,7 +40,7 @@ mod reason;
 mod system;
 
 pub use check::{BeamCheck, Inexact, NodeCheck, OffsetCheck, check};
-pub use closing::{Closing, closing};
+pub use closing::{Closing, Closings, closings};
 pub(super) use reason::Reason;
 pub(super) use system::across_edge;
 
@@ -49,7 +49,7 @@ use crate::math::Vec3;
 use crate::scene::OffsetKind;
 use check::{first_error, most_lean};
 use exact::{can_be_exact, exact_pass};
-use newton::{InitialAxes, StopWhen, descend};
+use newton::descend;
 use serde::Serialize;
 use system::System;
 
@@ -68,8 +68,9 @@ pub struct Axes {
 }
 
 /// For each kind the exact axes, if beam warp and distance error at the distance `depth` stay below
-/// `tolerance` and no axis leans much more than in the fit; else the fit.
-pub(in crate::fabricate) fn axes_of(
+/// `tolerance` and no axis leans much more than in the fit; else the fit, in which `mu` is the weight of
+/// following the surface. Lengths are in the unit of the mesh.
+pub fn axes_of(
     surface: &PanelSurface,
     kinds: &[OffsetKind],
     mu: f64,
@@ -93,28 +94,13 @@ pub(in crate::fabricate) fn axes_of(
 }
 
 /// The least-squares axes; `mu` is the weight of following the surface.
-pub fn fit(surface: &PanelSurface, kind: OffsetKind, mu: f64) -> Vec<Vec3<f64>> {
-    fitted(&mut System::new(surface), surface, kind, mu)
-}
-
 fn fitted(
     system: &mut System,
     surface: &PanelSurface,
     kind: OffsetKind,
     mu: f64,
 ) -> Vec<Vec3<f64>> {
-    let start = InitialAxes::At(surface.normals.clone());
-    descend(system, surface, kind, mu, start, StopWhen::Still)
-}
-
-/// The axes of the exact pass. On a mesh without exact axes the result is useless.
-pub fn exact(surface: &PanelSurface, kind: OffsetKind) -> Vec<Vec3<f64>> {
-    let system = &mut System::new(surface);
-    let fitted = match kind {
-        OffsetKind::Edge => fitted(system, surface, kind, 1.0),
-        _ => surface.normals.clone(),
-    };
-    exact_pass(system, surface, kind, (1.0, fitted))
+    descend(system, surface, kind, mu, (surface.normals.clone(), false), true)
 }
 
 /// The errors that one kind of offset would have, to choose between kinds.

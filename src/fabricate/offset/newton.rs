@@ -21,36 +21,17 @@ const ACCURACY: [f64; 2] = [1e-4, 0.03];
 /// this fraction.
 const WORTH: f64 = 0.1;
 
-/// When to stop.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum StopWhen {
-    /// The energy hardly falls.
-    Settled,
-    /// The axes do not move.
-    Still,
-}
-
-/// Where to start.
-pub(super) enum InitialAxes {
-    /// At these axes.
-    At(Vec<Vec3<f64>>),
-    /// At these axes, whose matrix is close to the one factored last.
-    Near(Vec<Vec3<f64>>),
-}
-
-/// Minimises the energy by Newton's method; a step that would raise the energy is halved.
+/// Minimises the energy from these `axes` by Newton's method; a step that would raise the energy is
+/// halved. `is_near` is whether their matrix is close to the one factored last; `is_last`, whether to go
+/// on until the axes do not move, else until the energy hardly falls.
 pub(super) fn descend(
     system: &mut System,
     surface: &PanelSurface,
     kind: OffsetKind,
     mu: f64,
-    start: InitialAxes,
-    until: StopWhen,
+    (mut axes, mut is_near): (Vec<Vec3<f64>>, bool),
+    is_last: bool,
 ) -> Vec<Vec3<f64>> {
-    let (mut axes, mut is_near) = match start {
-        InitialAxes::At(axes) => (axes, false),
-        InitialAxes::Near(axes) => (axes, true),
-    };
     let mut lowest = energy(surface, kind, mu, &axes);
     let mut last = f64::INFINITY;
     for _ in 0..MOST_STEPS {
@@ -95,7 +76,7 @@ pub(super) fn descend(
         };
         (axes, lowest, last) = (next, value.min(lowest), length);
         is_near = length < NEAR;
-        if is_still || kind == OffsetKind::Face || (until == StopWhen::Settled && is_settled) {
+        if is_still || kind == OffsetKind::Face || (!is_last && is_settled) {
             break;
         }
     }

@@ -1,7 +1,7 @@
 //! Why the axes of an offset are not exact: what is said about it, and which constraint on panels helps,
 //! follow from it.
 
-use super::{Axes, Closing, Inexact};
+use super::{Axes, Closing, Closings, Inexact};
 use crate::fabricate::surface::{beam_name, node_name};
 use crate::scene::OffsetKind;
 use crate::words;
@@ -12,8 +12,8 @@ const CLOSED: f64 = 0.01;
 /// Why axes are not exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::fabricate) enum Reason {
-    /// Corners: the number of panels with an odd number of edges. Around each, axes close that are in
-    /// one plane, so that beyond two of a part there are in general none.
+    /// Corners: the number of panels of a part with an odd number of edges. Around each, axes close that
+    /// are in one plane, so that beyond two there are in general none.
     OddPanels(usize),
     /// Corners: a panel, and the angle in degrees by which an axis is turned around it.
     PanelTurn(u32, f64),
@@ -38,11 +38,11 @@ pub(in crate::fabricate) enum Reason {
 }
 
 impl Closing {
-    /// Why axes do not close around a panel or a rim; none if they do.
+    /// Why axes do not close around a panel or a rim of this part; none if they do.
     pub(in crate::fabricate) fn reason(&self) -> Option<Reason> {
         let turns = self.rims_deg.iter().flatten();
         let rim = turns.copied().fold(0.0, f64::max);
-        if self.most_odd > 2 {
+        if self.odd_panels > 2 {
             Some(Reason::OddPanels(self.odd_panels))
         } else if self.panel_deg > CLOSED {
             Some(Reason::PanelTurn(self.panel, self.panel_deg))
@@ -59,12 +59,18 @@ impl Closing {
 
 impl Axes {
     /// Why these are not exact; none if they are. `are_flat` is whether all panels are flat.
-    pub(in crate::fabricate) fn reason(&self, closing: &Closing, are_flat: bool) -> Option<Reason> {
+    pub(in crate::fabricate) fn reason(
+        &self,
+        closings: &Closings,
+        are_flat: bool,
+    ) -> Option<Reason> {
         let inexact = self.inexact?;
         let cause = match (self.kind, inexact) {
             (_, Inexact::NoPoint | Inexact::Lean) => None,
-            (OffsetKind::Corner, _) => {
-                closing.reason().or(closing.has_openings.then_some(Reason::Openings))
+            // The cause is in the part that has the error: others may close.
+            (OffsetKind::Corner, Inexact::Distance(v) | Inexact::Warp([v, _])) => {
+                let own = &closings.parts[closings.part_of[v as usize] as usize];
+                own.reason().or(own.has_openings.then_some(Reason::Openings))
             }
             (OffsetKind::Face, _) => (!are_flat).then_some(Reason::NotFlat),
             (OffsetKind::Edge, _) => Some(Reason::NoSphere),
@@ -80,8 +86,10 @@ impl Axes {
 }
 
 impl Reason {
-    /// The reason as a clause; panels have these `names`.
-    pub(in crate::fabricate) fn words(self, names: &[String]) -> String {
+    /// The reason as a clause; panels have these `names`, and exact offsets errors of at most
+    /// `tolerance` mm.
+    pub(in crate::fabricate) fn words(self, names: &[String], tolerance: f64) -> String {
+        let tolerance = words::millimetres_limit(tolerance);
         let plain = match self {
             Reason::OddPanels(panels) => {
                 let panels = words::count(panels, "panel", "panels");
@@ -104,13 +112,13 @@ impl Reason {
             Reason::Distance(vertex) => {
                 let name = node_name(vertex);
                 return format!(
-                    "the axes nearest to exact leave node {name} off its distance by more than a tenth of the limits"
+                    "the axes nearest to exact leave node {name} off its distance by more than {tolerance}"
                 );
             }
             Reason::Warp(ends) => {
                 let name = beam_name(ends);
                 return format!(
-                    "the axes nearest to exact leave beam {name} out of flat by more than a tenth of the limits"
+                    "the axes nearest to exact leave beam {name} out of flat by more than {tolerance}"
                 );
             }
             Reason::OddRim => {
@@ -140,7 +148,8 @@ mod tests {
 
     fn reason(closing: &Closing, inexact: Inexact) -> Option<Reason> {
         let axes = Axes { axes: Vec::new(), kind: OffsetKind::Corner, inexact: Some(inexact) };
-        axes.reason(closing, true)
+        let closings = Closings { parts: vec![closing.clone()], part_of: vec![0; 8] };
+        axes.reason(&closings, true)
     }
 
     #[test]
@@ -156,10 +165,8 @@ mod tests {
 
     #[test]
     fn a_panel_that_can_be_made_circular_is_the_reason_beside_two_odd_ones() {
-        let of_odd = |most_odd| {
-            let closing =
-                Closing { odd_panels: most_odd, most_odd, panel_deg: 3.0, ..Closing::default() };
-            reason(&closing, WARP)
+        let of_odd = |odd_panels| {
+            reason(&Closing { odd_panels, panel_deg: 3.0, ..Closing::default() }, WARP)
         };
         assert_eq!(of_odd(2), Some(Reason::PanelTurn(0, 3.0)));
         assert_eq!(of_odd(3), Some(Reason::OddPanels(3)));
@@ -168,12 +175,7 @@ mod tests {
     #[test]
     fn without_openings_a_rim_is_no_reason() {
         // The turn around two odd panels leaves the axis along the line of their planes.
-        let two = Closing {
-            odd_panels: 2,
-            most_odd: 2,
-            rims_deg: vec![Some(40.0)],
-            ..Closing::default()
-        };
+        let two = Closing { odd_panels: 2, rims_deg: vec![Some(40.0)], ..Closing::default() };
         assert_eq!(reason(&two, WARP), Some(Reason::Warp([3, 7])));
         assert_eq!(two.reason(), None);
     }
@@ -186,5 +188,21 @@ mod tests {
         // No cause is claimed that nobody measured.
         assert_eq!(reason(&closing(false), WARP), Some(Reason::Warp([3, 7])));
         assert_eq!(reason(&closing(true), Inexact::Lean), Some(Reason::Lean));
+    }
+
+    #[test]
+    fn the_reason_is_that_of_the_part_that_is_not_exact() {
+        let tube = Closing { has_openings: true, ..Closing::default() };
+        let patch = Closing { odd_panels: 1, rims_deg: vec![None], ..Closing::default() };
+        let panels = Closing { odd_panels: 4, ..Closing::default() };
+        let closings =
+            Closings { parts: vec![patch, tube, panels], part_of: vec![0, 0, 1, 1, 2, 2] };
+        let of = |inexact| {
+            let axes = Axes { axes: Vec::new(), kind: OffsetKind::Corner, inexact: Some(inexact) };
+            axes.reason(&closings, true)
+        };
+        assert_eq!(of(Inexact::Warp([2, 3])), Some(Reason::Openings));
+        assert_eq!(of(Inexact::Distance(5)), Some(Reason::OddPanels(4)));
+        assert_eq!(of(Inexact::Distance(1)), Some(Reason::Distance(1)));
     }
 }

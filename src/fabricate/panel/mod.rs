@@ -14,7 +14,7 @@ pub use assembly::{Stand, assembly_rows};
 pub use inset::{inset, inset_sides};
 pub use name::panel_names;
 pub(super) use polygon::{
-    check_size, direction_of, distance_to_outline, sides, smallest_box_within,
+    check_size, direction_of, distance_to_outline, distinct_corners, sides, smallest_box_within,
 };
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};
 pub(super) use splice::{PieceSide, SplicePlate, Spliced, corners, spliced};

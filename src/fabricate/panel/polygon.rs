@@ -10,6 +10,12 @@ pub(in crate::fabricate) fn sides(polygon: &[Point2]) -> impl Iterator<Item = [P
     crate::math::polygon_sides(polygon)
 }
 
+/// An outline without the corners that coincide with the next one.
+pub(in crate::fabricate) fn distinct_corners(outline: &[Point2]) -> Vec<Point2> {
+    let next = outline.iter().cycle().skip(1);
+    outline.iter().zip(next).filter(|(own, next)| own != next).map(|(own, _)| *own).collect()
+}
+
 /// The length of the outline.
 pub fn perimeter(polygon: &[Point2]) -> f64 {
     sides(polygon).map(|[p, q]| distance(p, q)).sum()

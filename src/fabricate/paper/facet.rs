@@ -1,7 +1,9 @@
 //! Facets: flat polygons in mm. A flat panel is one facet; other panels are creased into triangles,
 //! which preserves all lengths. Facets are connected by joints, which are folded or glued.
 
-use crate::fabricate::panel::{FlatPanel, check_size, is_simple, triangles, turn};
+use crate::fabricate::panel::{
+    FlatPanel, check_size, distinct_corners, is_simple, triangles, turn,
+};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::plane::Point2;
 use crate::math::{Vec3, polygon_sides};
@@ -152,7 +154,7 @@ pub(super) fn facets(
 /// If it cannot, in words.
 fn usable(panel: &FlatPanel, model: f64) -> Result<&FlatPanel, &'static str> {
     check_size(&scaled(panel, model))?;
-    match is_simple(&distinct(&panel.corners)) {
+    match is_simple(&distinct_corners(&panel.corners)) {
         true => Ok(panel),
         false => Err("laid flat it crosses itself"),
     }
@@ -161,12 +163,6 @@ fn usable(panel: &FlatPanel, model: f64) -> Result<&FlatPanel, &'static str> {
 /// The corners of a panel in mm.
 fn scaled(panel: &FlatPanel, model: f64) -> Vec<Point2> {
     panel.corners.iter().map(|corner| corner.map(|x| x * model)).collect()
-}
-
-/// Corners that differ from the next one.
-fn distinct(corners: &[Point2]) -> Vec<Point2> {
-    let n = corners.len();
-    (0..n).filter(|&k| corners[k] != corners[(k + 1) % n]).map(|k| corners[k]).collect()
 }
 
 impl Facet {
@@ -203,7 +199,7 @@ impl Facet {
         self.convex = match is_convex {
             true => vec![corners.clone()],
             false => {
-                let corners = distinct(&corners);
+                let corners = distinct_corners(&corners);
                 triangles(&corners).into_iter().map(|own| own.map(|k| corners[k]).into()).collect()
             }
         };

@@ -123,6 +123,14 @@ impl PaperModel {
         }
     }
 
+    /// Whether each facet of a model of this size has room on a sheet, as then every piece has: a piece
+    /// that has none is a single facet.
+    pub fn has_room(surface: &PanelSurface, flat: &[Option<FlatPanel>], size: PaperSize) -> bool {
+        let (mut facets, mut joints, _) = facets(surface, flat, size.model);
+        size.card.cut_back(surface, &mut facets, &mut joints);
+        facets.iter().all(|facet| lies_on(&facet.corners, size.room))
+    }
+
     /// The tab on a side.
     pub fn tab(&self, side: FacetSide) -> Option<&Tab> {
         let (joint, _) = self.net.across(side)?;

@@ -32,11 +32,11 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
     ];
     match report.product {
         Product::Panels => {
-            let [outside, inside] = report.least_joint_mm.map(|mm| millimetres(mm.unwrap_or(0.0)));
-            let least = match report.no_least_joint {
-                "" => format!("{outside} outside, {inside} inside"),
-                why => format!("not known: {why}"),
-            };
+            let least = [0, 1].map(|k| match report.no_least_joint[k] {
+                "" => millimetres(report.least_joint_mm[k].unwrap_or(0.0)),
+                why => format!("not known ({why})"),
+            });
+            let least = format!("{} outside, {} inside", least[0], least[1]);
             lines.extend([
                 ("Joint on the sheet", millimetres(report.joint_mm)),
                 ("Least joint for that thickness", least),

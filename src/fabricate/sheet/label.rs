@@ -180,8 +180,8 @@ pub(super) fn underline(
 
 /// The height of a neighbour's name beside its edge, and its box: along the edge or else across it,
 /// as high as there is room up to `tallest`, if necessary beyond the hole nearest to the edge. None
-/// if it would be unreadable, or nearer to one of the `possible_sides`, for whose it may be taken, than
-/// to its edge.
+/// if it would be unreadable, or nearer to one of the `possible_sides`, with whose name it could be
+/// confused, than to its edge.
 fn beside_edge(
     outline: &[Point2],
     ([p, q], possible_sides): ([Point2; 2], &[[Point2; 2]]),

@@ -1,5 +1,6 @@
 //! Fins, prisms with their end cuts, the beams around each node, types of nodes, node discs.
 
+use super::place::{PLACE, place_cells};
 use crate::fabricate::beam::Frame;
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
@@ -20,7 +21,7 @@ pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
 }
 
 fn fins(build: &Build, frame: &Frame) -> String {
-    let mut table = Table::new(&[
+    let columns = [
         "name",
         "node_a",
         "node_b",
@@ -30,17 +31,13 @@ fn fins(build: &Build, frame: &Frame) -> String {
         "end_b_deg",
         "area_sheet_mm2",
         "flattening_error_mm",
-        "sheet",
-        "x_sheet_mm",
-        "y_sheet_mm",
-        "turn_deg",
-        "name_written",
-    ]);
+    ];
+    let mut table = Table::new(&[&columns[..], &PLACE].concat());
     let (places, model) = (build.layout.places(build.parts.len()), build.mm_of_sheet());
     for ((&edge, part), place) in build.fins.iter().zip(&build.parts).zip(places) {
         let Ok(fin) = &frame.fins[edge as usize] else { continue };
         let [a, b] = build.surface.edges[edge as usize].ends.map(node_name);
-        table.row([
+        let row = [
             Cell::from(&*part.name),
             Cell::from(&*a),
             Cell::from(&*b),
@@ -50,12 +47,9 @@ fn fins(build: &Build, frame: &Frame) -> String {
             Cell::from(fin.end_deg[1]),
             Cell::from(part.area()),
             Cell::from(fin.flattening_error * build.mm_of_building()),
-            place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
-            Cell::from(place.map(|(_, place)| place.offset[0])),
-            Cell::from(place.map(|(_, place)| place.offset[1])),
-            Cell::from(place.map(|(_, place)| place.turn_deg())),
-            Cell::from(part.named.words()),
-        ]);
+        ];
+        let on_sheet = place.map(|(sheet, place)| (sheet, place.offset, place.turn_deg()));
+        table.row(row.into_iter().chain(place_cells(Some(part), on_sheet)));
     }
     table.into_text()
 }
@@ -164,7 +158,7 @@ fn type_name(number: u32) -> String {
 /// negative inwards; the neck is the least height of a fin there. x of a disc points away from the node
 /// along its first beam in `node-beams.csv`, of which the first slot need not be.
 fn discs(build: &Build, frame: &Frame) -> String {
-    let mut table = Table::new(&[
+    let columns = [
         "name",
         "diameter_sheet_mm",
         "slots",
@@ -173,20 +167,17 @@ fn discs(build: &Build, frame: &Frame) -> String {
         "neck_sheet_mm",
         "lean_deg",
         "area_sheet_mm2",
-        "sheet",
-        "x_sheet_mm",
-        "y_sheet_mm",
-        "turn_deg",
-        "name_written",
-    ]);
+    ];
+    let mut table = Table::new(&[&columns[..], &PLACE].concat());
     let (places, model) = (build.layout.places(build.parts.len()), build.mm_of_sheet());
     for own in &build.discs {
         let Some(Ok(disc)) = &frame.discs[own.vertex as usize] else { continue };
         let (part, place) = (&build.parts[own.part], places[own.part]);
         let first = disc.slots.first();
         let first = first.map(|slot| beam_name(build.surface.edges[slot.edge as usize].ends));
-        table.row([
-            Cell::from(&*node_name(own.vertex)),
+        let name = node_name(own.vertex);
+        let row = [
+            Cell::from(&*name),
             Cell::from(2.0 * disc.radius * model),
             Cell::from(disc.slots.len()),
             Cell::from(first.as_deref().unwrap_or_default()),
@@ -194,12 +185,9 @@ fn discs(build: &Build, frame: &Frame) -> String {
             Cell::from(disc.neck * model),
             Cell::from(disc.lean_deg),
             Cell::from(part.area()),
-            place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
-            Cell::from(place.map(|(_, place)| place.offset[0])),
-            Cell::from(place.map(|(_, place)| place.offset[1])),
-            Cell::from(place.map(|(_, place)| place.turn_deg())),
-            Cell::from(part.named.words()),
-        ]);
+        ];
+        let on_sheet = place.map(|(sheet, place)| (sheet, place.offset, place.turn_deg()));
+        table.row(row.into_iter().chain(place_cells(Some(part), on_sheet)));
     }
     table.into_text()
 }

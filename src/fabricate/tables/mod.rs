@@ -5,6 +5,7 @@
 mod beams;
 mod panels;
 mod paper;
+mod place;
 mod reading;
 mod shape;
 mod splices;
@@ -46,15 +47,14 @@ pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
         (Product::Paper, _) => paper::all(build),
         (Product::Fins, None) => Vec::new(),
     };
-    tables.extend([
-        ("edges.csv", shape::edges(build)),
-        ("nodes.csv", shape::nodes(build)),
-        ("summary.csv", summary(build)),
-    ]);
+    tables.extend([("edges.csv", shape::edges(build)), ("nodes.csv", shape::nodes(build))]);
+    let names: Vec<&str> = tables.iter().map(|(name, _)| *name).collect();
+    tables.push(("summary.csv", summary(build, &names)));
     tables
 }
 
-fn summary(build: &Build) -> String {
+/// The summary, which explains the tables of these names.
+fn summary(build: &Build, names: &[&str]) -> String {
     let report = build.report_without_curves();
     let mut table = Table::new(&["what", "value", "unit"]);
     let mut row = |what: &str, value: Cell<'_>, unit: &str| {
@@ -79,8 +79,9 @@ fn summary(build: &Build) -> String {
     if report.product == Product::Panels {
         row("joint on the sheet", Cell::from(report.joint_mm), "sheet mm");
         // A joint below it lets panels of this thickness meet.
-        for (side, least) in ["outside", "inside"].into_iter().zip(report.least_joint_mm) {
-            let known = report.no_least_joint.is_empty().then(|| least.unwrap_or(0.0));
+        for (side, k) in ["outside", "inside"].into_iter().zip(0..) {
+            let is_known = report.no_least_joint[k].is_empty();
+            let known = is_known.then(|| report.least_joint_mm[k].unwrap_or(0.0));
             row(&format!("least joint, panels {side}"), Cell::from(known), "sheet mm");
         }
     }
@@ -107,12 +108,9 @@ fn summary(build: &Build) -> String {
         };
         row(&format!("{} ({})", setting.label, setting.id), cell, unit);
     }
-    let is_there = |what: &str| match what.split_once(' ') {
-        Some(("discs.csv", _)) => !build.discs.is_empty(),
-        Some(("splices.csv", _)) => !build.splices.is_empty(),
-        _ => true,
-    };
-    for (what, words) in reading::reading(report.product).filter(|(what, _)| is_there(what)) {
+    let has_tabs = report.paper.as_ref().is_some_and(|paper| paper.tabs > 0);
+    let explained = reading::reading(names).filter(|(what, _)| has_tabs || *what != "tabs");
+    for (what, words) in explained {
         row(&format!("how to read {what}"), Cell::from(words), "");
     }
     table.into_text()

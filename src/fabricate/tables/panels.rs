@@ -1,5 +1,6 @@
 //! Panels as cut, and their types.
 
+use super::place::{PLACE, place_cells};
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::panel::{perimeter, smallest_box};
@@ -14,7 +15,7 @@ fn type_name(number: u32) -> String {
 
 /// The panels as cut; of one in pieces, each piece.
 pub(super) fn panels(build: &Build) -> String {
-    let mut table = Table::new(&[
+    let columns = [
         "name",
         "type",
         "corners",
@@ -24,14 +25,8 @@ pub(super) fn panels(build: &Build) -> String {
         "height_sheet_mm",
         "flatness_mm",
         "flattening_error_mm",
-        "sheet",
-        "x_sheet_mm",
-        "y_sheet_mm",
-        "turn_deg",
-        "name_written",
-        "order",
-        "nodes",
-    ]);
+    ];
+    let mut table = Table::new(&[&columns[..], &PLACE, &["order", "nodes"]].concat());
     let places = build.layout.places(build.parts.len());
     let building = build.mm_of_building();
     for (f, name) in build.names.iter().enumerate() {
@@ -43,17 +38,17 @@ pub(super) fn panels(build: &Build) -> String {
         let pieces = cut.map_or(vec![None], |cut| cut.parts().map(Some).collect());
         for number in pieces {
             let part = number.map(|number| &build.parts[number]);
-            let place = cut.zip(number.and_then(|number| places[number]));
             // The rotation from the plane of the panel, whose x axis is its first edge.
-            let turn = place.map(|(cut, (_, place))| {
+            let on_sheet = cut.zip(number.and_then(|number| places[number]));
+            let on_sheet = on_sheet.map(|(cut, (sheet, place))| {
                 let [c, s] = rotated(cut.turn, place.turn);
-                libm::atan2(s, c).to_degrees()
+                (sheet, place.offset, libm::atan2(s, c).to_degrees())
             });
             let size = cut.zip(part).map(|(cut, part)| match cut.pieces {
                 1 => cut.size,
                 _ => smallest_box(&part.outline).1,
             });
-            table.row([
+            let row = [
                 Cell::from(part.map_or(&**name, |part| &*part.name)),
                 Cell::from(&*kind),
                 Cell::from(corners.len()),
@@ -63,14 +58,10 @@ pub(super) fn panels(build: &Build) -> String {
                 Cell::from(size.map(|size| size[1])),
                 Cell::from(flat.map(|flat| flat.flatness * building)),
                 Cell::from(flat.map(|flat| flat.flattening_error * building)),
-                place.map_or(Cell::None, |(_, (sheet, _))| Cell::from(sheet)),
-                Cell::from(place.map(|(_, (_, place))| place.offset[0])),
-                Cell::from(place.map(|(_, (_, place))| place.offset[1])),
-                Cell::from(turn),
-                Cell::from(part.map_or("", |part| part.named.words())),
-                Cell::from(build.order[f] as usize),
-                Cell::from(&*nodes.join(" ")),
-            ]);
+            ];
+            let (order, nodes) = (Cell::from(build.order[f] as usize), nodes.join(" "));
+            let last = [order, Cell::from(&*nodes)];
+            table.row(row.into_iter().chain(place_cells(part, on_sheet)).chain(last));
         }
     }
     table.into_text()

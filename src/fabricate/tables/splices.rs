@@ -1,12 +1,13 @@
 //! Plates that join the pieces of panels.
 
+use super::place::{PLACE, place_cells};
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
 use crate::math::plane::{distance, minus};
 
 /// The plates as cut; their pieces are in `panels.csv`.
 pub(super) fn splices(build: &Build) -> String {
-    let mut table = Table::new(&[
+    let columns = [
         "name",
         "panel",
         "piece_a",
@@ -15,24 +16,20 @@ pub(super) fn splices(build: &Build) -> String {
         "width_sheet_mm",
         "length_sheet_mm",
         "area_sheet_mm2",
-        "sheet",
-        "x_sheet_mm",
-        "y_sheet_mm",
-        "turn_deg",
-        "name_written",
-    ]);
+    ];
+    let mut table = Table::new(&[&columns[..], &PLACE].concat());
     let places = build.layout.places(build.parts.len());
     for own in &build.splices {
         let (part, place) = (&build.parts[own.part], places[own.part]);
         let [one, other] = own.pieces.map(|piece| &*build.parts[piece].name);
         let [low, high] = own.corners;
         let size = [own.axis, 1 - own.axis].map(|axis| high[axis] - low[axis]);
-        let corner = place.map(|(_, place)| place.corner(&part.outline));
-        let turn = place.map(|(_, place)| {
+        let on_sheet = place.map(|(sheet, place)| {
             let [from, to] = own.seam.map(|end| place.to_sheet(end));
-            minus(to, from)
+            let [c, s] = minus(to, from);
+            (sheet, place.corner(&part.outline), libm::atan2(s, c).to_degrees())
         });
-        table.row([
+        let row = [
             Cell::from(&*part.name),
             Cell::from(&*build.names[own.panel as usize]),
             Cell::from(one),
@@ -41,12 +38,8 @@ pub(super) fn splices(build: &Build) -> String {
             Cell::from(size[0]),
             Cell::from(size[1]),
             Cell::from(part.area()),
-            place.map_or(Cell::None, |(sheet, _)| Cell::from(sheet)),
-            Cell::from(corner.map(|corner| corner[0])),
-            Cell::from(corner.map(|corner| corner[1])),
-            Cell::from(turn.map(|[c, s]| libm::atan2(s, c).to_degrees())),
-            Cell::from(part.named.words()),
-        ]);
+        ];
+        table.row(row.into_iter().chain(place_cells(Some(part), on_sheet)));
     }
     table.into_text()
 }

@@ -2,14 +2,14 @@
 
 use crate::fabricate::file::{SheetPicture, picture};
 use crate::fabricate::{
-    BUILD_NUMBERS, Build, BuildCard, BuildReport, BuildWords, CardWords, Choice, Fault, ReportView,
-    SpatialPart, Stand, unit_of,
+    BUILD_NUMBERS, Build, BuildCard, BuildFile, BuildReport, BuildWords, CardWords, Choice, Fault,
+    ReportView, SpatialPart, Stand, unit_of,
 };
 use crate::mesh::Mesh;
 use crate::scene::{BUILD_PRESETS, BUILD_SETTINGS, BuildPreset, BuildSetting, BuildSettings, Up};
 use crate::web::values::{AsIs, Js, flat, indices, plain, plains, read};
 use crate::web::{log_panics, mesh_of, thrown};
-use js_sys::{Float64Array, Uint32Array};
+use js_sys::{Float64Array, Uint8Array, Uint32Array};
 use serde::{Deserialize, Serialize};
 use tsify::Tsify;
 use wasm_bindgen::prelude::*;
@@ -65,7 +65,7 @@ pub struct Site {
 #[derive(Serialize, Tsify)]
 pub struct NamedFile {
     name: String,
-    text: String,
+    bytes: AsIs<Uint8Array>,
 }
 
 /// Returns the presets, the declared settings and their defaults.
@@ -186,11 +186,6 @@ impl Builder {
         plains(&worded.collect::<Vec<_>>())
     }
 
-    /// Returns shape, offset and beams as binary glTF.
-    pub fn presentation(&self) -> Vec<u8> {
-        self.build.presentation(self.z_up)
-    }
-
     /// Returns the build as objects on layers, for CAD programs.
     #[wasm_bindgen(js_name = spatialParts)]
     pub fn spatial_parts(&self) -> Result<Vec<Js<SpatialPart>>, JsValue> {
@@ -205,11 +200,13 @@ impl Builder {
         self.build.report_page(&ReportView { title, z_up: self.z_up, camera, link })
     }
 
-    /// Returns all files: `name` and `text`.
+    /// Returns all files: `name` and `bytes`.
     pub fn files(&self) -> Result<Vec<Js<NamedFile>>, JsValue> {
         let files = self.build.files(self.z_up).into_iter();
-        plains(
-            &files.map(|file| NamedFile { name: file.name, text: file.text }).collect::<Vec<_>>(),
-        )
+        let named = files.map(|BuildFile { name, bytes }| NamedFile {
+            name,
+            bytes: AsIs(Uint8Array::from(&bytes[..])),
+        });
+        plains(&named.collect::<Vec<_>>())
     }
 }

@@ -83,7 +83,9 @@ impl Files {
     pub(super) fn of(build: &Build) -> Files {
         let files = build.files(true).into_iter();
         let kept = files.filter(|file| file.name.ends_with(".csv") || file.name.ends_with(".svg"));
-        Files { texts: kept.map(|file| (file.name, file.text)).collect() }
+        Files {
+            texts: kept.map(|file| (file.name, String::from_utf8(file.bytes).unwrap())).collect(),
+        }
     }
 
     pub(super) fn table(&self, name: &str) -> Table {

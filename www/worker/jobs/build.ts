@@ -4,9 +4,6 @@ import { zipSync, type Zippable } from 'fflate';
 import { Builder, buildOffers, type Site } from '../../pkg/engine/shape_up.js';
 import type { BuildSettings } from '../../solver/types.ts';
 
-/** The file name of the shape with its offset, the same as on the command line. */
-const PRESENTATION = 'model.glb';
-
 /** A shape (positions `#V by 3`), and what is to be made of it. */
 export interface Shape {
   positions: Float64Array;
@@ -95,8 +92,7 @@ export const builds = {
   zipParts(asker: Asker) {
     const builder = parts[asker].whole();
     const files: Zippable = {};
-    for (const { name, text } of builder.files()) files[name] = new TextEncoder().encode(text);
-    files[PRESENTATION] = builder.presentation();
+    for (const { name, bytes } of builder.files()) files[name] = bytes;
     return zipSync(files);
   },
 };
