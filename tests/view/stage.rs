@@ -84,10 +84,13 @@ fn the_same_faces_only_move_and_keep_camera_and_marks() {
     let mut state = state(4, bump);
     state.orbit(50.0, 20.0);
     state.marks_mut().select(vec![3], vec![]).unwrap();
+    state.set_rest(&sheet(4, DVec3::ZERO, bump).1).unwrap();
     let camera = state.camera();
     state.take_changes();
     let (faces, positions) = sheet(4, DVec3::ZERO, |x, y| 0.5 * bump(x, y));
     state.set_mesh(faces, (vec![], vec![]), &positions).unwrap();
+    // The tape told the distance in the file that was open before.
+    assert!(state.around().rest().is_empty());
     assert_eq!(state.camera(), camera);
     assert_eq!(state.appearance().selected_vertices, [3]);
     assert!(state.changes().positions && !state.changes().mesh);
