@@ -69,8 +69,9 @@ export function AmountField({
         setTyped(currentTarget.value);
       }}
       onChange={({ currentTarget }) => {
-        // The word that stands there when it is empty can be typed, too.
-        const isWord = currentTarget.value.trim().toLowerCase() === rest.placeholder;
+        // The word that stands there when it is empty can be typed, too; a number there is one.
+        const isPlaceholder = currentTarget.value.trim().toLowerCase() === rest.placeholder;
+        const isWord = isPlaceholder && numberIn(currentTarget, accepted) === null;
         if (onEmpty && isWord) currentTarget.value = '';
         const to = numberIn(currentTarget, accepted);
         // What is wrong is said until the field is left; leaving it is not held up.
