@@ -54,6 +54,16 @@ export function messageOf(thrown: unknown): string {
     : message;
 }
 
+/**
+ * Returns a sentence on a refusal with the engine's reason. Errors of the page are sentences already, on
+ * what has happened instead.
+ * @param words before the reason
+ */
+export function refusalOf(thrown: unknown, words: string): string {
+  const message = messageOf(thrown);
+  return message.endsWith('.') ? message : `${words}: ${message}.`;
+}
+
 /** Says which file could not be read: browsers say only why. */
 export const unreadable =
   ({ name }: { name: string }) =>
