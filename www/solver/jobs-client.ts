@@ -50,7 +50,10 @@ export class JobsClient extends Emitter<{
   copy = (model: Snapshot, holder: Holder = 'questions'): Remote<ModelCopy> =>
     calling((name, given) => again(() => this.#call(name, given, { model, holder })));
 
-  /** A copy of a model of its own, for work in several calls: `ask` is about it until `free`, whatever others ask. */
+  /**
+   * A copy of a model of its own, for work in several calls: `ask` is about it until `free`, whatever
+   * others ask.
+   */
   of(holder: Exclude<Holder, 'questions'>) {
     const ask: Remote<ModelCopy> = calling((name, given) => this.#call(name, given, { holder }));
     return { copy: (model: Snapshot) => this.copy(model, holder), ask };

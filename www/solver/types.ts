@@ -31,9 +31,9 @@ export interface Saved {
 }
 
 /**
- * Targets (`#vertices by 3`; none if nothing moves) of dragged handles, of the drag with the number `id`. The first phase is
- * `start`, or `make`, which makes the vertices handles first. Of several `move`s only the last one
- * counts; `time` is that of its event. During a drag the solver iterates even when paused.
+ * Targets (`#vertices by 3`; none if nothing moves) of dragged handles, of the drag with the number `id`.
+ * The first phase is `start`, or `make`, which makes the vertices handles first. Of several `move`s only
+ * the last one counts; `time` is that of its event. During a drag the solver iterates even when paused.
  */
 export type Drag = {
   id: number;

@@ -106,7 +106,7 @@ export interface State {
   corner: 'curvature' | 'new-panels' | null;
   /** the panel that is docked below the view */
   docked: 'variations' | 'parts' | null;
-  /** of the other measures, in their units */
+  /** tolerances of measures that do not have the model's, by id, in their units */
   tolerances: Record<Measure, number | null>;
   /** `map` applies if all values are coloured */
   display: {

@@ -125,9 +125,7 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
   return (
     <Card class={isNotGood ? 'card warning' : 'card'} data-shows="verdict" data-level={level}>
       <p aria-live={verdict ? 'polite' : 'off'}>
-        <span>
-          <Sentence words={words} />
-        </span>{' '}
+        <Sentence words={words} />{' '}
         <span class="numbers">
           <Sentence words={numbers} />
         </span>
