@@ -69,7 +69,7 @@ export interface Large {
   most: Promise<number>;
   /** asks whether to open so many all the same; rejects if not */
   ask: (faces: number) => Promise<void>;
-  /** called when the solver begins or ends to work for it: a cancelled opening ends that work */
+  /** called when it is passed to the solver, and when that has answered */
   atWork: (now: boolean) => void;
   /** aborted when the opening is cancelled */
   cancelled: AbortSignal;
@@ -189,14 +189,9 @@ export class Files extends Emitter<{ opened: void }> {
       const frame = rememberedFrame(digest);
       const how = { files, saved, frame, solved, weld: !unwelded };
       const open = (most?: number) => {
-        // Until now the solver has gone on with the open model.
-        const abandon = () => this.#solver.abandon();
-        cancelled?.addEventListener('abort', abandon);
         large.atWork?.(true);
-        return this.#actions.open({ ...how, most }, cancelled).finally(() => {
-          large.atWork?.(false);
-          cancelled?.removeEventListener('abort', abandon);
-        });
+        const opened = this.#actions.open({ ...how, most }, cancelled);
+        return opened.finally(() => large.atWork?.(false));
       };
       let loaded = await open(most);
       while (typeof loaded === 'number') {

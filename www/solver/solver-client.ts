@@ -10,8 +10,9 @@ import { again, Cancelled, messageOf } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
 import type { DrawnProjections } from '../pkg/engine/shape_up.js';
-import type { Connectivity, Loaded, Measure, Snapshot, Saved } from './types.ts';
+import type { Connectivity, Loaded, Measure, Opened, Snapshot, Saved } from './types.ts';
 import type { Changes, Commands, Questions } from '../worker/interface.ts';
+import type { Opening } from '../worker/open.ts';
 
 /** The current mesh. */
 export interface Geometry {
@@ -49,8 +50,8 @@ const STEPS_MISSED = 10;
 const LONG_WORK = 3;
 
 /**
- * Not repeated after cancelled work: undo and redo would take back something else, `open` is repeated
- * by its caller.
+ * Not repeated after cancelled work: undo and redo would take back something else, and a worker that
+ * replaces another one opens the scene itself.
  */
 const ONCE: ReadonlySet<string> = new Set<keyof Changes>(['undo', 'redo', 'open']);
 
@@ -188,6 +189,27 @@ export class SolverClient extends Emitter<SolverEvents> {
     return !this.#worker;
   }
 
+  /**
+   * Opens files. When `cancelled` is aborted, the work for this ends, or else is not begun: what was
+   * begun before goes on.
+   */
+  open(given: Opening, cancelled?: AbortSignal) {
+    const ask = async () => {
+      let own = 0;
+      const stop = () => this.#withdraw(own);
+      cancelled?.addEventListener('abort', stop);
+      const opened = this.#request('open', [given], (id) => (own = id));
+      return opened.finally(() => cancelled?.removeEventListener('abort', stop));
+    };
+    return this.begin(again(ask)) as Promise<Opened | number>;
+  }
+
+  /** Cancels a call: now if the worker works for it, else before it does. */
+  #withdraw(id: number) {
+    if (id === this.#workingFor) this.abandon();
+    else this.#waiting.settle(id, null, new Cancelled());
+  }
+
   /** Abandons the current work; the previous model is opened again. */
   abandon() {
     void this.#died('it was cancelled', true);
@@ -240,9 +262,13 @@ export class SolverClient extends Emitter<SolverEvents> {
     return ONCE.has(name) ? request() : again(request);
   }
 
-  #request(name: string, given: unknown[]) {
+  /** @param numbered gets the number of the call */
+  #request(name: string, given: unknown[], numbered: (id: number) => void = () => {}) {
     const mesh = this.#mesh;
-    return this.#waiting.call(name, given, (call) => this.#post({ ...call, mesh }));
+    return this.#waiting.call(name, given, (call) => {
+      numbered(call.id);
+      this.#post({ ...call, mesh });
+    });
   }
 
   #post(call: Call, transfer: Transferable[] = []) {
@@ -265,6 +291,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     }
     switch (message.type) {
       case 'working':
+        // The call was withdrawn before its turn.
+        if (message.id !== undefined && !this.#waiting.has(message.id)) return this.abandon();
         // Parts of it are announced without the call.
         this.#workingFor ??= message.id;
         return;

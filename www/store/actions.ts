@@ -5,7 +5,7 @@
 
 import { workingKey } from '../ui/keys.ts';
 import { count } from '../ui/words.ts';
-import { again, Cancelled, messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { ConstraintRow, Edit, PanelStart, Require } from '../pkg/engine/shape_up.js';
@@ -261,15 +261,8 @@ export function createActions(
     /** Registers what the user has begun and the solver does not know of, so that `settled` waits for it. */
     begin: <T>(begun: Promise<T>) => solver.begin(begun),
 
-    /**
-     * Opens files; rejects with the error. What waits behind cancelled work is opened after it, unless it
-     * has been `cancelled` itself.
-     */
-    open: (given: Parameters<typeof solver.change.open>[0], cancelled?: AbortSignal) =>
-      again(
-        () => solver.change.open(given),
-        () => cancelled?.throwIfAborted(),
-      ),
+    /** Opens files, unless `cancelled` is aborted; rejects with the error. */
+    open: (...how: Parameters<typeof solver.open>) => solver.open(...how),
 
     runOrPause() {
       const { running, refining } = store.get();

@@ -219,7 +219,7 @@ test('what is edited while the model comes back is edited then, but no other mod
 
 test('what waits behind cancelled work is done by the next worker, but nothing that the user has cancelled', async () => {
   // A change was dropped without a word, though only the long work before it was cancelled. An undo would
-  // have taken that back; the caller of an opening opens again, unless it is cancelled itself.
+  // have taken that back; a scene that is restored is restored by the next worker anyway.
   const client = await clientWithRoof();
   const { ask, change } = client;
   const waiting = () => [
@@ -246,6 +246,28 @@ test('what waits behind cancelled work is done by the next worker, but nothing t
   const behindOpening = await after(0);
   assert.deepEqual(behindOpening.names.slice(0, 4), ['open', 'edit', 'scene', 'makePanels']);
   assert.equal(await behindOpening.of(0), false);
+});
+
+test('a file that waits for its turn is cancelled alone, and what is at work is done', async () => {
+  // Of two files the first one was not opened, since the second one was cancelled.
+  const client = await clientWithRoof();
+  const worker = FakeWorker.latest;
+  const stop = new AbortController();
+  const first = client.open({ files: [] });
+  const second = client.open({ files: [] }, stop.signal);
+  const [atWork, waiting] = worker.posted.map(({ id }) => id);
+  worker.say({ type: 'working', id: atWork });
+  stop.abort();
+  await assert.rejects(second, (error) => error instanceof Cancelled && !isCollateral(error));
+  worker.model('large.obj', 2);
+  worker.scene('the large mesh', 0);
+  worker.say({ type: 'reply', id: atWork, value: { undoLost: '' } });
+  await first;
+  assert.equal(FakeWorker.latest, worker);
+  // When its turn comes, its worker ends before it opens anything.
+  worker.say({ type: 'working', id: waiting });
+  FakeWorker.latest.say({ type: 'ready' });
+  assert.equal(FakeWorker.latest.reopened, 'the large mesh');
 });
 
 test('work that the user cancels is no error', async () => {
