@@ -84,7 +84,10 @@ export class Files extends Emitter<{ opened: void }> {
   origin: Origin = {};
   /** Text of its scene when opened first; that of resumed work as it was saved. */
   original: string | null = null;
-  /** All openings of models: commands given meanwhile apply to the model that is coming. */
+  /**
+   * All openings of models. Run, Step and Undo given meanwhile apply to the model that is coming; edits of
+   * the one before are dropped.
+   */
   readonly openings = new Openings(() => this.#alerts.clear());
   #examples: Promise<Example[]> | null = null;
   #store;
@@ -174,7 +177,7 @@ export class Files extends Emitter<{ opened: void }> {
         );
       }
       const main = mainOf(files);
-      const digest = await digestOf(main.bytes.slice());
+      const digest = await digestOf(main.bytes);
       const most = await large.most;
       // Nothing is waited for between this and the opening: a later one could come first.
       if (!(await opening.isWanted())) return null;
@@ -195,7 +198,7 @@ export class Files extends Emitter<{ opened: void }> {
       };
       let loaded = await open(most);
       while (typeof loaded === 'number') {
-        await large.ask?.(loaded);
+        if (large.ask) await opening.asks(large.ask(loaded));
         if (!(await opening.isWanted())) return null;
         cancelled?.throwIfAborted();
         loaded = await open();
