@@ -84,9 +84,10 @@ const app: AppContext = {
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
-const measureParts = once(() => actions.reportErrors(measureGoals(app)));
+const measureParts = once(() => measureGoals(app));
 store.subscribe(['document'], ({ document: scene }) => {
-  if (scene?.lesson?.goals.some(({ build }) => build)) void measureParts();
+  if (scene?.lesson?.goals.some(({ build }) => build))
+    void actions.reportErrors(measureParts());
 });
 showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));

@@ -5,6 +5,7 @@ import { Cancelled, messageOf } from '../solver/errors.ts';
 import { listOfExamples, type Example } from '../solver/examples.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
 import { count, groupDigits, length } from '../ui/words.ts';
+import { once } from '../ui/once.ts';
 import { saveFile } from '../ui/output.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
 import { linkToExample } from './examples.ts';
@@ -80,6 +81,8 @@ type Reopenable = { given: NamedBytes[]; origin: Origin };
 const IS_RHINO = /\.3dm$/i;
 
 export class Files extends Emitter<{ opened: void }> {
+  /** Returns the list of examples. */
+  readonly examples = once(listOfExamples);
   /** Source of the current model. */
   origin: Origin = {};
   /** Text of its scene when opened first; that of resumed work as it was saved. */
@@ -89,7 +92,6 @@ export class Files extends Emitter<{ opened: void }> {
    * the one before are dropped.
    */
   readonly openings = new Openings(() => this.#alerts.clear());
-  #examples: Promise<Example[]> | null = null;
   #store;
   #solver;
   #alerts;
@@ -338,15 +340,6 @@ export class Files extends Emitter<{ opened: void }> {
     this.origin = { ...this.origin, trial: false, link: undefined };
     this.nameInAddress();
     this.emit('opened', undefined);
-  }
-
-  examples(): Promise<Example[]> {
-    // Allows another attempt when the network is back.
-    this.#examples ??= listOfExamples().catch((error) => {
-      this.#examples = null;
-      throw error;
-    });
-    return this.#examples;
   }
 
   #reportWelded({ before, after, tolerance }: NonNullable<Opened['welded']>, units: string) {

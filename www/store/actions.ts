@@ -4,6 +4,7 @@
  */
 
 import { workingKey } from '../ui/keys.ts';
+import { once } from '../ui/once.ts';
 import { count } from '../ui/words.ts';
 import { Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials, type ExactFound } from './trials.ts';
@@ -123,8 +124,9 @@ export function createActions(
   }
 
   /** Positions of the original. */
-  let original: Promise<Float64Array> | null = null;
-  solver.on('model', () => (original = null));
+  const ofModel = () => once(() => solver.ask.originalPositions());
+  let original = ofModel();
+  solver.on('model', () => (original = ofModel()));
 
   const connectivity = () => solver.geometry?.connectivity;
 
@@ -189,11 +191,7 @@ export function createActions(
     ask: solver.ask,
 
     /** Returns the positions at opening, `#V by 3`; asked for once. */
-    originalPositions: () =>
-      (original ??= solver.ask.originalPositions().catch((error) => {
-        original = null;
-        throw error;
-      })),
+    originalPositions: () => original(),
 
     trials: createTrials(solver, jobs),
     drags: new Drags(store, solver),
