@@ -195,7 +195,7 @@ export class Files extends Emitter<{ opened: void }> {
       const how = { files, saved, frame, solved, weld: !unwelded };
       const open = (most?: number) => {
         large.atWork?.(true);
-        const opened = this.#actions.open({ ...how, most }, cancelled);
+        const opened = this.#solver.open({ ...how, most }, cancelled);
         return opened.finally(() => large.atWork?.(false));
       };
       let loaded = await open(most);

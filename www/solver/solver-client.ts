@@ -194,20 +194,20 @@ export class SolverClient extends Emitter<SolverEvents> {
    * begun before goes on.
    */
   open(given: Opening, cancelled?: AbortSignal) {
-    const ask = async () => {
+    const ask = () => {
       let own = 0;
-      const stop = () => this.#withdraw(own);
+      const opened = this.#waiting.call('open', [given], (call) => {
+        own = call.id;
+        this.#post(call);
+      });
+      const stop = () => {
+        if (own === this.#workingFor) this.abandon();
+        else this.#waiting.settle(own, null, new Cancelled());
+      };
       cancelled?.addEventListener('abort', stop);
-      const opened = this.#request('open', [given], (id) => (own = id));
       return opened.finally(() => cancelled?.removeEventListener('abort', stop));
     };
     return this.begin(again(ask)) as Promise<Opened | number>;
-  }
-
-  /** Cancels a call: now if the worker works for it, else before it does. */
-  #withdraw(id: number) {
-    if (id === this.#workingFor) this.abandon();
-    else this.#waiting.settle(id, null, new Cancelled());
   }
 
   /** Abandons the current work; the previous model is opened again. */
@@ -262,13 +262,9 @@ export class SolverClient extends Emitter<SolverEvents> {
     return ONCE.has(name) ? request() : again(request);
   }
 
-  /** @param numbered gets the number of the call */
-  #request(name: string, given: unknown[], numbered: (id: number) => void = () => {}) {
+  #request(name: string, given: unknown[]) {
     const mesh = this.#mesh;
-    return this.#waiting.call(name, given, (call) => {
-      numbered(call.id);
-      this.#post({ ...call, mesh });
-    });
+    return this.#waiting.call(name, given, (call) => this.#post({ ...call, mesh }));
   }
 
   #post(call: Call, transfer: Transferable[] = []) {

@@ -259,9 +259,6 @@ export function createActions(
     /** Registers what the user has begun and the solver does not know of, so that `settled` waits for it. */
     begin: <T>(begun: Promise<T>) => solver.begin(begun),
 
-    /** Opens files, unless `cancelled` is aborted; rejects with the error. */
-    open: (...how: Parameters<typeof solver.open>) => solver.open(...how),
-
     runOrPause() {
       const { running, refining } = store.get();
       store.set({ refining: false });
