@@ -18,7 +18,7 @@ export type Measure = string;
 /** The text of the scene with its mesh, which has this generation in the solver. */
 export type Snapshot = { text: string; generation: number };
 
-export type NamedBytes = { name: string; bytes: Uint8Array };
+export type NamedBytes = { name: string; bytes: Uint8Array<ArrayBuffer> };
 
 /** Data saved with a scene to resume it; the byte arrays are read by the solver only. */
 export interface Saved {
