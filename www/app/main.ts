@@ -21,7 +21,7 @@ import { colourRows } from '../store/colours/constraint-colours.ts';
 import { bindHalfStepSwitch } from '../store/half-step.ts';
 import { meshActions } from '../store/mesh-actions.ts';
 import { Selecting } from '../store/mesh-queries.ts';
-import { runEarlyPresses } from '../store/press.ts';
+import { runEarlyPresses } from '../store/perform.ts';
 import { createStore, withModel } from '../store/state.ts';
 import { Alerts } from '../ui/controls/alerts.ts';
 import { closeAboutModel } from '../ui/controls/dialog.ts';

@@ -19,7 +19,7 @@ import type { SolverClient } from '../solver/solver-client.ts';
 import type { Document as SceneDocument } from '../pkg/engine/shape_up.js';
 import type { NamedBytes, Saved, Opened } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
-import { STARTS_LATER } from '../store/press.ts';
+import { STARTS_LATER } from '../store/perform.ts';
 import { untilChanged } from '../store/until-changed.ts';
 import type { Store } from '../store/state.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
@@ -222,8 +222,8 @@ export class Files extends Emitter<{ opened: void }> {
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,
         example: origin.example ?? null,
-        undoes: (origin.before && origin.step) || '',
-        redoes: origin.after?.origin.step ?? '',
+        undoReplacing: (origin.before && origin.step) || '',
+        redoReplacing: origin.after?.origin.step ?? '',
         nothingOpen: false,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
@@ -322,16 +322,16 @@ export class Files extends Emitter<{ opened: void }> {
   /** Reopens the model from which Undo went back, unless this one has changed since. */
   async goForward() {
     const { after } = this.origin;
-    if (!after || !this.#store.get().redoes || this.openings.coming) return;
+    if (!after || !this.#store.get().redoReplacing || this.openings.coming) return;
     if (await this.#openInstead(() => after))
       this.#actions.setStatus(`Redid: ${after.origin.step}`);
   }
 
   /** Forgets the model from which Undo went back, once an edit has taken its place: Redo has nothing. */
   #forgetUndone({ redo }: SceneDocument) {
-    const { redoes } = this.#store.get();
-    if (!redoes || redo || this.#solver.sceneText === this.#openedText) return;
-    this.#actions.look({ redoes: '' });
+    const { redoReplacing } = this.#store.get();
+    if (!redoReplacing || redo || this.#solver.sceneText === this.#openedText) return;
+    this.#actions.look({ redoReplacing: '' });
     delete this.origin.after;
   }
 

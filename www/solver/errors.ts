@@ -29,18 +29,18 @@ export class Cancelled extends Error {
 }
 
 /** Whether something ended only with what was cancelled: it can be asked for again. */
-export const isCollateral = (thrown: unknown) => thrown instanceof Cancelled && !thrown.isDirect;
+export const wasCollateral = (thrown: unknown) => thrown instanceof Cancelled && !thrown.isDirect;
 
 /**
  * Asks once more if the first answer was cancelled with something else.
  * @param renew first makes again what the worker had
  */
-export const again = <Answer>(
+export const retryIfCollateral = <Answer>(
   ask: () => Promise<Answer>,
   renew: () => unknown = () => {},
 ): Promise<Answer> =>
   ask().catch(async (thrown: unknown) => {
-    if (!isCollateral(thrown)) throw thrown;
+    if (!wasCollateral(thrown)) throw thrown;
     await renew();
     return ask();
   });

@@ -6,7 +6,7 @@
  */
 
 import { Emitter } from './emitter.ts';
-import { again, Cancelled, messageOf } from './errors.ts';
+import { Cancelled, messageOf, retryIfCollateral } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
 import type { DrawnProjections } from '../pkg/engine/shape_up.js';
@@ -207,7 +207,7 @@ export class SolverClient extends Emitter<SolverEvents> {
       cancelled?.addEventListener('abort', stop);
       return opened.finally(() => cancelled?.removeEventListener('abort', stop));
     };
-    return this.begin(again(ask)) as Promise<Opened | number>;
+    return this.begin(retryIfCollateral(ask)) as Promise<Opened | number>;
   }
 
   /** Abandons the current work; the previous model is opened again. */
@@ -259,7 +259,7 @@ export class SolverClient extends Emitter<SolverEvents> {
   /** Requests something; what waits behind cancelled work is done after it. */
   #asked(name: string, given: unknown[]) {
     const request = () => this.#request(name, given);
-    return ONCE.has(name) ? request() : again(request);
+    return ONCE.has(name) ? request() : retryIfCollateral(request);
   }
 
   #request(name: string, given: unknown[]) {

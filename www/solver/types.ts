@@ -3,7 +3,7 @@
 import type { Loaded } from '../pkg/engine/shape_up.js';
 
 export type { Connectivity, Loaded } from '../pkg/engine/shape_up.js';
-export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
+export type { PartsOwner, Built, Reshaped } from '../worker/jobs/build.ts';
 export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
 
 /**

@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
-import { Cancelled, isCollateral } from '../../../www/solver/errors.ts';
+import { Cancelled, wasCollateral } from '../../../www/solver/errors.ts';
 import { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Call } from '../../../www/solver/remote.ts';
 import type { Opening } from '../../../www/worker/open.ts';
@@ -228,7 +228,7 @@ test('what waits behind cancelled work is done by the next worker, but nothing t
   ];
   /** @param work the place of the call at work; none of a run */
   const after = async (work?: number) => {
-    const ended = waiting().map((each) => each.catch((error: Error) => isCollateral(error)));
+    const ended = waiting().map((each) => each.catch((error: Error) => wasCollateral(error)));
     const worker = FakeWorker.latest;
     const ids = worker.posted.flatMap(({ id }) => id ?? []).slice(-ended.length);
     worker.say({ type: 'working', id: work === undefined ? work : ids[work] });
@@ -258,7 +258,7 @@ test('a file that waits for its turn is cancelled alone, and what is at work is 
   const [atWork, waiting] = worker.posted.map(({ id }) => id);
   worker.say({ type: 'working', id: atWork });
   stop.abort();
-  await assert.rejects(second, (error) => error instanceof Cancelled && !isCollateral(error));
+  await assert.rejects(second, (error) => error instanceof Cancelled && !wasCollateral(error));
   worker.model('large.obj', 2);
   worker.scene('the large mesh', 0);
   worker.say({ type: 'reply', id: atWork, value: { undoLost: '' } });
@@ -275,7 +275,7 @@ test('work that the user cancels is no error', async () => {
   const client = await clientWithRoof();
   const edited = client.change.edit('reset');
   client.abandon();
-  await assert.rejects(edited, (error) => error instanceof Cancelled && !isCollateral(error));
+  await assert.rejects(edited, (error) => error instanceof Cancelled && !wasCollateral(error));
 });
 
 test('an undo history that is lost by cancelling is told', async () => {

@@ -7,7 +7,7 @@ import './make-panels.css';
 import { useEffect, useRef } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
 import { isLocked, panelsCard } from '../../store/panels-card.ts';
-import { pressNamed } from '../../store/press.ts';
+import { performNamed } from '../../store/perform.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useForecastWords } from '../../store/use-forecast-words.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
@@ -102,7 +102,7 @@ function Offer({ forecast }: { forecast: Forecast }) {
         <button
           type="button"
           aria-haspopup="dialog"
-          onClick={() => pressNamed('add-constraint', app)}
+          onClick={() => performNamed('add-constraint', app)}
         >
           Something else
         </button>
