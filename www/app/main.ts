@@ -86,8 +86,7 @@ offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
 const measureParts = once(() => measureGoals(app));
 store.subscribe(['document'], ({ document: scene }) => {
-  if (scene?.lesson?.goals.some(({ build }) => build))
-    void actions.reportErrors(measureParts());
+  if (scene?.lesson?.goals.some(({ build }) => build)) void actions.reportErrors(measureParts());
 });
 showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));

@@ -86,7 +86,9 @@ test('faces whose corners are at one or two places keep no objects apart', () =>
     [1, 1, 0],
   ];
   const slivers = [1, 2].map((object) => at(object, ...seam, seam[1]));
-  const points = [1, 2].map((object) => at(object, seam[object - 1], seam[object - 1], seam[object - 1]));
+  const points = [1, 2].map((object) =>
+    at(object, seam[object - 1], seam[object - 1], seam[object - 1]),
+  );
   assert.equal(verticesOf([one, ...slivers, ...points, other]), 6);
 });
 

@@ -46,7 +46,9 @@ export class Variations {
   #searched: unknown = null;
   /** The generation of the shape that is varied, and of the worker that has its variations. */
   #varied = { generation: 0, worker: 0 };
-  #updates = latestOnly(() => this.#app.actions.reportErrors(retryIfCollateral(() => this.#follow())));
+  #updates = latestOnly(() =>
+    this.#app.actions.reportErrors(retryIfCollateral(() => this.#follow())),
+  );
 
   constructor(app: AppContext) {
     this.#app = app;
