@@ -50,7 +50,7 @@ test(
     const found = (await spacing.getAttribute('placeholder')) ?? '';
     await spacing.fill(found);
     await spacing.press('Enter');
-    await expect(spacing).toHaveValue(found);
+    await expect(spacing).toHaveValue(String(Number(found)));
     await card.getByLabel('Spacing of the lines').fill('0.0001');
     await card.getByLabel('Spacing of the lines').press('Enter');
     await expect(card.getByText('expected a distance from')).toBeVisible();
