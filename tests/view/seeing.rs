@@ -1,13 +1,12 @@
 //! Display modes of the view: parallel projection, ghost and ground, the measuring tape.
 
+use super::stage::{CANVAS, rectangle};
 use glam::{DVec3, Vec2};
 use shape_up::view::appearance::LineKind;
 use shape_up::view::camera::CameraProjection;
 use shape_up::view::gizmo::DragDirection;
 use shape_up::view::overlay::SurfaceLines;
-use shape_up::view::state::{Display, Outline, RegionMode, ViewState};
-
-const CANVAS: Vec2 = Vec2::new(900.0, 600.0);
+use shape_up::view::state::{Display, RegionMode, ViewState};
 
 /// Two floors, ten by ten, four apart: the lower one is vertices 0 to 3 and face 0.
 fn floors() -> Vec<f64> {
@@ -102,7 +101,7 @@ fn in_parallel_everything_can_be_pointed_at_and_taken_with_a_box() {
         assert!(shown >= 4, "{side}");
     }
     state.preset("isometric").unwrap();
-    let all = Outline::around(Vec2::ZERO, CANVAS);
+    let all = rectangle(Vec2::ZERO, CANVAS);
     assert_eq!(state.vertices_in(&all, true).len(), 8);
     let seen = state.vertices_in(&all, false);
     let expected: Vec<u32> = (0..8).filter(|&v| state.screen(v).is_some()).collect();
@@ -294,7 +293,7 @@ fn a_section_lets_one_see_and_take_what_was_behind() {
     let corner = state.screen(0).unwrap();
     assert_eq!(state.pick_vertex(corner, 4.0), Some(0));
     assert!((4..8).all(|vertex| state.screen(vertex).is_none()));
-    let all = Outline::around(Vec2::ZERO, CANVAS);
+    let all = rectangle(Vec2::ZERO, CANVAS);
     assert_eq!(state.vertices_in(&all, false), [0, 1, 2, 3]);
     state.set_section(Some((2, 0.9, true))).unwrap();
     assert_eq!(state.pick_face(middle), Some(1));

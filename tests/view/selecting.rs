@@ -1,8 +1,8 @@
 //! Pointing and selecting in the view: vertices, edges and faces, in boxes and by clicks.
 
-use super::stage::{CANVAS, bump, state, two_floors};
+use super::stage::{CANVAS, bump, rectangle, state, two_floors};
 use glam::Vec2;
-use shape_up::view::state::{Outline, RegionMode, ViewState};
+use shape_up::view::state::{RegionMode, ViewState};
 
 const TOUCHING: RegionMode = RegionMode { touching: true, through: false };
 const WHOLE: RegionMode = RegionMode { touching: false, through: false };
@@ -75,11 +75,11 @@ fn hidden_sheet(n: u32) -> Vec<f64> {
 fn a_box_around_everything_takes_what_is_in_front() {
     let mut state = two_floors();
     state.preset("top").unwrap();
-    assert_eq!(state.vertices_in(&Outline::around(Vec2::ZERO, CANVAS), false), [4, 5, 6, 7]);
-    assert_eq!(state.faces_in(&Outline::around(CANVAS, Vec2::ZERO), WHOLE), [1]);
-    assert_eq!(state.faces_in(&Outline::around(Vec2::ZERO, CANVAS), TOUCHING), [1]);
+    assert_eq!(state.vertices_in(&rectangle(Vec2::ZERO, CANVAS), false), [4, 5, 6, 7]);
+    assert_eq!(state.faces_in(&rectangle(CANVAS, Vec2::ZERO), WHOLE), [1]);
+    assert_eq!(state.faces_in(&rectangle(Vec2::ZERO, CANVAS), TOUCHING), [1]);
     state.preset("bottom").unwrap();
-    assert_eq!(state.vertices_in(&Outline::around(CANVAS, Vec2::ZERO), false), [0, 1, 2, 3]);
+    assert_eq!(state.vertices_in(&rectangle(CANVAS, Vec2::ZERO), false), [0, 1, 2, 3]);
 }
 
 /// Seen from above, a bump hides nothing; its rim is the outline.
@@ -87,8 +87,8 @@ fn a_box_around_everything_takes_what_is_in_front() {
 fn a_box_misses_no_vertex_of_a_sheet_seen_from_above() {
     let mut state = state(60, bump);
     state.preset("top").unwrap();
-    assert_eq!(state.vertices_in(&Outline::around(Vec2::ZERO, CANVAS), false).len(), 61 * 61);
-    assert_eq!(state.faces_in(&Outline::around(Vec2::ZERO, CANVAS), WHOLE).len(), 60 * 60);
+    assert_eq!(state.vertices_in(&rectangle(Vec2::ZERO, CANVAS), false).len(), 61 * 61);
+    assert_eq!(state.faces_in(&rectangle(Vec2::ZERO, CANVAS), WHOLE).len(), 60 * 60);
 }
 
 #[test]
@@ -99,20 +99,20 @@ fn a_window_takes_whole_faces_and_a_crossing_takes_touched_ones() {
     // From the centre of face 0 to the centre of face 10: face 5 is between them.
     let from = (at(0) + at(6)) * 0.5;
     let to = (at(12) + at(18)) * 0.5;
-    assert_eq!(state.faces_in(&Outline::around(from, to), WHOLE), [5]);
-    assert_eq!(state.faces_in(&Outline::around(from, to), TOUCHING), [0, 1, 2, 4, 5, 6, 8, 9, 10]);
+    assert_eq!(state.faces_in(&rectangle(from, to), WHOLE), [5]);
+    assert_eq!(state.faces_in(&rectangle(from, to), TOUCHING), [0, 1, 2, 4, 5, 6, 8, 9, 10]);
     let inside = (from + Vec2::ONE, from + Vec2::splat(3.0));
-    assert_eq!(state.faces_in(&Outline::around(inside.0, inside.1), TOUCHING), [0]);
-    assert!(state.faces_in(&Outline::around(inside.0, inside.1), WHOLE).is_empty());
+    assert_eq!(state.faces_in(&rectangle(inside.0, inside.1), TOUCHING), [0]);
+    assert!(state.faces_in(&rectangle(inside.0, inside.1), WHOLE).is_empty());
     let aside = Vec2::new(4.0, 4.0);
-    assert!(state.faces_in(&Outline::around(aside, aside * 2.0), TOUCHING).is_empty());
+    assert!(state.faces_in(&rectangle(aside, aside * 2.0), TOUCHING).is_empty());
 }
 
 #[test]
 fn through_takes_what_the_surface_hides() {
     let mut state = two_floors();
     state.preset("top").unwrap();
-    let all = Outline::around(Vec2::ZERO, CANVAS);
+    let all = rectangle(Vec2::ZERO, CANVAS);
     let through = |touching| RegionMode { touching, through: true };
     assert_eq!(state.vertices_in(&all, true).len(), 8);
     assert_eq!(state.faces_in(&all, through(false)), [0, 1]);
@@ -156,7 +156,7 @@ fn an_edge_is_picked_where_it_is_seen_and_marked_by_its_number() {
     assert_eq!(state.pick_edge(other, 8.0), Some(2));
     assert_eq!(state.pick_edge(middle + Vec2::new(0.0, 30.0), 8.0), None);
     // A stroke across the first edge touches it but does not contain it.
-    let across = Outline::around(middle - Vec2::splat(5.0), middle + Vec2::splat(5.0));
+    let across = rectangle(middle - Vec2::splat(5.0), middle + Vec2::splat(5.0));
     assert_eq!(state.edges_in(&across, TOUCHING), [1]);
     assert!(state.edges_in(&across, WHOLE).is_empty());
     state.select_edges(&[2]).unwrap();

@@ -170,10 +170,10 @@ export function commandTable(
       keys: ['Ctrl+Z'],
       repeats: true,
       action: undo,
-      enabled: ({ document, dragged, undoes }) =>
-        Boolean(document?.undo || undoes) && dragged.length === 0,
-      title: ({ document, undoes }) => {
-        const what = document?.undo || undoes;
+      enabled: ({ document, dragged, undoReplacing }) =>
+        Boolean(document?.undo || undoReplacing) && dragged.length === 0,
+      title: ({ document, undoReplacing }) => {
+        const what = document?.undo || undoReplacing;
         return what ? `Undo: ${what}` : 'Nothing to undo';
       },
     },
@@ -184,10 +184,10 @@ export function commandTable(
       keys: ['Ctrl+Shift+Z', 'Ctrl+Y'],
       repeats: true,
       action: redo,
-      enabled: ({ document, dragged, redoes }) =>
-        Boolean(document?.redo || redoes) && dragged.length === 0,
-      title: ({ document, redoes }) => {
-        const what = document?.redo || redoes;
+      enabled: ({ document, dragged, redoReplacing }) =>
+        Boolean(document?.redo || redoReplacing) && dragged.length === 0,
+      title: ({ document, redoReplacing }) => {
+        const what = document?.redo || redoReplacing;
         return what ? `Redo: ${what}` : 'Nothing to redo';
       },
     },

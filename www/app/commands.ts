@@ -1,7 +1,7 @@
 /** Binds buttons (`data-command`) and keys to the commands of `command-table.ts`. */
 
 import { effect } from '@preact/signals';
-import { isEnabled, press } from '../store/press.ts';
+import { isEnabled, perform } from '../store/perform.ts';
 import { setText } from '../ui/dom.ts';
 import {
   chordOf,
@@ -21,7 +21,7 @@ export function bindButtons(commands: Command[], store: Store) {
     if (!(button instanceof HTMLButtonElement)) continue;
     const command = byName.get(button.dataset.command ?? '');
     if (!command) throw new Error(`no command is called ${button.dataset.command}`);
-    button.addEventListener('click', () => press(command, store));
+    button.addEventListener('click', () => perform(command, store));
     const { state } = store;
     effect(() => {
       const words = command.title ? command.title(state) : command.label;
@@ -40,7 +40,7 @@ export function bindButtons(commands: Command[], store: Store) {
   }
 }
 
-/** @param settled see {@link press} */
+/** @param settled see {@link perform} */
 export function bindKeys(commands: Command[], store: Store, settled: () => Promise<void>) {
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.altKey) return;
@@ -61,7 +61,7 @@ export function bindKeys(commands: Command[], store: Store, settled: () => Promi
     if (isOver ? isShortcut(chord) && !isOfText : chord !== 'Escape') event.preventDefault();
     if (isOver || (event.repeat && !command.repeats)) return;
     if (chord.startsWith('Ctrl+')) commitTyping();
-    press(command, store, settled);
+    perform(command, store, settled);
   });
 }
 

@@ -21,7 +21,7 @@ import { colourRows } from '../store/colours/constraint-colours.ts';
 import { bindHalfStepSwitch } from '../store/half-step.ts';
 import { meshActions } from '../store/mesh-actions.ts';
 import { Selecting } from '../store/mesh-queries.ts';
-import { runEarlyPresses } from '../store/press.ts';
+import { runEarlyPresses } from '../store/perform.ts';
 import { createStore, withModel } from '../store/state.ts';
 import { Alerts } from '../ui/controls/alerts.ts';
 import { closeAboutModel } from '../ui/controls/dialog.ts';
@@ -84,9 +84,9 @@ const app: AppContext = {
 store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
-const measureParts = once(() => actions.reportErrors(measureGoals(app)));
+const measureParts = once(() => measureGoals(app));
 store.subscribe(['document'], ({ document: scene }) => {
-  if (scene?.lesson?.goals.some(({ build }) => build)) void measureParts();
+  if (scene?.lesson?.goals.some(({ build }) => build)) void actions.reportErrors(measureParts());
 });
 showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));

@@ -92,8 +92,7 @@ export class Startup {
     } catch (error) {
       if (!(await opening.isWanted())) return;
       if (!(error instanceof Cancelled)) this.#alerts.error(messageOf(error));
-      // One that cannot be solved is shown as it is.
-      if (this.#solver.isAbsent || this.#store.get().model) return;
+      if (this.#solver.isAbsent) return;
       this.#actions.look({ nothingOpen: true });
       showNothingOpen(this.#files, async () => {
         await this.#actions.reportErrors(this.#startFresh());

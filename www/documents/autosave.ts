@@ -205,9 +205,10 @@ export class Autosave {
     if (!isOther && !(withView && viewWords !== kept.view)) return null;
     this.#kept = { text, progress, view: viewWords };
     // The run of a link is nothing that the user has made, unless the link was changed before.
-    const isSolved = origin.file && origin.link && original && areSameUnsolved(text, original);
-    if (!isSolved) origin.changed = true;
-    const isAsItCame = isSame || (isSolved && !origin.changed);
+    const isOfLink = origin.file && origin.link && original;
+    const isSolved = () => text === kept.text || areSameUnsolved(text, original ?? '');
+    origin.changed ||= !(isOfLink && isSolved());
+    const isAsItCame = isSame || !origin.changed;
     const work: Work = {
       id: this.#id,
       name,

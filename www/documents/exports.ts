@@ -31,13 +31,11 @@ export const exportMesh = (app: AppContext) =>
 
 /** Exports it with the file's original vertices, before welding. */
 export const exportUnwelded = (app: AppContext) =>
-  exportShape(app, '.obj', 'obj', async () => Uint8Array.from(await app.actions.ask.objUnwelded()));
+  exportShape(app, '.obj', 'obj', () => app.actions.ask.objUnwelded());
 
 /** Exports it in the format with this ending. */
 export const exportAs = (app: AppContext, ending: 'ply' | 'stl') =>
-  exportShape(app, `.${ending}`, ending, async () =>
-    Uint8Array.from(await app.actions.ask.meshFile(ending)),
-  );
+  exportShape(app, `.${ending}`, ending, () => app.actions.ask.meshFile(ending));
 
 /** Exports it as a Rhino file, loading its large writer. */
 export const exportForRhino = (app: AppContext) =>

@@ -5,6 +5,7 @@ import { Cancelled, messageOf } from '../solver/errors.ts';
 import { listOfExamples, type Example } from '../solver/examples.ts';
 import { isReadable, mainOf } from '../solver/opened-files.ts';
 import { count, groupDigits, length } from '../ui/words.ts';
+import { once } from '../ui/once.ts';
 import { saveFile } from '../ui/output.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
 import { linkToExample } from './examples.ts';
@@ -18,7 +19,7 @@ import type { SolverClient } from '../solver/solver-client.ts';
 import type { Document as SceneDocument } from '../pkg/engine/shape_up.js';
 import type { NamedBytes, Saved, Opened } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
-import { STARTS_LATER } from '../store/press.ts';
+import { STARTS_LATER } from '../store/perform.ts';
 import { untilChanged } from '../store/until-changed.ts';
 import type { Store } from '../store/state.ts';
 import type { Alerts } from '../ui/controls/alerts.ts';
@@ -69,7 +70,7 @@ export interface Large {
   most: Promise<number>;
   /** asks whether to open so many all the same; rejects if not */
   ask: (faces: number) => Promise<void>;
-  /** called when the solver begins or ends to work for it: a cancelled opening ends that work */
+  /** called when it is passed to the solver, and when that has answered */
   atWork: (now: boolean) => void;
   /** aborted when the opening is cancelled */
   cancelled: AbortSignal;
@@ -80,13 +81,17 @@ type Reopenable = { given: NamedBytes[]; origin: Origin };
 const IS_RHINO = /\.3dm$/i;
 
 export class Files extends Emitter<{ opened: void }> {
+  /** Returns the list of examples. */
+  readonly examples = once(listOfExamples);
   /** Source of the current model. */
   origin: Origin = {};
   /** Text of its scene when opened first; that of resumed work as it was saved. */
   original: string | null = null;
-  /** All openings of models: commands given meanwhile apply to the model that is coming. */
+  /**
+   * All openings of models. Run, Step and Undo given meanwhile apply to the model that is coming; edits of
+   * the one before are dropped.
+   */
   readonly openings = new Openings(() => this.#alerts.clear());
-  #examples: Promise<Example[]> | null = null;
   #store;
   #solver;
   #alerts;
@@ -174,7 +179,7 @@ export class Files extends Emitter<{ opened: void }> {
         );
       }
       const main = mainOf(files);
-      const digest = await digestOf(main.bytes.slice());
+      const digest = await digestOf(main.bytes);
       const most = await large.most;
       // Nothing is waited for between this and the opening: a later one could come first.
       if (!(await opening.isWanted())) return null;
@@ -189,18 +194,13 @@ export class Files extends Emitter<{ opened: void }> {
       const frame = rememberedFrame(digest);
       const how = { files, saved, frame, solved, weld: !unwelded };
       const open = (most?: number) => {
-        // Until now the solver has gone on with the open model.
-        const abandon = () => this.#solver.abandon();
-        cancelled?.addEventListener('abort', abandon);
         large.atWork?.(true);
-        return this.#actions.open({ ...how, most }, cancelled).finally(() => {
-          large.atWork?.(false);
-          cancelled?.removeEventListener('abort', abandon);
-        });
+        const opened = this.#solver.open({ ...how, most }, cancelled);
+        return opened.finally(() => large.atWork?.(false));
       };
       let loaded = await open(most);
       while (typeof loaded === 'number') {
-        await large.ask?.(loaded);
+        if (large.ask) await opening.asks(large.ask(loaded));
         if (!(await opening.isWanted())) return null;
         cancelled?.throwIfAborted();
         loaded = await open();
@@ -222,8 +222,8 @@ export class Files extends Emitter<{ opened: void }> {
         firstExample: Boolean(origin.first),
         fileName: origin.title ?? main.name,
         example: origin.example ?? null,
-        undoes: (origin.before && origin.step) || '',
-        redoes: origin.after?.origin.step ?? '',
+        undoReplacing: (origin.before && origin.step) || '',
+        redoReplacing: origin.after?.origin.step ?? '',
         nothingOpen: false,
         status: `Opened ${main.name}: ${count(loaded.vertices, 'vertex', 'vertices')}, ${count(loaded.faces, 'face')}`,
       });
@@ -322,16 +322,16 @@ export class Files extends Emitter<{ opened: void }> {
   /** Reopens the model from which Undo went back, unless this one has changed since. */
   async goForward() {
     const { after } = this.origin;
-    if (!after || !this.#store.get().redoes || this.openings.coming) return;
+    if (!after || !this.#store.get().redoReplacing || this.openings.coming) return;
     if (await this.#openInstead(() => after))
       this.#actions.setStatus(`Redid: ${after.origin.step}`);
   }
 
   /** Forgets the model from which Undo went back, once an edit has taken its place: Redo has nothing. */
   #forgetUndone({ redo }: SceneDocument) {
-    const { redoes } = this.#store.get();
-    if (!redoes || redo || this.#solver.sceneText === this.#openedText) return;
-    this.#actions.look({ redoes: '' });
+    const { redoReplacing } = this.#store.get();
+    if (!redoReplacing || redo || this.#solver.sceneText === this.#openedText) return;
+    this.#actions.look({ redoReplacing: '' });
     delete this.origin.after;
   }
 
@@ -340,15 +340,6 @@ export class Files extends Emitter<{ opened: void }> {
     this.origin = { ...this.origin, trial: false, link: undefined };
     this.nameInAddress();
     this.emit('opened', undefined);
-  }
-
-  examples(): Promise<Example[]> {
-    // Allows another attempt when the network is back.
-    this.#examples ??= listOfExamples().catch((error) => {
-      this.#examples = null;
-      throw error;
-    });
-    return this.#examples;
   }
 
   #reportWelded({ before, after, tolerance }: NonNullable<Opened['welded']>, units: string) {

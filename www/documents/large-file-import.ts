@@ -7,6 +7,7 @@ import { ProgressCard } from '../ui/controls/progress-card.ts';
 import { byId } from '../ui/dom.ts';
 import { groupDigits, megabytes } from '../ui/words.ts';
 import { Cancelled, messageOf, unreadable } from '../solver/errors.ts';
+import { mainOf } from '../solver/opened-files.ts';
 import type { NamedBytes, Opened } from '../solver/types.ts';
 import type { Large } from './files.ts';
 import type { Actions } from '../store/actions.ts';
@@ -45,8 +46,9 @@ export async function openLarge(
   most.catch(() => {});
   async function ask(faces: number) {
     const size = groupDigits(faces);
-    const question = `${names} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(await most)} on this computer.`;
-    actions.setStatus(`${names}: ${size} faces`);
+    const { name } = mainOf(chosen);
+    const question = `${name} has ${size} faces. Shape-Up stays interactive up to about ${groupDigits(await most)} on this computer.`;
+    actions.setStatus(`${name}: ${size} faces`);
     await unlessCancelled(card.ask(question, 'Load anyway'), cancelled);
     card.show(`Opening ${names} · ${size} faces`, null);
   }

@@ -10,6 +10,8 @@ export interface Opening {
    * @returns false if one of them has opened its model, so that this one must open nothing
    */
   isWanted: () => Promise<boolean>;
+  /** Returns the answer of the user, until which its model is not coming. */
+  asks: <T>(answer: Promise<T>) => Promise<T>;
   /** Notes that its model is open. */
   opened: () => void;
   /** Aborted when a later one has opened its model: this one is of no use any longer. */
@@ -23,6 +25,8 @@ export class Openings {
   #opened = 0;
   /** Those that have not opened their models yet, by number: when they end, and what stops them. */
   #coming: Map<number, { end: Promise<unknown>; stop: AbortController }> = new Map();
+  /** Those of them that wait for an answer of the user. */
+  #asking: Set<number> = new Set();
   #begins;
 
   /** @param begins called when one begins; what it says stays until the next one */
@@ -41,6 +45,10 @@ export class Openings {
     const stop = new AbortController();
     const opening = {
       isWanted: () => this.#isWanted(number),
+      asks: <T>(answer: Promise<T>) => {
+        this.#asking.add(number);
+        return answer.finally(() => this.#asking.delete(number));
+      },
       opened: () => {
         this.#opened = Math.max(this.#opened, number);
         this.#coming.delete(number);
@@ -57,10 +65,13 @@ export class Openings {
     return done;
   }
 
-  /** Resolves when all openings have ended that have not opened their models yet; null if none. */
+  /**
+   * Resolves when all openings have ended whose models are coming; null if none. One that waits for the
+   * user may open nothing.
+   */
   get coming(): Promise<unknown> | null {
-    const ends = [...this.#coming.values()].map(({ end }) => end);
-    return ends.length > 0 ? Promise.all(ends) : null;
+    const coming = [...this.#coming].filter(([number]) => !this.#asking.has(number));
+    return coming.length > 0 ? Promise.all(coming.map(([, { end }]) => end)) : null;
   }
 
   async #isWanted(number: number) {

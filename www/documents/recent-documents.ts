@@ -99,7 +99,8 @@ export function keep(work: Work, contents: Partial<Contents>) {
 
 /**
  * Deletes works beyond the limit, except those that are open: first those that can be opened again from
- * their files, then those of links that were not changed, then the oldest. Of what was not changed there is only the newest of each file or link.
+ * their files, then those of links that were not changed, then the oldest. Of what was not changed there
+ * is only the newest of each file or link.
  */
 export async function pruneOldest() {
   const all = await recentDocuments();

@@ -64,7 +64,7 @@ function Histogram({ original, now }: Counts) {
         now
         <span class="original" />
         original
-        <span class="most figure">{isKnown && `${count(most, 'corner')}`}</span>
+        <span class="most figure">{isKnown && count(most, 'corner')}</span>
       </p>
       <div
         ref={bars}

@@ -29,18 +29,18 @@ export class Cancelled extends Error {
 }
 
 /** Whether something ended only with what was cancelled: it can be asked for again. */
-export const isCollateral = (thrown: unknown) => thrown instanceof Cancelled && !thrown.isDirect;
+export const wasCollateral = (thrown: unknown) => thrown instanceof Cancelled && !thrown.isDirect;
 
 /**
  * Asks once more if the first answer was cancelled with something else.
  * @param renew first makes again what the worker had
  */
-export const again = <Answer>(
+export const retryIfCollateral = <Answer>(
   ask: () => Promise<Answer>,
   renew: () => unknown = () => {},
 ): Promise<Answer> =>
   ask().catch(async (thrown: unknown) => {
-    if (!isCollateral(thrown)) throw thrown;
+    if (!wasCollateral(thrown)) throw thrown;
     await renew();
     return ask();
   });
@@ -52,6 +52,16 @@ export function messageOf(thrown: unknown): string {
   return isNotFetched(thrown, message)
     ? 'A part of the page could not be fetched. Check the network.'
     : message;
+}
+
+/**
+ * Returns a sentence on a refusal with the engine's reason. Errors of the page are sentences already, on
+ * what has happened instead.
+ * @param words before the reason
+ */
+export function refusalOf(thrown: unknown, words: string): string {
+  const message = messageOf(thrown);
+  return message.endsWith('.') ? message : `${words}: ${message}.`;
 }
 
 /** Says which file could not be read: browsers say only why. */

@@ -2,10 +2,10 @@
  * Messages between the page and the solver's worker, which exchange nothing else.
  *
  * Page to worker: a `Call` (`remote.ts`) of a method of `worker/interface.ts`, or `ping`, which is
- * answered by `pong` between slices. With an `id` a call is answered by
- * exactly one `reply`, `refused` or `outdated` with the same `id`. Worker to page: those answers, and the events
- * of {@link FromWorker}. Events caused by a call are sent before its answer, so that the page is up
- * to date when its promise settles; except `frame` and what follows it, which wait for a free buffer.
+ * answered by `pong` between slices. With an `id` a call is answered by exactly one `reply`, `refused` or
+ * `outdated` with the same `id`. Worker to page: those answers, and the events of {@link FromWorker}.
+ * Events caused by a call are sent before its answer, so that the page is up to date when its promise
+ * settles; except `frame` and what follows it, which wait for a free buffer.
  *
  * The worker first sends `ready`, once; the page queues its messages until then.
  *
@@ -34,13 +34,12 @@ import type { Connectivity, Loaded, Measure } from './types.ts';
 /**
  * - `ready`: the solver accepts messages. Sent first, once; `module` is the engine, compiled.
  * - `loading`: before that, the progress of fetching its module, if it takes long.
- * - `model`: another mesh is open, with the number `mesh`; without a name and files, the current mesh was refined or
- *   refining was undone. `positions` is one of the two buffers.
+ * - `model`: another mesh is open, with the number `mesh`; without a name and files, the current mesh was
+ *   refined or refining was undone. `positions` is one of the two buffers.
  * - `document`: after every edit and every load.
  * - `scene`: the scene file's text with its undo history, whenever it changed and the solver is
  *   idle: for autosave, to restore a worker that died, and for the second worker; `generation` is
- *   that of its problem and shape. `progress`: at intervals, the progress
- *   of a run or a drag since then.
+ *   that of its problem and shape. `progress`: at intervals, the progress of a run or a drag since then.
  * - `frame`: a state of the iteration. `generation` is that of its problem and shape, as in `scene`,
  *   before or after which it may come. `values` are those of `measure`, `#F`, and `greatest` is the
  *   largest absolute one; `corners`, for measures of vertices, those of the vertices, `#V`, whose
@@ -57,8 +56,8 @@ import type { Connectivity, Loaded, Measure } from './types.ts';
  * - `working`: work begins that may take long, with no message until then: for the call with this `id`, or
  *   for none, as a run. `pong`: sign of life.
  * - `refused`: `path` is the position of the error in the scene, such as `constraints[0].length`;
- *   empty if it is not about a scene. `outdated`: the call is about a model, or
- *   values of a mesh, that have been replaced.
+ *   empty if it is not about a scene. `outdated`: the call is about a model, or values of a mesh, that
+ *   have been replaced.
  */
 export type FromWorker =
   | {

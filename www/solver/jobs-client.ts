@@ -4,7 +4,7 @@
  */
 
 import { Emitter } from './emitter.ts';
-import { Cancelled, again } from './errors.ts';
+import { Cancelled, retryIfCollateral } from './errors.ts';
 import { calling, Waiting, type Answer, type Call, type Remote } from './remote.ts';
 import type { JobCall, Jobs } from '../worker/jobs-worker.ts';
 import type { Holder } from '../worker/jobs/model-copy.ts';
@@ -48,9 +48,12 @@ export class JobsClient extends Emitter<{
    * another job was cancelled is asked for again, since it needs nothing that the worker had.
    */
   copy = (model: Snapshot, holder: Holder = 'questions'): Remote<ModelCopy> =>
-    calling((name, given) => again(() => this.#call(name, given, { model, holder })));
+    calling((name, given) => retryIfCollateral(() => this.#call(name, given, { model, holder })));
 
-  /** A copy of a model of its own, for work in several calls: `ask` is about it until `free`, whatever others ask. */
+  /**
+   * A copy of a model of its own, for work in several calls: `ask` is about it until `free`, whatever
+   * others ask.
+   */
   of(holder: Exclude<Holder, 'questions'>) {
     const ask: Remote<ModelCopy> = calling((name, given) => this.#call(name, given, { holder }));
     return { copy: (model: Snapshot) => this.copy(model, holder), ask };

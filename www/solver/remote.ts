@@ -12,10 +12,13 @@ type Methods<Host> = {
   ]: Host[Name];
 };
 
+/** What comes of a value that is sent: bytes have a buffer of their own. */
+type Sent<Value> = Value extends Uint8Array ? Uint8Array<ArrayBuffer> : Value;
+
 /** The methods of an object in a worker, which answer with promises. */
 export type Remote<Host> = {
   [Name in keyof Methods<Host>]: Host[Name] extends (...given: infer Given) => infer Value
-    ? (...given: Given) => Promise<Awaited<Value>>
+    ? (...given: Given) => Promise<Sent<Awaited<Value>>>
     : never;
 };
 
@@ -82,6 +85,11 @@ export class Waiting {
   get first() {
     const [call] = this.#calls.values();
     return call?.name ?? '';
+  }
+
+  /** Whether the call with this number has no answer yet. */
+  has(id: number) {
+    return this.#calls.has(id);
   }
 
   /** Sends a call, numbered, by `send`. */

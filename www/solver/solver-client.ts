@@ -6,12 +6,13 @@
  */
 
 import { Emitter } from './emitter.ts';
-import { again, Cancelled, messageOf } from './errors.ts';
+import { Cancelled, messageOf, retryIfCollateral } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
 import type { DrawnProjections } from '../pkg/engine/shape_up.js';
-import type { Connectivity, Loaded, Measure, Snapshot, Saved } from './types.ts';
+import type { Connectivity, Loaded, Measure, Opened, Snapshot, Saved } from './types.ts';
 import type { Changes, Commands, Questions } from '../worker/interface.ts';
+import type { Opening } from '../worker/open.ts';
 
 /** The current mesh. */
 export interface Geometry {
@@ -49,8 +50,8 @@ const STEPS_MISSED = 10;
 const LONG_WORK = 3;
 
 /**
- * Not repeated after cancelled work: undo and redo would take back something else, `open` is repeated
- * by its caller.
+ * Not repeated after cancelled work: undo and redo would take back something else, and a worker that
+ * replaces another one opens the scene itself.
  */
 const ONCE: ReadonlySet<string> = new Set<keyof Changes>(['undo', 'redo', 'open']);
 
@@ -188,6 +189,27 @@ export class SolverClient extends Emitter<SolverEvents> {
     return !this.#worker;
   }
 
+  /**
+   * Opens files. When `cancelled` is aborted, the work for this ends, or else is not begun: what was
+   * begun before goes on.
+   */
+  open(given: Opening, cancelled?: AbortSignal) {
+    const ask = () => {
+      let own = 0;
+      const opened = this.#waiting.call('open', [given], (call) => {
+        own = call.id;
+        this.#post(call);
+      });
+      const stop = () => {
+        if (own === this.#workingFor) this.abandon();
+        else this.#waiting.settle(own, null, new Cancelled());
+      };
+      cancelled?.addEventListener('abort', stop);
+      return opened.finally(() => cancelled?.removeEventListener('abort', stop));
+    };
+    return this.begin(retryIfCollateral(ask)) as Promise<Opened | number>;
+  }
+
   /** Abandons the current work; the previous model is opened again. */
   abandon() {
     void this.#died('it was cancelled', true);
@@ -237,7 +259,7 @@ export class SolverClient extends Emitter<SolverEvents> {
   /** Requests something; what waits behind cancelled work is done after it. */
   #asked(name: string, given: unknown[]) {
     const request = () => this.#request(name, given);
-    return ONCE.has(name) ? request() : again(request);
+    return ONCE.has(name) ? request() : retryIfCollateral(request);
   }
 
   #request(name: string, given: unknown[]) {
@@ -265,6 +287,8 @@ export class SolverClient extends Emitter<SolverEvents> {
     }
     switch (message.type) {
       case 'working':
+        // The call was withdrawn before its turn.
+        if (message.id !== undefined && !this.#waiting.has(message.id)) return this.abandon();
         // Parts of it are announced without the call.
         this.#workingFor ??= message.id;
         return;

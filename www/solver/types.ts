@@ -3,7 +3,7 @@
 import type { Loaded } from '../pkg/engine/shape_up.js';
 
 export type { Connectivity, Loaded } from '../pkg/engine/shape_up.js';
-export type { Asker, Built, Reshaped } from '../worker/jobs/build.ts';
+export type { PartsOwner, Built, Reshaped } from '../worker/jobs/build.ts';
 export type { Lines, Question as LinesQuestion } from '../worker/jobs/curvature.ts';
 
 /**
@@ -18,7 +18,7 @@ export type Measure = string;
 /** The text of the scene with its mesh, which has this generation in the solver. */
 export type Snapshot = { text: string; generation: number };
 
-export type NamedBytes = { name: string; bytes: Uint8Array };
+export type NamedBytes = { name: string; bytes: Uint8Array<ArrayBuffer> };
 
 /** Data saved with a scene to resume it; the byte arrays are read by the solver only. */
 export interface Saved {
@@ -31,9 +31,9 @@ export interface Saved {
 }
 
 /**
- * Targets (`#vertices by 3`; none if nothing moves) of dragged handles, of the drag with the number `id`. The first phase is
- * `start`, or `make`, which makes the vertices handles first. Of several `move`s only the last one
- * counts; `time` is that of its event. During a drag the solver iterates even when paused.
+ * Targets (`#vertices by 3`; none if nothing moves) of dragged handles, of the drag with the number `id`.
+ * The first phase is `start`, or `make`, which makes the vertices handles first. Of several `move`s only
+ * the last one counts; `time` is that of its event. During a drag the solver iterates even when paused.
  */
 export type Drag = {
   id: number;

@@ -4,8 +4,9 @@
  */
 
 import { workingKey } from '../ui/keys.ts';
+import { once } from '../ui/once.ts';
 import { count } from '../ui/words.ts';
-import { again, Cancelled, messageOf } from '../solver/errors.ts';
+import { Cancelled, messageOf } from '../solver/errors.ts';
 import { createTrials, type ExactFound } from './trials.ts';
 import { halfStepWords } from './half-step.ts';
 import type { ConstraintRow, Edit, PanelStart, Require } from '../pkg/engine/shape_up.js';
@@ -123,8 +124,9 @@ export function createActions(
   }
 
   /** Positions of the original. */
-  let original: Promise<Float64Array> | null = null;
-  solver.on('model', () => (original = null));
+  const ofModel = () => once(() => solver.ask.originalPositions());
+  let original = ofModel();
+  solver.on('model', () => (original = ofModel()));
 
   const connectivity = () => solver.geometry?.connectivity;
 
@@ -189,11 +191,7 @@ export function createActions(
     ask: solver.ask,
 
     /** Returns the positions at opening, `#V by 3`; asked for once. */
-    originalPositions: () =>
-      (original ??= solver.ask.originalPositions().catch((error) => {
-        original = null;
-        throw error;
-      })),
+    originalPositions: () => original(),
 
     trials: createTrials(solver, jobs),
     drags: new Drags(store, solver),
@@ -260,16 +258,6 @@ export function createActions(
 
     /** Registers what the user has begun and the solver does not know of, so that `settled` waits for it. */
     begin: <T>(begun: Promise<T>) => solver.begin(begun),
-
-    /**
-     * Opens files; rejects with the error. What waits behind cancelled work is opened after it, unless it
-     * has been `cancelled` itself.
-     */
-    open: (given: Parameters<typeof solver.change.open>[0], cancelled?: AbortSignal) =>
-      again(
-        () => solver.change.open(given),
-        () => cancelled?.throwIfAborted(),
-      ),
 
     runOrPause() {
       const { running, refining } = store.get();

@@ -3,7 +3,7 @@
 import { useComputed } from '@preact/signals';
 import { Button } from '../ui/components/buttons.tsx';
 import { keyInTitle } from '../ui/keys.ts';
-import { isEnabled, press } from './press.ts';
+import { isEnabled, perform } from './perform.ts';
 import { useApp } from './use-app.ts';
 import type { ComponentProps } from 'preact';
 import type { State } from './state.ts';
@@ -28,7 +28,7 @@ export function CommandButton({
       disabled={isDisabled}
       aria-pressed={isPressed}
       onClick={(event) => {
-        press(command, store);
+        perform(command, store);
         onClick?.(event);
       }}
       {...rest}

@@ -106,7 +106,7 @@ export interface State {
   corner: 'curvature' | 'new-panels' | null;
   /** the panel that is docked below the view */
   docked: 'variations' | 'parts' | null;
-  /** of the other measures, in their units */
+  /** tolerances of measures that do not have the model's, by id, in their units */
   tolerances: Record<Measure, number | null>;
   /** `map` applies if all values are coloured */
   display: {
@@ -162,9 +162,9 @@ export interface State {
   dark: boolean;
   renderer: 'webgpu' | 'webgl2' | 'none' | 'starting';
   /** what has put the model in place of another one, which Undo opens again; empty if nothing has */
-  undoes: string;
+  undoReplacing: string;
   /** the same, undone: Redo opens the other one again */
-  redoes: string;
+  redoReplacing: string;
   /** state of the autosave, as text */
   saved: string;
   /** last event, as text */
@@ -318,8 +318,8 @@ const INITIAL: State = {
   plot: 'convergence',
   dark: false,
   renderer: 'starting',
-  undoes: '',
-  redoes: '',
+  undoReplacing: '',
+  redoReplacing: '',
   saved: '',
   status: '',
 };

@@ -4,7 +4,7 @@
  * solver refuses it for another one.
  */
 
-import { again } from '../solver/errors.ts';
+import { retryIfCollateral } from '../solver/errors.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
 import type { Remote } from '../solver/remote.ts';
@@ -72,7 +72,7 @@ export function createTrials(solver: SolverClient, jobs: JobsClient) {
     turn += 1;
     begun += 1;
     const [mine, own] = [turn, begun];
-    const trial = again(async () => {
+    const trial = retryIfCollateral(async () => {
       await begin(copy(model));
       let more = true;
       while (more && mine === turn && goesOn()) {

@@ -1,11 +1,22 @@
 /** What happens once: things that a page has one of, and actions of which one is under way at a time. */
 
-/** Returns a function that makes something at its first call and returns the same at later ones. */
+/**
+ * Returns a function that makes something at its first call and returns the same at later ones. After a
+ * promise that is rejected, the next call makes it anew.
+ */
 export function once<Arguments extends unknown[], Made>(
   make: (...values: Arguments) => Made,
 ): (...values: Arguments) => Made {
   let made: Made | undefined;
-  return (...values) => (made ??= make(...values));
+  const forget = () => {
+    made = undefined;
+  };
+  return (...values) => {
+    if (made !== undefined) return made;
+    made = make(...values);
+    if (made instanceof Promise) made.catch(forget);
+    return made;
+  };
 }
 
 /**

@@ -54,6 +54,7 @@ export const LAYERS: [
   [['measure', 'range', 'document', 'tolerances', 'display', 'flatMap'], showValues],
   [['flatMap'], showFlatMap],
 ];
+
 export function showValues(view: View, state: State, geometry: Geometry | null) {
   const { heldOriginal } = state;
   const isCurrent = geometry?.measure === state.measure && !state.flatMap && !heldOriginal;

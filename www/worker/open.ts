@@ -4,7 +4,7 @@ import { isTrap, messageOf } from '../solver/errors.ts';
 import { filesNamed, mainOf } from '../solver/opened-files.ts';
 import type { Solver } from '../pkg/engine/shape_up.js';
 import type { Opened, NamedBytes, Saved } from '../solver/types.ts';
-import { orRecover, type Scheduler } from './scheduler.ts';
+import type { Scheduler } from './scheduler.ts';
 
 export interface Opening {
   files: NamedBytes[];
@@ -14,7 +14,7 @@ export interface Opening {
   rows?: number[];
   /** unit and axis of a mesh file that has none: `# units: m`, `# up: y` */
   frame?: string;
-  /** runs before anything is shown, only for models known to converge quickly */
+  /** runs before anything is shown, only for the page's own first example, which converges quickly */
   solved?: boolean;
   /** opens no more faces than these */
   most?: number;
@@ -40,13 +40,9 @@ export function open(
     files: [main.name, ...named.map(({ file }) => file?.name ?? '')],
     undoLost: saved ? restore(solver, saved) : '',
   };
-  function show() {
-    scheduler.sendModel(loaded);
-    scheduler.changed();
-  }
-  // It has replaced the other model, also if it cannot be solved.
-  orRecover(() => scheduler.begin(solved ?? false), show);
-  show();
+  scheduler.begin(solved ?? false);
+  scheduler.sendModel(loaded);
+  scheduler.changed();
   return loaded;
 }
 

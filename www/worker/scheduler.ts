@@ -33,7 +33,7 @@ const NO_MOVE: Moved = { vertices: new Uint32Array(0), targets: new Float64Array
  * Performs an action, and recovers from an error; not from a trap, after which the solver refuses every
  * call with an error that would hide it.
  */
-export function orRecover<T>(action: () => T, recover: () => void): T {
+function orRecover<T>(action: () => T, recover: () => void): T {
   try {
     return action();
   } catch (thrown) {

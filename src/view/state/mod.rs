@@ -82,7 +82,9 @@ impl ViewState {
             && count == self.content.mesh.exact.len()
             && self.content.mesh.is_near(&read_points(coordinates)?);
         if same {
-            return self.set_positions(coordinates);
+            self.set_positions(coordinates)?;
+            self.leave_surroundings();
+            return Ok(());
         }
         let mesh = RenderMesh::new(faces, curves, coordinates)?;
         self.content = Content { mesh, ..Content::default() };

@@ -23,11 +23,6 @@ impl Outline {
         Outline { corners, low, high }
     }
 
-    /// Creates a box from any two opposite corners.
-    pub fn around(a: Vec2, b: Vec2) -> Outline {
-        Outline::new(vec![a, Vec2::new(b.x, a.y), b, Vec2::new(a.x, b.y)])
-    }
-
     fn contains(&self, p: Vec2) -> bool {
         p.cmpge(self.low).all() && p.cmple(self.high).all() && contains(&self.corners, p)
     }

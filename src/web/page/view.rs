@@ -289,7 +289,7 @@ impl View {
         Ok(())
     }
 
-    /// Sets the fitted shapes, eight numbers each: kind (0 circle, 1 sphere), centre, normal, radius.
+    /// Sets the fitted shapes, eight numbers each: kind (0 circle, else sphere), centre, normal, radius.
     ///
     /// # Errors
     /// A length that is not a multiple of eight.

@@ -1,4 +1,5 @@
-//! What is declared, for the controls of the page: kinds of constraints, measures, operations, settings, numbers of the build.
+//! What is declared, for the controls of the page: kinds of constraints, measures, operations, settings,
+//! numbers of the build.
 
 use super::solver::Solver;
 use crate::constraint::{Info, KINDS, Kind, Sketch};

@@ -95,7 +95,7 @@ test.describe('behind tabs', () => {
     await waitForState(page, (now) => now.handles.length === 1);
     const [, , before] = await positionOf(page, 24);
     await showStep(page, 'Move');
-    const height = page.getByRole('textbox', { name: 'Target z' });
+    const height = page.getByRole('spinbutton', { name: 'Target z' });
     await height.fill(String(before + 1));
     await height.press('Enter');
     await expect.poll(async () => (await positionOf(page, 24))[2]).toBeGreaterThan(before + 0.5);

@@ -21,13 +21,15 @@ function opening() {
   const store = createStore();
   store.set({ document: {} as State['document'] });
   const told: string[] = [];
-  const solver = Object.assign(new Emitter<object>(), { sceneText: '{}', saved: {} });
-  const error = (message: string) => void told.push(message);
-  const actions = {
+  const solver = Object.assign(new Emitter<object>(), {
+    ...{ sceneText: '{}', saved: {} },
     async open({ files: [{ name }] }: { files: { name: string }[] }) {
       if (name.startsWith('broken')) throw new Error(`${name} is damaged`);
       return {};
     },
+  });
+  const error = (message: string) => void told.push(message);
+  const actions = {
     look: (about: Partial<State>) => store.set(about),
     setStatus() {},
     settled: async () => {},

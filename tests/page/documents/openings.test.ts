@@ -75,6 +75,23 @@ test('an opening is told when a later one has opened its model, not when an earl
   ends.forEach((end) => end());
 });
 
+test('a model is not coming while the user is asked whether to open it', async () => {
+  // Panels of the open model were not made, as if they were meant for the other one.
+  const openings = new Openings();
+  let answer = () => {};
+  let ended = () => {};
+  const done = openings.begin(async ({ asks }) => {
+    await asks(new Promise<void>((yes) => (answer = yes)));
+    await new Promise<void>((end) => (ended = end));
+  });
+  assert.equal(openings.coming, null);
+  answer();
+  await new Promise((later) => setTimeout(later));
+  assert.ok(openings.coming);
+  ended();
+  await done;
+});
+
 test('messages are cleared as an opening begins, never later', async () => {
   // A refused link's message was lost when the first example, begun before it, came after it.
   let cleared = 0;

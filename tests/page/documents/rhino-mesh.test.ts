@@ -77,6 +77,21 @@ test('a copy of an object, or of one of its faces, keeps nothing apart', () => {
   assert.equal(verticesOf(all), 24);
 });
 
+test('faces whose corners are at one or two places keep no objects apart', () => {
+  // A roof in two objects was opened in two pieces, since both had a face without area at their seam.
+  const [one, other] = [panel(0, 0), { ...panel(1, 0), object: 2 }];
+  const at = (object: number, ...corners: Place[]) => ({ layer: '', object, corners });
+  const seam: Place[] = [
+    [1, 0, 0],
+    [1, 1, 0],
+  ];
+  const slivers = [1, 2].map((object) => at(object, ...seam, seam[1]));
+  const points = [1, 2].map((object) =>
+    at(object, seam[object - 1], seam[object - 1], seam[object - 1]),
+  );
+  assert.equal(verticesOf([one, ...slivers, ...points, other]), 6);
+});
+
 test('a layer is named once, with its spaces, wherever its objects are in the file', () => {
   // A note said that one name stood for several groups, and "Roof A" was told as "Roof_A".
   const at = (x: number, layer: string) => ({ ...panel(x, 0), layer });

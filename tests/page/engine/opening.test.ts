@@ -76,14 +76,3 @@ test('constraints have the numbers that they had in the worker before', (context
   // Those of another list say nothing of this one.
   assert.notDeepEqual(numbers([41, 7, 9]).slice(0, 2), [41, 7]);
 });
-
-test('a model that cannot be solved is sent as it was opened', (context) => {
-  const { solver, scheduler, sent } = worker(context);
-  context.mock.method(solver, 'step', () => {
-    throw new Error('the system is singular');
-  });
-  const begin = () => open(solver, scheduler, { files: [inline], solved: true });
-  assert.throws(begin, /the system is singular/);
-  assert.ok(sent.some(({ type }) => type === 'model'));
-  assert.equal(scheduler.isMoving, false);
-});

@@ -45,6 +45,12 @@ test(
     }).toPass();
     await card.getByLabel('Lines', { exact: true }).selectOption('Lines of curvature');
     await expect(card.getByLabel('Spacing of the lines')).toHaveAttribute('placeholder', /\d/);
+    // The spacing that was found can be typed to keep it.
+    const spacing = card.getByLabel('Spacing of the lines');
+    const found = (await spacing.getAttribute('placeholder')) ?? '';
+    await spacing.fill(found);
+    await spacing.press('Enter');
+    await expect(spacing).toHaveValue(String(Number(found)));
     await card.getByLabel('Spacing of the lines').fill('0.0001');
     await card.getByLabel('Spacing of the lines').press('Enter');
     await expect(card.getByText('expected a distance from')).toBeVisible();

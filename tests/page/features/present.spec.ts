@@ -153,6 +153,20 @@ test('the steps are saved in the scene: they can be moved, removed, and undone',
   await expect.poll(titles).toEqual(['Flat panels', 'The design']);
 });
 
+test('a presentation ends when its last step is undone', async ({ page }) => {
+  // An empty stage said "1 of 0".
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await openSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Add this view' }).click();
+  await dialogOf(page).getByRole('button', { name: 'Start', exact: true }).click();
+  await expect(stageOf(page)).toContainText('1 of 1');
+  await expect(async () => {
+    await page.keyboard.press('Control+z');
+    await expect(stageOf(page)).toHaveCount(0, { timeout: 500 });
+  }).toPass();
+});
+
 test('another view for a step leaves its shape', async ({ page }) => {
   // A step of the original showed the current shape from then on.
   await makeSteps(page);

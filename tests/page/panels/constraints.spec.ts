@@ -257,7 +257,7 @@ test('a handle is moved by numbers, fixed, and weighted', async ({ page }) => {
   await waitForState(page, (now) => now.handles.length === 1);
   const before = await positionOf(page, MIDDLE);
   await showStep(page, 'Shape');
-  const height = page.getByRole('textbox', { name: 'Target z' });
+  const height = page.getByRole('spinbutton', { name: 'Target z' });
   await height.fill(String(before[2] + 1));
   await height.press('Enter');
   await expect

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Emitter } from '../../../www/solver/emitter.ts';
-import { messageOf } from '../../../www/solver/errors.ts';
+import { messageOf, refusalOf } from '../../../www/solver/errors.ts';
 import { filesNamed, mainOf, worthReading } from '../../../www/solver/opened-files.ts';
 import type { NamedBytes } from '../../../www/solver/types.ts';
 
@@ -89,4 +89,12 @@ test('an error about a file keeps its words, whatever the file is called', () =>
     assert.equal(messageOf(message), message);
   }
   assert.equal(messageOf(new TypeError('x is not a function')), 'x is not a function');
+});
+
+test('a refusal has the reason of the engine, and is none of the network', () => {
+  // New panels were said to be not possible without a network.
+  const reason = new Error('there are no faces');
+  assert.equal(refusalOf(reason, 'Not possible'), 'Not possible: there are no faces.');
+  const lost = new TypeError('Failed to fetch');
+  assert.equal(refusalOf(lost, 'Not possible'), messageOf(lost));
 });

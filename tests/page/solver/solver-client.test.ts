@@ -3,7 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
-import { Cancelled, isCollateral } from '../../../www/solver/errors.ts';
+import { Cancelled, wasCollateral } from '../../../www/solver/errors.ts';
 import { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Call } from '../../../www/solver/remote.ts';
 import type { Opening } from '../../../www/worker/open.ts';
@@ -219,7 +219,7 @@ test('what is edited while the model comes back is edited then, but no other mod
 
 test('what waits behind cancelled work is done by the next worker, but nothing that the user has cancelled', async () => {
   // A change was dropped without a word, though only the long work before it was cancelled. An undo would
-  // have taken that back; the caller of an opening opens again, unless it is cancelled itself.
+  // have taken that back; a scene that is restored is restored by the next worker anyway.
   const client = await clientWithRoof();
   const { ask, change } = client;
   const waiting = () => [
@@ -228,7 +228,7 @@ test('what waits behind cancelled work is done by the next worker, but nothing t
   ];
   /** @param work the place of the call at work; none of a run */
   const after = async (work?: number) => {
-    const ended = waiting().map((each) => each.catch((error: Error) => isCollateral(error)));
+    const ended = waiting().map((each) => each.catch((error: Error) => wasCollateral(error)));
     const worker = FakeWorker.latest;
     const ids = worker.posted.flatMap(({ id }) => id ?? []).slice(-ended.length);
     worker.say({ type: 'working', id: work === undefined ? work : ids[work] });
@@ -248,12 +248,34 @@ test('what waits behind cancelled work is done by the next worker, but nothing t
   assert.equal(await behindOpening.of(0), false);
 });
 
+test('a file that waits for its turn is cancelled alone, and what is at work is done', async () => {
+  // Of two files the first one was not opened, since the second one was cancelled.
+  const client = await clientWithRoof();
+  const worker = FakeWorker.latest;
+  const stop = new AbortController();
+  const first = client.open({ files: [] });
+  const second = client.open({ files: [] }, stop.signal);
+  const [atWork, waiting] = worker.posted.map(({ id }) => id);
+  worker.say({ type: 'working', id: atWork });
+  stop.abort();
+  await assert.rejects(second, (error) => error instanceof Cancelled && !wasCollateral(error));
+  worker.model('large.obj', 2);
+  worker.scene('the large mesh', 0);
+  worker.say({ type: 'reply', id: atWork, value: { undoLost: '' } });
+  await first;
+  assert.equal(FakeWorker.latest, worker);
+  // When its turn comes, its worker ends before it opens anything.
+  worker.say({ type: 'working', id: waiting });
+  FakeWorker.latest.say({ type: 'ready' });
+  assert.equal(FakeWorker.latest.reopened, 'the large mesh');
+});
+
 test('work that the user cancels is no error', async () => {
   // It was said that the solver had stopped.
   const client = await clientWithRoof();
   const edited = client.change.edit('reset');
   client.abandon();
-  await assert.rejects(edited, (error) => error instanceof Cancelled && !isCollateral(error));
+  await assert.rejects(edited, (error) => error instanceof Cancelled && !wasCollateral(error));
 });
 
 test('an undo history that is lost by cancelling is told', async () => {

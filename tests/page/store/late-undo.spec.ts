@@ -46,7 +46,7 @@ test('a coordinate typed just before Undo is undone, not the step before', async
   await page.keyboard.press('h');
   await waitForState(page, (now) => now.handles.length === 1);
   const { handles } = await state(page);
-  const target = page.getByRole('textbox', { name: 'Target x' });
+  const target = page.getByRole('spinbutton', { name: 'Target x' });
   await target.fill('9');
   await target.press('Control+z');
   await expect(page.getByRole('status')).toHaveText('Undid: Move handle');

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { inTurn, oneAtATime } from '../../../www/ui/once.ts';
+import { inTurn, once, oneAtATime } from '../../../www/ui/once.ts';
 
 test('a second press has no effect while the first one loads, and has one after it, also after a failure', async () => {
   const loaded: ((opened: string) => void)[] = [];
@@ -24,6 +24,20 @@ test('a second press has no effect while the first one loads, and has one after 
   await assert.rejects(second as Promise<string>, /not there/);
   void open();
   assert.equal(loaded.length, 3);
+});
+
+test('what could not be fetched is fetched at the next call, and then kept', async () => {
+  // Goals on parts stayed unmeasured once the network was back.
+  let calls = 0;
+  const fetched = once(async () => {
+    calls += 1;
+    if (calls === 1) throw new Error('no network');
+    return 'the worker';
+  });
+  await assert.rejects(fetched(), /no network/);
+  assert.equal(await fetched(), 'the worker');
+  assert.equal(await fetched(), 'the worker');
+  assert.equal(calls, 2);
 });
 
 test('an action without a promise takes every press', () => {

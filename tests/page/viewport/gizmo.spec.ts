@@ -162,7 +162,7 @@ test('keys move a handle at its height or along an axis; numbers and Fixed work 
   expect(upwards[2]).toBeGreaterThan(0);
 
   await showStep(page, 'Shape');
-  const target = page.getByRole('textbox', { name: 'Target z' });
+  const target = page.getByRole('spinbutton', { name: 'Target z' });
   await target.fill('7.5');
   await target.press('Enter');
   await waitForState(page, (now) => now.handles[0].target[2] === 7.5);

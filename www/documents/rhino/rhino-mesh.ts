@@ -70,6 +70,8 @@ function touching(faces: Face[], rings: number[][]) {
   /** The faces of each object. */
   const objects: Map<number, Set<string>> = new Map();
   rings.forEach((corners, i) => {
+    // No face: its corners were at one or two places.
+    if (corners.length < 3) return;
     const { object } = faces[i];
     const face = corners.toSorted((a, b) => a - b).join();
     owners.set(face, (owners.get(face) ?? new Set()).add(object));

@@ -1,8 +1,8 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
-import { again, isCollateral, messageOf } from '../../solver/errors.ts';
+import { messageOf, retryIfCollateral, wasCollateral } from '../../solver/errors.ts';
 import type { Document as SceneDocument } from '../../pkg/engine/shape_up.js';
-import type { Asker, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
+import type { PartsOwner, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { metresOf } from '../../ui/words.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -21,7 +21,7 @@ interface Listener {
 
 export class LiveBuild {
   #app;
-  #asker: Asker;
+  #owner: PartsOwner;
   #builds = latestOnly(() => this.#once());
   /** Generations of the worker and of the shape, and settings of the last build. */
   #key = '';
@@ -36,15 +36,15 @@ export class LiveBuild {
   #defaults: BuildSettings | null = null;
   #on;
 
-  constructor(app: AppContext, asker: Asker, on: Listener) {
+  constructor(app: AppContext, owner: PartsOwner, on: Listener) {
     this.#app = app;
-    this.#asker = asker;
+    this.#owner = owner;
     this.#on = on;
   }
 
   /** Returns the presets, the declared settings and their defaults. */
   async offers() {
-    const offers = await again(() => this.#app.jobs.ask.buildOffers());
+    const offers = await retryIfCollateral(() => this.#app.jobs.ask.buildOffers());
     this.#defaults = offers.defaults;
     return offers;
   }
@@ -96,7 +96,7 @@ export class LiveBuild {
       if (isMoving && isSlow && !isOther && !isSaved) {
         // The last build no longer belongs to this shape.
         this.#key = '';
-        return await this.#offset(jobs.ask.reshape(this.#asker, positions));
+        return await this.#offset(jobs.ask.reshape(this.#owner, positions));
       }
       [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
       [this.#generation, this.#document] = [generation, document];
@@ -105,13 +105,13 @@ export class LiveBuild {
       const faces = { offsets, indices, unplaced, untouched };
       const shape = { positions, ...faces, settings, site };
       const begun = performance.now();
-      const built = await jobs.ask.build(this.#asker, shape, MOST_SHEETS);
+      const built = await jobs.ask.build(this.#owner, shape, MOST_SHEETS);
       this.#milliseconds = performance.now() - begun;
       if (this.#isOf(mesh)) this.#on.show(built);
     } catch (error) {
       this.#agreed = '';
       // It was in the way of another job, which was cancelled.
-      if (isCollateral(error)) return await this.#once(isSaved);
+      if (wasCollateral(error)) return await this.#once(isSaved);
       // A build that was cancelled, or has ended its worker, is not begun again by itself.
       this.#key = keyNow();
       if (this.#isOf(mesh)) this.#on.refuse(messageOf(error));
@@ -124,7 +124,7 @@ export class LiveBuild {
    * @param distance in the unit of the mesh
    */
   moveLayer(distance: number) {
-    return this.#offset(this.#ofLast(() => this.#app.jobs.ask.moveLayer(this.#asker, distance)));
+    return this.#offset(this.#ofLast(() => this.#app.jobs.ask.moveLayer(this.#owner, distance)));
   }
 
   /** Shows an offset unless another mesh has been opened meanwhile. */
@@ -141,17 +141,17 @@ export class LiveBuild {
 
   /** The error of each kind of offset. */
   choices() {
-    return this.#ofLast(() => this.#app.jobs.ask.offsetChoices(this.#asker));
+    return this.#ofLast(() => this.#app.jobs.ask.offsetChoices(this.#owner));
   }
 
   /** Asks about the last build, which is made again if its worker has ended for another job. */
   #ofLast<Answer>(ask: () => Promise<Answer>) {
-    return again(ask, () => this.#once(true));
+    return retryIfCollateral(ask, () => this.#once(true));
   }
 
   /** Builds what the user sees and has begun to change, and asks for what is saved of it. */
   #whole<Answer>(ask: () => Promise<Answer>) {
-    return again(async () => {
+    return retryIfCollateral(async () => {
       await this.#app.actions.settled();
       await this.#once(true);
       return ask();
@@ -160,7 +160,7 @@ export class LiveBuild {
 
   /** All files as a ZIP archive. */
   zip() {
-    return this.#whole(() => this.#app.jobs.ask.zipParts(this.#asker));
+    return this.#whole(() => this.#app.jobs.ask.zipParts(this.#owner));
   }
 
   /** Whether the last build is of shape and document as they are now. */
@@ -172,12 +172,12 @@ export class LiveBuild {
 
   /** The numbers that a lesson may bound. */
   numbers() {
-    return this.#ofLast(() => this.#app.jobs.ask.buildNumbers(this.#asker));
+    return this.#ofLast(() => this.#app.jobs.ask.buildNumbers(this.#owner));
   }
 
   /** The parts in space and the sheets, for CAD programs. */
   spatialParts() {
-    return this.#whole(() => this.#app.jobs.ask.spatialParts(this.#asker));
+    return this.#whole(() => this.#app.jobs.ask.spatialParts(this.#owner));
   }
 
   /** The report. */
@@ -190,7 +190,7 @@ export class LiveBuild {
     camera: Float64Array | null;
     link: string;
   }) {
-    return this.#whole(() => this.#app.jobs.ask.reportPage(this.#asker, title, camera, link));
+    return this.#whole(() => this.#app.jobs.ask.reportPage(this.#owner, title, camera, link));
   }
 }
 

@@ -5,7 +5,7 @@
 
 import { signal } from '@preact/signals';
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
-import { again, messageOf } from '../../solver/errors.ts';
+import { messageOf, retryIfCollateral } from '../../solver/errors.ts';
 import { RENEW_MS, throttled } from '../../ui/dom.ts';
 import type { Lines, LinesQuestion } from '../../solver/types.ts';
 import type { AppContext } from '../../app/context.ts';
@@ -70,9 +70,9 @@ export class CurvatureLines {
     let answer: Lines | null = null;
     let refused = '';
     try {
-      answer = generation === this.#known ? await again(() => ask(how)) : null;
+      answer = generation === this.#known ? await retryIfCollateral(() => ask(how)) : null;
       // The worker lacks the shape, or what it had was lost.
-      answer ??= await again(() => ask({ ...how, shape }));
+      answer ??= await retryIfCollateral(() => ask({ ...how, shape }));
     } catch (error) {
       refused = messageOf(error);
     }

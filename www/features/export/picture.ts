@@ -135,8 +135,9 @@ function drawLegend(
 const ROWS = 256;
 
 /**
- * Makes a picture with transparency from the same picture on white and on black. A colour `c` with coverage `a` gives `a c + 1 - a` on white and `a c` on black, so their
- * difference is the transparency `1 - a`. Writes the result to `onBlack`.
+ * Makes a picture with transparency from the same picture on white and on black. A colour `c` with
+ * coverage `a` gives `a c + 1 - a` on white and `a c` on black, so their difference is the transparency
+ * `1 - a`. Writes the result to `onBlack`.
  */
 function cutOut(onBlack: CanvasRenderingContext2D, onWhite: CanvasRenderingContext2D) {
   const { width, height } = onBlack.canvas;

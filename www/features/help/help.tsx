@@ -3,7 +3,7 @@
 import './help.css';
 import { useEffect, useState } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
-import { pressNamed } from '../../store/press.ts';
+import { performNamed } from '../../store/perform.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -85,7 +85,7 @@ function Help({ close }: InDialog) {
           aria-haspopup="dialog"
           onClick={() => {
             close();
-            pressNamed('palette', app);
+            performNamed('palette', app);
           }}
         >
           All commands

@@ -4,7 +4,7 @@ import './lesson.css';
 import { useRef, useState } from 'preact/hooks';
 import { withoutPath } from '../../store/actions.ts';
 import { declared, toleranceOf } from '../../store/colours/measures.ts';
-import { pressNamed } from '../../store/press.ts';
+import { performNamed } from '../../store/perform.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { sceneOf } from '../../solver/scene-text.ts';
@@ -288,7 +288,7 @@ function LessonDialog({
           Save lesson
         </Button>
         <Button onClick={() => keep(() => files.saveScene())}>Lesson as a scene file</Button>
-        <Button onClick={() => keep(() => pressNamed('share', app))}>Lesson as a link</Button>
+        <Button onClick={() => keep(() => performNamed('share', app))}>Lesson as a link</Button>
         {scene.lesson && (
           <Button
             disabled={scene.lesson.lock.length > 0}

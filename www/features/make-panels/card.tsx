@@ -7,7 +7,7 @@ import './make-panels.css';
 import { useEffect, useRef } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
 import { isLocked, panelsCard } from '../../store/panels-card.ts';
-import { pressNamed } from '../../store/press.ts';
+import { performNamed } from '../../store/perform.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useForecastWords } from '../../store/use-forecast-words.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
@@ -102,7 +102,7 @@ function Offer({ forecast }: { forecast: Forecast }) {
         <button
           type="button"
           aria-haspopup="dialog"
-          onClick={() => pressNamed('add-constraint', app)}
+          onClick={() => performNamed('add-constraint', app)}
         >
           Something else
         </button>
@@ -125,9 +125,7 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
   return (
     <Card class={isNotGood ? 'card warning' : 'card'} data-shows="verdict" data-level={level}>
       <p aria-live={verdict ? 'polite' : 'off'}>
-        <span>
-          <Sentence words={words} />
-        </span>{' '}
+        <Sentence words={words} />{' '}
         <span class="numbers">
           <Sentence words={numbers} />
         </span>

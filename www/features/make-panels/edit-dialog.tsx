@@ -2,7 +2,7 @@
 
 import './refine.css';
 import { useEffect, useMemo, useState } from 'preact/hooks';
-import { messageOf } from '../../solver/errors.ts';
+import { refusalOf } from '../../solver/errors.ts';
 import { newestOnly } from '../../store/latest-only.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
@@ -147,7 +147,7 @@ function usePreview(operation: string, sizes: number[], picked: Picked, wrong: s
         if (made) setPreview({ words: sentence(made), lost: made.lost, isReady: true });
         else if (made === null) refuse(wrong);
       },
-      (error) => refuse(`Not possible yet: ${messageOf(error)}.`),
+      (error) => refuse(refusalOf(error, 'Not possible yet')),
     );
   }, [operation, sizes, wrong]);
   return preview;

@@ -4,7 +4,7 @@
  */
 
 import { effect, signal } from '@preact/signals';
-import { Cancelled, messageOf } from '../../solver/errors.ts';
+import { Cancelled, refusalOf } from '../../solver/errors.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
@@ -201,7 +201,7 @@ export class Layouts {
     if (this.#layouts.hasNext()) return;
     this.laidOut.value = this.forecast.value = null;
     this.#refused.value = refused;
-    const words = `Not possible: ${messageOf(error)}.`;
+    const words = refusalOf(error, 'Not possible');
     this.said.value = refused
       ? { words: '', notes: [{ words, places: [Array.from(refused.vertices)] }] }
       : { words, notes: [] };

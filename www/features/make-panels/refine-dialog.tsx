@@ -48,27 +48,28 @@ function RefineDialog({ close }: InDialog) {
     return faceIndices?.length === 3 * faces ? [FOR_TRIANGLES, ...SCHEMES] : SCHEMES;
   }, []);
   const [scheme, setScheme] = useState(schemes[0][0]);
-  const [keep, setKeep] = useState(SHARP_ABOVE);
+  const [sharpAbove, setSharpAbove] = useState(SHARP_ABOVE);
   /** The level that was chosen, from 1. */
   const [wanted, setLevel] = useState(1);
   const [closeTo, setCloseTo] = useState<Reference>('solved');
-  const { made, refused } = useRefinements(scheme, keep);
+  const { made, refused, isReady } = useRefinements(scheme, sharpAbove);
   const isAdopted = hasRows && closeTo === 'solved';
   // Another scheme may have fewer.
   const level = Math.min(wanted, Math.max(made.length, 1));
-  const chosen = made[level - 1];
+  const chosen = isReady ? made[level - 1] : undefined;
   const units = document?.units ?? '';
 
   /** The option for a number of levels, with its result. */
   function option({ faces, edge }: Refinement, i: number) {
     const far = limit(rounded(edge, 2), units);
     const times = OFTEN[i] ?? `${i + 1} times`;
-    return [String(i + 1), `${times}: ${count(faces, 'face')} of about ${far}`] as const;
+    const result = isReady ? `: ${count(faces, 'face')} of about ${far}` : '';
+    return [String(i + 1), times + result] as const;
   }
 
   function start(solves: boolean) {
     close();
-    const how = { scheme, levels: level, keep, adopt: solves && isAdopted };
+    const how = { scheme, levels: level, keep: sharpAbove, adopt: solves && isAdopted };
     void actions.reportErrors(mesh.refine(how, solves));
   }
 
@@ -91,9 +92,9 @@ function RefineDialog({ close }: InDialog) {
         <AmountField
           max={180}
           step={1}
-          value={keep}
-          onAmount={setKeep}
-          onEmpty={() => setKeep(SHARP_ABOVE)}
+          value={sharpAbove}
+          onAmount={setSharpAbove}
+          onEmpty={() => setSharpAbove(SHARP_ABOVE)}
         />
       </label>
       {hasRows && (
@@ -107,7 +108,7 @@ function RefineDialog({ close }: InDialog) {
         </label>
       )}
       <p aria-live="polite">
-        {refused}
+        {isReady && refused}
         {chosen &&
           `${count(model?.faces ?? 0, 'face becomes', 'faces become')} ${count(chosen.faces, 'face')}, with ${count(chosen.vertices, 'vertex', 'vertices')}.`}
       </p>
@@ -139,19 +140,22 @@ function RefineDialog({ close }: InDialog) {
   );
 }
 
-/** The result of each number of levels, or why there is none. */
-function useRefinements(scheme: Scheme, keep: number) {
+/**
+ * The result of each number of levels, or why there is none. Until `isReady`, they are those of what was
+ * asked before.
+ */
+function useRefinements(scheme: Scheme, sharpAbove: number) {
   const { actions } = useApp();
   const newest = useMemo(() => newestOnly(), []);
-  const [found, setFound] = useState<{ made: Refinement[]; refused: string }>({
-    made: [],
-    refused: '',
+  const asked = `${scheme} ${sharpAbove}`;
+  const [found, setFound] = useState<{ made: Refinement[]; refused: string; of: string }>({
+    ...{ made: [], refused: '', of: '' },
   });
   useEffect(() => {
-    newest(actions.ask.refinements(scheme, keep)).then(
-      (made) => made && setFound({ made, refused: '' }),
-      (error) => setFound({ made: [], refused: messageOf(error) }),
+    newest(actions.ask.refinements(scheme, sharpAbove)).then(
+      (made) => made && setFound({ made, refused: '', of: asked }),
+      (error) => setFound({ made: [], refused: messageOf(error), of: asked }),
     );
-  }, [scheme, keep]);
-  return found;
+  }, [asked]);
+  return { ...found, isReady: found.of === asked };
 }

@@ -2,7 +2,7 @@
 
 import './palette.css';
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { isEnabled, press } from '../../store/press.ts';
+import { isEnabled, perform } from '../../store/perform.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Key } from '../../ui/components/buttons.tsx';
@@ -39,7 +39,7 @@ function Palette({ close }: InDialog) {
   const enter = (command: Command | undefined) => {
     if (!command || !isEnabled(command, state)) return;
     close();
-    press(command, store);
+    perform(command, store);
   };
   const moves: Record<string, number> = { ArrowDown: 1, ArrowUp: -1, PageDown: 8, PageUp: -8 };
 

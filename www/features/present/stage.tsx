@@ -48,7 +48,6 @@ function Presentation() {
 
   async function go(to: number) {
     const last = (store.get().document?.steps.length ?? 0) - 1;
-    if (last < 0) return end();
     asked.value = Math.min(Math.max(to, 0), last);
     isDark.value = false;
     await slides.showStep(at.value);
@@ -84,6 +83,11 @@ function Presentation() {
     const isHeld = event.repeat && (what === 'dark' || what === 'run');
     if (!isHeld) void done[what]();
   }
+
+  const isOver = steps.length === 0;
+  useLayoutEffect(() => {
+    if (isOver) end();
+  }, [isOver]);
 
   useLayoutEffect(() => {
     const leftScreen = () => {

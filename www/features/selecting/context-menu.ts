@@ -4,7 +4,7 @@
  */
 
 import { areHandlesLocked } from '../../store/handles.ts';
-import { isEnabled, press } from '../../store/press.ts';
+import { isEnabled, perform } from '../../store/perform.ts';
 import { byId, element } from '../../ui/dom.ts';
 import { placeMenu } from '../../ui/controls/navigation.ts';
 import { once } from '../../ui/once.ts';
@@ -82,7 +82,7 @@ function sectionsOf({
 }: AppContext): [heading: string, items: Item[]][] {
   const state = store.get();
   const { document, operations } = state;
-  const what = state.document?.undo || state.undoes;
+  const what = state.document?.undo || state.undoReplacing;
   const vertices = actions.selectedVertices();
   const held = new Map(document?.handles.map((handle) => [handle.vertex, handle.fixed]));
   const areFree = !areHandlesLocked(document);
@@ -96,7 +96,7 @@ function sectionsOf({
   ) => {
     const command = commands.find((known) => known.id === id);
     if (!command) throw new Error(`no command is called ${id}`);
-    return [fits && isEnabled(command, state), label, () => press(command, store)];
+    return [fits && isEnabled(command, state), label, () => perform(command, store)];
   };
   const selections = operations
     .filter((operation) => operation.needsSelection && operation.params.length === 0)

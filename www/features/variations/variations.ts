@@ -4,7 +4,7 @@
  */
 
 import { signal } from '@preact/signals';
-import { again, messageOf } from '../../solver/errors.ts';
+import { messageOf, retryIfCollateral } from '../../solver/errors.ts';
 import { latestOnly } from '../../store/latest-only.ts';
 import { isHard } from '../../store/state.ts';
 import type { Connectivity } from '../../solver/types.ts';
@@ -46,7 +46,9 @@ export class Variations {
   #searched: unknown = null;
   /** The generation of the shape that is varied, and of the worker that has its variations. */
   #varied = { generation: 0, worker: 0 };
-  #updates = latestOnly(() => this.#app.actions.reportErrors(again(() => this.#follow())));
+  #updates = latestOnly(() =>
+    this.#app.actions.reportErrors(retryIfCollateral(() => this.#follow())),
+  );
 
   constructor(app: AppContext) {
     this.#app = app;
@@ -156,7 +158,7 @@ export class Variations {
   async #find() {
     const mine = ++this.#search;
     try {
-      await again(() => this.#findIn(mine));
+      await retryIfCollateral(() => this.#findIn(mine));
     } catch (error) {
       if (mine === this.#search) this.words.value = messageOf(error);
     }

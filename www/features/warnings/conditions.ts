@@ -63,14 +63,14 @@ class Conditions {
     const isListed = document.getElementById('model')?.checkVisibility();
     if (problems.length === 0 || isListed) return void this.#lookForFlatFaces();
     const { message, suggestion } = problems.find((problem) => problem.suggestion) ?? problems[0];
-    const mend = suggestion &&
+    const repair = suggestion &&
       !isLocked(store.get(), 'mesh') && {
         label: suggestion.label,
         action: () =>
           actions.reportErrors(mesh.remesh({ operation: suggestion.operation }, suggestion.label)),
       };
     const words = `${count(problems.length, 'kind of problem', 'kinds of problem')}, see Open or make: ${message}`;
-    untilChanged(store, alerts.notice(words, ...(mend ? [mend] : [])));
+    untilChanged(store, alerts.notice(words, ...(repair ? [repair] : [])));
   }
 
   async #lookForFlatFaces() {

@@ -1,12 +1,12 @@
 /** The fields for the selected handles: target, kind and weight. */
 
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { messageOf } from '../../solver/errors.ts';
 import { handlesNow, type HandleDrag } from '../../store/handles.ts';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
+import { firstIn } from '../../ui/components/number-steps.ts';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { count, coordinate, decimalsFor, readLength } from '../../ui/words.ts';
+import { count, coordinate, decimalsFor } from '../../ui/words.ts';
 import type { HandleRow } from '../../pkg/engine/shape_up.js';
 
 /** The length of the simulated drag by which the mesh follows a typed target, in milliseconds. */
@@ -28,6 +28,11 @@ export function SelectedHandles() {
     .map((handle) => ({ ...handle, target: ahead.get(handle.vertex) ?? handle.target }));
   if (chosen.length === 0) return null;
   const decimals = decimalsFor(model?.size ?? 0);
+  const shown = AXES.map((_, axis) =>
+    common(chosen.map(({ target }) => coordinate(target[axis], decimals))),
+  );
+  const isTall = shown.some((text) => text !== null && text.length > MOST_BESIDE);
+  const unit = document?.units ?? '';
   return (
     <div class="handle-details" role="group" aria-label="Selected handles">
       <p class="quiet">
@@ -37,13 +42,23 @@ export function SelectedHandles() {
         {document?.units && `, in ${document.units}`}
       </p>
       {/* Input meant for another selection is discarded. */}
-      <Targets
-        key={selection}
-        values={AXES.map((_, axis) =>
-          common(chosen.map(({ target }) => coordinate(target[axis], decimals))),
-        )}
-        enter={(axis, text) => move(chosen, axis, text)}
-      />
+      <div key={selection} class={isTall ? 'target tall' : 'target'}>
+        {AXES.map((name, axis) => (
+          <label key={name}>
+            {name}
+            <AmountField
+              name={`Target ${name}`}
+              title="1.5, 1/3 or 20cm; +0.5 moves by that much"
+              value={common(chosen.map(({ target }) => target[axis]))}
+              shown={shown[axis] ?? ''}
+              placeholder={shown[axis] ?? MIXED}
+              {...{ unit, min: -Infinity, step: firstIn(unit) }}
+              onAmount={(to) => move(chosen, axis, () => to)}
+              onAdd={(by) => move(chosen, axis, (from) => from + by)}
+            />
+          </label>
+        ))}
+      </div>
       <Hold key={chosen.map(({ vertex }) => vertex).join(' ')} chosen={chosen} />
     </div>
   );
@@ -65,15 +80,11 @@ function useTypedTargets() {
     if (drag.current?.isOver !== false) setAhead(new Map());
   }, [document, refused]);
 
-  /**
-   * Moves handles along one axis, as one step of undo.
-   * @throws if the text is no length
-   */
-  function move(before: HandleRow[], axis: number, text: string) {
-    const entry = readLength(text, store.get().document?.units ?? '');
+  /** Moves handles along one axis, as one step of undo. */
+  function move(before: HandleRow[], axis: number, to: (from: number) => number) {
     const after = before.map((handle) => {
       const target = [...handle.target] as HandleRow['target'];
-      target[axis] = entry.by ? target[axis] + entry.length : entry.length;
+      target[axis] = to(target[axis]);
       return { ...handle, target };
     });
     setAhead(new Map(after.map(({ vertex, target }) => [vertex, target])));
@@ -89,77 +100,6 @@ function useTypedTargets() {
   }
 
   return { ahead, move };
-}
-
-/** Input of a field that is not entered, and what is wrong with it. */
-interface Typed {
-  text: string;
-  problem?: string;
-}
-
-/**
- * The fields for the coordinates.
- * @param props.values null for mixed ones
- * @param props.enter throws if the text is no length
- */
-function Targets(props: {
-  values: (string | null)[];
-  enter: (axis: number, text: string) => void;
-}) {
-  const { values, enter } = props;
-  const [typed, setTyped] = useState<(Typed | null)[]>(AXES.map(() => null));
-  const shown = values.map((value, axis) => typed[axis]?.text ?? value ?? '');
-  const isTall = Math.max(...shown.map((text) => text.length)) > MOST_BESIDE;
-  const problem = typed.find((one) => one?.problem)?.problem;
-  const set = (axis: number, to: Typed | null) =>
-    setTyped((before) => before.map((one, i) => (i === axis ? to : one)));
-
-  function change(axis: number, text: string) {
-    try {
-      if (text.trim() !== '') enter(axis, text);
-      set(axis, null);
-    } catch (error) {
-      set(axis, { text, problem: messageOf(error) });
-    }
-  }
-
-  return (
-    <>
-      <div class={isTall ? 'target tall' : 'target'}>
-        {AXES.map((name, axis) => (
-          <label key={name}>
-            {name}
-            <input
-              class="number"
-              type="text"
-              autocomplete="off"
-              spellcheck={false}
-              title="1.5, 1/3 or 20cm; +0.5 moves by that much"
-              aria-label={`Target ${name}`}
-              aria-describedby="target-error"
-              aria-invalid={typed[axis]?.problem ? 'true' : undefined}
-              placeholder={values[axis] === null ? MIXED : ''}
-              value={shown[axis]}
-              onInput={({ currentTarget }) =>
-                set(axis, { ...typed[axis], text: currentTarget.value })
-              }
-              onChange={({ currentTarget }) => change(axis, currentTarget.value)}
-              onKeyDown={(event) => {
-                if (event.key !== 'Escape' || !typed[axis]) return;
-                event.stopPropagation();
-                set(axis, null);
-              }}
-              // Invalid input stays, to be corrected.
-              onBlur={() => setTyped((now) => now.map((one) => (one?.problem ? one : null)))}
-            />
-          </label>
-        ))}
-      </div>
-      <p class="error" id="target-error" aria-live="polite">
-        {problem}
-      </p>
-    </>
-  );
 }
 
 /** Whether the handles are fixed, and the weight of those that are not. */

@@ -89,7 +89,7 @@ export function OperationForm(props: { operation: Operation; close: () => void }
           entered.value = { ...(!isMeasure && entered.value), [id]: value };
         }}
       />
-      <div class="verbs">
+      <div class="row-buttons">
         {!operation.needsSelection && (
           <>
             <Button onClick={() => find('remove')}>Subtract</Button>
@@ -147,7 +147,7 @@ export function SaveForm({ close }: { close: () => void }) {
         Gives the selection a name, by which you can select or constrain it later.
       </p>
       <input ref={name} type="text" required aria-label="Name of the set" />
-      <div class="verbs">
+      <div class="row-buttons">
         <Button type="submit" class="primary">
           Save set
         </Button>

@@ -4,6 +4,7 @@ import { useLayoutEffect, useRef } from 'preact/hooks';
 import { NumberInput, numberIn, type Accepted } from './number-input.tsx';
 import { useEntered } from './use-entered.ts';
 import { useTyped } from './use-typed.ts';
+import { readLength } from '../words.ts';
 import type { ComponentProps } from 'preact';
 
 /**
@@ -16,6 +17,7 @@ export function AmountField({
   value,
   shown = value === null ? '' : String(value),
   onAmount,
+  onAdd,
   onEmpty,
   isReplaced = false,
   unit,
@@ -26,7 +28,7 @@ export function AmountField({
   step,
   ...rest
 }: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role' | 'min' | 'max' | 'step'> &
-  Omit<Accepted, 'present'> & {
+  Omit<Accepted, 'present' | 'isSeveral'> & {
     /** its accessible name, unless a label names it */
     name?: string;
     /** null for none */
@@ -34,6 +36,8 @@ export function AmountField({
     /** the value in words, if other than all its digits */
     shown?: string;
     onAmount: (to: number) => unknown;
+    /** called for what is added to each of several numbers */
+    onAdd?: (by: number) => unknown;
     /** called for a field that is emptied; without it, this is invalid too */
     onEmpty?: () => unknown;
     /** whether what is typed next replaces a value that comes while the field has the focus */
@@ -44,7 +48,8 @@ export function AmountField({
   const field = useRef<HTMLInputElement>(null);
   /** Whether Enter was pressed after the last input. */
   const isEntered = useRef(false);
-  const accepted = { unit, min, max, isWhole, isPositive, step, present: over(value) };
+  const isSeveral = onAdd !== undefined;
+  const accepted = { unit, min, max, isWhole, isPositive, step, present: over(value), isSeveral };
   const textNow = () => (over(value) === value ? shown : String(over(value) ?? ''));
   const text = textNow();
   useLayoutEffect(() => {
@@ -69,13 +74,16 @@ export function AmountField({
         setTyped(currentTarget.value);
       }}
       onChange={({ currentTarget }) => {
-        // The word that stands there when it is empty can be typed, too.
-        const isWord = currentTarget.value.trim().toLowerCase() === rest.placeholder;
+        // The word that stands there when it is empty can be typed, too; a number there is one.
+        const isPlaceholder = currentTarget.value.trim().toLowerCase() === rest.placeholder;
+        const isWord = isPlaceholder && numberIn(currentTarget, accepted) === null;
         if (onEmpty && isWord) currentTarget.value = '';
         const to = numberIn(currentTarget, accepted);
         // What is wrong is said until the field is left; leaving it is not held up.
         if (isEntered.current && !currentTarget.reportValidity()) return;
         if (to !== null) enter(to, onAmount(to));
+        else if (currentTarget.validity.valid && currentTarget.value.trim())
+          onAdd?.(readLength(currentTarget.value, unit ?? '').length);
         else if (onEmpty && currentTarget.validity.valid) enter(null, onEmpty());
         revert();
       }}

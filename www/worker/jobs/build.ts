@@ -51,46 +51,46 @@ class Parts {
   }
 }
 
-/** Who asks for parts: the panel of parts, and the goals of a lesson. */
-export type Asker = 'panel' | 'goals';
+/** Whose parts they are: those of the panel, and those of the goals of a lesson. */
+export type PartsOwner = 'panel' | 'goals';
 
-const parts: Record<Asker, Parts> = { panel: new Parts(), goals: new Parts() };
+const parts: Record<PartsOwner, Parts> = { panel: new Parts(), goals: new Parts() };
 
-/** All but `buildOffers` and `build` are about the last build of who asks. */
+/** All but `buildOffers` and `build` are about the last build of their owner. */
 export const builds = {
   /** The presets, the declared settings and their defaults. */
   buildOffers: () => buildOffers(),
   /** Makes the parts of a shape, and draws at most `sheets` sheets. */
-  build(asker: Asker, shape: Shape, sheets: number) {
-    const builder = parts[asker].renew(shape);
+  build(owner: PartsOwner, shape: Shape, sheets: number) {
+    const builder = parts[owner].renew(shape);
     return { ...builder.report(), sheets: builder.sheets(sheets), layer: builder.layer() };
   },
   /** Changes the distance of its offset. */
-  moveLayer(asker: Asker, distance: number) {
-    const { builder } = parts[asker];
+  moveLayer(owner: PartsOwner, distance: number) {
+    const { builder } = parts[owner];
     if (!builder) return null;
     builder.moveLayer(distance);
     return { ...builder.card(), layer: builder.layer() };
   },
   /** Changes the positions of its offset, during a drag. */
-  reshape(asker: Asker, positions: Float64Array) {
-    const builder = parts[asker].reshape(positions);
+  reshape(owner: PartsOwner, positions: Float64Array) {
+    const builder = parts[owner].reshape(positions);
     return builder && { ...builder.card(), layer: builder.layer() };
   },
   /** The numbers that a lesson may bound, by id. */
-  buildNumbers: (asker: Asker) => parts[asker].whole().numbers(),
+  buildNumbers: (owner: PartsOwner) => parts[owner].whole().numbers(),
   /** The errors of each kind of offset. */
-  offsetChoices: (asker: Asker) => parts[asker].builder?.choices() ?? [],
+  offsetChoices: (owner: PartsOwner) => parts[owner].builder?.choices() ?? [],
   /**
    * An HTML document.
    * @param camera of its picture: two angles in radians; null for the default
    */
-  reportPage: (asker: Asker, title: string, camera: Float64Array | null, link: string) =>
-    parts[asker].whole().reportPage(title, camera, link),
-  spatialParts: (asker: Asker) => parts[asker].whole().spatialParts(),
+  reportPage: (owner: PartsOwner, title: string, camera: Float64Array | null, link: string) =>
+    parts[owner].whole().reportPage(title, camera, link),
+  spatialParts: (owner: PartsOwner) => parts[owner].whole().spatialParts(),
   /** All files in one archive. */
-  zipParts(asker: Asker) {
-    const builder = parts[asker].whole();
+  zipParts(owner: PartsOwner) {
+    const builder = parts[owner].whole();
     const files: Zippable = {};
     for (const { name, bytes } of builder.files()) files[name] = bytes;
     return zipSync(files);

@@ -22,7 +22,7 @@ struct Scene {
     right: vec4f,
     up: vec4f,
     forward: vec4f,
-    // Up direction; w: height of the lowest point of the model along it.
+    // Up direction; w: height of the ground along it.
     sky: vec4f,
     // Width and height in pixels, pixels per CSS pixel, length of a pixel at depth 1.
     canvas: vec4f,

@@ -16,7 +16,7 @@ export const isEnabled: (command: Command, state: State) => boolean = ({ enabled
  * Executes a command if it is enabled, now or as soon as there is a model.
  * @param settled resolves when the page shows the edits begun before, which may enable the command
  */
-export function press(command: Command, store: Store, settled?: () => Promise<void>) {
+export function perform(command: Command, store: Store, settled?: () => Promise<void>) {
   const state = store.get();
   if (command.needsModel && !state.document) {
     if (waiting.size === 0) store.set({ status: STARTS_LATER });
@@ -24,17 +24,17 @@ export function press(command: Command, store: Store, settled?: () => Promise<vo
   } else if (isEnabled(command, state)) {
     command.action();
   } else if (settled) {
-    void settled().then(() => press(command, store));
+    void settled().then(() => perform(command, store));
   }
 }
 
 /** Executes the command of this name. */
-export function pressNamed(
+export function performNamed(
   id: string,
   { commands, store }: Pick<AppContext, 'commands' | 'store'>,
 ) {
   const command = commands.find((one) => one.id === id);
-  if (command) press(command, store);
+  if (command) perform(command, store);
 }
 
 /**
@@ -44,12 +44,12 @@ export function pressNamed(
 export function runEarlyPresses(commands: Command[], store: Store, early: string[]) {
   for (const name of early) {
     const command = commands.find(({ id }) => id === name);
-    if (command) press(command, store);
+    if (command) perform(command, store);
   }
   store.subscribe(['document'], ({ document }) => {
     if (!document) return;
     const pressed = [...waiting];
     waiting.clear();
-    pressed.forEach((command) => press(command, store));
+    pressed.forEach((command) => perform(command, store));
   });
 }

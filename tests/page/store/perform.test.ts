@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { isEnabled, press, runEarlyPresses } from '../../../www/store/press.ts';
+import { isEnabled, perform, runEarlyPresses } from '../../../www/store/perform.ts';
 import { createStore } from '../../../www/store/state.ts';
 import type { Command } from '../../../www/app/context.ts';
 import type { Document as SceneDocument } from '../../../www/pkg/engine/shape_up.js';
@@ -22,10 +22,10 @@ test('a disabled command does not run', () => {
   const drawn = command(done, { enabled: ({ renderer }) => renderer !== 'none' });
   store.set({ renderer: 'none' });
   assert.equal(isEnabled(drawn, store.get()), false);
-  press(drawn, store);
+  perform(drawn, store);
   assert.deepEqual(done, []);
   store.set({ renderer: 'webgl2' });
-  press(drawn, store);
+  perform(drawn, store);
   assert.deepEqual(done, ['fit']);
   assert.equal(isEnabled(command(done), store.get()), true);
 });
@@ -34,11 +34,11 @@ test('a key pressed right after an edit waits for it, if that may enable its com
   const store = createStore();
   const done: string[] = [];
   const undo = command(done, { enabled: ({ document }) => Boolean(document?.undo) });
-  press(undo, store, async () => store.set({ document: { undo: 'Weight' } as SceneDocument }));
+  perform(undo, store, async () => store.set({ document: { undo: 'Weight' } as SceneDocument }));
   assert.deepEqual(done, []);
   await new Promise((end) => setTimeout(end));
   assert.deepEqual(done, ['fit']);
-  press(undo, store, () => Promise.reject(new Error('not asked for an enabled command')));
+  perform(undo, store, () => Promise.reject(new Error('not asked for an enabled command')));
   assert.deepEqual(done, ['fit', 'fit']);
 });
 
