@@ -1,10 +1,10 @@
 //! Methods that use only the total energy and its gradient, the sum of `2 w_i (x - P_i(x))`
 //! (Appendix A). The projections are not differentiated, and no linear system is solved.
 
-use super::curvature::{Curvature, add_scaled};
+use super::curvature::Curvature;
 use super::declaration::{Method, Step};
 use super::line_search::{Along, wolfe_step};
-use crate::math::inner_product;
+use crate::math::{add_scaled, inner_product};
 use crate::mesh::{Mesh, Point};
 use crate::scene::Scene;
 use crate::session::Error;
