@@ -23,7 +23,7 @@ impl Session {
         // As it was asked for, before a search chose how to solve it.
         let mut asked = self.scene();
         asked.as_asked();
-        let settings = settings_of(&asked).into_iter();
+        let settings = settings_of(&asked);
         let Scene { title, constraints, handles, weights, .. } = asked;
         Some(Results {
             student: student.to_owned(),
@@ -41,19 +41,11 @@ impl Session {
             handles,
             steps: self.history.steps()[0].iter().map(|(name, _)| name.clone()).collect(),
             weights: Some(weights),
-            settings: settings.map(|(id, value)| (id, as_written(value))).collect(),
+            settings,
             moved: Some(self.moved().max),
             distance: Some(self.worst_distance()),
             positions: self.positions(),
         })
-    }
-}
-
-/// Returns the value as a file has it: whole numbers are written without a decimal point.
-fn as_written(value: Value) -> Value {
-    match value.as_f64().filter(|number| number.fract() == 0.0) {
-        Some(number) if number.abs() < 1e15 => (number as i64).into(),
-        _ => value,
     }
 }
 
