@@ -92,7 +92,7 @@ fn results_of_something_else_are_refused() {
     folder.write("plain.json", scene(PLANES));
     check("good.json", "plain.json").refused(&["good.json: ", "no lesson"]);
     check("s.json", "s.json").refused(&["s.json: format: ", "shape-up-results"]);
-    check("gone.json", "s.json").refused(&["gone.json: ", "cannot be read"]);
+    check("gone.json", "s.json").refused(&["gone.json: cannot be read", "results"]);
     folder.write("cut.json", folder.read("good.json").replace("\"student\"", "\"name\""));
     check("cut.json", "s.json").refused(&["cut.json: ", "unknown key `name`"]);
     folder
