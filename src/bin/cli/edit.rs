@@ -4,7 +4,7 @@ use crate::cli::tokens::{Token, Tokens};
 use crate::cli::{Failure, input, output};
 use serde_json::{Map, Value, json};
 use shape_up::mesh::{MESH_OPERATIONS, MeshOperation};
-use shape_up::session::{self, Error, Session};
+use shape_up::session::{self, Session};
 use shape_up::words;
 use std::path::PathBuf;
 
@@ -65,7 +65,7 @@ pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Edit, String> {
 /// Applies the operation and prints the result.
 pub(in crate::cli) fn edit(command: &Edit) -> Result<(), Failure> {
     let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&command.input)?;
-    let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
+    let at_input = input::at(&command.input);
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
     let offered = session.operations();
     let offered = offered.into_iter().find(|offered| offered.operation.id == command.operation);

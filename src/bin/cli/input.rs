@@ -3,7 +3,7 @@
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
 use shape_up::scene::{Scene, UnitsAndUp, Up};
-use shape_up::session::{self, FileReader, OpenedFile, named_files};
+use shape_up::session::{self, Error, FileReader, OpenedFile, named_files};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -23,6 +23,18 @@ pub(super) struct Input {
     pub(super) frame: UnitsAndUp,
     /// Tolerated problems of the mesh file, and notes about it.
     pub(super) remarks: Vec<String>,
+}
+
+/// Returns what makes an error of a session one of the file `path`, or of the option that asked for
+/// panels.
+pub(super) fn at(path: &Path) -> impl Fn(Error) -> Failure + Copy {
+    move |error| {
+        let message = match error {
+            Error::Scene(error) if error.path == "panels" => format!("--panels: {}", error.message),
+            error => error.to_string(),
+        };
+        Failure::Input(format!("{}: {message}", path.display()))
+    }
 }
 
 /// Whether the name is that of a scene.

@@ -35,7 +35,7 @@ struct Level {
 pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     let input::Input { mut scene, mesh, frame, mut remarks, .. } = input::read(&command.input)?;
     output::check(command.out.iter().chain(&command.report))?;
-    let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
+    let at_input = input::at(&command.input);
     let subdivision = command.subdivision;
     if let Some(kind) = command.panels {
         let asked = scene.request_panels(kind, Require::Soft, &mesh);

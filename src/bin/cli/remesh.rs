@@ -101,8 +101,7 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
     }
     let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&asked.input)?;
     output::check(asked.out.iter().chain(&asked.report))?;
-    let at_input = |error: String| Failure::Input(format!("{path}: {error}"));
-    scene.validate(&mesh).map_err(|error| at_input(error.to_string()))?;
+    scene.validate(&mesh).map_err(|error| input::at(&asked.input)(error.into()))?;
     let loaded = clock::now();
     let mut seconds = Seconds { load: loaded - started, ..Seconds::default() };
     let mut last = (RemeshStage::Prepare, loaded);
@@ -116,7 +115,8 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
         true
     });
     entered(RemeshStage::Verify);
-    let found = found.map_err(|error| at_input(refusal(&error, &scene.units)))?;
+    let found = found
+        .map_err(|error| Failure::Input(format!("{path}: {}", refusal(&error, &scene.units))))?;
     seconds.total = clock::now() - started;
     let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(out) = &asked.out {
