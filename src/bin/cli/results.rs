@@ -15,7 +15,7 @@ const SCENE: &str = ".shapeup.json";
 const HEAD: [&str; 9] = [
     "student",
     "goals met",
-    "of",
+    "goals",
     "worst distance",
     "moved",
     "iterations",
