@@ -103,16 +103,10 @@ fn product(matrix: &[f64], x: &[f64]) -> Vec<f64> {
     matrix.chunks_exact(x.len()).map(|row| inner_product(row, x)).collect()
 }
 
-/// `y += factor * x`.
-pub(super) fn add_scaled(y: &mut [f64], factor: f64, x: &[f64]) {
-    for (y, x) in y.iter_mut().zip(x) {
-        *y += factor * x;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::add_scaled;
 
     /// Hessian of the quadratic.
     const HESSIAN: [[f64; 3]; 3] = [[4.0, 1.0, 0.0], [1.0, 3.0, -1.0], [0.0, -1.0, 2.0]];

@@ -1,10 +1,10 @@
 //! Methods that use only the total energy and its gradient, the sum of `2 w_i (x - P_i(x))`
 //! (Appendix A). The projections are not differentiated, and no linear system is solved.
 
-use super::curvature::{Curvature, add_scaled};
+use super::curvature::Curvature;
 use super::declaration::{Method, Step};
 use super::line_search::{Along, wolfe_step};
-use crate::math::inner_product;
+use crate::math::{add_scaled, inner_product};
 use crate::mesh::{Mesh, Point};
 use crate::scene::Scene;
 use crate::session::Error;
@@ -13,7 +13,7 @@ use crate::solve::Solver;
 
 /// Gradient descent, L-BFGS or BFGS, depending on `curvature`, with a line search. Ends when the
 /// total energy is a given fraction of its initial value.
-pub(super) struct Descent {
+pub(super) struct GradientMethod {
     /// Evaluates the energy; its linear system is not used.
     solver: Solver,
     x: Vec<f64>,
@@ -25,7 +25,7 @@ pub(super) struct Descent {
     last: Option<(f64, f64)>,
 }
 
-impl Descent {
+impl GradientMethod {
     /// Calls `curvature` with the number of unknowns. `goal` is the fraction of the initial total
     /// energy at which to end.
     pub(super) fn new(
@@ -33,12 +33,12 @@ impl Descent {
         mesh: &Mesh,
         curvature: fn(usize) -> Curvature,
         goal: f64,
-    ) -> Result<Descent, Error> {
+    ) -> Result<GradientMethod, Error> {
         let solver = Session::open(scene.clone(), mesh.clone())?.into_solver();
         let x: Vec<Point> = solver.positions().collect();
         let gradient: Vec<Point> = solver.gradient().collect();
         let energy = solver.energy().total;
-        Ok(Descent {
+        Ok(GradientMethod {
             solver,
             curvature: curvature(3 * x.len()),
             x: x.into_flattened(),
@@ -62,7 +62,7 @@ impl Descent {
     }
 }
 
-impl Method for Descent {
+impl Method for GradientMethod {
     fn step(&mut self) -> Result<Step, Error> {
         let mut direction = self.curvature.direction(&self.gradient);
         let mut slope = inner_product(&direction, &self.gradient);
@@ -79,7 +79,7 @@ impl Method for Descent {
         let first = self.first_trial(slope);
         let (mut next, mut gradient, mut energy) = (self.x.clone(), Vec::new(), self.energy);
         let start = Along { value: self.energy, slope };
-        let Descent { solver, x, .. } = self;
+        let GradientMethod { solver, x, .. } = self;
         let found = wolfe_step(start, first, |step| {
             next.copy_from_slice(x);
             add_scaled(&mut next, step, &direction);

@@ -10,7 +10,7 @@ use super::curvature::Curvature;
 use super::declaration::{
     Experiment, Limits, Method, MethodInfo, Over, Plot, Quantity, Step, Unit,
 };
-use super::descent::Descent;
+use super::descent::GradientMethod;
 use crate::mesh::Mesh;
 use crate::scene::{Accelerator, Scene};
 use crate::session::{Error, Session};
@@ -93,7 +93,9 @@ const GRADIENT_DESCENT: MethodInfo = MethodInfo {
     label: "Gradient descent",
     summary: "Steps down the gradient of Appendix A, each as long as a line search allows.",
     most_vertices: None,
-    start: |scene, mesh| Ok(Box::new(Descent::new(scene, mesh, |_| Curvature::Ignored, GOAL)?)),
+    start: |scene, mesh| {
+        Ok(Box::new(GradientMethod::new(scene, mesh, |_| Curvature::Ignored, GOAL)?))
+    },
 };
 
 pub(super) const BFGS: MethodInfo = MethodInfo {
@@ -101,7 +103,7 @@ pub(super) const BFGS: MethodInfo = MethodInfo {
     label: "BFGS",
     summary: "Learns the curvature from all of its steps, in a dense matrix over all coordinates (Nocedal and Wright, 2006, Algorithm 6.1): what the paper compares with.",
     most_vertices: Some(MOST_VERTICES_OF_BFGS),
-    start: |scene, mesh| Ok(Box::new(Descent::new(scene, mesh, Curvature::dense, GOAL)?)),
+    start: |scene, mesh| Ok(Box::new(GradientMethod::new(scene, mesh, Curvature::dense, GOAL)?)),
 };
 
 const L_BFGS: MethodInfo = MethodInfo {
@@ -110,7 +112,7 @@ const L_BFGS: MethodInfo = MethodInfo {
     summary: "Learns the curvature from its last ten steps, without a linear system to start from.",
     most_vertices: None,
     start: |scene, mesh| {
-        Ok(Box::new(Descent::new(scene, mesh, |_| Curvature::recent(WINDOW), GOAL)?))
+        Ok(Box::new(GradientMethod::new(scene, mesh, |_| Curvature::recent(WINDOW), GOAL)?))
     },
 };
 

@@ -130,7 +130,10 @@ fn of_data(text: &str) -> JsonError {
     } else if let Some(rest) = after("invalid length ") {
         format!("found an array of {rest}")
     } else if let Some(rest) = after("unknown field `") {
-        let (key, known) = rest.rsplit_once("`, expected ").unwrap_or((rest, ""));
+        let Some((key, known)) = rest.rsplit_once("`, expected ") else {
+            // Where keys of another object are among them, serde does not say which are known.
+            return JsonError::new("", format!("unknown key `{rest}"));
+        };
         // Every second piece between backquotes is the name of a key.
         let known: Vec<&str> = known.split('`').skip(1).step_by(2).collect();
         return JsonError::unknown_key(key, &known);

@@ -39,7 +39,7 @@ impl LimitedMemory {
         let mut amounts = Vec::with_capacity(self.pairs.len());
         for (step, change, inverse) in self.pairs.iter().rev() {
             let amount = inverse * inner_product(step, vector);
-            vector.iter_mut().zip(change).for_each(|(v, y)| *v -= amount * y);
+            add_scaled(vector, -amount, change);
             amounts.push(amount);
         }
         if let Some((_, change, inverse)) = self.pairs.last() {
@@ -48,8 +48,15 @@ impl LimitedMemory {
         }
         for ((step, change, inverse), amount) in self.pairs.iter().zip(amounts.into_iter().rev()) {
             let other = inverse * inner_product(change, vector);
-            vector.iter_mut().zip(step).for_each(|(v, s)| *v += (amount - other) * s);
+            add_scaled(vector, amount - other, step);
         }
+    }
+}
+
+/// `y += factor * x`.
+pub fn add_scaled(y: &mut [f64], factor: f64, x: &[f64]) {
+    for (y, x) in y.iter_mut().zip(x) {
+        *y += factor * x;
     }
 }
 

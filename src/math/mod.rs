@@ -60,7 +60,7 @@ pub use elementary::{
 };
 pub use indices::{Ragged, argsort, key_of_number, key_of_pair, marked, sort_by_number};
 pub use lane::{LANES, Lane, Lanes, Pair};
-pub use limited_memory::{LimitedMemory, inner_product};
+pub use limited_memory::{LimitedMemory, add_scaled, inner_product};
 pub use nearest_points::{Cells, NearestPoints};
 pub use orthogonal_pair::OrthogonalPair;
 pub use polygon::{plane_frame, polygon_corners, polygon_sides, twice_vector_area};

@@ -114,17 +114,17 @@ pub enum GoalOf {
 #[derive(Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub(super) struct GoalFile {
+struct GoalFile {
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    pub(super) measure: Option<String>,
+    measure: Option<String>,
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    pub(super) beyond: Option<f64>,
+    beyond: Option<f64>,
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    pub(super) constraint: Option<String>,
+    constraint: Option<String>,
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    pub(super) build: Option<String>,
+    build: Option<String>,
     #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    pub(super) at_most: Option<f64>,
+    at_most: Option<f64>,
 }
 
 impl TryFrom<GoalFile> for Goal {

@@ -1,8 +1,8 @@
 //! The results of a lesson that a student hands in.
 
 use super::document::{ConstraintSpec, HandleSpec, MeshSource, Scene};
-use super::lesson::{Goal, GoalFile};
-use crate::json::{Entries, JsonError, object_or_none, objects, points, present};
+use super::lesson::Goal;
+use crate::json::{Entries, object, object_or_none, objects, points, present};
 use crate::mesh::{Mesh, Point};
 use crate::solve::Weights;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -37,9 +37,9 @@ pub struct Results {
     /// The names of the steps that led here, as shown by Undo; the oldest may be missing.
     #[serde(default)]
     pub steps: Vec<String>,
-    /// The weights of the energies at the end; `None` in older files.
-    #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
-    pub weights: Option<Weights>,
+    /// The weights of the energies at the end.
+    #[serde(deserialize_with = "object")]
+    pub weights: Weights,
     /// The declared settings at the end, by id.
     #[serde(default, deserialize_with = "unrepeated")]
     pub settings: Map<String, Value>,
@@ -60,49 +60,15 @@ fn unrepeated<'de, D: Deserializer<'de>>(from: D) -> Result<Map<String, Value>, 
 
 /// A goal and its value.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "ResultFile", into = "ResultFile")]
+#[serde(deny_unknown_fields)]
 pub struct GoalResult {
-    /// The goal.
+    /// The goal, of which the keys are beside the others.
+    #[serde(flatten)]
     pub goal: Goal,
     /// The value; `None` if it is not defined.
     pub value: Option<f64>,
     /// Whether the goal is met.
     pub met: bool,
-}
-
-/// The form in files.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ResultFile {
-    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    measure: Option<String>,
-    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    beyond: Option<f64>,
-    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    constraint: Option<String>,
-    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    build: Option<String>,
-    #[serde(default, deserialize_with = "present", skip_serializing_if = "Option::is_none")]
-    at_most: Option<f64>,
-    value: Option<f64>,
-    met: bool,
-}
-
-impl TryFrom<ResultFile> for GoalResult {
-    type Error = JsonError;
-
-    fn try_from(file: ResultFile) -> Result<GoalResult, JsonError> {
-        let ResultFile { measure, beyond, constraint, build, at_most, value, met } = file;
-        let goal = GoalFile { measure, beyond, constraint, build, at_most }.try_into()?;
-        Ok(GoalResult { goal, value, met })
-    }
-}
-
-impl From<GoalResult> for ResultFile {
-    fn from(GoalResult { goal, value, met }: GoalResult) -> ResultFile {
-        let GoalFile { measure, beyond, constraint, build, at_most } = goal.into();
-        ResultFile { measure, beyond, constraint, build, at_most, value, met }
-    }
 }
 
 impl Scene {

@@ -7,8 +7,8 @@ use crate::constraint::Selector;
 use crate::fabricate::{BUILD_NUMBERS, Build, Stand, unit_of};
 use crate::mesh::{Mesh, Topology};
 use crate::scene::{
-    BoundaryRequire, BuildSettings, ConstraintSpec, Goal, GoalOf, GoalResult, Lock, MeshSource,
-    NamedEnum, Results, Scene, SceneError,
+    BuildSettings, ConstraintSpec, Goal, GoalOf, GoalResult, Lock, MeshSource, Results, Scene,
+    SceneError,
 };
 use crate::session::Error;
 use crate::solve::Require;
@@ -23,7 +23,7 @@ impl Session {
         // As it was asked for, before a search chose how to solve it.
         let mut asked = self.scene();
         asked.as_asked();
-        let settings = settings_of(&asked).into_iter();
+        let settings = settings_of(&asked);
         let Scene { title, constraints, handles, weights, .. } = asked;
         Some(Results {
             student: student.to_owned(),
@@ -40,20 +40,12 @@ impl Session {
             constraints,
             handles,
             steps: self.history.steps()[0].iter().map(|(name, _)| name.clone()).collect(),
-            weights: Some(weights),
-            settings: settings.map(|(id, value)| (id, as_written(value))).collect(),
+            weights,
+            settings,
             moved: Some(self.moved().max),
             distance: Some(self.worst_distance()),
             positions: self.positions(),
         })
-    }
-}
-
-/// Returns the value as a file has it: whole numbers are written without a decimal point.
-fn as_written(value: Value) -> Value {
-    match value.as_f64().filter(|number| number.fract() == 0.0) {
-        Some(number) if number.abs() < 1e15 => (number as i64).into(),
-        _ => value,
     }
 }
 
@@ -244,19 +236,14 @@ fn differences(
 ) -> Vec<(Lock, String)> {
     let is_carried = |id: &str| is_other_mesh && ["closeness", "boundary"].contains(&id);
     let mut found = Vec::new();
-    match results.weights {
-        Some(weights) => {
-            let [from, to] = [given.weights, weights];
-            let pairs = [
-                ("shape", from.shape, to.shape),
-                ("close", from.close, to.close),
-                ("smooth", from.smooth, to.smooth),
-            ];
-            for (name, from, to) in pairs.into_iter().filter(|(_, from, to)| from != to) {
-                found.push((Lock::Weights, format!("{name} weight {from} to {to}")));
-            }
-        }
-        None => found.push((Lock::Weights, "weights missing".to_owned())),
+    let [from, to] = [given.weights, results.weights];
+    let pairs = [
+        ("shape", from.shape, to.shape),
+        ("close", from.close, to.close),
+        ("smooth", from.smooth, to.smooth),
+    ];
+    for (name, from, to) in pairs.into_iter().filter(|(_, from, to)| from != to) {
+        found.push((Lock::Weights, format!("{name} weight {from} to {to}")));
     }
     for (id, from) in &settings_of(given) {
         let to = results.settings.get(id);
@@ -293,15 +280,8 @@ fn differences(
 }
 
 /// Compares a value `handed_in` with that of a setting. A whole number may be written with or without a
-/// decimal point, and results of earlier versions have other words for how the boundary is held.
+/// decimal point.
 fn same_value(handed_in: &Value, given: &Value) -> bool {
-    let word = match handed_in.as_str() {
-        Some("exactly") => Some(BoundaryRequire::Exact.word()),
-        Some("nearly") => Some(BoundaryRequire::Soft.word()),
-        word => word,
-    };
-    match word {
-        Some(word) => given.as_str() == Some(word),
-        None => handed_in.as_f64().is_some_and(|number| given.as_f64() == Some(number)),
-    }
+    let number = handed_in.as_f64();
+    if number.is_some() { number == given.as_f64() } else { handed_in == given }
 }

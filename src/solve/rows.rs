@@ -1,6 +1,7 @@
 //! Vector operations on rows of numbers, one row for each node.
 
 use crate::constraint::Row;
+use crate::math;
 
 /// Inner product, summed in the same order on every platform.
 #[inline(never)]
@@ -17,7 +18,5 @@ pub(super) fn dot(a: &[Row], b: &[Row]) -> f64 {
 /// `y += factor * x`.
 #[inline(never)]
 pub(super) fn add_scaled(y: &mut [Row], factor: f64, x: &[Row]) {
-    for (y, x) in y.as_flattened_mut().iter_mut().zip(x.as_flattened()) {
-        *y += factor * x;
-    }
+    math::add_scaled(y.as_flattened_mut(), factor, x.as_flattened());
 }

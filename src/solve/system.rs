@@ -106,18 +106,18 @@ impl System {
     }
 
     /// The same for `n` nodes, of which the first `own` are unknowns of vertices, using the analysis
-    /// `at_hand` if it has the same pattern.
+    /// `known` if it has the same pattern.
     pub(super) fn with_order(
         [n, own]: [usize; 2],
         energies: Vec<Terms>,
         factorization: Factorization,
-        at_hand: Option<&Rc<SymbolicAnalysis>>,
+        known: Option<&Rc<SymbolicAnalysis>>,
     ) -> System {
         let started = clock::now();
         let all: Vec<&Terms> = energies.iter().collect();
         let structure = structure(n, &all);
         let patterned = clock::now();
-        let analysis = match at_hand.filter(|at_hand| at_hand.fits(&structure)) {
+        let analysis = match known.filter(|known| known.fits(&structure)) {
             Some(fitting) => Rc::clone(fitting),
             None => Rc::new(SymbolicAnalysis::new(structure)),
         };

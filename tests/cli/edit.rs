@@ -29,6 +29,10 @@ fn what_it_does_not_take_is_said() {
         let failed = folder.run(asked);
         assert!(failed.err.contains(expected), "{}", failed.err);
     }
+    // A wrong list is an option's, not the file's.
+    folder
+        .run(&["edit", "flat.obj", "delete", "--faces", "3-1"])
+        .misused("--faces: the range \"3-1\" is reversed");
     let failed = folder.run(&["edit", "flat.obj", "delete"]);
     assert!(failed.err.contains("flat.obj: this needs selected faces"), "{}", failed.err);
 }

@@ -399,6 +399,15 @@ fn a_mesh_is_refined_and_solved_at_every_level() {
         levels
     });
     assert_eq!(levels[0], levels[1]);
+    // Triangles are no panels, but the quads of the levels are.
+    folder.run(&["edit", "roof.obj", "triangles", "--out", "tri.obj"]).done();
+    let triangles = ["refine", "tri.obj", "--panels", "plane"];
+    folder.run(&[&triangles[..], &["--report", "r.json"]].concat()).done();
+    let levels = &folder.json("r.json")["levels"];
+    assert_eq!((&levels[0]["verdict"], &levels[1]["faces"]), (&Value::Null, &24.into()));
+    assert_eq!(levels[1]["verdict"]["of"], 24);
+    let loops = folder.run(&[&triangles[..], &["--scheme", "loop"]].concat());
+    loops.refused(&["tri.obj: --panels: All panels are triangles"]);
     folder.run(&["refine", "roof.obj", "--levels", "9"]).refused(&["1 to 6"]);
     let levels = |levels| ["refine", "roof.obj", "--panels", "plane", "--levels", levels];
     folder.run(&levels("9")).refused(&["1 to 6"]);

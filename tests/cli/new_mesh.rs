@@ -70,6 +70,9 @@ fn a_roof_over_a_drawn_plan_becomes_circular_panels() {
     assert!(solved.contains("hard constraints met"), "{solved}");
     folder.write("wrong.json", r#"{"outline": [], "layout": "cut", "size": 1, "height": 1}"#);
     folder.run(&["new", "plan", "wrong.json"]).refused(&["wrong.json", "stands"]);
+    folder
+        .run(&["new", "plan", "none.json"])
+        .refused(&["none.json: cannot be read", "expected a plan"]);
     folder.run(&["new", "plan"]).misused("new plan needs the file of a plan");
 }
 

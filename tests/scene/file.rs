@@ -397,3 +397,57 @@ fn an_inline_mesh_is_written_with_its_groups() {
     assert_eq!(Scene::from_json(&text).unwrap(), scene, "{text}");
     assert!(text.lines().count() < 30, "long lists go on few lines: {text}");
 }
+
+#[test]
+fn a_file_keeps_its_layout_and_the_fingerprint_of_its_exercise() {
+    let mut mesh = two_squares();
+    mesh.groups = vec![Group {
+        name: "wall".into(),
+        keyword: GroupKeyword::Group,
+        faces: vec![0],
+        curves: vec![],
+    }];
+    let mut scene = Scene::from_json(&file_with(
+        r#", "current": [[0.123456789, 0.123456789, 0.123456789], [1, 0, 0], [2, 0, 0],
+            [0, 1, 0.123456789], [1, 1, 0.123456789], [2, 1, 0.123456789]],
+        "sets": { "eaves": { "vertices": [0, 1] } },
+        "constraints": [{ "kind": "plane", "on": "faces" }, { "kind": "plane", "on": "rings" }],
+        "lesson": { "text": "", "goals": [{ "measure": "planarity", "at_most": 1 }] }"#,
+    ))
+    .unwrap();
+    assert!(scene.to_json(&mesh).contains("\n  \"mesh\": { \"file\": \"roof.obj\" },\n"));
+    // Results that were handed in have it.
+    assert_eq!(scene.fingerprint(&mesh), "a7b58b737d5bd7de");
+    scene.mesh = MeshSource::Inline(Box::default());
+    let expected = r#"{
+  "format": "shape-up-scene",
+  "version": 1,
+  "mesh": {
+    "positions": [
+      [0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [1, 1, 0], [2, 1, 0]
+    ],
+    "faces": [
+      [0, 1, 4, 3], [1, 2, 5, 4]
+    ],
+    "groups": {
+      "wall": { "faces": [0] }
+    }
+  },
+  "current": [
+    [0.123456789, 0.123456789, 0.123456789], [1, 0, 0], [2, 0, 0], [0, 1, 0.123456789],
+    [1, 1, 0.123456789], [2, 1, 0.123456789]
+  ],
+  "sets": {
+    "eaves": { "vertices": [0, 1] }
+  },
+  "constraints": [
+    { "kind": "plane", "on": "faces" },
+    { "kind": "plane", "on": "rings" }
+  ],
+  "lesson": { "text": "", "goals": [
+    { "measure": "planarity", "at_most": 1 }
+  ] }
+}
+"#;
+    assert_eq!(scene.to_json(&mesh), expected);
+}

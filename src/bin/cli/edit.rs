@@ -1,10 +1,9 @@
 //! `shape-up edit`: applies a mesh operation to a scene or a mesh.
 
 use crate::cli::tokens::{Token, Tokens};
-use crate::cli::{Failure, input, output};
-use serde_json::{Map, Value, json};
+use crate::cli::{Failure, input, output, tokens};
 use shape_up::mesh::{MESH_OPERATIONS, MeshOperation};
-use shape_up::session::{self, Error, Session};
+use shape_up::session::{self, Remeshing, Session};
 use shape_up::words;
 use std::path::PathBuf;
 
@@ -16,8 +15,8 @@ pub(in crate::cli) struct Edit {
     operation: &'static str,
     /// The given sizes, in the order of those of the operation.
     sizes: Vec<Option<f64>>,
-    /// `vertices` and `faces`, if given.
-    picked: Map<String, Value>,
+    vertices: Vec<u32>,
+    faces: Vec<u32>,
     out: Option<PathBuf>,
 }
 
@@ -27,7 +26,7 @@ pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Edit, String> {
     let Some(Token::File(input)) = tokens.next()? else {
         return Err("edit needs a scene or a mesh file first".to_owned());
     };
-    let input = tokens.input(input)?;
+    let input = tokens::input(input)?;
     let Some(Token::File(id)) = tokens.next()? else {
         return Err(format!("edit needs an operation after the file: {}", known()));
     };
@@ -35,7 +34,7 @@ pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Edit, String> {
     let operation =
         MeshOperation::of(&id).map_err(|_| format!("edit does {}, found `{id}`", known()))?;
     let mut sizes = vec![None; operation.sizes.len()];
-    let (mut picked, mut out) = (Map::new(), None);
+    let (mut vertices, mut faces, mut out) = (Vec::new(), Vec::new(), None);
     while let Some(word) = tokens.next()? {
         let name = match word {
             Token::Option(name) => name,
@@ -45,9 +44,8 @@ pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Edit, String> {
         };
         let size = operation.sizes.iter().position(|size| name.strip_prefix("--") == Some(size.id));
         match (name.as_str(), size) {
-            ("--vertices" | "--faces", _) => {
-                picked.insert(name[2..].to_owned(), tokens.text(&name)?.into());
-            }
+            ("--vertices", _) => vertices = tokens.indices(&name)?,
+            ("--faces", _) => faces = tokens.indices(&name)?,
             ("--out", _) => out = Some(tokens.mesh_or_scene(&name)?),
             (_, Some(size)) => sizes[size] = Some(tokens.number(&name)?),
             (_, None) => {
@@ -59,25 +57,26 @@ pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Edit, String> {
             }
         }
     }
-    Ok(Edit { input, operation: operation.id, sizes, picked, out })
+    Ok(Edit { input, operation: operation.id, sizes, vertices, faces, out })
 }
 
 /// Applies the operation and prints the result.
 pub(in crate::cli) fn edit(command: &Edit) -> Result<(), Failure> {
     let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&command.input)?;
-    let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
+    let at_input = input::at(&command.input);
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
     let offered = session.operations();
     let offered = offered.into_iter().find(|offered| offered.operation.id == command.operation);
     let defaults = offered.expect("it was found when it was read").defaults;
     let sizes = command.sizes.iter().zip(defaults);
-    let sizes: Vec<f64> = sizes.map(|(given, default)| given.unwrap_or(default)).collect();
-    let mut asked = command.picked.clone();
-    asked.insert("operation".to_owned(), command.operation.into());
-    asked.insert("sizes".to_owned(), json!(sizes));
-    let asked = session::Edit::from_json(&json!({ "remesh": asked }).to_string());
+    let asked = Remeshing {
+        operation: command.operation.to_owned(),
+        sizes: sizes.map(|(given, default)| given.unwrap_or(default)).collect(),
+        vertices: command.vertices.clone(),
+        faces: command.faces.clone(),
+    };
     let before = session.mesh().faces.len();
-    session.edit(asked.map_err(|error| at_input(error.into()))?).map_err(at_input)?;
+    session.edit(session::Edit::Remesh(asked)).map_err(at_input)?;
 
     let mesh = session.mesh();
     let mut text = format!(

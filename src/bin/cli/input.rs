@@ -3,7 +3,7 @@
 use super::Failure;
 use shape_up::mesh::{self, Mesh, Read, Weld};
 use shape_up::scene::{Scene, UnitsAndUp, Up};
-use shape_up::session::{self, FileReader, OpenedFile, named_files};
+use shape_up::session::{self, Error, FileReader, OpenedFile, named_files};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -25,6 +25,18 @@ pub(super) struct Input {
     pub(super) remarks: Vec<String>,
 }
 
+/// Returns what makes an error of a session one of the file `path`, or of the option that asked for
+/// panels.
+pub(super) fn at(path: &Path) -> impl Fn(Error) -> Failure + Copy {
+    move |error| {
+        let message = match error {
+            Error::Scene(error) if error.path == "panels" => format!("--panels: {}", error.message),
+            error => error.to_string(),
+        };
+        Failure::Input(format!("{}: {message}", path.display()))
+    }
+}
+
 /// Whether the name is that of a scene.
 pub(super) fn is_scene(path: &Path) -> bool {
     session::is_scene(&path.to_string_lossy())
@@ -38,7 +50,8 @@ pub(super) fn read(path: &Path) -> Result<Input, Failure> {
 /// As [`read`], with another unit than that of the file, or a guessed one.
 pub(super) fn read_in(units: Option<&str>, path: &Path) -> Result<Input, Failure> {
     let asked = UnitsAndUp { units: units.map(str::to_owned), up: None };
-    let bytes = bytes(path)?;
+    let expected = if is_scene(path) { "a scene file" } else { "a mesh file" };
+    let bytes = bytes(path, expected)?;
     if !is_scene(path) {
         let source = mesh::read(&path.to_string_lossy(), &bytes)
             .map_err(|error| Failure::Input(error.to_string()))?;
@@ -91,7 +104,7 @@ fn named_file(scene: &Path, place: &str, file: &str) -> Result<Vec<u8>, Failure>
 
 /// Reads a mesh file for measurement, welded as [`read`] welds it, and what it states.
 pub(super) fn read_mesh(path: &Path) -> Result<(Read, Option<Weld>, UnitsAndUp), Failure> {
-    let bytes = bytes(path)?;
+    let bytes = bytes(path, "a mesh file")?;
     let mut read = mesh_of(path, &bytes)?;
     let weld = read.weld();
     Ok((read, weld, UnitsAndUp::stated(&bytes)))
@@ -112,10 +125,10 @@ pub(super) fn remarks(read: &Read) -> Vec<String> {
     read.problems.iter().map(ToString::to_string).chain(read.notes.iter().cloned()).collect()
 }
 
-pub(super) fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
+/// Returns the bytes of a file, of which errors say what is `expected`.
+pub(super) fn bytes(path: &Path, expected: &str) -> Result<Vec<u8>, Failure> {
     read_whole(path).map_err(|error| {
-        let what = if is_scene(path) { "a scene file" } else { "a mesh file" };
-        Failure::Input(format!("{}: cannot be read: {error}, expected {what}", path.display()))
+        Failure::Input(format!("{}: cannot be read: {error}, expected {expected}", path.display()))
     })
 }
 

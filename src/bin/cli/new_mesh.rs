@@ -128,7 +128,7 @@ fn mesh(from: &From) -> Result<(Mesh, UnitsAndUp), Failure> {
             Ok((kind.mesh(sizes).map_err(fault)?, metres))
         }
         From::Plan(file) => {
-            let text = String::from_utf8_lossy(&input::bytes(file)?).into_owned();
+            let text = String::from_utf8_lossy(&input::bytes(file, "a plan")?).into_owned();
             let plan = Plan::from_json(&text).and_then(|plan| plan.mesh());
             let mesh =
                 plan.map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;

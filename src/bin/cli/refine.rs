@@ -4,7 +4,7 @@ use crate::cli::arguments::Refine;
 use crate::cli::{Failure, input, output};
 use serde::Serialize;
 use shape_up::mesh::Topology;
-use shape_up::session::{Edit, Error, Report, Session, VerdictReport};
+use shape_up::session::{Edit, Error, PanelStart, Report, Session, VerdictReport};
 use shape_up::solve::Require;
 use shape_up::words;
 use std::path::Path;
@@ -35,13 +35,11 @@ struct Level {
 pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     let input::Input { mut scene, mesh, frame, mut remarks, .. } = input::read(&command.input)?;
     output::check(command.out.iter().chain(&command.report))?;
-    let at_input = |error: Error| Failure::Input(format!("{}: {error}", command.input.display()));
+    let at_input = input::at(&command.input);
     let subdivision = command.subdivision;
-    if let Some(kind) = command.panels {
-        let asked = scene.request_panels(kind, Require::Soft, &mesh);
-        asked.map_err(|error| at_input(error.into()))?;
-    }
-    let solves = command.panels.is_some();
+    // Triangles cannot be such panels, but the quads that they are divided into can.
+    let is_asked =
+        command.panels.is_some_and(|kind| scene.request_panels(kind, Require::Soft, &mesh).is_ok());
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
     // Said before anything is solved.
     subdivision
@@ -54,11 +52,15 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
         lost.extend_from_slice(session.lost());
         Ok(())
     };
-    if solves {
+    if let Some(kind) = command.panels {
         for level in 0..=subdivision.levels {
             let start = Instant::now();
             if level > 0 {
                 refine(&mut session, 1).map_err(at_input)?;
+            }
+            if level == 1 && !is_asked {
+                let (kind, from) = (kind.to_owned(), PanelStart::Now);
+                session.edit(Edit::MakePanels { kind, within: None, from }).map_err(at_input)?;
             }
             session.solve(false).map_err(at_input)?;
             levels.push(level_of(&mut session, start).map_err(at_input)?);
@@ -101,10 +103,10 @@ fn level_of(session: &mut Session, start: Instant) -> Result<Level, Error> {
 
 fn line(level: &Level) -> String {
     format!(
-        "{}, energy {}, {} s. {}\n",
+        "{}, energy {}, {} s.{}\n",
         words::count(level.faces, "face", "faces"),
         words::number(level.total),
         words::number(level.seconds),
-        level.verdict.as_ref().map_or("", |verdict| &verdict.words)
+        level.verdict.as_ref().map_or_else(String::new, |verdict| format!(" {}", verdict.words))
     )
 }

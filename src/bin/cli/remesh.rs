@@ -6,8 +6,8 @@ use crate::cli::{Failure, input, output};
 use serde::Serialize;
 use shape_up::mesh::Edited;
 use shape_up::quads::{
-    Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, RemeshStage, Remeshed,
-    direction_weight, follow_weight, remesh,
+    Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, Remeshed, direction_weight,
+    follow_weight, remesh,
 };
 use shape_up::solve::clock;
 use shape_up::words;
@@ -45,16 +45,9 @@ struct Note {
     places: Vec<[f64; 3]>,
 }
 
-/// Seconds in each stage.
-#[derive(Default, Serialize)]
+#[derive(Serialize)]
 struct Seconds {
     load: f64,
-    prepare: f64,
-    field: f64,
-    map: f64,
-    round: f64,
-    extract: f64,
-    verify: f64,
     total: f64,
 }
 
@@ -101,23 +94,12 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
     }
     let input::Input { scene, mesh, frame, mut remarks, .. } = input::read(&asked.input)?;
     output::check(asked.out.iter().chain(&asked.report))?;
-    let at_input = |error: String| Failure::Input(format!("{path}: {error}"));
-    scene.validate(&mesh).map_err(|error| at_input(error.to_string()))?;
-    let loaded = clock::now();
-    let mut seconds = Seconds { load: loaded - started, ..Seconds::default() };
-    let mut last = (RemeshStage::Prepare, loaded);
-    let mut entered = |stage: RemeshStage| {
-        let now = clock::now();
-        *seconds.of(last.0) += now - last.1;
-        last = (stage, now);
-    };
-    let found = remesh(&mesh, &asked.options, &scene.units, &mut |stage, _| {
-        entered(stage);
-        true
-    });
-    entered(RemeshStage::Verify);
-    let found = found.map_err(|error| at_input(refusal(&error, &scene.units)))?;
-    seconds.total = clock::now() - started;
+    scene.validate(&mesh).map_err(|error| input::at(&asked.input)(error.into()))?;
+    let load = clock::now() - started;
+    let found = remesh(&mesh, &asked.options, &scene.units, &mut |_, _| true);
+    let found = found
+        .map_err(|error| Failure::Input(format!("{path}: {}", refusal(&error, &scene.units))))?;
+    let seconds = Seconds { load, total: clock::now() - started };
     let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(out) = &asked.out {
         // With the groups, curves and faces with holes of the input, as in the page.
@@ -142,19 +124,6 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
     }
     output::write(&files)?;
     output::print(&text)
-}
-
-impl Seconds {
-    fn of(&mut self, stage: RemeshStage) -> &mut f64 {
-        match stage {
-            RemeshStage::Prepare => &mut self.prepare,
-            RemeshStage::Field => &mut self.field,
-            RemeshStage::Map => &mut self.map,
-            RemeshStage::Round => &mut self.round,
-            RemeshStage::Extract => &mut self.extract,
-            RemeshStage::Verify => &mut self.verify,
-        }
-    }
 }
 
 /// One line on the result: `490 panels, 12 irregular vertices, edges 6.0° off the lines of curvature`.

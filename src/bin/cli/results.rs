@@ -15,7 +15,7 @@ const SCENE: &str = ".shapeup.json";
 const HEAD: [&str; 9] = [
     "student",
     "goals met",
-    "of",
+    "goals",
     "worst distance",
     "moved",
     "iterations",
@@ -229,7 +229,7 @@ fn measured(goal: &GoalResult) -> String {
 /// Reads a results file.
 fn read(path: &Path) -> Result<Results, Failure> {
     let at = |message: String| Failure::Input(format!("{}: {message}", path.display()));
-    let text = String::from_utf8(input::bytes(path)?)
+    let text = String::from_utf8(input::bytes(path, "results of a lesson")?)
         .map_err(|_| at("the file is not UTF-8 text, expected results in JSON".to_owned()))?;
     Results::from_json(&text).map_err(|error| at(error.to_string()))
 }

@@ -5,7 +5,6 @@ use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::constraint::describe;
 use shape_up::scene::BoundaryCloseness;
-use shape_up::session::Error;
 use shape_up::session::{EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
@@ -19,13 +18,7 @@ const NAMED_PINS: usize = 8;
 pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     let start = Instant::now();
     let input::Input { mut scene, mesh, mut remarks, weld, frame } = input::read(&command.input)?;
-    let at_input = |error: Error| {
-        let message = match error {
-            Error::Scene(error) if error.path == "panels" => format!("--panels: {}", error.message),
-            error => error.to_string(),
-        };
-        Failure::Input(format!("{}: {message}", command.input.display()))
-    };
+    let at_input = input::at(&command.input);
     let is_press = command.require == Some(Required::Auto);
     output::check(command.out.iter().chain(&command.report))?;
     if command.require.is_some() {

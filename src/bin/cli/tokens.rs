@@ -1,8 +1,8 @@
 //! Lexer of the command line: files, options, and the typed values of options.
 
 use lexopt::Arg;
-use serde_json::Value;
-use shape_up::constraint::KINDS;
+use serde_json::{Value, json};
+use shape_up::constraint::{KINDS, Set};
 use shape_up::mesh::FileFormat;
 use shape_up::scene::{
     BUILD_PRESETS, BoundaryRequire, BuildForm, BuildPreset, BuildSetting, NamedEnum, PresetOf,
@@ -57,21 +57,13 @@ impl Tokens {
                 None => return Ok(None),
                 Some(Token::Option(name)) => return Ok(Some(name)),
                 Some(Token::File(file)) => {
-                    let file = self.input(file)?;
+                    let file = input(file)?;
                     if let Some(first) = place.replace(file) {
                         let first = first.display();
                         return Err(format!("expected one file, found a second after `{first}`"));
                     }
                 }
             }
-        }
-    }
-
-    /// Returns the name of a file that is read, and that may be an example.
-    pub(super) fn input(&self, file: OsString) -> Result<PathBuf, String> {
-        match file.is_empty() {
-            true => Err("the name of a file is empty".to_owned()),
-            false => Ok(file.into()),
         }
     }
 
@@ -94,8 +86,7 @@ impl Tokens {
 
     /// Returns the value of an option that takes the name of a file to read.
     pub(super) fn file(&mut self, name: &str) -> Result<PathBuf, String> {
-        let file = self.value(name)?;
-        self.input(file)
+        input(self.value(name)?)
     }
 
     /// Returns the value of an option that takes the name of a file or folder to write.
@@ -312,11 +303,27 @@ impl Tokens {
         T::of_word(&value).ok_or_else(expected)
     }
 
+    /// Returns the value of an option that takes a list of indices, such as `0-4,7`.
+    pub(super) fn indices(&mut self, name: &str) -> Result<Vec<u32>, String> {
+        // Either list of a set is read so.
+        let set = json!({ "vertices": self.text(name)? });
+        let set: Set = serde_json::from_value(set).map_err(|fault| format!("{name}: {fault}"))?;
+        Ok(set.vertices.to_vec())
+    }
+
     /// Returns the value of an option that takes any text.
     pub(super) fn text(&mut self, name: &str) -> Result<String, String> {
         let value = self.value(name)?;
         let text = |value: &OsStr| value.to_str().map(str::to_owned);
         text(&value).ok_or_else(|| format!("the value of {name} is not UTF-8 text"))
+    }
+}
+
+/// Returns the name of a file that is read, and that may be an example.
+pub(super) fn input(file: OsString) -> Result<PathBuf, String> {
+    match file.is_empty() {
+        true => Err("the name of a file is empty".to_owned()),
+        false => Ok(file.into()),
     }
 }
 

@@ -94,9 +94,9 @@ edit changes the faces of a mesh, and adapts the scene. A LIST is like 0-4,7; a 
 the mesh. Operations and their defaults, with lengths in mean edge lengths:
 {}
 RESULTS is the file that a student hands in for a lesson: check measures its shape against the goals
-and constraints of the SCENE, and exits with 1 if one is not met. For a FOLDER of such files it writes
-a table: goals met, worst distance, moved, and whether the mesh or a locked setting was altered. The
-scene may be in the folder.
+and constraints of the SCENE, and exits with 1 if a goal is not met, or a locked part was altered. For a
+FOLDER of such files it writes a table: goals met, worst distance, moved, and whether the mesh or a locked
+setting was altered; it exits with 1 if a file is unreadable. The scene may be in the folder.
 new makes a mesh to start from, with lengths in the UNIT (m). Kinds and their defaults:
 {}
 new plan makes a surface over an outline on the ground. PLAN.json has the keys outline, a list of points

@@ -1,11 +1,12 @@
 //! The layout of files: one line per constraint, handle and set, and as many points per line as are
 //! readable. `serde_json` writes all on one line or each number on its own, with which nobody could
-//! read a scene or compare two versions of it.
+//! read a scene or compare two versions of it. Fingerprints of lessons are of this text.
 
 use crate::mesh::Decimal;
 use serde::Serialize;
 use serde_json::ser::{Formatter, Serializer};
-use std::io;
+use std::cell::RefCell;
+use std::io::{Result, Write};
 
 /// The keys whose entries or items are on lines of their own.
 const LINES: [&str; 7] = ["sets", "constraints", "handles", "goals", "kept", "steps", "groups"];
@@ -20,167 +21,153 @@ const WIDTH: usize = 96;
 /// Returns the text of a file, with numbers as the shortest decimals that read back to the same
 /// bits.
 pub(super) fn laid_out(file: &impl Serialize) -> String {
-    let mut text = Vec::new();
-    file.serialize(&mut Serializer::with_formatter(&mut text, Numbers))
+    let text = Text::default();
+    let layout = Layout { text: &text, lists: Vec::new() };
+    file.serialize(&mut Serializer::with_formatter(&text, layout))
         .expect("keys are strings, and memory takes all that is written");
-    let text = String::from_utf8(text).expect("JSON is text");
-    let mut layout =
-        Layout { rest: &text, out: String::with_capacity(text.len() + text.len() / 4) };
-    layout.entries(0, true, false);
-    assert!(layout.rest.is_empty(), "all of the document is laid out");
-    layout.out.push('\n');
-    layout.out
+    let mut text = String::from_utf8(text.0.into_inner()).expect("JSON is text");
+    text.push('\n');
+    text
 }
 
-struct Numbers;
+/// What is written so far. The serializer adds to it, and the layout also reads it, to break a line
+/// before a row that is too long for it.
+#[derive(Default)]
+struct Text(RefCell<Vec<u8>>);
 
-impl Formatter for Numbers {
-    fn write_f64<W: io::Write + ?Sized>(&mut self, to: &mut W, value: f64) -> io::Result<()> {
+impl Write for &Text {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize> {
+        self.0.borrow_mut().write(bytes)
+    }
+    fn flush(&mut self) -> Result<()> {
+        Ok(())
+    }
+}
+
+struct Layout<'a> {
+    text: &'a Text,
+    /// The objects and arrays that are not complete yet, from the outermost on.
+    lists: Vec<List>,
+}
+
+/// An object or an array.
+struct List {
+    /// Greatest length of a line of several entries or items: 0 if each is on its own, and
+    /// [`ONE_LINE`] if all are on the line that the list begins on.
+    most: usize,
+    /// The indentation of that line.
+    indent: usize,
+    /// The key of the last entry; empty for items, and for names of users.
+    key: String,
+    /// Where in the text the last entry or item begins; zero without any.
+    start: usize,
+    /// The length of the line before it.
+    line: usize,
+}
+
+const ONE_LINE: usize = usize::MAX;
+
+impl Layout<'_> {
+    fn begin(&mut self, bracket: u8) -> Result<()> {
+        let mut list = List { most: 0, indent: 0, key: String::new(), start: 0, line: 0 };
+        if let Some(List { most, indent, key, .. }) = self.lists.last() {
+            let key = &&**key;
+            list.most = match () {
+                () if LINES.contains(key) => 0,
+                () if ROWS.contains(key) || *most == 0 && ROWS_OF_MESH.contains(key) => WIDTH,
+                () => ONE_LINE,
+            };
+            list.indent = indent + if *most == ONE_LINE { 0 } else { 2 };
+        }
+        self.lists.push(list);
+        self.text.0.borrow_mut().write_all(&[bracket])
+    }
+
+    /// Begins an entry or an item, which a `space` precedes if it is the first one on the same line.
+    fn next(&mut self, first: bool, space: &str) -> Result<()> {
+        let list = self.lists.last_mut().expect("it is in a list");
+        let mut text = self.text.0.borrow_mut();
+        text.extend(if first { space } else { ", " }.bytes());
+        list.start = text.len();
+        if list.most == 0 || first && list.most < ONE_LINE {
+            list.break_line(&mut text);
+        }
+        Ok(())
+    }
+
+    fn end(&mut self, space: &str, bracket: u8) -> Result<()> {
+        let list = self.lists.pop().expect("it has begun");
+        let mut text = self.text.0.borrow_mut();
+        match list.most {
+            _ if list.start == 0 => {}
+            ONE_LINE => text.extend(space.bytes()),
+            _ => text.extend(new_line(list.indent)),
+        }
+        text.write_all(&[bracket])
+    }
+}
+
+impl List {
+    /// Moves the last entry or item to a new line.
+    fn break_line(&mut self, text: &mut Vec<u8>) {
+        let space = usize::from(text[self.start - 1] == b' ');
+        text.splice(self.start - space..self.start, new_line(self.indent + 2));
+        self.start += self.indent + 3 - space;
+        self.line = 0;
+    }
+}
+
+fn new_line(indent: usize) -> impl Iterator<Item = u8> {
+    std::iter::once(b'\n').chain(std::iter::repeat_n(b' ', indent))
+}
+
+impl Formatter for Layout<'_> {
+    fn write_f64<W: Write + ?Sized>(&mut self, to: &mut W, value: f64) -> Result<()> {
         write!(to, "{}", Decimal(value))
     }
-}
-
-/// Text without white space, as far as it is not laid out yet.
-struct Layout<'a> {
-    rest: &'a str,
-    out: String,
-}
-
-impl<'a> Layout<'a> {
-    /// Lays out the value of `key`. The lines around it are indented by `indent`; `in_lines` tells
-    /// whether the object that has the key is on several lines.
-    fn value(&mut self, key: &str, indent: usize, in_lines: bool) {
-        let on_lines = LINES.contains(&key);
-        match self.rest.as_bytes().first() {
-            Some(b'{') => {
-                let is_mesh = key == "mesh" && self.rest.starts_with("{\"positions\"");
-                self.entries(indent, on_lines || is_mesh, NAMES.contains(&key));
-            }
-            Some(b'[')
-                if self.rest.starts_with("[[")
-                    && (ROWS.contains(&key) || (in_lines && ROWS_OF_MESH.contains(&key))) =>
-            {
-                self.rows(indent);
-            }
-            Some(b'[') => self.items(indent, on_lines),
-            _ => {
-                let word = self.word();
-                self.out.push_str(word);
-            }
-        }
+    fn begin_array<W: Write + ?Sized>(&mut self, _: &mut W) -> Result<()> {
+        self.begin(b'[')
     }
-
-    /// Lays out an object; with `named`, its keys are names of users.
-    fn entries(&mut self, indent: usize, on_lines: bool, named: bool) {
-        self.list('}', indent, on_lines, |layout, inner| {
-            let key = layout.word();
-            layout.out.push_str(key);
-            layout.take(1);
-            layout.out.push_str(": ");
-            let meaning = if named { "" } else { key.trim_matches('"') };
-            layout.value(meaning, inner, on_lines && !named);
-        });
+    fn end_array<W: Write + ?Sized>(&mut self, _: &mut W) -> Result<()> {
+        self.end("", b']')
     }
-
-    fn items(&mut self, indent: usize, on_lines: bool) {
-        self.list(']', indent, on_lines, |layout, inner| layout.value("", inner, false));
+    fn begin_array_value<W: Write + ?Sized>(&mut self, _: &mut W, first: bool) -> Result<()> {
+        self.next(first, "")
     }
-
-    /// Lays out what is between brackets, each on a line of its own or all on one.
-    fn list(
-        &mut self,
-        close: char,
-        indent: usize,
-        on_lines: bool,
-        mut one: impl FnMut(&mut Self, usize),
-    ) {
-        if self.open(close) {
-            return;
+    fn end_array_value<W: Write + ?Sized>(&mut self, _: &mut W) -> Result<()> {
+        let list = self.lists.last_mut().expect("an item is in a list");
+        let mut text = self.text.0.borrow_mut();
+        let length = text.len() - list.start;
+        if list.line > 0 && list.line + length > list.most {
+            list.break_line(&mut text);
         }
-        let inner = if on_lines { indent + 2 } else { indent };
-        let space = if close == '}' { " " } else { "" };
-        let mut is_first = true;
-        loop {
-            match (on_lines, is_first) {
-                (true, _) => self.new_line(inner),
-                (false, true) => self.out.push_str(space),
-                (false, false) => self.out.push(' '),
-            }
-            is_first = false;
-            one(self, inner);
-            if self.take(1) != "," {
-                break;
-            }
-            self.out.push(',');
-        }
-        match on_lines {
-            true => self.new_line(indent),
-            false => self.out.push_str(space),
-        }
-        self.out.push(close);
+        list.line += length + ", ".len();
+        Ok(())
     }
-
-    /// Lays out an array of arrays of numbers.
-    fn rows(&mut self, indent: usize) {
-        if self.open(']') {
-            return;
-        }
-        let (mut width, mut is_first) = (0, true);
-        loop {
-            let length = self.rest.find(']').map_or(self.rest.len(), |end| end + 1);
-            let row = self.take(length);
-            // A space follows each comma.
-            let long = row.len() + row.bytes().filter(|byte| *byte == b',').count();
-            if is_first || width + long > WIDTH {
-                self.new_line(indent + 2);
-                width = 0;
-            } else {
-                self.out.push(' ');
-            }
-            is_first = false;
-            width += long + 2;
-            for (k, number) in row.split(',').enumerate() {
-                self.out.push_str(if k > 0 { ", " } else { "" });
-                self.out.push_str(number);
-            }
-            if self.take(1) != "," {
-                break;
-            }
-            self.out.push(',');
-        }
-        self.new_line(indent);
-        self.out.push(']');
+    fn begin_object<W: Write + ?Sized>(&mut self, _: &mut W) -> Result<()> {
+        self.begin(b'{')
     }
-
-    /// Copies the opening bracket, and the closing one if nothing is between them: returns whether.
-    fn open(&mut self, close: char) -> bool {
-        let is_empty = self.rest[1..].starts_with(close);
-        let brackets = self.take(if is_empty { 2 } else { 1 });
-        self.out.push_str(brackets);
-        is_empty
+    fn end_object<W: Write + ?Sized>(&mut self, _: &mut W) -> Result<()> {
+        self.end(" ", b'}')
     }
-
-    fn new_line(&mut self, indent: usize) {
-        self.out.push('\n');
-        self.out.extend(std::iter::repeat_n(' ', indent));
+    fn begin_object_key<W: Write + ?Sized>(&mut self, _: &mut W, first: bool) -> Result<()> {
+        self.next(first, " ")
     }
-
-    fn take(&mut self, length: usize) -> &'a str {
-        let (taken, rest) = self.rest.split_at(length);
-        self.rest = rest;
-        taken
-    }
-
-    /// Takes a string, a number or a word.
-    fn word(&mut self) -> &'a str {
-        let bytes = self.rest.as_bytes();
-        if bytes.first() != Some(&b'"') {
-            return self.take(bytes.iter().position(|c| b",]}".contains(c)).unwrap_or(bytes.len()));
+    fn end_object_key<W: Write + ?Sized>(&mut self, _: &mut W) -> Result<()> {
+        let (list, outer) = self.lists.split_last_mut().expect("a key is in an object");
+        let own = outer.last().map_or("", |outer| &outer.key);
+        let mut text = self.text.0.borrow_mut();
+        if !NAMES.contains(&own) {
+            list.key = String::from_utf8_lossy(&text[list.start + 1..text.len() - 1]).into_owned();
         }
-        let mut end = 1;
-        while bytes.get(end).is_some_and(|c| *c != b'"') {
-            end += if bytes[end] == b'\\' { 2 } else { 1 };
+        // The path of a mesh file stays on the line.
+        if own == "mesh" && list.key == "positions" {
+            list.most = 0;
+            list.break_line(&mut text);
         }
-        self.take((end + 1).min(bytes.len()))
+        Ok(())
+    }
+    fn begin_object_value<W: Write + ?Sized>(&mut self, to: &mut W) -> Result<()> {
+        to.write_all(b": ")
     }
 }

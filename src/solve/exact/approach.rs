@@ -73,9 +73,11 @@ const LATE_AFTER: u32 = 900;
 /// and must still resolve the energies.
 const MOST: f64 = 1e5;
 
-/// The approach stands still after `STILL.0` consecutive rounds of at most `STILL.1` iterations
-/// that end at the same distance.
-const STILL: (u32, u32) = (6, 3);
+/// The approach stands still after this many consecutive short rounds that end at the same distance.
+const STILL_ROUNDS: u32 = 6;
+
+/// Greatest number of iterations of a short round.
+const SHORT: u32 = 3;
 
 /// Greatest number of times that a step along curves is halved.
 const SHORTENED: u32 = 8;
@@ -202,11 +204,11 @@ impl Approach {
     pub(super) fn stands_still(&mut self, worst: f64) -> bool {
         // While the weight is small, hardly anything moves either.
         let stood = self.rho >= 0.01 * self.most
-            && self.in_round <= STILL.1
+            && self.in_round <= SHORT
             && (worst - self.worst).abs() <= 1e-3 * worst;
         self.still = if stood { self.still + 1 } else { 0 };
         self.worst = worst;
-        if self.still < STILL.0 {
+        if self.still < STILL_ROUNDS {
             return false;
         }
         self.still = 0;

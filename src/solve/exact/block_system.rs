@@ -155,7 +155,7 @@ impl BlockSystem {
         bands: bool,
     ) -> Result<(), SolveError> {
         self.batches.iter_mut().for_each(|batch| batch.normals.fill(0.0));
-        self.hold_more(model, bands)
+        self.hold_others(model, bands)
     }
 
     /// As [`BlockSystem::factor`], but linearises only the constraints that are not held; the
@@ -163,7 +163,7 @@ impl BlockSystem {
     ///
     /// # Errors
     /// If the matrix is not positive definite to working precision.
-    pub(in crate::solve) fn hold_more(
+    pub(in crate::solve) fn hold_others(
         &mut self,
         model: &Model,
         bands: bool,

@@ -25,9 +25,11 @@ const MOST_FACTORS: u32 = 2;
 const SHORTEST: f64 = 1.0 / 64.0;
 const LONGEST: f64 = 4.0;
 
-/// The improvement ends after `LITTLE.1` consecutive steps that gain less than the fraction
-/// `LITTLE.0` of the energy.
-const LITTLE: (f64, u32) = (2e-4, 3);
+/// A step that gains less than this fraction of the energy gains little.
+const LITTLE: f64 = 2e-4;
+
+/// The improvement ends after this many consecutive steps that gain little.
+const MOST_LITTLE: u32 = 3;
 
 /// A step gains at least this fraction of what its slope predicts (Armijo's condition).
 const ENOUGH: f64 = 1e-4;
@@ -89,7 +91,7 @@ impl Improve {
             model.x.copy_from_slice(&self.from);
         }
         self.steps += 1;
-        Ok(stepped? && self.little < LITTLE.1 && self.steps < MOST_STEPS)
+        Ok(stepped? && self.little < MOST_LITTLE && self.steps < MOST_STEPS)
     }
 
     /// Returns whether a step was found that gains.
@@ -115,7 +117,7 @@ impl Improve {
                 if after <= before + ENOUGH * t * slope {
                     self.energy = after;
                     self.length = (2.0 * t).min(LONGEST);
-                    let is_little = before - after < LITTLE.0 * before;
+                    let is_little = before - after < LITTLE * before;
                     self.little = if is_little { self.little + 1 } else { 0 };
                     return Ok(true);
                 }

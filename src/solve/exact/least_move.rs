@@ -5,7 +5,7 @@ use super::answer::Moved;
 use super::hard_rows::HardRows;
 use super::normal_space::{Differences, Linear};
 use crate::constraint::Projected;
-use crate::math::Vec3;
+use crate::math::{Vec3, add_scaled, inner_product};
 use crate::mesh::{Mesh, Point, Ragged};
 use crate::solve::energy::Constraints;
 use crate::solve::local_frame::{centre_and_extent, rows};
@@ -77,7 +77,7 @@ impl Conditions {
     fn add(&mut self, vertices: &[u32], normal: &mut [f64], residual: &[f64]) {
         let size = residual.len();
         for _ in 0..size {
-            let columns = normal.chunks_exact(size).map(|column| dot(column, column));
+            let columns = normal.chunks_exact(size).map(|column| inner_product(column, column));
             let longest = columns.enumerate().max_by(|(_, a), (_, b)| a.total_cmp(b));
             let Some((place, squared)) = longest else { return };
             if squared.is_nan() || squared <= RANK * RANK {
@@ -87,11 +87,11 @@ impl Conditions {
             let direction: Vec<f64> =
                 normal[place * size..][..size].iter().map(|value| value * scale).collect();
             for column in normal.chunks_exact_mut(size) {
-                let along = dot(column, &direction);
-                column.iter_mut().zip(&direction).for_each(|(value, part)| *value -= along * part);
+                let along = inner_product(column, &direction);
+                add_scaled(column, -along, &direction);
             }
             self.vertices.push(vertices);
-            self.residuals.push(dot(&direction, residual));
+            self.residuals.push(inner_product(&direction, residual));
             let parts = direction.chunks_exact(3).map(|part| Vec3::new(part[0], part[1], part[2]));
             self.directions.extend(parts);
         }
@@ -104,7 +104,7 @@ impl Conditions {
         let mut along = residual.clone();
         let mut step = vec![Vec3::zero(); n_vertices];
         let mut change = step.clone();
-        let mut left = dot(&residual, &residual);
+        let mut left = inner_product(&residual, &residual);
         let enough = PRECISION * PRECISION * left;
         for _ in 0..STEPS {
             if left <= enough {
@@ -112,13 +112,13 @@ impl Conditions {
             }
             self.transposed(&along, &mut change);
             let image = self.times(&change);
-            let size = left / dot(&along, &image);
+            let size = left / inner_product(&along, &image);
             if !size.is_finite() {
                 break;
             }
             step.iter_mut().zip(&change).for_each(|(step, &change)| *step += change * size);
-            residual.iter_mut().zip(&image).for_each(|(left, image)| *left -= size * image);
-            let before = std::mem::replace(&mut left, dot(&residual, &residual));
+            add_scaled(&mut residual, -size, &image);
+            let before = std::mem::replace(&mut left, inner_product(&residual, &residual));
             let kept = left / before;
             along.iter_mut().zip(&residual).for_each(|(along, left)| *along = left + kept * *along);
         }
@@ -145,8 +145,4 @@ impl Conditions {
         });
         each.collect()
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -158,7 +158,7 @@ impl Polish {
             && self.system.inactive_fraction() > LOOSE
             && self.factors - factors < MOST_FACTORS
         {
-            self.system.hold_more(model, true)?;
+            self.system.hold_others(model, true)?;
             self.factors += 1;
             self.left = MOST_STEPS;
             self.taken.clear();

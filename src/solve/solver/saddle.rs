@@ -10,7 +10,7 @@ use super::Solver;
 use crate::constraint::Row;
 use crate::math::symmetric_eigen;
 use crate::solve::accelerate::Iterate;
-use crate::solve::rows::add_scaled;
+use crate::solve::rows::{add_scaled, dot};
 use nalgebra::DMatrix;
 
 /// Greatest number of directions. Extreme eigenvalues come first: 60 tell a curvature of a thousandth
@@ -164,10 +164,6 @@ fn random_rows(n: usize) -> Vec<Row> {
         (state >> 33) as f64 / (1_u64 << 30) as f64 - 1.0
     };
     (0..n).map(|_| [next(), next(), next(), 0.0]).collect()
-}
-
-fn dot(a: &[Row], b: &[Row]) -> f64 {
-    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
 }
 
 /// Returns the greatest squared length of a row.

@@ -181,7 +181,7 @@ proptest! {
     }
 
     #[test]
-    fn an_order_at_hand_serves_systems_of_its_pattern((n, terms) in any_terms(), weight in 0.1..10.0) {
+    fn a_known_order_serves_systems_of_its_pattern((n, terms) in any_terms(), weight in 0.1..10.0) {
         let (_, sparse) = dense(n, &terms, &vec![0.0; n]);
         let other: Vec<_> =
             terms.iter().map(|(nodes, diagonal, outer)| (nodes.clone(), 2.0 * diagonal, outer + 1.0)).collect();
