@@ -6,7 +6,10 @@ use crate::constraint::Set;
 use crate::json::indices::{self, Indices};
 use crate::json::{JsonError, from_text, objects};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
-use crate::scene::{ConstraintSpec, Lesson, RowNumber, SceneError, Slide, Up, Weights, kind_of};
+use crate::scene::{
+    AttemptSetting, ConstraintSpec, Lesson, RowNumber, Scene, SceneError, Slide, Up, Weights,
+    kind_of,
+};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
@@ -295,9 +298,13 @@ pub struct SomeWeights {
 }
 
 impl SomeWeights {
-    /// Replaces these weights in `weights`.
-    pub(super) fn put_into(self, weights: &mut Weights) {
-        let Weights { shape, close, smooth } = weights;
+    /// Replaces these weights of `scene`. That of smoothness is then the user's, also where a search had
+    /// chosen this value.
+    pub(super) fn put_into(self, scene: &mut Scene) {
+        if self.smooth.is_some() {
+            scene.attempt.release(AttemptSetting::Smoothness);
+        }
+        let Weights { shape, close, smooth } = &mut scene.weights;
         for (new, weight) in [(self.shape, shape), (self.close, close), (self.smooth, smooth)] {
             *weight = new.unwrap_or(*weight);
         }

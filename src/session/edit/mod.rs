@@ -35,4 +35,3 @@ pub(crate) use remeshing::offered;
 pub use remeshing::{OfferedOperation, Refinement, Remeshing, RemeshingPreview};
 pub(crate) use settings::is_of_solver;
 pub use settings::{SETTINGS, Setting, settings_of};
-pub(crate) use shapes::IterationState;

@@ -3,8 +3,8 @@
 
 use crate::constraint::{Form, Param};
 use crate::scene::{
-    Accelerator, BoundaryRequire, ClosenessTo, NamedEnum, Scene, SceneError, SmoothnessOf,
-    Weighting,
+    Accelerator, AttemptSetting, BoundaryRequire, ClosenessTo, NamedEnum, Scene, SceneError,
+    SmoothnessOf, Weighting,
 };
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -164,7 +164,8 @@ pub fn settings_of(scene: &Scene) -> Map<String, Value> {
     .collect()
 }
 
-/// Changes a setting of `scene`, and returns its label.
+/// Changes a setting of `scene`, and returns its label. It is then the user's, also where a search had
+/// chosen this value.
 ///
 /// # Errors
 /// If there is no such setting, or the value has none of its forms or is out of range.
@@ -182,8 +183,14 @@ pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
             .ok_or_else(|| error(format!("found {value}, expected {}", param.range_in_words())))
     };
     match id {
-        "closeness" => scene.closeness.to = choice(id, value)?,
-        "boundary" => scene.closeness.boundary.require = choice(id, value)?,
+        "closeness" => {
+            scene.closeness.to = choice(id, value)?;
+            scene.attempt.release(AttemptSetting::Closeness);
+        }
+        "boundary" => {
+            scene.closeness.boundary.require = choice(id, value)?;
+            scene.attempt.release(AttemptSetting::Boundary);
+        }
         "boundary-weight" => scene.closeness.boundary.weight = number()?,
         "corners" => scene.closeness.boundary.corners = number()?,
         "smoothness" => scene.smoothness.of = choice(id, value)?,
