@@ -13,7 +13,7 @@ use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
     BoundaryRequire, ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS,
-    Pose, RowNumber, Scene, SceneError, Target, Variants, check_tolerance,
+    Pose, RowNumber, Scene, SceneError, Target, UnitsAndUp, Variants, check_tolerance,
 };
 use crate::session::report::{check_lesson, check_presentation, panel_row};
 use crate::session::state::{Draft, asks_otherwise, uses};
@@ -142,7 +142,7 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
             })
         }
         Edit::FitTo { name, text } => {
-            let read = read_text(&name, &text)?;
+            let read = read_second(&name, &text, &draft.document)?;
             let document = &mut draft.document;
             document.closeness.to = ClosenessTo::Target;
             document.closeness.target = Some(Target::Mesh(read.mesh.into()));
@@ -153,7 +153,7 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
             format!("Fit to {name}")
         }
         Edit::TakePose { name, text } => {
-            let read = read_text(&name, &text)?;
+            let read = read_second(&name, &text, &draft.document)?;
             draft.document.pose = Some(Pose::of(&name, read, draft.mesh)?);
             format!("Take the pose of {name}")
         }
@@ -293,8 +293,9 @@ fn check_name_of_group(name: &str, draft: &Draft<'_>) -> Result<(), SceneError> 
     Err(SceneError { path: "sets".to_owned(), message })
 }
 
-/// Reads the text of a mesh file that an edit brings.
-fn read_text(name: &str, text: &str) -> Result<Read, SceneError> {
+/// Reads the text of a second mesh file, which has the coordinates of the model.
+fn read_second(name: &str, text: &str, document: &Scene) -> Result<Read, SceneError> {
+    UnitsAndUp::stated(text.as_bytes()).check_second(name, document)?;
     read(name, text.as_bytes())
         .map_err(|error| SceneError { path: String::new(), message: error.to_string() })
 }

@@ -106,14 +106,15 @@ pub enum Edit {
     /// closer to their rest positions.
     HoldCloser,
     /// Keeps vertices close to the surface of a mesh file instead of the original, with a weight of 1 if
-    /// closeness has none.
+    /// closeness has none. A file that states another unit or up axis than the model has is refused.
     FitTo {
         /// The name of the file.
         name: String,
         /// Its text, OBJ or OFF.
         text: String,
     },
-    /// Uses another pose of the mesh, from a file, as the rest shape.
+    /// Uses another pose of the mesh, from a file, as the rest shape. A file is refused as for
+    /// [`Edit::FitTo`].
     TakePose {
         /// The name of the file.
         name: String,
