@@ -1,6 +1,7 @@
 //! The search of a press for panels: it finds the shape where there is one, says what is not good
 //! about it, and every host gets the same from the scene that it leaves.
 
+use crate::support::drag;
 use crate::support::long_or;
 use crate::support::shared;
 use shape_up::mesh::{Mesh, Point, Scheme};
@@ -139,7 +140,7 @@ fn run(session: &mut Session) {
 fn pull(session: &mut Session, by: f64) {
     let [x, y, z] = session.mesh().positions[0];
     session.begin_drag_of_new(vec![0]).expect("it is there");
-    session.drag([(0, [x, y, z + by])]).expect("nothing is locked");
+    drag(session, [(0, [x, y, z + by])]).expect("nothing is locked");
     session.end_drag(true);
     while !session.step().expect("it stays finite").ended {}
     session.end_run();
@@ -245,7 +246,6 @@ fn what_the_user_sets_after_a_press_is_not_taken_back_by_the_next_one() {
 }
 
 #[test]
-#[test]
 fn what_the_user_names_is_kept_though_a_search_had_chosen_the_same() {
     // The next press took it back, since it differed in nothing from what the search had set.
     let tolerance = 0.001;
@@ -281,6 +281,7 @@ fn what_the_user_names_is_kept_though_a_search_had_chosen_the_same() {
     }
 }
 
+#[test]
 fn a_press_that_is_paused_begins_anew() {
     let n = 10;
     let whole = {
@@ -313,7 +314,7 @@ fn a_press_hears_the_handles() {
     let add = Edit::AddHandles { vertices: vec![0], fixed: false };
     session.edit(add).expect("nothing is locked");
     session.begin_drag();
-    session.drag([(0, [top[0], top[1], top[2] + 2.0])]).expect("nothing is locked");
+    drag(&mut session, [(0, [top[0], top[1], top[2] + 2.0])]).expect("nothing is locked");
     session.end_drag(true);
     session.make_panels("plane", 0.05, PanelStart::Now).expect("it has quads");
     while !session.step().expect("it stays finite").ended {}
