@@ -314,8 +314,9 @@ fn a_set_cannot_take_the_name_of_a_group() {
     mesh.groups[0].name = "selection 1".to_owned();
     let mut session =
         Session::open(Scene::new(MeshSource::Inline(Box::default())), mesh).expect("it fits");
-    let on = json!({ "each": "face", "in": { "faces": [3] } });
-    let add = json!({ "addConstraint": { "kind": "plane", "on": on, "weight": 1 } }).to_string();
+    let (on, set) = (json!({ "each": "face", "in": "" }), json!({ "faces": [3] }));
+    let add = json!({ "addConstraint": { "kind": "plane", "on": on, "set": set, "weight": 1 } });
+    let add = add.to_string();
     session.edit(Edit::from_json(&add).expect("it is an edit")).expect("it fits");
     assert_eq!(session.document().sets.keys().collect::<Vec<_>>(), ["selection 2"]);
 }

@@ -1,8 +1,7 @@
 //! The edits of the document: each is one step of undo.
 
-use super::constraint_target::ConstraintTarget;
 use super::remeshing::Remeshing;
-use crate::constraint::Set;
+use crate::constraint::{Selector, Set};
 use crate::json::indices::{self, Indices};
 use crate::json::{JsonError, from_text, objects};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
@@ -248,14 +247,14 @@ fn list_or_none<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<u32>>, 
     Option::<Indices>::deserialize(from).map(|list| list.map(|Indices(list)| list))
 }
 
-/// A new row of constraints. As JSON it has the keys of a scene file, but its parameters in `params`
-/// and `on` as a [`ConstraintTarget`].
+/// A new row of constraints. As JSON it has the keys of a scene file, but its parameters in `params`,
+/// and in `set` the set that the empty name in `on` stands for.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(try_from = "ConstraintEntry")]
 pub struct NewConstraint {
     /// The row.
     pub spec: ConstraintSpec,
-    /// The set that [`ConstraintTarget::UNNAMED`] stands for in the selector.
+    /// The set that [`super::ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
 }
 
@@ -265,7 +264,11 @@ pub struct NewConstraint {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 struct ConstraintEntry {
     kind: String,
-    on: ConstraintTarget,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "ConstraintTarget[\"on\"]"))]
+    on: Selector,
+    #[serde(default)]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "ConstraintTarget[\"set\"]"))]
+    set: Option<Set>,
     weight: f64,
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
@@ -276,7 +279,7 @@ impl TryFrom<ConstraintEntry> for NewConstraint {
     type Error = JsonError;
 
     fn try_from(entry: ConstraintEntry) -> Result<NewConstraint, JsonError> {
-        let ConstraintEntry { kind, on: ConstraintTarget { on, set }, weight, params } = entry;
+        let ConstraintEntry { kind, on, set, weight, params } = entry;
         let kind = kind_of(&kind, params)?;
         let (name, require, eased) = (String::new(), Require::Soft, None);
         let number = RowNumber::default();
