@@ -8,9 +8,7 @@ use super::presentation::{Slide, Variants};
 use crate::constraint::{Kind, Selector, Sets};
 use crate::json::{Entries, Object, indices, object, object_or_none, objects, points, present};
 use crate::mesh::{Mesh, Point, Read};
-use crate::solve::{
-    BoundaryRequire, ClosenessTo, Hold, Require, Smoothness, SolverSettings, Weights,
-};
+use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
 use crate::words;
 use serde::ser::{Error, Serializer};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -110,26 +108,6 @@ impl Scene {
     /// Returns a scene without constraints, with the default settings.
     pub fn new(mesh: MeshSource) -> Scene {
         Scene { mesh, ..Scene::default() }
-    }
-
-    /// Takes back what a search has chosen to meet the hard constraints: the settings of its attempt,
-    /// and larger tolerances. The scene is then as it was asked for.
-    pub fn as_asked(&mut self) {
-        let chosen = std::mem::take(&mut self.attempt);
-        if chosen.smoother != 1.0 {
-            // As many digits as anybody types: without the rounding of product and quotient.
-            self.weights.smooth = words::rounded(self.weights.smooth / chosen.smoother, 15);
-        }
-        if chosen.on_surface {
-            self.closeness.to = ClosenessTo::Rest;
-        }
-        let boundary = &mut self.closeness.boundary.require;
-        if chosen.holds_boundary {
-            *boundary = BoundaryRequire::Off;
-        } else if chosen.hardens_boundary {
-            *boundary = (*boundary).min(BoundaryRequire::Soft);
-        }
-        self.constraints.iter_mut().for_each(|row| row.eased = None);
     }
 
     /// The positions of the other pose, `#V by 3`, which rest shapes are taken from; none without one.
@@ -346,36 +324,6 @@ impl Default for ChosenAttempt {
     }
 }
 
-impl ChosenAttempt {
-    /// Its name in reports.
-    pub(crate) fn name(&self) -> String {
-        match self.from {
-            AttemptStart::Eased => "eased".to_owned(),
-            _ if self.on_surface => "surface".to_owned(),
-            _ if self.smoother != 1.0 => format!("smoother {}", self.smoother),
-            AttemptStart::Soft => "soft".to_owned(),
-            AttemptStart::Rest => "rest".to_owned(),
-            AttemptStart::Exact => "exact".to_owned(),
-        }
-    }
-
-    /// Whether it is the first one of a search, with the settings of the user; that the boundary is held
-    /// is no attempt.
-    pub(crate) fn is_first(&self) -> bool {
-        self.from == AttemptStart::Soft && self.smoother == 1.0 && !self.on_surface
-    }
-
-    /// Returns the attempt `next`, which a search has made with the settings of this one.
-    pub(crate) fn then(self, next: ChosenAttempt) -> ChosenAttempt {
-        ChosenAttempt {
-            from: next.from,
-            smoother: self.smoother * next.smoother,
-            on_surface: self.on_surface || next.on_surface,
-            ..self
-        }
-    }
-}
-
 /// Where an attempt to meet hard constraints began.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -385,7 +333,7 @@ pub enum AttemptStart {
     Soft,
     /// At the rest shape, or at the soft solution where a handle or a variation pulls.
     Rest,
-    /// There, with exact panels.
+    /// At the rest shape, as for `Rest`, with exact panels.
     Exact,
     /// At the soft solution, and on through larger tolerances.
     Eased,

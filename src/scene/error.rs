@@ -27,12 +27,13 @@ impl std::error::Error for SceneError {}
 
 impl From<JsonError> for SceneError {
     fn from(error: JsonError) -> SceneError {
-        let missing = error.missing().and_then(expected_of);
+        let missing = error.missing().and_then(|key| expected_of(&error.path, key));
         let JsonError { path, mut message } = error;
+        let (parent, key) = path.rsplit_once('.').unwrap_or(("", &path));
         if let Some(expected) = missing {
             message = format!("{message}, expected {expected}");
         } else if let Some(found) = message.strip_suffix("a number")
-            && let Some(expected) = path.rsplit('.').next().and_then(expected_of)
+            && let Some(expected) = expected_of(parent, key)
         {
             message = found.to_owned() + &expected;
         }
@@ -40,8 +41,9 @@ impl From<JsonError> for SceneError {
     }
 }
 
-/// Describes the expected value of a key that is required or is a number in a range.
-fn expected_of(key: &str) -> Option<String> {
+/// Describes the expected value of a key of the object at the path `parent`, which is required or is a
+/// number in a range.
+fn expected_of(parent: &str, key: &str) -> Option<String> {
     let what = match key {
         "format" | "title" | "student" | "scene" | "time" | "name" | "id" => "a string",
         "mesh" => "{\"file\": ...} or a mesh",
@@ -52,6 +54,7 @@ fn expected_of(key: &str) -> Option<String> {
         }
         "on" | "each" => return Some(forms_of_selectors()),
         "vertices" => "a list of indices",
+        "weight" if parent.starts_with("handles[") => "a number above 0",
         "weight" | "at_most" => "a number from 0",
         "corners" => "an angle in degrees from 0 to 180",
         "text" => "the text of the task",

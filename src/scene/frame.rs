@@ -1,7 +1,7 @@
 //! Unit and up axis of a mesh file. The formats define neither: they are read from comments, or
 //! else guessed from the shape (the axis in `up_guess`). Coordinates are never changed.
 
-use super::{NamedEnum, Scene, Up};
+use super::{NamedEnum, Scene, SceneError, Up};
 use crate::mesh::{Mesh, Point, decode, diagonal, lines};
 
 /// Least diagonal of the bounding box of a mesh taken as a building in metres.
@@ -56,6 +56,27 @@ impl UnitsAndUp {
     pub fn complete(self, scene: &mut Scene) {
         if scene.units.is_empty() {
             scene.units = self.units.unwrap_or_default();
+        }
+    }
+
+    /// Checks what the second file `name` of a scene, a surface or a pose, states: its coordinates are
+    /// taken as those of the model. A unit is compared if the scene has one.
+    ///
+    /// # Errors
+    /// If it is another unit or another axis.
+    pub fn check_second(&self, name: &str, scene: &Scene) -> Result<(), SceneError> {
+        let refused = |stated: String, own: &str| {
+            let message = format!("{name} {stated}, expected that of the model, {own}");
+            Err(SceneError { path: String::new(), message })
+        };
+        match (&self.units, self.up) {
+            (Some(units), _) if !scene.units.is_empty() && *units != scene.units => {
+                refused(format!("states the unit {units}"), &scene.units)
+            }
+            (_, Some(up)) if up != scene.up => {
+                refused(format!("states the up axis {}", up.word()), scene.up.word())
+            }
+            _ => Ok(()),
         }
     }
 

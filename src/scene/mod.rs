@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `build` | the settings of what is built from the shape |
 //! | `document` | data types: mesh, constraints, handles, settings |
+//! | `attempt` | the attempt by which a search met hard constraints, and the settings that it changed |
 //! | `closeness` | target and factors of the closeness energy |
 //! | `lesson` | lessons: a task and goals |
 //! | `presentation` | kept shapes, and the steps of a presentation |
@@ -18,6 +19,7 @@
 //! | `presets` | presets of weights, closeness and smoothness, also of a mesh file that the user opens |
 //! | `problem` | the problem passed to the solver |
 
+mod attempt;
 mod build;
 mod closeness;
 mod document;
@@ -39,6 +41,7 @@ pub use crate::solve::{
     SmoothnessOf, SolverSettings, Weighting, Weights,
 };
 pub use crate::sparse::Factorization;
+pub(crate) use attempt::AttemptSetting;
 pub(crate) use build::Tiling;
 pub use build::{
     BUILD_PRESETS, BUILD_SETTINGS, BuildForm, BuildGroup, BuildOption, BuildPreset, BuildSetting,

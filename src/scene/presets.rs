@@ -8,8 +8,8 @@
 //! is so much larger that they are met all the same.
 
 use super::{
-    BoundaryCloseness, BoundaryRequire, ClosenessTo, MeshSource, Scene, Smoothness, SmoothnessOf,
-    Weighting, Weights,
+    BoundaryCloseness, BoundaryRequire, ChosenAttempt, ClosenessTo, MeshSource, Scene, Smoothness,
+    SmoothnessOf, Weighting, Weights,
 };
 use crate::mesh::Topology;
 use serde::Serialize;
@@ -103,12 +103,14 @@ pub const PRESETS: &[Preset] = &[
 ];
 
 impl Preset {
-    /// Applies the preset to `scene`.
+    /// Applies the preset to `scene`. It names every setting that an attempt may have chosen, which are
+    /// then the user's.
     pub fn set(&self, scene: &mut Scene) {
         scene.weights = self.weights;
         scene.closeness.to = self.to;
         scene.closeness.boundary = self.boundary();
         scene.smoothness = self.smoothness;
+        scene.attempt = ChosenAttempt::default();
     }
 
     /// Returns the preset whose settings `scene` has, if any.

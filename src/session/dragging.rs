@@ -6,7 +6,7 @@ use super::run::{Collapse, Search};
 use super::state::check_targets;
 use super::undo::{Transaction, TransactionKind};
 use crate::mesh::Point;
-use crate::scene::{Lock, SceneError};
+use crate::scene::Lock;
 use crate::session::Error;
 use serde::Deserialize;
 
@@ -96,21 +96,6 @@ impl Session {
             self.transaction = None;
         }
         made.map(|_| ())
-    }
-
-    /// Moves the targets of handles, given in the unit of the mesh.
-    ///
-    /// # Errors
-    /// As [`check_targets`], or if the lesson locks the handles; nothing has moved then.
-    pub fn drag(
-        &mut self,
-        targets: impl IntoIterator<Item = (u32, Point)>,
-    ) -> Result<(), SceneError> {
-        let (vertices, targets): (Vec<u32>, Vec<Point>) = targets.into_iter().unzip();
-        check_lock(Lock::Handles, self.document())?;
-        check_targets(&vertices, &targets)?;
-        self.move_handles(&vertices, &targets);
-        Ok(())
     }
 
     /// Ends a drag: keeps it as one step of undo, or restores the state before it. If there are

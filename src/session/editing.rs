@@ -2,8 +2,8 @@
 
 use super::Session;
 use super::edit::{
-    Carried, Edit, IterationState, OfferedOperation, Refinement, Remeshing, RemeshingPreview,
-    apply, carry, check_lock, check_locks, offered,
+    Carried, Edit, OfferedOperation, Refinement, Remeshing, RemeshingPreview, apply, carry,
+    check_lock, check_locks, offered,
 };
 use super::measured::MeasureCache;
 use super::report::{check_lesson, check_presentation};
@@ -54,8 +54,7 @@ impl Session {
             // Iterations go on as if nothing had happened.
             check_locks(&edit, self.document())?;
             let before = self.document().tolerance;
-            let mut unused = IterationState { iteration: self.iteration(), start: None };
-            self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut unused))?;
+            self.scene.edit(&self.rest, |draft| apply(edit, draft))?;
             let now = self.document().tolerance;
             let is_begun = |it: &mut Transaction| it.replace_tolerance(before, now);
             if self.transaction.as_mut().is_none_or(is_begun) {
@@ -91,9 +90,8 @@ impl Session {
         {
             return Ok(true);
         }
-        let mut unused = IterationState { iteration: self.iteration(), start: None };
         let edit = edit.clone();
-        Ok(self.scene.would_change(&self.rest, |draft| apply(edit, draft, &mut unused))?)
+        Ok(self.scene.would_change(&self.rest, |draft| apply(edit, draft))?)
     }
 
     /// The number of the current problem, handles and positions: what was made for another one is
@@ -208,14 +206,16 @@ impl Session {
         }
         let before = self.state();
         let start = before.start.clone().filter(|_| self.collapse().is_some());
-        let mut state = IterationState { iteration: before.iteration, start };
-        let (name, differs) =
-            self.scene.edit(&self.rest, |draft| apply(edit, draft, &mut state))?;
+        let ((name, iteration), differs) = self.scene.edit(&self.rest, |draft| {
+            draft.start = start.as_ref().map(|it| (Rc::clone(it.positions()), it.iteration()));
+            Ok((apply(edit, draft)?, draft.iteration))
+        })?;
         if !differs {
             return Ok(None);
         }
         self.leave_search_since(&before.scene.document);
-        self.arrive(state.iteration, state.start);
+        let kept = start.filter(|_| iteration.is_none());
+        self.arrive(iteration.unwrap_or(before.iteration), kept);
         Ok(Some((name, before)))
     }
 

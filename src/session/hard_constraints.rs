@@ -4,7 +4,7 @@
 use super::Session;
 use super::requirements::Required;
 use super::run::{Attempt, ExactReport, Meeting, MeetingEnd, MeetingStage, Met, Search, Step};
-use super::state::{SceneState, choose_attempt};
+use super::state::SceneState;
 use crate::mesh::Point;
 use crate::scene::{ConstraintSpec, Scene};
 use crate::session::Error;
@@ -136,7 +136,7 @@ impl Session {
         };
         // A search that is interrupted has chosen nothing: the next run begins it anew.
         if self.search != Search::Off && is_whole {
-            choose_attempt(&mut document, attempt.chosen());
+            document.choose_attempt(attempt.chosen());
         }
         self.go_to(&exact.positions(), document)?;
         let (mut answer, places) = self.answer_of(&attempt, &exact);

@@ -77,7 +77,7 @@ pub use dragging::DragPhase;
 pub use edit::{
     ConstraintOffer, ConstraintOffers, ConstraintTarget, Edit, NewConstraint, OfferedKind,
     OfferedOperation, OfferedPlace, OfferedStart, PanelStart, Refinement, Remeshing,
-    RemeshingPreview, SETTINGS, Setting, SomeWeights, settings_of,
+    RemeshingPreview, SETTINGS, Setting, SomeWeights, UnusedCloseness, settings_of,
 };
 pub use error::Error;
 pub use handed_in::{Checked, check_results};

@@ -77,24 +77,39 @@ impl FileReader {
             let full = Path::new(name).with_file_name(path);
             Ok::<_, ReadError>((read(&full.to_string_lossy(), bytes)?, UnitsAndUp::stated(bytes)))
         };
-        let mut source = match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
-            MeshSource::Inline(mesh) => {
-                Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() }
+        let (mut source, own) =
+            match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
+                MeshSource::Inline(mesh) => {
+                    let read = Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() };
+                    (read, UnitsAndUp::default())
+                }
+                MeshSource::File(path) => {
+                    let (source, stated) = named(&path)?;
+                    scene.mesh = MeshSource::File(path);
+                    stated.clone().complete(&mut scene);
+                    (source, stated)
+                }
+            };
+        let of_scene = |error: SceneError| fault(name, error.to_string());
+        let second = |path: &str| {
+            let (read, stated) = named(path)?;
+            // The scene may say of all its files that they are otherwise than they state.
+            if stated != own {
+                stated.check_second(path, &scene).map_err(of_scene)?;
             }
-            MeshSource::File(path) => {
-                let (source, stated) = named(&path)?;
-                scene.mesh = MeshSource::File(path);
-                stated.complete(&mut scene);
-                source
-            }
+            Ok::<_, ReadError>(read)
         };
-        if let Some(path) = scene.closeness.file_to_read() {
-            scene.closeness.target = Some(Target::Mesh(named(path)?.0.mesh.into()));
+        let target = scene.closeness.file_to_read().map(second).transpose()?;
+        let pose = match &scene.pose {
+            Some(Pose::File(path)) => {
+                Some(Pose::of(path, second(path)?, &source.mesh).map_err(of_scene)?)
+            }
+            _ => None,
+        };
+        if let Some(target) = target {
+            scene.closeness.target = Some(Target::Mesh(target.mesh.into()));
         }
-        if let Some(Pose::File(path)) = &scene.pose {
-            let pose = Pose::of(path, named(path)?.0, &source.mesh);
-            scene.pose = Some(pose.map_err(|error| fault(name, error.to_string()))?);
-        }
+        scene.pose = pose.or(scene.pose);
         let mesh = std::mem::take(&mut source.mesh);
         // The indices in a scene refer to its mesh as it is, so nothing is welded.
         Ok(OpenedFile { scene, mesh, weld: None, diagnostics: source, guessed: Guessed::default() })
@@ -236,21 +251,21 @@ mod tests {
         let scene = |pose: &str| {
             format!(
                 r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "two.obj" }},
-                     "pose": {{ "file": "{pose}" }}, "weights": {{ "close": 1 }},
+                     "units": "m", "pose": {{ "file": "{pose}" }}, "weights": {{ "close": 1 }},
                      "closeness": {{ "to": {{ "mesh": {{ "file": "far/other.obj" }} }} }} }}"#
             )
         };
         let other = "v 0 0 1\nv 1 0 1\nv 1 1 1\nf 1 2 3\n";
         let raised = APART.replace(" 0\n", " 2\n");
-        let opened = |pose: &str| {
+        let with_units = |pose: &str, units: [&str; 3]| {
             let mut reader = FileReader::default();
-            for (path, text) in
-                [("two.obj", APART), ("raised.obj", &raised), ("far/other.obj", other)]
-            {
-                reader.add_file(path, text.as_bytes().to_vec());
+            let files = [("two.obj", APART), ("raised.obj", &raised), ("far/other.obj", other)];
+            for ((path, text), units) in files.into_iter().zip(units) {
+                reader.add_file(path, format!("{units}{text}").into_bytes());
             }
             read_scene(reader, scene(pose).as_bytes())
         };
+        let opened = |pose: &str| with_units(pose, [""; 3]);
         let whole = OpenedFile::scene_in(scene("raised.obj").as_bytes()).expect("it is one");
         let named = named_files(&whole).map(|(_, path)| path);
         assert!(named.eq(["two.obj", "far/other.obj", "raised.obj"]));
@@ -265,5 +280,12 @@ mod tests {
              expected the 8 vertices and 2 faces of the model, in their order"
         );
         assert!(refused("none.obj").contains("needs the mesh file none.obj"));
+        // It was read as if it were in the unit of the scene.
+        let refused =
+            with_units("raised.obj", ["", "", "# units: mm\n"]).err().map(|e| e.to_string());
+        let words = "a.JSON: far/other.obj states the unit mm, expected that of the model, m";
+        assert_eq!(refused.as_deref(), Some(words));
+        // The scene says of all of them that they are in metres.
+        assert!(with_units("raised.obj", ["# units: mm\n"; 3]).is_ok());
     }
 }

@@ -5,7 +5,6 @@ use super::edit::check_lock;
 use super::report::ConstraintCoverage;
 use super::requirements::{Required, judged_by};
 use super::run::{Attempt, Attempts, Eased, Meeting, Outcome, Search, ShapeMeasure, Tolerances};
-use super::state::choose_attempt;
 use crate::constraint::{Element, Selector};
 use crate::math::Vec3;
 use crate::mesh::Point;
@@ -236,7 +235,7 @@ impl Session {
     /// Returns the document with the settings of an attempt.
     fn document_of(&self, attempt: &Attempt) -> Scene {
         let mut document = self.document().clone();
-        choose_attempt(&mut document, attempt.chosen());
+        document.choose_attempt(attempt.chosen());
         document
     }
 

@@ -47,8 +47,7 @@ impl Session {
             let is_current = *positions == **self.scene.positions();
             let state = SceneState { positions, ..copy.scene.state() };
             copy.scene.go_to(&copy.rest, state)?;
-            let verdict = copy.verdict(tolerance);
-            let (panels, within) = verdict.map_or((0, 0), |it| (it.of, it.within));
+            let [within, panels] = copy.panels_within(tolerance).unwrap_or_default();
             Ok(VariantRow {
                 name,
                 is_design: design == Some(index),

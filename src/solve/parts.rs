@@ -178,9 +178,9 @@ impl Parts {
     }
 
     /// Puts what does not move freely at its place, given at most one handle for each vertex: fixed
-    /// vertices at their targets, corners of the boundary where the design (without one, the mesh at rest)
-    /// has them unless a handle frees them, and vertices on curves at their closest points there. `x` are
-    /// the positions by nodes, `put` those at which vertices were put, `#V by 3`.
+    /// vertices at their targets, corners of the boundary at their places in `corners` unless a handle
+    /// frees them, and vertices on curves at their closest points there. `x` are the positions by nodes,
+    /// `put` those at which vertices were put, `#V by 3`.
     pub(super) fn place(
         &mut self,
         handles: &[Handle],

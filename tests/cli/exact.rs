@@ -200,6 +200,11 @@ fn a_boundary_is_held_exactly_or_nearly() {
     });
     assert_ne!(own, default);
     folder.run(&["solve", "roof.obj", "--boundary", "tight"]).misused("`exact` or a weight");
+    // Without a weight of closeness it did nothing, and did not say so.
+    folder.write("s.json", scene(PLANES));
+    let said = folder.run(&["solve", "s.json", "--boundary", "100"]).done();
+    let why = "note: the boundary is not held: The weight of Close is 0";
+    assert!(said.contains(why), "{said}");
 }
 
 #[test]

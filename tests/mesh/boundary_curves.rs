@@ -1,5 +1,6 @@
 //! Boundary curves: corners, the closest point, and the effect of boundary closeness on a shape.
 
+use crate::support::drag;
 use crate::support::meshes::grid;
 use crate::support::random::Random;
 use proptest::prelude::*;
@@ -179,7 +180,8 @@ fn a_corner_that_becomes_a_handle_follows_it_and_comes_back() {
     let corner = graded().positions[80];
     session.edit(Edit::AddHandles { vertices: vec![80], fixed: false }).expect("it fits");
     session.begin_drag();
-    session.drag([(80, [corner[0] + 1.0, corner[1] + 1.0, 0.0])]).expect("the targets are near");
+    drag(&mut session, [(80, [corner[0] + 1.0, corner[1] + 1.0, 0.0])])
+        .expect("the targets are near");
     for _ in 0..3 {
         session.step().expect("positions stay finite");
     }
@@ -191,7 +193,8 @@ fn a_corner_that_becomes_a_handle_follows_it_and_comes_back() {
     assert!(session.positions()[80] != corner, "undo gives it back to its handle");
     // A fixed handle takes precedence over the boundary.
     session.edit(Edit::AddHandles { vertices: vec![0], fixed: true }).expect("it fits");
-    session.drag([(0, [-1.0, 0.0, 0.0])]).expect("the targets are near");
+    session.begin_drag();
+    drag(&mut session, [(0, [-1.0, 0.0, 0.0])]).expect("the targets are near");
     assert_eq!(session.positions()[0], [-1.0, 0.0, 0.0]);
 }
 

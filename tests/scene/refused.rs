@@ -39,6 +39,7 @@ const REFUSED: &[(&str, &str, &[&str])] = &[
     (r#", "constraints": [{ "kind": "plane", "on": "faces" }, { "kind": "plane", "on": "faces", "wieght": 2 }]"#, "constraints[1]", &["`wieght`", "weight"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": -1 }]"#, "constraints[0].weight", &["found -1", "from 0"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "weight": "1" }]"#, "constraints[0].weight", &["found \"1\"", "number"]),
+    (r#", "handles": [{ "vertices": [0], "weight": "x" }]"#, "handles[0].weight", &["found \"x\"", "a number above 0"]),
     (r#", "constraints": [{ "kind": "plane", "on": "faces", "enabled": 1 }]"#, "constraints[0].enabled", &["found 1", "true or false"]),
     (r#", "constraints": [{ "kind": "similar", "on": "faces", "sclae": [1, 2] }]"#, "constraints[0]", &["`sclae`", "scale"]),
     (r#", "constraints": [{ "kind": "rigid", "on": "faces", "scale": [1, 2] }]"#, "constraints[0]", &["`scale`", "weight"]),

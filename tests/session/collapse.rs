@@ -1,6 +1,7 @@
 //! The guard against shapes that collapse during a run without a drag.
 
 use super::search::press;
+use crate::support::drag;
 use shape_up::generate::example::EXAMPLES;
 use shape_up::mesh::{Mesh, read};
 use shape_up::scene::{Closeness, Scene, Smoothness, Weights};
@@ -127,7 +128,7 @@ fn a_mesh_that_is_dragged_across_the_scene_has_not_collapsed() {
     session.edit(Edit::SetWeights(Weights::default().into())).unwrap();
     session.edit(Edit::AddHandles { vertices: vec![0], fixed: true }).unwrap();
     session.begin_drag();
-    session.drag([(0, [100.0, 0.0, 0.0])]).unwrap();
+    drag(&mut session, [(0, [100.0, 0.0, 0.0])]).unwrap();
     session.step().unwrap();
     session.end_drag(true);
     run(&mut session, 500, false);

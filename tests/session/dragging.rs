@@ -3,6 +3,7 @@
 use crate::session::asked::new;
 use crate::session::saved_history::{reopened, written};
 use crate::session::undo::{Deed, VERTICES, act, everything, open};
+use crate::support::drag;
 use shape_up::session::{DragPhase, Edit, Session};
 
 /// A session whose panels are exactly flat, with a handle at vertex 6.
@@ -23,7 +24,7 @@ fn an_edit_that_ends_a_drag_is_a_step_after_it_and_leaves_no_run() {
     let mut session = met();
     let target = [482_114.0, -65_220.0, 433.0];
     session.begin_drag();
-    session.drag([(6, target)]).expect("it is near");
+    drag(&mut session, [(6, target)]).expect("it is near");
     session.step().expect("positions stay finite");
     let dragged = session.positions();
     session.edit(Edit::Reset).expect("nothing is locked");
@@ -46,7 +47,7 @@ fn a_handle_that_is_taken_and_released_where_it_is_changes_nothing() {
     assert!(report.as_ref().is_some_and(|report| report.met), "{report:?}");
     let at = session.solver().handles()[0].target;
     session.begin_drag();
-    session.drag([(6, at)]).expect("it is near");
+    drag(&mut session, [(6, at)]).expect("it is near");
     for _ in 0..3 {
         session.step().expect("positions stay finite");
     }

@@ -95,7 +95,7 @@ fn every_edit_is_read_with_its_fields() {
 fn a_constraint_is_added_on_a_set_that_has_no_name_yet() {
     let edit = read(&json!({
         "addConstraint": { "kind": "angle", "weight": 2, "params": { "angle": [80, 100] },
-            "on": { "each": "corner", "in": { "faces": [1, 5] } } },
+            "on": { "each": "corner", "in": "" }, "set": { "faces": [1, 5] } },
     }));
     let Edit::AddConstraint(NewConstraint { spec, set }) = edit else { panic!("found {edit:?}") };
     assert_eq!((spec.kind.info().id, spec.weight), ("angle", 2.0));
@@ -147,11 +147,11 @@ fn requests_to_select_and_places_are_read() {
     let operation = "grow".to_owned();
     assert_eq!(request, SelectRequest { operation, mode: Mode::Faces, from, params });
 
-    let text =
-        json!(["faces", { "vertices": [3, 1] }, { "each": "face", "in": { "vertices": [0] } }]);
+    let text = json!([{ "on": { "vertices": [3, 1] } },
+        { "on": { "each": "face", "in": "" }, "set": { "vertices": [0] } }]);
     let places: Vec<ConstraintTarget> = serde_json::from_value(text).expect("they are places");
-    assert_eq!(places[1], ConstraintTarget { on: Selector::Vertices([3, 1].into()), set: None });
-    assert_eq!(places[2].set, Some(Set { vertices: [0].into(), faces: [].into() }));
+    assert_eq!(places[0], ConstraintTarget { on: Selector::Vertices([3, 1].into()), set: None });
+    assert_eq!(places[1].set, Some(Set { vertices: [0].into(), faces: [].into() }));
     let text =
         json!({ "addConstraint": { "kind": "plane", "weight": 1, "on": { "each": "cube" } } });
     assert_eq!(refused(&text).0, "on.each", "there are no cubes");

@@ -1,6 +1,7 @@
 //! "Make panels" in one press: all panels end within the tolerance, the displacement is bounded,
 //! and the press is one step of undo.
 
+use crate::support::drag;
 use crate::support::grid::grid;
 use crate::support::long_or;
 use serde_json::{Value, json};
@@ -167,7 +168,7 @@ fn a_drag_ends_the_press_and_its_end_meets_again_in_the_same_step() {
     session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
     session.begin_drag_of_new(vec![0]).expect("it is there");
     assert!(!session.is_running() && session.exact().is_none());
-    session.drag([(0, [-0.5, -0.5, 0.5])]).expect("it is a handle");
+    drag(&mut session, [(0, [-0.5, -0.5, 0.5])]).expect("it is a handle");
     (0..20).for_each(|_| assert!(!session.step().expect("it stays finite").ended));
     session.end_drag(true);
     assert!(session.is_running());
@@ -368,7 +369,7 @@ fn dragged() -> Session {
     run(&mut session);
     let place = session.positions()[84];
     session.begin_drag_of_new(vec![84]).expect("it is there");
-    session.drag([(84, [place[0], place[1], place[2] + 0.3])]).expect("it is a handle");
+    drag(&mut session, [(84, [place[0], place[1], place[2] + 0.3])]).expect("it is a handle");
     session.end_drag(true);
     session
 }

@@ -50,7 +50,7 @@ fn an_offer_says_what_adding_makes() {
         for place in &found.places {
             let offers = of_kind.iter().flat_map(|one| &one.offers);
             let offer = offers.into_iter().find(|offer| offer.place == place.id);
-            let added = session.edit(entry(info.id, &place.on));
+            let added = session.edit(entry(info.id, &place.target));
             let Some(offer) = offer else {
                 // It does not fit, or it is not meant for this place.
                 if added.is_ok() {
@@ -104,7 +104,7 @@ fn a_kind_that_can_be_added_to_every_element_of_a_type_is_offered_there() {
             let is_offered =
                 of_kind.is_some_and(|one| one.offers.iter().any(|offer| offer.place == id));
             let is_meant = info.elements.is_empty() || info.elements.contains(&element);
-            let added = session.edit(entry(info.id, &place(&found, &id).on)).is_ok();
+            let added = session.edit(entry(info.id, &place(&found, &id).target)).is_ok();
             if added {
                 session.undo().expect("undo works");
             }
@@ -121,10 +121,10 @@ fn a_place_is_written_in_a_form_that_reads_back() {
     {
         let found = session.constraint_offers(vertices, faces).expect("everything is there");
         for place in found.places {
-            let text = serde_json::to_string(&place.on).expect("it is plain data");
+            let text = serde_json::to_string(&place.target).expect("it is plain data");
             assert_eq!(
                 serde_json::from_str::<ConstraintTarget>(&text).unwrap(),
-                place.on,
+                place.target,
                 "{text}"
             );
         }

@@ -2,6 +2,7 @@
 
 use crate::session::asked::new;
 use crate::session::undo::{Deed, act, deed, everything, open, site};
+use crate::support::drag;
 use crate::support::grid::grid;
 use proptest::prelude::*;
 use serde_json::Map;
@@ -61,12 +62,12 @@ const TARGET: [f64; 3] = [482_114.0, -65_220.0, 433.0];
 /// Begins to drag a vertex that is no handle yet, a handle, and a run of a constraint that is added.
 fn begin_new(session: &mut Session) {
     session.begin_drag_of_new(vec![7]).expect("it is there");
-    session.drag([(7, TARGET)]).expect("it is near");
+    drag(session, [(7, TARGET)]).expect("it is near");
 }
 
 fn begin_drag(session: &mut Session) {
     session.begin_drag();
-    session.drag([(6, TARGET)]).expect("it is near");
+    drag(session, [(6, TARGET)]).expect("it is near");
 }
 
 fn begin_press(session: &mut Session) {

@@ -1,10 +1,13 @@
 //! The search of a press for panels: it finds the shape where there is one, says what is not good
 //! about it, and every host gets the same from the scene that it leaves.
 
+use crate::support::drag;
 use crate::support::long_or;
 use crate::support::shared;
 use shape_up::mesh::{Mesh, Point, Scheme};
-use shape_up::scene::{AttemptStart, BoundaryCloseness, BoundaryRequire, Scene, Weights};
+use shape_up::scene::{
+    AttemptStart, BoundaryCloseness, BoundaryRequire, NamedEnum, Scene, Weights,
+};
 use shape_up::session::{Edit, Flaw, Level, PanelStart, Session, Verdict};
 
 /// Opens a mesh as one that somebody chooses.
@@ -137,7 +140,7 @@ fn run(session: &mut Session) {
 fn pull(session: &mut Session, by: f64) {
     let [x, y, z] = session.mesh().positions[0];
     session.begin_drag_of_new(vec![0]).expect("it is there");
-    session.drag([(0, [x, y, z + by])]).expect("nothing is locked");
+    drag(session, [(0, [x, y, z + by])]).expect("nothing is locked");
     session.end_drag(true);
     while !session.step().expect("it stays finite").ended {}
     session.end_run();
@@ -243,6 +246,42 @@ fn what_the_user_sets_after_a_press_is_not_taken_back_by_the_next_one() {
 }
 
 #[test]
+fn what_the_user_names_is_kept_though_a_search_had_chosen_the_same() {
+    // The next press took it back, since it differed in nothing from what the search had set.
+    let tolerance = 0.001;
+    let press = |session: &mut Session, from: PanelStart| {
+        session.make_panels("plane", tolerance, from).expect("it has quads");
+        session.end_run();
+    };
+    let preset = Edit::Preset { id: "fig-7".to_owned() };
+    let set = |text: &str| Edit::from_json(text).expect("an edit");
+    for (from, edit) in [
+        (PanelStart::Surface, preset.clone()),
+        (PanelStart::Boundary, preset),
+        (PanelStart::Surface, set(r#"{ "set": { "id": "closeness", "value": "surface" } }"#)),
+        (PanelStart::Boundary, set(r#"{ "set": { "id": "boundary", "value": "exact" } }"#)),
+        (PanelStart::Smoother, set(r#"{ "setWeights": { "smooth": 10 } }"#)),
+    ] {
+        let mut session = opened(sheared(4, saddle, 0.4, 0.3));
+        press(&mut session, from);
+        let own = |session: &Session| {
+            let Scene { weights, closeness, .. } = session.document();
+            let boundary = closeness.boundary.require;
+            match from {
+                PanelStart::Surface => closeness.to.word().to_owned(),
+                PanelStart::Boundary => boundary.word().to_owned(),
+                _ => weights.smooth.to_string(),
+            }
+        };
+        let chosen = own(&session);
+        session.edit(edit.clone()).expect("nothing is locked");
+        assert_eq!(own(&session), chosen, "{edit:?}");
+        press(&mut session, PanelStart::Now);
+        assert_eq!(own(&session), chosen, "{edit:?}");
+    }
+}
+
+#[test]
 fn a_press_that_is_paused_begins_anew() {
     let n = 10;
     let whole = {
@@ -275,7 +314,7 @@ fn a_press_hears_the_handles() {
     let add = Edit::AddHandles { vertices: vec![0], fixed: false };
     session.edit(add).expect("nothing is locked");
     session.begin_drag();
-    session.drag([(0, [top[0], top[1], top[2] + 2.0])]).expect("nothing is locked");
+    drag(&mut session, [(0, [top[0], top[1], top[2] + 2.0])]).expect("nothing is locked");
     session.end_drag(true);
     session.make_panels("plane", 0.05, PanelStart::Now).expect("it has quads");
     while !session.step().expect("it stays finite").ended {}

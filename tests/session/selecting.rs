@@ -291,6 +291,9 @@ fn elements_are_found_by_their_numbers_and_their_errors() {
         let message = refused.expect_err("it does not fit");
         assert!(message.contains(words) && !message.contains("inf"), "{message}");
     }
+    // A name has no default: asking for none panicked.
+    let refused = ask(&mut session, "named", Mode::Faces, &none, json!({}));
+    assert_eq!(refused, Err("name: expected a word".to_owned()));
 }
 
 #[test]

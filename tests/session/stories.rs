@@ -1,6 +1,7 @@
 //! Sequences of session calls in the order in which a user causes them.
 
 use crate::session::asked::{new, scene};
+use crate::support::drag;
 use crate::support::grid::bumpy;
 use serde_json::Map;
 use shape_up::mesh::Mesh;
@@ -132,26 +133,27 @@ fn a_drag_is_one_step_and_can_be_cancelled() {
     let mut session =
         Session::open(scene(&format!("{PLANES}{handles}")), bumpy(4)).expect("it is regular");
     let before = session.positions();
-    let drag = |session: &mut Session| {
+    let drag_up = |session: &mut Session| {
         session.begin_drag();
         for k in 1..=5 {
-            session.drag([(24, [4.0, 4.0, 0.2 * f64::from(k)])]).expect("the targets are near");
+            drag(session, [(24, [4.0, 4.0, 0.2 * f64::from(k)])]).expect("the targets are near");
             session.step().expect("positions stay finite");
         }
     };
-    drag(&mut session);
+    drag_up(&mut session);
     session.end_drag(false);
     assert_eq!(session.positions(), before, "a cancelled drag leaves nothing");
     assert_eq!(session.undo_and_redo(), [None, None]);
 
-    drag(&mut session);
+    drag_up(&mut session);
     session.end_drag(true);
     assert!(session.positions()[24][2] > 0.9, "the vertex follows: {:?}", session.positions()[24]);
     assert_eq!(session.undo(), Ok(Some("Move handle".to_owned())));
     assert_eq!(session.positions(), before);
 
     session.begin_drag();
-    session.drag([(0, [0.0, 0.0, 0.5]), (20, [0.0, 4.0, 0.5])]).expect("the targets are near");
+    drag(&mut session, [(0, [0.0, 0.0, 0.5]), (20, [0.0, 4.0, 0.5])])
+        .expect("the targets are near");
     assert!(session.is_dragging());
     session.end_drag(true);
     assert!(!session.is_dragging());
@@ -317,11 +319,11 @@ fn a_target_that_a_scene_could_not_have_is_refused_and_nothing_moves() {
     let mut session =
         Session::open(scene(&format!("{PLANES}{handles}")), bumpy(4)).expect("it is regular");
     session.begin_drag();
-    session.drag([(24, [4.0, 4.0, 0.5])]).expect("the target is near");
+    drag(&mut session, [(24, [4.0, 4.0, 0.5])]).expect("the target is near");
     let before = (session.scene(), session.positions());
     for wrong in [f64::NAN, f64::INFINITY, -1e51] {
         let targets = [(24, [4.0, 4.0, 0.1]), (20, [0.0, wrong, 0.0])];
-        let error = session.drag(targets).expect_err("it is no place").to_string();
+        let error = drag(&mut session, targets).expect_err("it is no place").to_string();
         assert!(error.contains("the target of vertex 20 is not finite or too far out"), "{error}");
         assert_eq!((session.scene(), session.positions()), before);
     }
@@ -358,7 +360,7 @@ fn handles_are_found_by_their_vertex() {
         (0..).zip(session.positions()).map(|(v, [x, y, z])| (v, [x, y, z + 1.0])).collect();
     let time = timed(&mut session, &mut |session| {
         session.begin_drag();
-        session.drag(targets.iter().copied()).expect("the targets are near");
+        drag(session, targets.iter().copied()).expect("the targets are near");
         session.end_drag(true);
     });
     assert!(time < 10.0 * step, "moving all: {time} s, where three steps take {step} s");

@@ -1,6 +1,7 @@
 //! Undo: every sequence of operations on a session is reversed exactly.
 
 use crate::session::asked::new;
+use crate::support::drag;
 use crate::support::grid::grid;
 use proptest::prelude::*;
 use serde_json::{Map, json};
@@ -190,21 +191,21 @@ pub(crate) fn act(session: &mut Session, deed: Deed) {
             let Some(handle) = handles.get(vertex as usize % handles.len().max(1)) else { return };
             let (vertex, at) = (handle.vertex, handle.target);
             session.begin_drag();
-            session.drag([(vertex, moved(at, by))]).expect("the targets are near");
+            drag(session, [(vertex, moved(at, by))]).expect("the targets are near");
             steps(session, count);
             end(session, keep);
         }
         Deed::DragNew { vertex, by, steps: count, keep } => {
             let at = session.positions()[vertex as usize];
             session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
-            session.drag([(vertex, moved(at, by))]).expect("the targets are near");
+            drag(session, [(vertex, moved(at, by))]).expect("the targets are near");
             steps(session, count);
             end(session, keep);
         }
         Deed::CutDrag { vertex, by, edit } => {
             let at = session.positions()[vertex as usize];
             session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
-            session.drag([(vertex, moved(at, by))]).expect("the targets are near");
+            drag(session, [(vertex, moved(at, by))]).expect("the targets are near");
             steps(session, 2);
             // What is refused or changes nothing leaves the drag.
             if !session.edit(*edit).unwrap_or_default() {

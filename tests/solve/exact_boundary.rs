@@ -1,6 +1,7 @@
 //! A boundary that is held exactly: on its curve after every iteration, gliding along it, with
 //! fixed corners and energies that never rise.
 
+use crate::support::drag;
 use crate::support::meshes::grid;
 use shape_up::math::{Vec3, cosine};
 use shape_up::mesh::{BoundaryCurves, Mesh, Point, Topology};
@@ -152,12 +153,15 @@ fn a_soft_handle_pulls_along_the_curve_and_a_fixed_one_takes_its_vertex_off() {
         .edit(Edit::AddHandles { vertices: vec![4, 80], fixed: false })
         .expect("the vertices are there");
     let [x, _, _] = mesh.positions[4];
-    session.drag([(4, [x + 0.3, -5.0, 2.0]), (80, [20.0, 20.0, 0.0])]).expect("they are near");
+    session.begin_drag();
+    drag(&mut session, [(4, [x + 0.3, -5.0, 2.0]), (80, [20.0, 20.0, 0.0])])
+        .expect("they are near");
     run_on_curve(&mut session, &mesh, 50, "soft");
     assert!(session.positions()[4][0] > x + 0.1, "it glides: {:?}", session.positions()[4]);
     session.edit(Edit::RemoveHandles { vertices: vec![4, 80] }).expect("they are there");
     session.edit(Edit::AddHandles { vertices: vec![4], fixed: true }).expect("it is there");
-    session.drag([(4, [x, -5.0, 2.0])]).expect("it is near");
+    session.begin_drag();
+    drag(&mut session, [(4, [x, -5.0, 2.0])]).expect("it is near");
     session.step().expect("positions stay finite");
     assert_eq!(session.positions()[4], [x, -5.0, 2.0], "a fixed handle says where it is");
     session.edit(Edit::RemoveHandles { vertices: vec![4] }).expect("it is there");

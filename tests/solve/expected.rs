@@ -1,6 +1,7 @@
 //! Agreement with an independent implementation (slow, direct, double precision): its energies over
 //! the iterations of the plain scheme are in `../shared/expected`. Reports their absence.
 
+use crate::support::drag;
 use serde_json::Value;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{HandleSpec, Hold, Scene};
@@ -89,7 +90,8 @@ fn flattened_and_held(scene: &mut Scene, mesh: &Mesh) {
 
 fn hold_first_where_it_is(session: &mut Session) {
     let first = session.positions()[0];
-    session.drag([(0, first)]).expect("the targets are near");
+    session.begin_drag();
+    drag(session, [(0, first)]).expect("the targets are near");
 }
 
 /// The lowest 22 vertices stay; the highest 22 are rotated by 90 degrees about the vertical axis

@@ -1,6 +1,7 @@
 //! The global step: both factorisations give the same shapes, and edits that reuse the factor or
 //! its ordering give the same result as opening the edited scene.
 
+use crate::support::drag;
 use crate::support::grid::grid;
 use crate::support::random::Random;
 use shape_up::mesh::{Mesh, Point};
@@ -153,7 +154,8 @@ fn handles_that_were_added_one_by_one_hold_in_the_long_run() {
         .iter()
         .map(|handle| (handle.vertex, [handle.target[0], handle.target[1], 0.3]))
         .collect();
-    session.drag(targets).expect("the targets are near");
+    session.begin_drag();
+    drag(&mut session, targets).expect("the targets are near");
     let mut anew = open(&session.scene(), 4);
     run(&mut session, 300);
     run(&mut anew, 300);

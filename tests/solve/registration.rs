@@ -101,6 +101,29 @@ fn a_file_is_fitted_to_in_one_step_that_is_undone_and_shared() {
 }
 
 #[test]
+fn a_second_file_in_another_unit_or_with_another_axis_is_refused() {
+    // A model in metres was pulled to a surface in millimetres, a thousand times too far.
+    let scene = scene(r#""rest""#).expect("it is valid");
+    let mut session = Session::open(scene, panels()).expect("it is regular");
+    session.edit(Edit::SetUnits { units: "m".to_owned() }).expect("nothing is locked");
+    for (stated, words) in [
+        ("# units: mm\n", "a.obj states the unit mm, expected that of the model, m"),
+        ("# up: y\n", "a.obj states the up axis y, expected that of the model, z"),
+    ] {
+        let mesh = panels();
+        let text = stated.to_owned() + &write_obj(&mesh, &mesh.positions);
+        let name = "a.obj".to_owned();
+        for edit in
+            [Edit::FitTo { name: name.clone(), text: text.clone() }, Edit::TakePose { name, text }]
+        {
+            assert_eq!(session.edit(edit).expect_err("it does not fit").to_string(), words);
+        }
+    }
+    let text = "# units: m\n# up: z\n".to_owned() + &write_obj(&wave(), &wave().positions);
+    session.edit(Edit::FitTo { name: "a.obj".to_owned(), text }).expect("it says the same");
+}
+
+#[test]
 fn a_file_that_was_not_read_is_named_and_other_words_are_refused() {
     let named = scene(r#"{ "mesh": { "file": "wave.obj" } }"#).expect("it is valid");
     let refused = Session::open(named, panels()).err().expect("nobody has read it").to_string();

@@ -29,8 +29,8 @@ type Lists = Partial<Record<'vertices' | 'faces', { length: number } | null>>;
 
 /** Whether an edit names vertices or faces by their indices. */
 function namesElements(edit: Edit) {
-  const [given] = Object.values(edit) as (Lists & { on?: Lists & { in?: Lists } })[];
-  return [given, given.on, given.on?.in].some(
+  const [given] = Object.values(edit) as (Lists & { on?: Lists; set?: Lists })[];
+  return [given, given.on, given.set].some(
     (lists) => lists?.vertices?.length || lists?.faces?.length,
   );
 }

@@ -5,7 +5,9 @@ use super::{Failure, input, output};
 use serde::Serialize;
 use shape_up::constraint::describe;
 use shape_up::scene::BoundaryCloseness;
-use shape_up::session::{EndWords, ExactReport, Report, Session, VerdictReport, tolerance_of};
+use shape_up::session::{
+    EndWords, ExactReport, Report, Session, UnusedCloseness, VerdictReport, tolerance_of,
+};
 use shape_up::solve::{Improved, Require};
 use shape_up::words;
 use std::fmt::Write;
@@ -79,6 +81,11 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         };
         remarks.push(format!("nothing is required: {none}; --panels adds some"));
     }
+    remarks.extend(
+        UnusedCloseness::of(session.document())
+            .filter(|unused| unused.settings.contains(&"boundary"))
+            .map(|unused| format!("the boundary is not held: {}", unused.why)),
+    );
     remarks.extend(misfits(&session));
     remarks.extend(session.unpaired_words());
     remarks.extend(session.collapse().map(|collapse| {

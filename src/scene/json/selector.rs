@@ -7,10 +7,10 @@ use crate::scene::error::forms_of_selectors;
 use serde::de::{Deserialize, Deserializer, Error, Unexpected};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// The keys of all forms; `In` is what may stand for the name of a set.
+/// The keys of all forms.
 #[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields, bound = "In: Deserialize<'de>")]
-struct SelectorFile<In> {
+#[serde(deny_unknown_fields)]
+struct SelectorFile {
     #[serde(default, deserialize_with = "present")]
     set: Option<String>,
     #[serde(default, deserialize_with = "indices::some")]
@@ -18,7 +18,7 @@ struct SelectorFile<In> {
     #[serde(default, deserialize_with = "present")]
     each: Option<Element>,
     #[serde(default, deserialize_with = "present")]
-    r#in: Option<In>,
+    r#in: Option<String>,
     #[serde(default, deserialize_with = "present")]
     radius: Option<u32>,
 }
@@ -31,19 +31,9 @@ impl<'de> Deserialize<'de> for Element {
 
 impl<'de> Deserialize<'de> for Selector {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Selector, D::Error> {
-        Selector::read(from, |name: String| name)
-    }
-}
-
-impl Selector {
-    /// Reads a selector in which `In` stands for the name of a set.
-    pub(crate) fn read<'de, D: Deserializer<'de>, In: Deserialize<'de>>(
-        from: D,
-        name: impl FnOnce(In) -> String,
-    ) -> Result<Selector, D::Error> {
         let forms = forms_of_selectors();
         match word_or(from, &forms)? {
-            Either::Object(file) => selector_of(file, name).map_err(D::Error::custom),
+            Either::Object(file) => selector_of(file).map_err(D::Error::custom),
             Either::Word(word) => {
                 let is_all = |element: &Element| element.word_for_all() == Some(&*word);
                 let element = Element::ALL.into_iter().find(is_all).ok_or_else(|| {
@@ -55,10 +45,7 @@ impl Selector {
     }
 }
 
-fn selector_of<In>(
-    file: SelectorFile<In>,
-    name: impl FnOnce(In) -> String,
-) -> Result<Selector, JsonError> {
+fn selector_of(file: SelectorFile) -> Result<Selector, JsonError> {
     let SelectorFile { set, vertices, each, r#in: within, radius } = file;
     let given = [
         ("set", set.is_some()),
@@ -89,30 +76,16 @@ fn selector_of<In>(
         let message = format!("found {radius}, expected a whole number from {least}");
         return Err(JsonError::new("radius", message));
     }
-    Ok(Selector::Each { element, within: within.map(name), radius })
+    Ok(Selector::Each { element, within, radius })
 }
 
 /// Writes the shortest form that reads back to the selector.
 impl Serialize for Selector {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
         match self {
-            Selector::Each { within, .. } => self.write(to, within.as_ref()),
-            Selector::Set(_) | Selector::Vertices(_) => self.write::<S, String>(to, None),
-        }
-    }
-}
-
-impl Selector {
-    /// Writes a selector, with `within` in place of the name of a set.
-    pub(crate) fn write<S: Serializer, In: Serialize>(
-        &self,
-        to: S,
-        within: Option<&In>,
-    ) -> Result<S::Ok, S::Error> {
-        match self {
             Selector::Set(name) => to.collect_map([("set", name)]),
             Selector::Vertices(vertices) => to.collect_map([("vertices", Indices(&**vertices))]),
-            Selector::Each { element, radius, .. } => {
+            Selector::Each { element, within, radius } => {
                 let is_default = *radius == element.least_radius();
                 let plain = within.is_none() && is_default;
                 if let Some(word) = element.word_for_all().filter(|_| plain) {

@@ -6,19 +6,17 @@ use super::edit_list::{Edit, NewConstraint, PanelStart};
 use super::locks::check_changes;
 use super::settings;
 use super::shapes::{
-    IterationState, back_to_rest, go_to_variant, keep_variant, remove_variant, renumber_variants,
-    reset, set_steps, show_step,
+    back_to_rest, go_to_variant, keep_variant, remove_variant, renumber_variants, reset, set_steps,
+    show_step,
 };
 use crate::constraint::{Kind, KindError, Set};
 use crate::mesh::{Read, read};
 use crate::scene::{
     BoundaryRequire, ChosenAttempt, ClosenessTo, ConstraintSpec, HANDLE_WEIGHT, Hold, PRESETS,
-    Pose, RowNumber, Scene, SceneError, Target, Variants, check_tolerance,
+    Pose, RowNumber, Scene, SceneError, Target, UnitsAndUp, Variants, check_tolerance,
 };
 use crate::session::report::{check_lesson, check_presentation, panel_row};
-use crate::session::state::{
-    Draft, asks_otherwise, choose_attempt, hold_boundary, leave_search, uses,
-};
+use crate::session::state::{Draft, asks_otherwise, uses};
 use crate::solve::{Handle, HandleIndex, Require};
 use crate::words;
 use serde_json::{Map, Value};
@@ -36,32 +34,29 @@ fn explicit_tolerance(document: &Scene, length: f64) -> Option<f64> {
 /// # Errors
 /// If it refers to a row, a vertex or a value that does not exist, or changes what the lesson locks;
 /// the draft may then contain a part of the edit.
-pub(crate) fn apply(
-    edit: Edit,
-    draft: &mut Draft<'_>,
-    state: &mut IterationState,
-) -> Result<String, SceneError> {
-    let handles = draft.shared_handles();
+pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneError> {
+    let handles = Rc::clone(&draft.handles);
+    // A press leaves the search before it, and chooses the settings of the next one.
+    let is_press = matches!(edit, Edit::MakePanels { .. });
     let name = match edit {
         Edit::AddConstraint(new) => add(new, draft),
         Edit::MakePanels { kind, within, from } => {
             if from != PanelStart::Now {
-                reset(draft, state);
+                reset(draft);
             }
             let require = within.map_or(Require::Soft, Require::Within);
-            let mesh = draft.mesh();
-            let info = draft.set(|document| document.request_panels(&kind, require, mesh))?;
             let document = &mut draft.document;
+            let info = document.request_panels(&kind, require, draft.mesh)?;
             let by =
                 |smoother, on_surface| ChosenAttempt { smoother, on_surface, ..Default::default() };
             match from {
-                PanelStart::Smoother => choose_attempt(document, by(PanelStart::SMOOTHER, false)),
-                PanelStart::Surface => choose_attempt(document, by(1.0, true)),
-                PanelStart::Boundary => hold_boundary(document, BoundaryRequire::Exact),
+                PanelStart::Smoother => document.choose_attempt(by(PanelStart::SMOOTHER, false)),
+                PanelStart::Surface => document.choose_attempt(by(1.0, true)),
+                PanelStart::Boundary => document.hold_boundary(BoundaryRequire::Exact),
                 PanelStart::Now | PanelStart::Original => {}
             }
             if let Some(length) = within {
-                draft.document.tolerance = explicit_tolerance(&draft.document, length);
+                document.tolerance = explicit_tolerance(document, length);
             }
             format!("Make panels {}", info.panels.unwrap_or(info.id))
         }
@@ -122,7 +117,7 @@ pub(crate) fn apply(
             }
             let words = format!("Save set {name}");
             draft.document.sets.insert(name, set);
-            draft.document.check_sets(draft.mesh())?;
+            draft.document.check_sets(draft.mesh)?;
             words
         }
         Edit::RemoveSet { name } => {
@@ -133,7 +128,7 @@ pub(crate) fn apply(
             format!("Remove set {name}")
         }
         Edit::Set { id, value } => {
-            let label = draft.set(|document| settings::set(document, &id, &value))?;
+            let label = settings::set(&mut draft.document, &id, &value)?;
             format!("Change setting: {label}")
         }
         Edit::HoldClose { vertices, weight } => {
@@ -147,42 +142,30 @@ pub(crate) fn apply(
             })
         }
         Edit::FitTo { name, text } => {
-            let read = read_text(&name, &text)?;
-            draft.set(|document| {
-                document.closeness.to = ClosenessTo::Target;
-                document.closeness.target = Some(Target::Mesh(read.mesh.into()));
-                // Without a weight nothing would be drawn to it.
-                if document.weights.close == 0.0 {
-                    document.weights.close = 1.0;
-                }
-                Ok(())
-            })?;
+            let read = read_second(&name, &text, &draft.document)?;
+            let document = &mut draft.document;
+            document.closeness.to = ClosenessTo::Target;
+            document.closeness.target = Some(Target::Mesh(read.mesh.into()));
+            // Without a weight nothing would be drawn to it.
+            if document.weights.close == 0.0 {
+                document.weights.close = 1.0;
+            }
             format!("Fit to {name}")
         }
         Edit::TakePose { name, text } => {
-            let pose = Pose::of(&name, read_text(&name, &text)?, draft.mesh())?;
-            draft.set(|document| {
-                document.pose = Some(pose);
-                Ok(())
-            })?;
+            let read = read_second(&name, &text, &draft.document)?;
+            draft.document.pose = Some(Pose::of(&name, read, draft.mesh)?);
             format!("Take the pose of {name}")
         }
         Edit::LeavePose => {
-            draft.set(|document| {
-                document.pose = None;
-                Ok(())
-            })?;
+            draft.document.pose = None;
             "Leave the other pose".to_owned()
         }
         Edit::HoldCloser => {
-            draft.set(|document| {
-                strengthen_closeness(document);
-                Ok(())
-            })?;
+            strengthen_closeness(&mut draft.document);
             // A shape without extent cannot recover, so go back to the start.
-            if let Some(start) = state.start.take() {
-                draft.put_positions(Rc::clone(start.positions()));
-                state.iteration = start.iteration();
+            if let Some((positions, iteration)) = draft.start.take() {
+                (draft.positions, draft.iteration) = (positions, Some(iteration));
             }
             "Hold near original positions".to_owned()
         }
@@ -191,19 +174,16 @@ pub(crate) fn apply(
                 let message = format!("found {weight}, expected a number above 0");
                 return Err(SceneError { path: "handles.weight".to_owned(), message });
             }
-            let mut handles = draft.handles().to_vec();
-            let places = HandleIndex::new(draft.positions().len(), &handles);
+            let mut handles = draft.handles.to_vec();
+            let places = HandleIndex::new(draft.positions.len(), &handles);
             for place in vertices.iter().filter_map(|&vertex| places.get(vertex)) {
                 handles[place].hold = Hold::Soft { weight };
             }
-            draft.put_handles(handles);
+            draft.handles = handles.into();
             format!("Weight of {}", words::count(vertices.len(), "handle", "handles"))
         }
         Edit::SetWeights(weights) => {
-            draft.set(|document| {
-                weights.put_into(&mut document.weights);
-                Ok(())
-            })?;
+            weights.put_into(&mut draft.document);
             "Change weights".to_owned()
         }
         Edit::Preset { id } => {
@@ -211,10 +191,7 @@ pub(crate) fn apply(
                 let message = format!("there is no preset `{id}`");
                 SceneError { path: "id".to_owned(), message }
             })?;
-            draft.set(|document| {
-                preset.set(document);
-                Ok(())
-            })?;
+            preset.set(&mut draft.document);
             format!("Use {}", preset.label)
         }
         Edit::SetUnits { units } => {
@@ -236,7 +213,7 @@ pub(crate) fn apply(
             draft.document.lesson = lesson;
             if unsolved {
                 draft.document.as_asked();
-                back_to_rest(Variants::default(), draft, state);
+                back_to_rest(Variants::default(), draft);
                 renumber_variants(draft, |_| None);
             }
             "Change lesson".to_owned()
@@ -252,7 +229,7 @@ pub(crate) fn apply(
             "Change build settings".to_owned()
         }
         Edit::SetSteps { steps } => set_steps(steps, draft)?,
-        Edit::ShowStep { index } => show_step(index, draft, state)?,
+        Edit::ShowStep { index } => show_step(index, draft)?,
         Edit::KeepVariant { start } => keep_variant(start, draft)?,
         Edit::GoToVariant { index } => go_to_variant(index, draft)?,
         Edit::RemoveVariant { index } => {
@@ -264,47 +241,51 @@ pub(crate) fn apply(
         }
         Edit::AddHandles { vertices, fixed } => {
             let hold = if fixed { Hold::Fixed } else { Hold::Soft { weight: HANDLE_WEIGHT } };
-            draft.put_handles(with_handles(&vertices, hold, draft)?);
+            draft.handles = with_handles(&vertices, hold, draft)?.into();
             match fixed {
                 true => format!("Fix {}", of_vertices(vertices.len())),
                 false => format!("Make {}", words::count(vertices.len(), "handle", "handles")),
             }
         }
         Edit::RemoveHandles { vertices } => {
-            let mut released = vec![false; draft.positions().len()];
+            let mut released = vec![false; draft.positions.len()];
             let known = vertices.iter().filter(|vertex| (**vertex as usize) < released.len());
             let known: Vec<usize> = known.map(|&vertex| vertex as usize).collect();
             known.into_iter().for_each(|vertex| released[vertex] = true);
-            let mut handles = draft.handles().to_vec();
+            let mut handles = draft.handles.to_vec();
             let before = handles.len();
             handles.retain(|handle| !released[handle.vertex as usize]);
             let removed = before - handles.len();
-            draft.put_handles(handles);
+            draft.handles = handles.into();
             format!("Remove {}", words::count(removed, "handle", "handles"))
         }
         Edit::Refine { .. } | Edit::Remesh(_) => {
             unreachable!("no draft makes another mesh")
         }
         Edit::Reset => {
-            reset(draft, state);
+            reset(draft);
             "Reset".to_owned()
         }
     };
-    let is_elsewhere = draft.document.attempt.from != draft.before().attempt.from;
-    if is_elsewhere || asks_otherwise(draft.before(), &draft.document) {
-        leave_search(&mut draft.document);
+    if !is_press {
+        let Draft { before, document, .. } = draft;
+        document.own_changes_since(before);
+        let is_elsewhere = document.attempt.from != before.attempt.from;
+        if is_elsewhere || asks_otherwise(before, document) {
+            document.leave_search();
+        }
     }
     check_changes(draft, &handles)?;
     // Renaming or removing a row can break these too; the saved scene could not be opened.
-    check_lesson(&draft.document, draft.mesh())?;
-    check_presentation(&draft.document, draft.mesh())?;
+    check_lesson(&draft.document, draft.mesh)?;
+    check_presentation(&draft.document, draft.mesh)?;
     Ok(name)
 }
 
 /// Refuses that a name stands for the group of the mesh no longer, or from now on: what is on it would
 /// be on other elements.
 fn check_name_of_group(name: &str, draft: &Draft<'_>) -> Result<(), SceneError> {
-    if !draft.mesh().has_group(name) {
+    if !draft.mesh.has_group(name) {
         return Ok(());
     }
     let message =
@@ -312,8 +293,9 @@ fn check_name_of_group(name: &str, draft: &Draft<'_>) -> Result<(), SceneError> 
     Err(SceneError { path: "sets".to_owned(), message })
 }
 
-/// Reads the text of a mesh file that an edit brings.
-fn read_text(name: &str, text: &str) -> Result<Read, SceneError> {
+/// Reads the text of a second mesh file, which has the coordinates of the model.
+fn read_second(name: &str, text: &str, document: &Scene) -> Result<Read, SceneError> {
+    UnitsAndUp::stated(text.as_bytes()).check_second(name, document)?;
     read(name, text.as_bytes())
         .map_err(|error| SceneError { path: String::new(), message: error.to_string() })
 }
@@ -325,7 +307,7 @@ fn add(new: NewConstraint, draft: &mut Draft<'_>) -> String {
     spec.number = RowNumber::default();
     let name = format!("Add {}", label_of(&spec));
     let target = ConstraintTarget { on: spec.on, set };
-    let (on, named) = target.named_in(&draft.document.sets, draft.mesh());
+    let (on, named) = target.named_in(&draft.document.sets, draft.mesh);
     spec.on = on;
     draft.document.sets.extend(named);
     draft.document.constraints.push(spec);
@@ -339,7 +321,7 @@ fn with_handles(
     hold: Hold,
     draft: &Draft<'_>,
 ) -> Result<Vec<Handle>, SceneError> {
-    let (mut handles, positions) = (draft.handles().to_vec(), draft.positions());
+    let (mut handles, positions) = (draft.handles.to_vec(), &draft.positions);
     let mut places = HandleIndex::new(positions.len(), &handles);
     for &vertex in vertices {
         let Some(&target) = positions.get(vertex as usize) else {

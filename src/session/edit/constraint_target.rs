@@ -1,28 +1,28 @@
-//! The target of a constraint: a selector, which may refer to a set without a name; its JSON form,
-//! and its shape on the mesh, which determines the usual kind.
+//! The target of a constraint: a selector, which may refer to a set without a name; and its shape on
+//! the mesh, which determines the usual kind.
 
 use crate::constraint::{Element, Selector, Set, Sets, TargetShape};
-use crate::json::{Either, word_or};
 use crate::math::marked;
 use crate::mesh::{Mesh, Ragged, Topology};
-use serde::de::{Deserialize, Deserializer};
-use serde::ser::{Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
-/// The target of a constraint: a selector, which may refer to a set without a name. As JSON it is a
-/// selector as in a scene file, in which `in` may also be a set, `{"faces": ...}` or
-/// `{"vertices": ...}`.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(
-    target_arch = "wasm32",
-    derive(tsify::Tsify),
-    tsify(
-        type = "string | { each: string; in?: string | { faces: number[] | string } | { vertices: number[] | string } } | { vertices: number[] | string }"
-    )
-)]
+/// The target of a constraint: a selector, as in a scene file, and the set without a name that it refers
+/// to, if it does.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct ConstraintTarget {
     /// The selector.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "string | { each: string; in?: string } | { vertices: number[] | string }")
+    )]
     pub on: Selector,
     /// The set that [`ConstraintTarget::UNNAMED`] stands for in the selector.
+    #[cfg_attr(
+        target_arch = "wasm32",
+        tsify(type = "{ vertices?: number[] | string; faces?: number[] | string } | null")
+    )]
     pub set: Option<Set>,
 }
 
@@ -48,39 +48,6 @@ impl ConstraintTarget {
         }
         let is_new = known.is_none();
         (on, is_new.then_some((name, set)))
-    }
-}
-
-/// The name of a set, or a set without a name.
-struct Within(Either<Set>);
-
-impl<'de> Deserialize<'de> for Within {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Within, D::Error> {
-        word_or(from, "the name of a set, or a set").map(Within)
-    }
-}
-
-impl<'de> Deserialize<'de> for ConstraintTarget {
-    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<ConstraintTarget, D::Error> {
-        let mut set = None;
-        let on = Selector::read(from, |Within(within)| match within {
-            Either::Word(name) => name,
-            Either::Object(unnamed) => {
-                set = Some(unnamed);
-                ConstraintTarget::UNNAMED.to_owned()
-            }
-        })?;
-        Ok(ConstraintTarget { on, set })
-    }
-}
-
-/// Writes a form that reads back to the target.
-impl Serialize for ConstraintTarget {
-    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        match &self.set {
-            Some(set) => self.on.write(to, Some(set)),
-            None => self.on.serialize(to),
-        }
     }
 }
 

@@ -1,12 +1,14 @@
 //! The edits of the document: each is one step of undo.
 
-use super::constraint_target::ConstraintTarget;
 use super::remeshing::Remeshing;
-use crate::constraint::Set;
+use crate::constraint::{Selector, Set};
 use crate::json::indices::{self, Indices};
 use crate::json::{JsonError, from_text, objects};
 use crate::mesh::{KEPT_TURN, Point, Scheme};
-use crate::scene::{ConstraintSpec, Lesson, RowNumber, SceneError, Slide, Up, Weights, kind_of};
+use crate::scene::{
+    AttemptSetting, ConstraintSpec, Lesson, RowNumber, Scene, SceneError, Slide, Up, Weights,
+    kind_of,
+};
 use crate::solve::Require;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value};
@@ -103,14 +105,15 @@ pub enum Edit {
     /// closer to their rest positions.
     HoldCloser,
     /// Keeps vertices close to the surface of a mesh file instead of the original, with a weight of 1 if
-    /// closeness has none.
+    /// closeness has none. A file that states another unit or up axis than the model has is refused.
     FitTo {
         /// The name of the file.
         name: String,
         /// Its text, OBJ or OFF.
         text: String,
     },
-    /// Uses another pose of the mesh, from a file, as the rest shape.
+    /// Uses another pose of the mesh, from a file, as the rest shape. A file is refused as for
+    /// [`Edit::FitTo`].
     TakePose {
         /// The name of the file.
         name: String,
@@ -244,14 +247,14 @@ fn list_or_none<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<u32>>, 
     Option::<Indices>::deserialize(from).map(|list| list.map(|Indices(list)| list))
 }
 
-/// A new row of constraints. As JSON it has the keys of a scene file, but its parameters in `params`
-/// and `on` as a [`ConstraintTarget`].
+/// A new row of constraints. As JSON it has the keys of a scene file, but its parameters in `params`,
+/// and in `set` the set that the empty name in `on` stands for.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(try_from = "ConstraintEntry")]
 pub struct NewConstraint {
     /// The row.
     pub spec: ConstraintSpec,
-    /// The set that [`ConstraintTarget::UNNAMED`] stands for in the selector.
+    /// The set that [`super::ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
 }
 
@@ -261,7 +264,11 @@ pub struct NewConstraint {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 struct ConstraintEntry {
     kind: String,
-    on: ConstraintTarget,
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "ConstraintTarget[\"on\"]"))]
+    on: Selector,
+    #[serde(default)]
+    #[cfg_attr(target_arch = "wasm32", tsify(optional, type = "ConstraintTarget[\"set\"]"))]
+    set: Option<Set>,
     weight: f64,
     #[serde(default)]
     #[cfg_attr(target_arch = "wasm32", tsify(type = "Record<string, ParamValue>"))]
@@ -272,7 +279,7 @@ impl TryFrom<ConstraintEntry> for NewConstraint {
     type Error = JsonError;
 
     fn try_from(entry: ConstraintEntry) -> Result<NewConstraint, JsonError> {
-        let ConstraintEntry { kind, on: ConstraintTarget { on, set }, weight, params } = entry;
+        let ConstraintEntry { kind, on, set, weight, params } = entry;
         let kind = kind_of(&kind, params)?;
         let (name, require, eased) = (String::new(), Require::Soft, None);
         let number = RowNumber::default();
@@ -295,9 +302,13 @@ pub struct SomeWeights {
 }
 
 impl SomeWeights {
-    /// Replaces these weights in `weights`.
-    pub(super) fn put_into(self, weights: &mut Weights) {
-        let Weights { shape, close, smooth } = weights;
+    /// Replaces these weights of `scene`. That of smoothness is then the user's, also where a search had
+    /// chosen this value.
+    pub(super) fn put_into(self, scene: &mut Scene) {
+        if self.smooth.is_some() {
+            scene.attempt.release(AttemptSetting::Smoothness);
+        }
+        let Weights { shape, close, smooth } = &mut scene.weights;
         for (new, weight) in [(self.shape, shape), (self.close, close), (self.smooth, smooth)] {
             *weight = new.unwrap_or(*weight);
         }

@@ -36,8 +36,8 @@ pub(super) fn check_changes(draft: &Draft<'_>, handles: &[Handle]) -> Result<(),
     if document.lesson.is_none() {
         return Ok(());
     }
-    let mut changed = locks_between(draft.before(), document);
-    if draft.handles() != handles {
+    let mut changed = locks_between(draft.before, document);
+    if *draft.handles != *handles {
         changed.push(Lock::Handles);
     }
     changed.into_iter().try_for_each(|part| check_lock(part, document))
@@ -70,8 +70,14 @@ fn locks_between(before: &Scene, now: &Scene) -> Vec<Lock> {
     // That a search has chosen settings is no change of the user, nor that they are left again.
     let mut asked = before.clone();
     asked.as_asked();
-    let own = |it: &Scene| (it.weights, it.closeness.to, it.closeness.boundary, it.smoothness);
-    add_if(![before, &asked].map(own).contains(&own(now)), Lock::Weights);
+    let settings: [fn(&Scene, &Scene) -> bool; 4] = [
+        |a, b| a.weights == b.weights,
+        |a, b| a.closeness.to == b.closeness.to,
+        |a, b| a.closeness.boundary == b.closeness.boundary,
+        |a, b| a.smoothness == b.smoothness,
+    ];
+    let is_kept = |same: &fn(&Scene, &Scene) -> bool| same(before, now) || same(&asked, now);
+    add_if(!settings.iter().all(is_kept), Lock::Weights);
     let [from, to] = [before, now].map(|it| (&it.closeness.target, &it.pose));
     add_if(from != to, Lock::Mesh);
     add_if((&before.units, before.up) != (&now.units, now.up), Lock::Mesh);

@@ -34,5 +34,4 @@ pub use offers::{ConstraintOffer, ConstraintOffers, OfferedKind, OfferedPlace, O
 pub(crate) use remeshing::offered;
 pub use remeshing::{OfferedOperation, Refinement, Remeshing, RemeshingPreview};
 pub(crate) use settings::is_of_solver;
-pub use settings::{SETTINGS, Setting, settings_of};
-pub(crate) use shapes::IterationState;
+pub use settings::{SETTINGS, Setting, UnusedCloseness, settings_of};

@@ -36,7 +36,8 @@ pub struct OfferedPlace {
     /// Its name on the page.
     pub label: String,
     /// The target of the constraint.
-    pub on: ConstraintTarget,
+    #[serde(flatten)]
+    pub target: ConstraintTarget,
     /// Whether kinds that act on any element are not offered there.
     #[serde(skip)]
     is_for_own_kinds: bool,
@@ -90,8 +91,10 @@ pub(crate) fn constraint_offers(
     rest: &RestMesh,
 ) -> Result<ConstraintOffers, SceneError> {
     let places = places(vertices, faces);
-    let sizes: Vec<Sizes> =
-        places.iter().map(|place| Sizes::of(&place.on, sets, rest)).collect::<Result<_, _>>()?;
+    let sizes: Vec<Sizes> = places
+        .iter()
+        .map(|place| Sizes::of(&place.target, sets, rest))
+        .collect::<Result<_, _>>()?;
     let mut kinds = Vec::new();
     let mut misfits = Vec::new();
     // The usual kind of the first place that has one.
@@ -143,7 +146,7 @@ fn places(vertices: Vec<u32>, faces: Vec<u32>) -> Vec<OfferedPlace> {
         places.push(OfferedPlace {
             id: "selection".to_owned(),
             label: "whole selection together".to_owned(),
-            on: ConstraintTarget { on: Selector::Vertices(vertices.into()), set: None },
+            target: ConstraintTarget { on: Selector::Vertices(vertices.into()), set: None },
             is_for_own_kinds: false,
         });
         places.extend(Element::ALL.map(|element| {
@@ -157,7 +160,7 @@ fn places(vertices: Vec<u32>, faces: Vec<u32>) -> Vec<OfferedPlace> {
                 } else {
                     format!("each {label}, within the selection")
                 },
-                on: ConstraintTarget { on, set: Some(set.clone()) },
+                target: ConstraintTarget { on, set: Some(set.clone()) },
                 is_for_own_kinds: !is_selected,
             }
         }));
@@ -165,7 +168,7 @@ fn places(vertices: Vec<u32>, faces: Vec<u32>) -> Vec<OfferedPlace> {
     places.extend(Element::ALL.map(|element| OfferedPlace {
         id: format!("each-{}", element.id()),
         label: format!("each {}", element.label()),
-        on: ConstraintTarget { on: each(element, None), set: None },
+        target: ConstraintTarget { on: each(element, None), set: None },
         is_for_own_kinds: false,
     }));
     places
@@ -175,7 +178,7 @@ impl OfferedPlace {
     /// Returns what adding a kind here makes; none if it is not meant for the type of element, or no
     /// element fits.
     fn offer(&self, info: &Info, sizes: &Sizes) -> Option<ConstraintOffer> {
-        if let Selector::Each { element, .. } = &self.on.on {
+        if let Selector::Each { element, .. } = &self.target.on {
             let acts_on_any = info.elements.is_empty() && !self.is_for_own_kinds;
             if !acts_on_any && !info.elements.contains(element) {
                 return None;

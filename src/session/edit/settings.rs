@@ -3,8 +3,8 @@
 
 use crate::constraint::{Form, Param};
 use crate::scene::{
-    Accelerator, BoundaryRequire, ClosenessTo, NamedEnum, Scene, SceneError, SmoothnessOf,
-    Weighting,
+    Accelerator, AttemptSetting, BoundaryRequire, ClosenessTo, NamedEnum, Scene, SceneError,
+    SmoothnessOf, Weighting,
 };
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -136,6 +136,36 @@ pub const SETTINGS: &[Setting] = &[
     },
 ];
 
+/// Why closeness keeps no vertex near the original.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct UnusedCloseness {
+    /// The reason, as a sentence.
+    pub why: &'static str,
+    /// The ids of the settings that have no effect for that reason.
+    pub settings: Vec<&'static str>,
+}
+
+impl UnusedCloseness {
+    /// Returns this for a scene; none if some vertices may be kept near the original. A boundary that is
+    /// held exactly on its curves needs no weight.
+    pub fn of(scene: &Scene) -> Option<UnusedCloseness> {
+        let boundary = scene.closeness.boundary.require;
+        let is_nowhere = scene.closeness.to == ClosenessTo::None;
+        if scene.weights.close == 0.0 {
+            let why = "The weight of Close is 0: nothing is kept near the original.";
+            let mut settings = if is_nowhere { Vec::new() } else { vec!["closeness"] };
+            if boundary == BoundaryRequire::Soft {
+                settings.extend(["boundary", "boundary-weight", "corners"]);
+            }
+            return Some(UnusedCloseness { why, settings });
+        }
+        let is_free = is_nowhere && boundary == BoundaryRequire::Off;
+        let why = "Stay near is none: nothing is kept near the original.";
+        is_free.then(|| UnusedCloseness { why, settings: Vec::new() })
+    }
+}
+
 /// Whether the setting `id` concerns the solver and not the problem.
 pub(crate) fn is_of_solver(id: &str) -> bool {
     SETTINGS.iter().any(|setting| setting.param.id == id && setting.group == SOLVER)
@@ -164,7 +194,8 @@ pub fn settings_of(scene: &Scene) -> Map<String, Value> {
     .collect()
 }
 
-/// Changes a setting of `scene`, and returns its label.
+/// Changes a setting of `scene`, and returns its label. It is then the user's, also where a search had
+/// chosen this value.
 ///
 /// # Errors
 /// If there is no such setting, or the value has none of its forms or is out of range.
@@ -182,8 +213,14 @@ pub(crate) fn set(scene: &mut Scene, id: &str, value: &Value) -> Result<&'static
             .ok_or_else(|| error(format!("found {value}, expected {}", param.range_in_words())))
     };
     match id {
-        "closeness" => scene.closeness.to = choice(id, value)?,
-        "boundary" => scene.closeness.boundary.require = choice(id, value)?,
+        "closeness" => {
+            scene.closeness.to = choice(id, value)?;
+            scene.attempt.release(AttemptSetting::Closeness);
+        }
+        "boundary" => {
+            scene.closeness.boundary.require = choice(id, value)?;
+            scene.attempt.release(AttemptSetting::Boundary);
+        }
         "boundary-weight" => scene.closeness.boundary.weight = number()?,
         "corners" => scene.closeness.boundary.corners = number()?,
         "smoothness" => scene.smoothness.of = choice(id, value)?,
@@ -272,6 +309,23 @@ mod tests {
             assert_eq!(now["corners"], json!(30.0));
         }
         assert_eq!(settings_of(&scene)["boundary-weight"], json!(4.0));
+    }
+
+    #[test]
+    fn settings_that_need_the_weight_of_closeness_say_so_without_it() {
+        // A boundary that was to stay nearly on its curve left it, and nothing said why.
+        let mut scene = scene();
+        let unused = |scene: &Scene| UnusedCloseness::of(scene).map(|unused| unused.settings);
+        assert_eq!(unused(&scene), Some(vec!["closeness"]));
+        scene.closeness.boundary.require = BoundaryRequire::Soft;
+        let all = vec!["closeness", "boundary", "boundary-weight", "corners"];
+        assert_eq!(unused(&scene), Some(all));
+        scene.weights.close = 1.0;
+        assert_eq!(unused(&scene), None);
+        scene.closeness.to = ClosenessTo::None;
+        assert_eq!(unused(&scene), None);
+        scene.closeness.boundary.require = BoundaryRequire::Off;
+        assert_eq!(unused(&scene), Some(Vec::new()));
     }
 
     #[test]

@@ -3,29 +3,20 @@
 
 use crate::mesh::Point;
 use crate::scene::{Hold, SceneError, Slide, Variant, Variants};
-use crate::session::run::Start;
 use crate::session::state::Draft;
 use std::rc::Rc;
 
-/// The position of a state in the sequence of iterations.
-pub(crate) struct IterationState {
-    /// Number of iterations up to the state.
-    pub(crate) iteration: u32,
-    /// The shape at which these iterations began, after the last edit.
-    pub(crate) start: Option<Rc<Start>>,
-}
-
 /// Goes back to the rest shape; the kept variants stay.
-pub(super) fn reset(draft: &mut Draft<'_>, state: &mut IterationState) {
+pub(super) fn reset(draft: &mut Draft<'_>) {
     let kept = draft.document.variants.kept.clone();
-    back_to_rest(Variants { kept, design: None }, draft, state);
+    back_to_rest(Variants { kept, design: None }, draft);
 }
 
 /// Goes back to the rest shape, with these variants.
-pub(super) fn back_to_rest(variants: Variants, draft: &mut Draft<'_>, state: &mut IterationState) {
-    draft.put_positions(draft.mesh().positions.as_slice().into());
+pub(super) fn back_to_rest(variants: Variants, draft: &mut Draft<'_>) {
+    draft.positions = draft.mesh.positions.as_slice().into();
     draft.document.variants = variants;
-    *state = IterationState { iteration: 0, start: None };
+    (draft.iteration, draft.start) = (Some(0), None);
 }
 
 /// Adds the current shape to the variants and makes it the design. Before the first variant, also
@@ -37,7 +28,7 @@ pub(super) fn keep_variant(
     start: Rc<[Point]>,
     draft: &mut Draft<'_>,
 ) -> Result<String, SceneError> {
-    let positions = draft.shared_positions();
+    let positions = Rc::clone(&draft.positions);
     let Variants { kept, design } = &mut draft.document.variants;
     if kept.is_empty() {
         kept.push(Variant { name: "Start".to_owned(), positions: start });
@@ -63,7 +54,7 @@ pub(super) fn keep_variant(
 pub(super) fn go_to_variant(index: usize, draft: &mut Draft<'_>) -> Result<String, SceneError> {
     let Variant { name, positions } = variant(index, draft)?.clone();
     draft.document.variants.design = Some(index);
-    draft.put_positions(positions);
+    draft.positions = positions;
     take_handles_along(draft);
     Ok(format!("Go to {name}"))
 }
@@ -94,13 +85,11 @@ fn variant<'a>(index: usize, draft: &'a Draft<'_>) -> Result<&'a Variant, SceneE
 
 /// Moves the soft handles to the shape; otherwise they would pull it back.
 fn take_handles_along(draft: &mut Draft<'_>) {
-    let mut handles = draft.handles().to_vec();
+    let mut handles = draft.handles.to_vec();
     for handle in handles.iter_mut().filter(|handle| handle.hold != Hold::Fixed) {
-        handle.target = draft.positions()[handle.vertex as usize];
+        handle.target = draft.positions[handle.vertex as usize];
     }
-    if *handles != *draft.handles() {
-        draft.put_handles(handles);
-    }
+    draft.handles = handles.into();
 }
 
 /// Replaces the steps.
@@ -117,11 +106,7 @@ pub(super) fn set_steps(steps: Vec<Slide>, draft: &mut Draft<'_>) -> Result<Stri
 ///
 /// # Errors
 /// If the step does not exist.
-pub(super) fn show_step(
-    index: usize,
-    draft: &mut Draft<'_>,
-    state: &mut IterationState,
-) -> Result<String, SceneError> {
+pub(super) fn show_step(index: usize, draft: &mut Draft<'_>) -> Result<String, SceneError> {
     let steps = &draft.document.steps;
     let step = steps.get(index).ok_or_else(|| SceneError {
         path: format!("steps[{index}]"),
@@ -130,16 +115,13 @@ pub(super) fn show_step(
     let words = format!("Show {}", step.title);
     let Slide { original, variant, weights, .. } = *step;
     if original {
-        reset(draft, state);
+        reset(draft);
     }
     if let Some(variant) = variant {
         go_to_variant(variant, draft)?;
     }
     if let Some(weights) = weights {
-        draft.set(|document| {
-            document.weights = weights;
-            Ok(())
-        })?;
+        draft.document.weights = weights;
     }
     Ok(words)
 }

@@ -137,20 +137,30 @@ impl Session {
         let hard = document.constraints.iter().zip(self.rows());
         let hard = hard.filter(|(row, _)| row.enabled && row.require.is_hard());
         let all: usize = hard.map(|(_, row)| row.constraints.members.len()).sum();
-        let (cannot, closest) = if report.too_large {
-            ("are not exact: the mesh, or one constraint, is too large for that", "")
-        } else if report.contradiction {
-            ("cannot be satisfied together", " This is the closest shape that was found.")
-        } else {
-            ("are not satisfied yet", "")
+        let places = |is_one: &dyn Fn(&ConstraintSpec) -> bool| -> Vec<String> {
+            let rows = rows().filter(|(_, row)| is_one(row));
+            rows.map(|(_, row)| format!("{} on {}", row.label(), describe(&row.on))).collect()
         };
-        let places: Vec<String> =
-            rows().map(|(_, row)| format!("{} on {}", row.label(), describe(&row.on))).collect();
+        let unmet = places(&|_| true);
+        // What has a tolerance is not too large for it.
+        let too_large = places(&|row| report.too_large && row.require == Require::Exact);
+        let why = "the mesh, or one constraint, is too large for that";
+        let (cannot, mut closest) = if !too_large.is_empty() && too_large.len() == unmet.len() {
+            (format!("are not exact: {why}"), String::new())
+        } else if report.contradiction {
+            let closest = " This is the closest shape that was found.".to_owned();
+            ("cannot be satisfied together".to_owned(), closest)
+        } else {
+            ("are not satisfied yet".to_owned(), String::new())
+        };
+        if !too_large.is_empty() && too_large.len() < unmet.len() {
+            closest = format!(" {} cannot be exact: {why}.", too_large.join(", "));
+        }
         let brief = format!(
             "{} of {} constraints {cannot}: {}.{closest}",
             words::group_digits(report.misses),
             words::group_digits(all),
-            places.join(", ")
+            unmet.join(", ")
         );
         // Those that are met may be farther off, within their own tolerances.
         let farthest = |row: Option<usize>| {
@@ -228,5 +238,53 @@ impl TrialWords {
             offered: "No better exact shape was found nearby.".to_owned(),
             away: String::new(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+    use crate::scene::Scene;
+
+    #[test]
+    fn only_what_has_to_be_exact_is_said_to_be_too_large_for_that() {
+        // Constraints within a tolerance were said not to be exact.
+        let rows = |first: &str, second: &str| {
+            format!(
+                r#"{{ "format": "shape-up-scene", "version": 1, "mesh": {{ "file": "m.obj" }},
+                    "weights": {{ "close": 1 }}, "constraints": [
+                    {{ "kind": "plane", "on": "faces", "require": {first} }},
+                    {{ "kind": "circle", "on": "faces", "require": {second} }}] }}"#
+            )
+        };
+        let mesh = Mesh {
+            positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.5], [0.0, 1.0, 0.0]],
+            faces: [[0, 1, 2, 3]].into_iter().collect(),
+            ..Mesh::default()
+        };
+        let brief = |first: &str, second: &str| {
+            let scene = Scene::from_json(&rows(first, second)).expect("it is a scene");
+            let session = Session::open(scene, mesh.clone()).expect("it fits");
+            let (unmet, misses) = (vec![0, 1], 2);
+            let report = ExactReport { unmet, misses, too_large: true, ..ExactReport::default() };
+            session.unmet_words(&report).brief
+        };
+        let within = r#"{ "within": 0.001 }"#;
+        let why = "the mesh, or one constraint, is too large for that";
+        assert_eq!(
+            brief("\"exact\"", "\"exact\""),
+            format!(
+                "2 of 2 constraints are not exact: {why}: Plane on each face, Circle on each face."
+            )
+        );
+        assert_eq!(
+            brief("\"exact\"", within),
+            format!(
+                "2 of 2 constraints are not satisfied yet: Plane on each face, Circle on each face. \
+                 Plane on each face cannot be exact: {why}."
+            )
+        );
+        assert!(!brief(within, within).contains(why));
     }
 }

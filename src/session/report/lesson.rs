@@ -181,7 +181,7 @@ pub struct LessonProgress {
 pub struct GoalProgress {
     /// Whether it is met.
     pub met: bool,
-    /// Whether it is met.
+    /// The same in words.
     pub words: &'static str,
     /// Its value.
     pub value: String,

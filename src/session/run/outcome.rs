@@ -146,7 +146,8 @@ impl Outcome {
         [&self.measure.folded[..], &self.missed].concat()
     }
 
-    /// Whether that is so, and the surface is still that design: neither rougher nor flatter.
+    /// Whether the requirements are met without a fold, and the surface is neither rougher nor flatter
+    /// than the original.
     pub(crate) fn keeps_design(&self) -> bool {
         self.is_whole() && self.measure.bend.change.is_none()
     }

@@ -132,18 +132,18 @@ struct Params<'a> {
 }
 
 impl Params<'_> {
-    fn declared(&self, id: &str) -> &Param {
-        let declared = self.operation.params.iter().find(|param| param.id == id);
-        declared.expect("an operation reads the parameters that it declares")
+    fn declared(&self, id: &str) -> Option<&Param> {
+        self.operation.params.iter().find(|param| param.id == id)
     }
 
+    /// The given value, or the default; null for a name, which has none.
     fn value(&self, id: &str) -> Value {
-        let usual = || json!(self.declared(id).default);
+        let usual = || self.declared(id).map_or(Value::Null, |param| json!(param.default));
         self.given.get(id).cloned().unwrap_or_else(usual)
     }
 
     fn number(&self, id: &str) -> Result<f64, SceneError> {
-        let param = self.declared(id);
+        let param = self.declared(id).expect("the numbers of an operation are declared");
         let value = self.value(id).as_f64();
         value
             .filter(|&value| param.allows(value))

@@ -5,12 +5,10 @@
 //! | `rest_mesh` | the rest mesh: as opened, or derived from the opened one |
 //! | `rows` | rows of constraints: selectors resolved, elements that do not fit counted |
 //! | `handles` | handles as listed in a scene, and as stored in the solver; the check of their targets |
-//! | `chosen_attempt` | what a search has changed of the settings of a document |
 //! | `comparison` | what differs between two documents |
 //! | `scene_state` | a state: document, handles, positions; the draft by which an edit makes the next one |
 //! | `solved_scene` | document, resolved rows and solver, kept in step |
 
-mod chosen_attempt;
 mod comparison;
 mod handles;
 mod rest_mesh;
@@ -18,7 +16,6 @@ mod rows;
 mod scene_state;
 mod solved_scene;
 
-pub(crate) use chosen_attempt::{choose_attempt, hold_boundary, leave_search};
 pub(crate) use comparison::{asks_otherwise, other_sets, same_problem, uses};
 pub use handles::check_targets;
 pub(crate) use handles::{flat, grouped};

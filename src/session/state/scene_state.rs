@@ -1,9 +1,8 @@
 //! A state of a solved scene, and the draft by which an edit makes the next one.
 
-use super::chosen_attempt::attempt_after;
 use crate::constraint::Selector;
 use crate::mesh::{Mesh, Point};
-use crate::scene::{Pose, Scene, SceneError, Slide, Target};
+use crate::scene::{Pose, Scene, Slide, Target};
 use crate::solve::Handle;
 use std::mem::size_of_val;
 use std::rc::Rc;
@@ -96,65 +95,19 @@ pub(crate) fn same_positions(a: &Rc<[Point]>, b: &Rc<[Point]>) -> bool {
 /// The document under edit, with its new handles and positions.
 pub(crate) struct Draft<'a> {
     /// The document before the edit.
-    pub(super) before: &'a Scene,
+    pub(crate) before: &'a Scene,
     /// The document as edited.
     pub(crate) document: Scene,
-    pub(super) mesh: &'a Mesh,
-    pub(super) handles: Rc<[Handle]>,
-    pub(super) positions: Rc<[Point]>,
-}
-
-impl<'a> Draft<'a> {
-    /// The document before the edit.
-    pub(crate) fn before(&self) -> &'a Scene {
-        self.before
-    }
-
     /// The rest shape.
-    pub(crate) fn mesh(&self) -> &'a Mesh {
-        self.mesh
-    }
-
-    pub(crate) fn handles(&self) -> &[Handle] {
-        &self.handles
-    }
-
-    pub(crate) fn shared_handles(&self) -> Rc<[Handle]> {
-        Rc::clone(&self.handles)
-    }
-
-    /// Positions, `#V by 3`.
-    pub(crate) fn positions(&self) -> &[Point] {
-        &self.positions
-    }
-
-    pub(crate) fn shared_positions(&self) -> Rc<[Point]> {
-        Rc::clone(&self.positions)
-    }
-
-    /// Changes settings, and maybe rows of constraints. What the user has changed of what a search has
-    /// chosen is not the search's any more.
-    ///
-    /// # Errors
-    /// Those of `set`.
-    pub(crate) fn set<T>(
-        &mut self,
-        set: impl FnOnce(&mut Scene) -> Result<T, SceneError>,
-    ) -> Result<T, SceneError> {
-        let before = self.document.clone();
-        let done = set(&mut self.document)?;
-        self.document.attempt = attempt_after(&before, &self.document);
-        Ok(done)
-    }
-
-    pub(crate) fn put_handles(&mut self, handles: Vec<Handle>) {
-        self.handles = handles.into();
-    }
-
-    /// Replaces the positions, `#V by 3`.
-    pub(crate) fn put_positions(&mut self, positions: Rc<[Point]>) {
-        self.positions = positions;
-    }
+    pub(crate) mesh: &'a Mesh,
+    pub(crate) handles: Rc<[Handle]>,
+    /// `#V by 3`.
+    pub(crate) positions: Rc<[Point]>,
+    /// The number of iterations up to the positions, if the edit has replaced these.
+    pub(crate) iteration: Option<u32>,
+    /// The positions at which iterating began and their number of iterations, if the shape has collapsed
+    /// since and the edit may go back to them.
+    pub(crate) start: Option<(Rc<[Point]>, u32)>,
 }
 
 #[cfg(test)]

@@ -221,8 +221,9 @@ impl SolvedScene {
     ) -> Result<(T, SceneState), SceneError> {
         let before = &*self.document;
         let SceneState { handles, positions, .. } = self.state();
-        let mut draft =
-            Draft { before, document: before.clone(), mesh: rest.mesh(), handles, positions };
+        let (document, mesh) = (before.clone(), rest.mesh());
+        let (iteration, start) = (None, None);
+        let mut draft = Draft { before, document, mesh, handles, positions, iteration, start };
         let done = propose(&mut draft)?;
         let Draft { document, handles, positions, .. } = draft;
         Ok((done, SceneState { document: self.shared(document), handles, positions }))

@@ -2,14 +2,13 @@
 //! changing it.
 
 use crate::mesh::Point;
-use crate::scene::{ConstraintSpec, Lock};
+use crate::scene::{AttemptStart, ConstraintSpec, Lock};
 use crate::session::Error;
 use crate::session::Session;
 use crate::session::edit::check_lock;
 use crate::session::report::{Exactness, TrialNumbers, TrialWords};
 use crate::session::requirements::Required;
 use crate::session::run::{ExactReport, Met};
-use crate::session::state::leave_search;
 use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -161,7 +160,9 @@ impl Session {
             for &row in &shape.rows {
                 document.constraints[row].require = Require::Exact;
             }
-            leave_search(document);
+            // The shape was found with the settings of its attempt, and goes on following handles with them.
+            document.attempt.from = AttemptStart::Soft;
+            document.constraints.iter_mut().for_each(|row| row.eased = None);
         }
         self.go_to_state(after)?;
         let name = if shape.rows.is_empty() { "Improve" } else { "Make exact" };

@@ -94,8 +94,8 @@ impl HardRows {
         let pose = pose.map(|pose| rows(pose, centre));
         let surface = || Rc::new(rest_surface(mesh, centre));
         let reference = Reference { surface: &surface, pose: pose.as_deref() };
-        let exact = |row| (row, None, Require::Exact);
-        let exact: Vec<HardRow<'_>> = constraints.iter().map(exact).collect();
+        let exact = |(index, row)| (row, Some(index), Require::Exact);
+        let exact: Vec<HardRow<'_>> = constraints.iter().enumerate().map(exact).collect();
         let own_nodes: Vec<u32> = (0..mesh.positions.len() as u32).collect();
         HardRows::new(&exact, &own_nodes, &rows(&mesh.positions, centre), &reference)
     }

@@ -5,7 +5,7 @@ use crate::constraint::describe;
 use crate::scene::{
     ClosenessTo, Hold, Lesson, Lock, PRESETS, Preset, PresetOffer, Slide, SmoothnessOf, Up,
 };
-use crate::session::{GoalWords, Session, goals_in_words, settings_of};
+use crate::session::{GoalWords, Session, UnusedCloseness, goals_in_words, settings_of};
 use crate::solve::Require;
 use crate::web::values::{Js, plain};
 use serde::Serialize;
@@ -34,6 +34,9 @@ pub struct Document<'a> {
     /// The value of each declared setting.
     #[tsify(type = "Record<string, ParamValue>")]
     settings: serde_json::Map<String, Value>,
+    /// Why closeness has no effect, and the settings that have none therefore.
+    #[serde(rename = "unusedCloseness")]
+    unused_closeness: Option<UnusedCloseness>,
     /// The id of the preset that has the same settings.
     preset: Option<&'static str>,
     presets: Vec<PresetOffer>,
@@ -193,6 +196,7 @@ impl<'a> Document<'a> {
             pose: scene.pose.is_some(),
             smoothness: scene.smoothness.of,
             settings: settings_of(scene),
+            unused_closeness: UnusedCloseness::of(scene),
             preset: Preset::of(scene).map(|preset| preset.id),
             presets: PRESETS
                 .iter()

@@ -247,6 +247,10 @@ test('the selection is held closer than the rest, and evenly again', async ({ pa
     await expect(
       page.getByRole('button', { name: `Closeness of the selection: ${which}` }),
     ).toBeDisabled();
+  // Nor did anything say that a boundary needs the weight to stay nearly on its curve.
+  const boundary = page.getByRole('combobox', { name: 'Boundary stays on its curve' });
+  await boundary.selectOption('nearly');
+  await expect(page.getByText('The weight of Close is 0')).toHaveCount(4);
 });
 
 test('a handle is moved by numbers, fixed, and weighted', async ({ page }) => {

@@ -13,7 +13,7 @@ const fixed: Edit = { addHandles: { vertices: [4], fixed: true } };
 
 test('an edit reaches the model whose mesh is refined meanwhile, unless it names elements', () => {
   // A weight that was typed while the mesh was refined was dropped without a word.
-  const faces = { each: 'face', in: { faces: [1] } };
+  const faces = { on: { each: 'face', in: '' }, set: { faces: [1] } };
   const remesh = { operation: 'dual', sizes: [] };
   for (const edit of [
     weights,
@@ -25,7 +25,7 @@ test('an edit reaches the model whose mesh is refined meanwhile, unless it names
     assert.equal(answer('edit', edit, 1, 3), undefined, JSON.stringify(edit));
   for (const edit of [
     fixed,
-    { addConstraint: { kind: 'plane', on: faces, weight: 1, params: {} } },
+    { addConstraint: { kind: 'plane', ...faces, weight: 1, params: {} } },
     { addConstraint: { kind: 'sphere', on: { vertices: '0-8' }, weight: 1, params: {} } },
     { nameSet: { name: 'rim', vertices: [], faces: [2] } },
     { remesh: { ...remesh, vertices: [], faces: [7] } },

@@ -111,7 +111,7 @@ function NewConstraint({ close }: { close: () => void }) {
     const added = await actions.edit(
       {
         addConstraint: {
-          ...{ kind: kind.id, params, on: place.on },
+          ...{ kind: kind.id, params, on: place.on, set: place.set },
           weight: entered ?? 1,
         },
       },

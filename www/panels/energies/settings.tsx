@@ -10,10 +10,7 @@ import { Button } from '../../ui/components/buttons.tsx';
 import { count } from '../../ui/words.ts';
 import { useRefusal } from '../../ui/kinds/parameter-refusal.ts';
 import { Parameters } from '../../ui/kinds/parameters.tsx';
-import type {
-  Document as SceneDocument,
-  Setting as SettingInfo,
-} from '../../pkg/engine/shape_up.js';
+import type { Setting as SettingInfo } from '../../pkg/engine/shape_up.js';
 
 export function Settings() {
   const { settings } = useApp().store.state;
@@ -50,6 +47,7 @@ function Setting({ setting }: { setting: SettingInfo }) {
   const { document } = store.state;
   const params = [setting];
   const { refusal, refuse, forget } = useRefusal(params);
+  const unused = document?.unusedCloseness;
   return (
     <div class="setting">
       <Parameters
@@ -62,7 +60,9 @@ function Setting({ setting }: { setting: SettingInfo }) {
           return actions.edit({ set: { id, value } }, refuse);
         }}
       />
-      <p class="quiet">{setting.summary}</p>
+      <p class="quiet">
+        {setting.summary} {unused?.settings.includes(setting.id) && unused.why}
+      </p>
     </div>
   );
 }
@@ -127,20 +127,13 @@ const HOLDS = [
   { label: 'Default', weight: 1, title: 'The same closeness as the others' },
 ];
 
-/** Why factors of closeness other than 0 change nothing; empty if they do. */
-function whyUnused({ weights, closeness, settings }: SceneDocument) {
-  if (weights.close === 0) return 'The weight of Close is 0: nothing is kept near the original.';
-  const isFree = closeness === 'none' && settings.boundary === 'off';
-  return isFree ? 'Stay near is none: nothing is kept near the original.' : '';
-}
-
 /** The closeness of the selected vertices relative to the others. */
 function OwnCloseness() {
   const { store, actions } = useApp();
   const { selection, document } = store.state;
   const none = sizeOfSelection(selection) === 0;
   const held = document?.reweightedVertices ?? 0;
-  const unused = document ? whyUnused(document) : '';
+  const unused = document?.unusedCloseness?.why;
   // A factor of 0 releases vertices from an exact boundary, and 1 puts them back.
   const releases = document?.settings.boundary === 'exact';
   const notes = [
@@ -167,7 +160,7 @@ function OwnCloseness() {
             key={one.label}
             title={one.title}
             aria-label={`Closeness of the selection: ${one.label.toLowerCase()}`}
-            disabled={none || (unused !== '' && !(releases && [0, 1].includes(one.weight)))}
+            disabled={none || (!!unused && !(releases && [0, 1].includes(one.weight)))}
             onClick={() => hold(one)}
           >
             {one.label}
