@@ -4,7 +4,7 @@
 use super::origins::{Combinations, Edited, Origins};
 use super::rebuild::regrouped;
 use crate::math::{Vec3, mean, twice_vector_area};
-use crate::mesh::{Mesh, Point, Ragged, Surface, Topology, orientation};
+use crate::mesh::{Mesh, Point, Ragged, Surface, Topology, Weld, components, orientation};
 use std::collections::HashMap;
 
 /// A new vertex whose weight on a corner is at most this does not depend on it.
@@ -15,12 +15,19 @@ const FACING: f64 = -0.5;
 
 impl Edited {
     /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
-    /// from [the same one](Mesh::same_faces), else from the old face at its centre that faces as those at
-    /// its corners do; sets and groups follow that. Curves stay, and so do vertices of no face and of faces
-    /// that are left as they are.
+    /// from [the same one](Mesh::same_faces), else from the old face at its centre that is connected to
+    /// those at its corners over edges and faces as they do; sets and groups follow that. Nothing else comes
+    /// from faces with a vertex whose position is not in the file. Curves stay, and so do vertices of no face
+    /// and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::of_ground(&mesh.positions, mesh);
-        let face_at = |point: Point| surface.closest_face(point).unwrap_or(0);
+        let is_placed = |face: &[u32]| !face.iter().any(|&v| mesh.is_unplaced(v));
+        let is_placed: Vec<bool> = mesh.faces.iter().map(is_placed).collect();
+        let face_at = |point: Point| {
+            let found =
+                surface.closest_face_of(point, f64::INFINITY, |old| is_placed[old as usize]);
+            found.unwrap_or(0)
+        };
         let same = cover.same_faces(mesh);
         let at_vertices: Vec<u32> = cover.positions.iter().map(|&point| face_at(point)).collect();
         let on_faces = cover.positions.iter().zip(&at_vertices);
@@ -67,15 +74,27 @@ impl Edited {
         let places: Vec<u32> = now.iter().map(|new| new.unwrap_or(u32::MAX)).collect();
         made.curves = mesh.curves.clone();
         made.curves.rename(&places);
-        let normals = normals(mesh);
-        // The centre of a panel is inside a curved shell, and can be nearer to its other wall.
+        // Panels are laid out on faces that are welded if they share no vertices.
+        let mut welded = mesh.clone();
+        Weld::apply(&mut welded);
+        let topology = Topology::new(&welded);
+        let part_of = components(welded.faces.len(), topology.edge_faces().iter());
+        let normals = normals(&welded, &topology);
+        // The centre of a panel is inside a curved shell, and can be nearer to its other wall, or to another
+        // layer.
         let at_centre = |face: &[u32]| {
             let corners = || face.iter().map(|&v| Vec3::from(cover.positions[v as usize]));
-            let facing = mean(face.iter().map(|&v| normals[at_vertices[v as usize] as usize]));
+            let olds = || face.iter().map(|&v| at_vertices[v as usize] as usize);
+            let facing = mean(olds().map(|old| normals[old]));
             let centre = mean(corners());
             let reach = corners().map(|corner| (corner - centre).length()).fold(0.0, f64::max);
-            let is_facing = |old: u32| normals[old as usize].dot(facing) >= FACING;
-            let found = surface.closest_face_of(centre.into(), reach, is_facing);
+            let is_own = |old: u32| {
+                let old = old as usize;
+                is_placed[old]
+                    && normals[old].dot(facing) >= FACING
+                    && olds().any(|other| part_of[other] == part_of[old])
+            };
+            let found = surface.closest_face_of(centre.into(), reach, is_own);
             found.unwrap_or_else(|| face_at(centre.into()))
         };
         let origin =
@@ -103,8 +122,8 @@ impl Mesh {
 }
 
 /// The normals of all faces, of length one, as if neighbours agreed; zero of faces without area.
-fn normals(mesh: &Mesh) -> Vec<Vec3<f64>> {
-    let (turned, _) = orientation(&mesh.faces, &Topology::new(mesh));
+fn normals(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
+    let (turned, _) = orientation(&mesh.faces, topology);
     let normal = |(face, turned): (&[u32], bool)| {
         let corners = face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]));
         let normal = twice_vector_area(corners).direction_or_zero();
@@ -235,9 +254,13 @@ mod tests {
         assert_eq!(groups, [[1]]);
     }
 
-    /// The centre of a panel on the outer wall is nearer to the inner one.
+    /// The centre of a panel on the outer wall is nearer to the inner one, or to another layer.
     #[test]
     fn a_panel_on_a_wall_of_a_shell_comes_from_that_wall() {
+        [true, false].into_iter().for_each(check_walls);
+    }
+
+    fn check_walls(inwards: bool) {
         let mut mesh = Mesh::default();
         let mut wall = |radius: f64, turned: bool| {
             let first = mesh.positions.len() as u32;
@@ -254,7 +277,7 @@ mod tests {
             }
         };
         wall(5.0, false);
-        wall(4.9, true);
+        wall(4.9, inwards);
         let corner = |[i, j]: [usize; 2], wall: usize| mesh.positions[121 * wall + 11 * j + i];
         let corners = [[2, 2], [8, 2], [8, 8], [2, 8]];
         let both = [0, 1].map(|wall| corners.map(|at| corner(at, wall)));
