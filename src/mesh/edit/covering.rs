@@ -9,6 +9,9 @@ use std::collections::HashMap;
 
 /// A new vertex whose weight on a corner is at most this does not depend on it.
 const NEGLIGIBLE: f64 = 1e-9;
+/// Nor does one that is no farther from the opposite side than its coordinates are rounded, in units of the
+/// last place: a vertex on a side was computed in a few steps, each of which rounds.
+const ROUNDED: f64 = 8.0;
 /// A face lies on no other one than those whose normals, of length one, have at least this inner product
 /// with the mean of those at its corners: not on the other wall of a shell.
 const FACING: f64 = -0.5;
@@ -149,7 +152,10 @@ fn weights(mesh: &Mesh, face: u32, point: Point) -> Vec<(u32, f64)> {
     let inside = |weights: &[(u32, f64); 3]| {
         weights.iter().map(|(_, weight)| *weight).fold(f64::INFINITY, f64::min)
     };
+    let coordinates = corners.iter().flat_map(|&v| mesh.positions[v as usize]);
+    let largest = coordinates.fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let mut best = [(first, 1.0), (first, 0.0), (first, 0.0)];
+    let mut heights = [f64::INFINITY; 3];
     let mut most = f64::NEG_INFINITY;
     for sides in corners[1..].windows(2) {
         let [b, c] = [sides[0], sides[1]];
@@ -164,10 +170,18 @@ fn weights(mesh: &Mesh, face: u32, point: Point) -> Vec<(u32, f64)> {
         if inside(&found) > most {
             most = inside(&found);
             best = found;
+            heights = [ac - ab, ac, ab].map(|opposite| normal.length() / opposite.length());
         }
     }
-    let kept: Vec<(u32, f64)> =
-        best.into_iter().filter(|(_, weight)| weight.abs() > NEGLIGIBLE).collect();
+    // Of a triangle as small as that, the nearest corner.
+    let greatest = best.iter().fold(0.0, |greatest: f64, (_, weight)| greatest.max(weight.abs()));
+    let depends = |((_, weight), height): &((u32, f64), f64)| {
+        let weight = weight.abs();
+        weight >= greatest
+            || (weight > NEGLIGIBLE && weight * height > ROUNDED * f64::EPSILON * largest)
+    };
+    let kept = best.into_iter().zip(heights).filter(depends);
+    let kept: Vec<(u32, f64)> = kept.map(|(term, _)| term).collect();
     match kept[..] {
         [(corner, _)] => vec![(corner, 1.0)],
         _ => kept,
@@ -252,6 +266,34 @@ mod tests {
         let edited = Edited::covering(&mesh, &quads);
         let groups: Vec<_> = edited.mesh.groups.iter().map(|group| &group.faces[..]).collect();
         assert_eq!(groups, [[1]]);
+    }
+
+    /// The vertices of a curved eave far from the origin were inside triangles.
+    #[test]
+    fn a_vertex_on_a_side_is_between_its_ends_at_coordinates_of_a_site() {
+        let eave = |k: u32| {
+            let x = 0.25 * f64::from(k);
+            [7.0e5 + x, 5.33e6 + 0.3 * x + 0.01 * x * x, 300.0 + 0.1 * x]
+        };
+        let mut mesh = Mesh::default();
+        for k in 0..100 {
+            let [x, y, z] = eave(k);
+            mesh.positions.extend([[x, y, z], [x - 0.06, y + 0.2, z + 0.05]]);
+        }
+        for k in 0..99 {
+            let v = 2 * k;
+            mesh.faces.push(&[v, v + 2, v + 3]);
+            mesh.faces.push(&[v, v + 3, v + 1]);
+        }
+        let on_eave = |k: u32| {
+            let [start, end] = [eave(k), eave(k + 1)].map(Vec3::from);
+            Point::from(start + (end - start) * (0.1 + 0.008 * f64::from(k)))
+        };
+        for k in 0..99 {
+            let point = on_eave(k);
+            let of: Vec<u32> = weights(&mesh, 2 * k, point).iter().map(|term| term.0).collect();
+            assert_eq!(of, [2 * k, 2 * k + 2]);
+        }
     }
 
     /// The centre of a panel on the outer wall is nearer to the inner one, or to another layer.
