@@ -38,6 +38,8 @@ pub struct InputParts {
     pub surfaces: Vec<InputSurface>,
     /// The others, in this order too; those of faces without area last.
     pub staying: Vec<StayingPart>,
+    /// The faces of no part, ascending, because where a corner is, is not in the file.
+    pub unplaced: Vec<u32>,
 }
 
 /// A part of the input that is not covered.
@@ -56,10 +58,12 @@ pub struct StayingPart {
 impl InputSurface {
     /// Returns the connected parts of the faces of a mesh, in the order of their first faces. Faces
     /// that share no vertices are welded first; triangles without area are removed, their faces still
-    /// belong to their part. The faces `stay` belong to no part.
+    /// belong to their part. The faces `stay` belong to no part, nor do those with a vertex whose position
+    /// is not in the file: these are not a surface.
     ///
     /// # Errors
-    /// [`RemeshError::Empty`] if there is nothing to remesh.
+    /// [`RemeshError::Empty`], [`RemeshError::AllStay`] or [`RemeshError::Unplaced`] if there is nothing
+    /// to remesh.
     pub fn parts(mesh: &Mesh, stay: &[u32]) -> Result<InputParts, RemeshError> {
         let mut welded = mesh.clone();
         let weld = Weld::apply(&mut welded);
@@ -75,11 +79,22 @@ impl InputSurface {
         let mut at_staying = vec![false; positions.len()];
         let staying = welded.faces.iter().zip(&stays).filter(|(_, stays)| **stays);
         staying.flat_map(|(face, _)| face).for_each(|&v| at_staying[v as usize] = true);
-        let (all, face_of) = triangulate(&positions, &welded, &stays);
+        let is_unplaced = |f: &u32| {
+            let face = mesh.faces.row(*f as usize);
+            !stays[*f as usize] && face.iter().any(|&v| mesh.is_unplaced(v))
+        };
+        let unplaced: Vec<u32> = (0..mesh.faces.len() as u32).filter(is_unplaced).collect();
+        let mut is_out = stays;
+        unplaced.iter().for_each(|&f| is_out[f as usize] = true);
+        let (all, face_of) = triangulate(&positions, &welded, &is_out);
         let mut triangles = all.clone();
         let given = remove_slivers(&positions, &mut triangles);
         if triangles.is_empty() {
-            return Err(RemeshError::Empty);
+            return Err(match stay {
+                _ if !unplaced.is_empty() => RemeshError::Unplaced,
+                [] => RemeshError::Empty,
+                _ => RemeshError::AllStay,
+            });
         }
         let (part_of, mut faults) = orient(&positions, &mut triangles);
         let mut members: Vec<(Vec<[usize; 3]>, Vec<u32>)> = vec![Default::default(); faults.len()];
@@ -107,7 +122,7 @@ impl InputSurface {
                 members[part].1.push(face_of[k]);
             }
         }
-        let mut found = InputParts::default();
+        let mut found = InputParts { unplaced, ..InputParts::default() };
         for ((own, mut faces), fault) in members.into_iter().zip(faults) {
             faces.sort_unstable();
             faces.dedup();
@@ -188,14 +203,14 @@ fn area(positions: &[Vec3<f64>], triangles: &[[usize; 3]]) -> f64 {
     triangles.iter().map(area).sum()
 }
 
-/// Returns the triangles of all faces but those that stay, and the face of each.
+/// Returns the triangles of all faces but those that are left out, and the face of each.
 fn triangulate(
     positions: &[Vec3<f64>],
     mesh: &Mesh,
-    stays: &[bool],
+    is_out: &[bool],
 ) -> (Vec<[usize; 3]>, Vec<u32>) {
     let mut found: Vec<([usize; 3], u32)> = Vec::new();
-    let others = (0..).zip(mesh.faces.iter()).zip(stays).filter(|(_, stays)| !**stays);
+    let others = (0..).zip(mesh.faces.iter()).zip(is_out).filter(|(_, is_out)| !**is_out);
     for ((f, face), _) in others {
         let mut face = face.to_vec();
         face.dedup();
