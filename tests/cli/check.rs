@@ -48,7 +48,7 @@ fn faces_that_do_not_share_vertices_are_welded_as_they_are_to_be_solved() {
     let vertices = [corners(0, 0), corners(1, 0), corners(0, 1), corners(1, 1)].concat();
     let faces = (0..4).map(|k| 4 * k + 1).map(|k| format!("f {k} {} {} {}\n", k + 1, k + 2, k + 3));
     folder.write("soup.obj", vertices + &faces.collect::<String>());
-    let note = "7 coincident vertices were welded, 9 remain";
+    let note = "7 coincident vertices were welded, and the mesh has 9";
     let text = folder.run(&["check", "soup.obj", "--report", "r.json"]).done();
     assert!(text.contains(note), "{text}");
     let report = folder.json("r.json");

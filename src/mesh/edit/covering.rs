@@ -18,8 +18,8 @@ const FACING: f64 = -0.5;
 
 impl Edited {
     /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
-    /// from [the same one](Mesh::same_faces), else from the old face at its centre that is connected to
-    /// those at its corners over edges and faces as they do; sets and groups follow that. Nothing else comes
+    /// from [the same one](Mesh::same_faces), else from the old face at its centre that is connected
+    /// over edges to those at its corners and faces the same way; sets and groups follow that. Nothing else comes
     /// from faces with a vertex whose position is not in the file. Curves stay, and so do vertices of no face
     /// and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
