@@ -46,7 +46,7 @@ struct Measured {
 impl Measured {
     fn new(input: &Mesh, staying: &[u32], unplaced: &[u32]) -> Measured {
         let mesh = without(input, &[staying, unplaced].concat());
-        let surface = Surface::of_ground(&mesh.positions, &mesh);
+        let surface = Surface::of_polygons(&mesh.positions, &mesh);
         Measured { staying: staying.to_vec(), mesh, surface }
     }
 }

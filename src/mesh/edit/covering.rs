@@ -23,7 +23,7 @@ impl Edited {
     /// from faces with a vertex whose position is not in the file. Curves stay, and so do vertices of no face
     /// and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
-        let surface = Surface::of_ground(&mesh.positions, mesh);
+        let surface = Surface::of_polygons(&mesh.positions, mesh);
         let is_placed = |face: &[u32]| !face.iter().any(|&v| mesh.is_unplaced(v));
         let is_placed: Vec<bool> = mesh.faces.iter().map(is_placed).collect();
         let face_at = |point: Point| {
@@ -328,7 +328,7 @@ mod tests {
             faces: [[0, 1, 2, 3], [4, 7, 6, 5]].iter().collect(),
             ..Mesh::default()
         };
-        let surface = Surface::of_ground(&mesh.positions, &mesh);
+        let surface = Surface::of_polygons(&mesh.positions, &mesh);
         let centre = [0, 1, 2].map(|axis| both[0].iter().map(|p| p[axis]).sum::<f64>() / 4.0);
         assert!(surface.closest_face(centre).is_some_and(|face| face >= 100));
         let edited = Edited::covering(&mesh, &cover);

@@ -24,7 +24,7 @@ pub(in crate::quads) struct Distances {
 impl Distances {
     /// Measures the distances both ways between two meshes, of which the input has this surface.
     pub(in crate::quads) fn between(result: &Mesh, input: &Mesh, surface: &Surface) -> Distances {
-        let of_result = Surface::of_ground(&result.positions, result);
+        let of_result = Surface::of_polygons(&result.positions, result);
         Distances {
             to_input: distances(&result.used_positions(), surface),
             from_input: distances(&input.used_positions(), &of_result),

@@ -107,7 +107,7 @@ impl PanelLayouts {
     }
 
     fn surface(&self) -> &Surface {
-        self.surface.get_or_init(|| Surface::of_ground(&self.shape.positions, &self.shape))
+        self.surface.get_or_init(|| Surface::of_polygons(&self.shape.positions, &self.shape))
     }
 
     /// The layout that moves less of those with the wished choices at the boundary.
