@@ -1,7 +1,7 @@
 //! A block with creases and corners: a gatehouse.
 
 use super::blocks::Blocks;
-use super::finish::{Noise, rounded};
+use crate::generate::finish::{Noise, rounded};
 use crate::math::{Vec3, cosine, sine, twice_vector_area};
 use crate::mesh::{Group, GroupKeyword, Mesh, Ragged, Topology};
 
