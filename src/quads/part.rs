@@ -171,19 +171,19 @@ impl Part {
 fn finish(
     mesh: &Mesh,
     prepared: &Prepared,
-    Extraction { mut nodes, cells, .. }: Extraction,
+    Extraction { mut nodes, faces }: Extraction,
     notes: &MapNotes,
     boundary: Boundary,
 ) -> (Part, Vec<bool>) {
     let is_boundary: Vec<bool> = nodes.iter().map(|node| node.boundary).collect();
     let is_trimmed =
         |face: &[usize]| boundary == Boundary::Cut && face.iter().any(|&node| is_boundary[node]);
-    let cells = match boundary {
-        Boundary::Followed => cells.faces,
-        Boundary::Cut => trim(&nodes, cells.faces, prepared.size),
+    let faces = match boundary {
+        Boundary::Followed => faces,
+        Boundary::Cut => trim(&nodes, faces, prepared.size),
     };
     let extracted = nodes.len();
-    let Repaired { mut faces, replaced } = repair(&mut nodes, cells, is_trimmed);
+    let Repaired { mut faces, replaced } = repair(&mut nodes, faces, is_trimmed);
     nodes[extracted..].iter_mut().for_each(|node| onto_boundary(&prepared.surface, node));
     glide(&prepared.surface, &mut nodes, &faces);
     let middle = |face: &[usize]| mean(face.iter().map(|&node| nodes[node].position));

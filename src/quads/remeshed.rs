@@ -70,7 +70,7 @@ pub(super) fn together(
     notes.extend(dropped(&parts));
     notes.extend(covered(&parts, least, units));
     let measures = tally.measures(
-        distances.largest(),
+        distances.largest,
         parts.iter().map(|part| part.shape.loops).sum(),
         parts.iter().map(|part| part.shape.euler).sum(),
     );
@@ -260,7 +260,7 @@ mod tests {
             notes: PrepareNotes::default(),
         };
         let parts = [part];
-        let distances = Distances { to_input: Vec::new(), from_input: Vec::new() };
+        let distances = Distances { from_input: Vec::new(), largest: Default::default() };
         let said = |least: f64| {
             let note = not_followed(&parts, &Mesh::default(), &distances, least, "m");
             note.expect("a place is lost").words

@@ -58,14 +58,10 @@ fn replace(panels: &mut Panels, nodes: &[Node], index: usize, replaced: &mut Vec
     let at = |node: usize| nodes[node].position;
     match quadrangulate(&face, at, |a, b| !panels.has_edge(a, b)) {
         Some(quads) => {
-            quads.into_iter().for_each(|quad| {
-                panels.add(quad.to_vec());
-            });
+            quads.into_iter().for_each(|quad| panels.add(quad.to_vec()));
             replaced.push(face);
         }
-        None => {
-            panels.add(face);
-        }
+        None => panels.add(face),
     }
 }
 
