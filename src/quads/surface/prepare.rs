@@ -49,7 +49,6 @@ impl Prepared {
         let chains = Chains::new(&surface.positions, &edges, &is_feature);
         chains.tangents(&edges, size, &mut tangents);
         let dropped = chains.too_close(size, is_crease);
-        drop(chains);
         for &e in &dropped {
             is_feature[e] = false;
             edges.sides[e].iter().for_each(|s| surface.feature[s.triangle][s.side] = false);
