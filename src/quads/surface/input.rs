@@ -1,11 +1,11 @@
 //! The surface as given: its connected parts as oriented triangles, with curvature. Independent of
 //! the size of panels.
 
-use super::edges::Edges;
+use super::edges::{Edges, corner_classes};
 use super::slivers::remove_slivers;
-use crate::math::{Vec3, argsort, ears_in_space, marked, mean};
+use crate::math::{Vec3, argsort, ears_in_space, key_of_pair, marked, mean};
 use crate::mesh::{Mesh, Topology, Weld, components, curvatures, orientation};
-use crate::quads::{RemeshError, Side};
+use crate::quads::RemeshError;
 use std::collections::BTreeMap;
 
 /// Fewer triangles have no curvature to speak of.
@@ -164,19 +164,15 @@ impl InputSurface {
         (original, at_staying): (&[u32], &[bool]),
     ) -> InputSurface {
         let neighbours = Edges::new(&triangles).neighbours();
-        let fans = fans(&triangles, &neighbours);
-        let order = argsort((0..3 * triangles.len()).map(|k| {
-            let (vertex, fan) = (triangles[k / 3][k % 3], fans[k]);
-            ((vertex as u64) << 32) | fan as u64
-        }));
+        let fans = corner_classes(&neighbours);
+        let fan = |k: usize| [triangles[k / 3][k % 3] as u32, fans[k / 3][k % 3]];
+        let order = argsort((0..3 * triangles.len()).map(|k| key_of_pair(fan(k))));
         let mut vertices: Vec<usize> = Vec::new();
         let mut last = None;
         let mut renumbered = triangles.clone();
         for k in order.into_iter().map(|k| k as usize) {
-            let vertex = triangles[k / 3][k % 3];
-            if last != Some((vertex, fans[k])) {
-                vertices.push(vertex);
-                last = Some((vertex, fans[k]));
+            if last.replace(fan(k)) != Some(fan(k)) {
+                vertices.push(triangles[k / 3][k % 3]);
             }
             renumbered[k / 3][k % 3] = vertices.len() - 1;
         }
@@ -253,31 +249,6 @@ fn orient(
         triangle.swap(1, 2);
     }
     (part_of, faults)
-}
-
-/// Numbers the fans of triangles around vertices: the same for corners of one vertex that are
-/// connected by triangles around it, `3 #T`.
-fn fans(triangles: &[[usize; 3]], neighbours: &[[Option<Side>; 3]]) -> Vec<usize> {
-    let mut fan: Vec<usize> = (0..3 * triangles.len()).collect();
-    for first in 0..fan.len() {
-        if fan[first] != first {
-            continue;
-        }
-        let mut queue = vec![first];
-        while let Some(corner) = queue.pop() {
-            let (t, k) = (corner / 3, corner % 3);
-            // Over the side that starts here and the one that ends here.
-            let ahead = neighbours[t][k].map(|next| 3 * next.triangle + (next.side + 1) % 3);
-            let behind = neighbours[t][(k + 2) % 3].map(|next| 3 * next.triangle + next.side);
-            for other in [ahead, behind].into_iter().flatten() {
-                if other > first && fan[other] != first {
-                    fan[other] = first;
-                    queue.push(other);
-                }
-            }
-        }
-    }
-    fan
 }
 
 /// The triangles as faces of a mesh.

@@ -22,7 +22,7 @@ mod refine;
 mod slivers;
 mod wedges;
 
-pub(super) use edges::Edges;
+pub(super) use edges::{Edges, corner_classes};
 pub(super) use input::Tensor;
 pub use input::{InputParts, InputSurface, StayingPart};
 pub use openings::Opening;
