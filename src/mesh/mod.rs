@@ -62,7 +62,7 @@ pub use io::{
 };
 pub(crate) use io::{decode, lines};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
-pub(crate) use measure::crease_normals;
+pub(crate) use measure::crease_edges;
 pub use measure::{
     Circularity, Histogram, MapErrors, Measures, Planarity, QuasiConformal, UnrolledStrip,
     angle_histogram, diagonal_ratio, folded_faces, gauss_curvature, mean_dihedral_angle,
