@@ -43,11 +43,11 @@ pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };
 pub(crate) use coincident::first_of_group;
-pub(crate) use curvature::form_on;
 pub use curvature::{
     Curvature, CurvatureField, CurvatureLine, CurvatureLines, Family, SurfacePoint, curvatures,
     face_curvatures,
 };
+pub(crate) use curvature::{Tensor, form_on};
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
 pub(crate) use edit::around;
 pub use edit::{

@@ -4,15 +4,12 @@
 use super::edges::{Edges, corner_classes};
 use super::slivers::remove_slivers;
 use crate::math::{Vec3, argsort, ears_in_space, key_of_pair, marked, mean};
-use crate::mesh::{Mesh, Topology, Weld, components, curvatures, orientation};
+use crate::mesh::{Mesh, Tensor, Topology, Weld, components, curvatures, orientation};
 use crate::quads::RemeshError;
 use std::collections::BTreeMap;
 
 /// Fewer triangles have no curvature to speak of.
 const FEWEST: usize = 10;
-
-/// A symmetric tensor in space: xx, yy, zz, xy, xz, yz.
-pub(crate) type Tensor = [f64; 6];
 
 /// A connected part of the input.
 #[derive(Clone, Debug, PartialEq)]

@@ -23,7 +23,6 @@ mod slivers;
 mod wedges;
 
 pub(super) use edges::{Edges, corner_classes};
-pub(super) use input::Tensor;
 pub use input::{InputParts, InputSurface, StayingPart};
 pub use openings::Opening;
 pub(super) use openings::SHORTEST_LOOP;

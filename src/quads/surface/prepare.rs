@@ -4,11 +4,12 @@
 use super::chains::Chains;
 use super::edges::Edges;
 use super::features;
-use super::input::{InputSurface, Tensor};
+use super::input::InputSurface;
 use super::openings::{Opening, SHORTEST_LOOP};
 use super::refine::{Line, Refined};
 use super::wedges::wedges;
 use crate::math::Vec3;
+use crate::mesh::Tensor;
 use crate::quads::options::MOST_PANELS;
 use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
 
