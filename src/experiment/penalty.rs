@@ -68,7 +68,7 @@ impl Measured {
         Measured {
             faces: mesh.faces.clone(),
             edges: topology.body_edges().collect(),
-            diameter: mesh.bounding_diameter(),
+            diameter: mesh.size(),
         }
     }
 
@@ -278,7 +278,7 @@ mod tests {
         };
         let at = &mesh.positions;
         let values = Measured::new(&mesh, &Topology::new(&mesh)).values(0.0, at);
-        let error = Measures::new(at, &mesh.faces, mesh.bounding_diameter()).circularity.e_c_mean;
+        let error = Measures::new(at, &mesh.faces, mesh.size()).circularity.e_c_mean;
         assert_eq!(values, [0.0, error, 1.0]);
     }
 }

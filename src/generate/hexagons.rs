@@ -1,7 +1,8 @@
 //! Polygons over a square: mostly hexagons, with pentagons and heptagons where the number of cells
 //! across changes. They are the dual of rows of triangles.
 
-use crate::mesh::{KEPT_TURN, Mesh, MeshOperation, Point, Ragged, Task, Topology};
+use super::finish::edited;
+use crate::mesh::{KEPT_TURN, Mesh, Point, Ragged};
 use std::ops::Range;
 
 /// The dual of rows of triangles over the square from -1 to 1 in `u` and `v`, mapped by `point`.
@@ -14,9 +15,9 @@ pub(super) fn hexagons(
 ) -> Mesh {
     let triangles = triangle_rows(rows, &across);
     let Mesh { positions, mut faces, .. } = edited(&triangles, "dual", &[KEPT_TURN], &[]);
-    // Links to changed examples, and results handed in, hold numbers of vertices of before the operation
-    // made the cells: the centres of the triangles, then those of the border as faces come to them. The
-    // operation begins with the corners of the square, which it keeps.
+    // Links and results refer to vertices by their numbers from before `dual` was used: the centres of the
+    // triangles, then those of the border as faces come to them. `dual` begins with the corners of the square,
+    // which it keeps.
     const CORNERS: u32 = 4;
     let centres = CORNERS..CORNERS + triangles.faces.len() as u32;
     let mut numbers = vec![u32::MAX; positions.len()];
@@ -81,15 +82,6 @@ fn stitch(positions: &[Point], below: Range<u32>, above: Range<u32>, faces: &mut
             high += 1;
         }
     }
-}
-
-/// The mesh after an operation on `faces`, which the generator knows to be possible. Some operations act
-/// on all faces if there are none, others are refused.
-pub(super) fn edited(mesh: &Mesh, operation: &str, sizes: &[f64], faces: &[u32]) -> Mesh {
-    let (rest, topology) = (&mesh.positions, &Topology::new(mesh));
-    let task = Task { mesh, rest, topology, up: [0.0, 0.0, 1.0], sizes, vertices: &[], faces };
-    let edited = MeshOperation::of(operation).and_then(|operation| operation.apply(&task));
-    edited.expect("the operation fits the mesh").mesh
 }
 
 #[cfg(test)]

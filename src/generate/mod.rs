@@ -11,10 +11,12 @@
 //! | `model` | the meshes of the examples |
 //! | `example` | the example scenes, and their files |
 //! | `quads` | rows of quads, and the limit of the number of faces |
+//! | `finish` | what generators do with a mesh in the end, and random numbers |
 //! | `hexagons` | hexagons and other polygons over a square |
 //! | `sides` | points in equal steps along a side, and the grid between four sides |
 
 pub mod example;
+mod finish;
 mod hexagons;
 mod kind;
 pub mod model;

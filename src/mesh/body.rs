@@ -13,11 +13,6 @@ impl Mesh {
         at_vertices(&self.positions, &[faces, curves, tets, untouched])
     }
 
-    /// The diameter of its bounding sphere, which is 1 in the scale of `e_p` and `e_c`.
-    pub fn bounding_diameter(&self) -> f64 {
-        BoundingSphere::of(&self.used_positions()).diameter()
-    }
-
     /// What the mesh is made of.
     pub(crate) fn body(&self) -> Body {
         if !self.faces.is_empty() {
@@ -42,8 +37,9 @@ impl Mesh {
         }
     }
 
-    /// The size of the mesh: the diameter of the smallest ball around its faces, in its unit. Curves
-    /// and tetrahedra count only without faces, lone vertices only in a point set.
+    /// The size of the mesh: the diameter of the smallest ball around its faces, in its unit, which is 1 in
+    /// the scale of `e_p` and `e_c`. Curves and tetrahedra count only without faces, lone vertices only in a
+    /// point set.
     pub fn size(&self) -> f64 {
         BoundingSphere::of(&self.body_of(&self.positions)).diameter()
     }

@@ -27,8 +27,7 @@ pub(crate) fn first_of_group(
     tolerance: f64,
 ) -> Vec<u32> {
     let mut first: Vec<u32> = (0..mesh.positions.len() as u32).collect();
-    let is_placed = |v: u32| mesh.unplaced.binary_search(&v).is_err();
-    let placed = first.iter().filter(|&&v| is_placed(v));
+    let placed = first.iter().filter(|&&v| !mesh.is_unplaced(v));
     let (vertices, groups): (Vec<u32>, Vec<u32>) =
         placed.filter_map(|&v| Some((v, group(v)?))).unzip();
     let positions: Vec<Point> = vertices.iter().map(|&v| mesh.positions[v as usize]).collect();

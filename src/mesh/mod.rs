@@ -43,11 +43,11 @@ pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
 };
 pub(crate) use coincident::first_of_group;
-pub(crate) use curvature::form_on;
 pub use curvature::{
     Curvature, CurvatureField, CurvatureLine, CurvatureLines, Family, SurfacePoint, curvatures,
     face_curvatures,
 };
+pub(crate) use curvature::{Tensor, form_on};
 pub use diagnostics::{ElementsWithProblem, diagnose, elements_with_problem};
 pub(crate) use edit::around;
 pub use edit::{
@@ -62,7 +62,7 @@ pub use io::{
 };
 pub(crate) use io::{decode, lines};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};
-pub(crate) use measure::crease_normals;
+pub(crate) use measure::crease_edges;
 pub use measure::{
     Circularity, Histogram, MapErrors, Measures, Planarity, QuasiConformal, UnrolledStrip,
     angle_histogram, diagonal_ratio, folded_faces, gauss_curvature, mean_dihedral_angle,

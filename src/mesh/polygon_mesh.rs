@@ -39,6 +39,11 @@ impl Mesh {
         self.faces.iter().chain(self.untouched.iter())
     }
 
+    /// Whether the position of a vertex is not in the file.
+    pub(crate) fn is_unplaced(&self, vertex: u32) -> bool {
+        self.unplaced.binary_search(&vertex).is_ok()
+    }
+
     /// Whether one of its groups has this name.
     pub(crate) fn has_group(&self, name: &str) -> bool {
         self.groups.iter().any(|group| group.name == name)

@@ -13,8 +13,8 @@ pub enum RemeshError {
     Empty,
     /// All faces with an area are to stay as they are.
     AllStay,
-    /// All faces with an area, but those that are to stay, have a vertex whose position is a guess.
-    Guesses,
+    /// All faces, but those that are to stay, have no area or a vertex whose position is not in the file.
+    Unplaced,
     /// The mesh has tetrahedra: with other faces they would have another surface.
     Tetrahedra,
     /// A part of the surface has too few triangles to have a curvature.
@@ -96,7 +96,7 @@ impl RemeshError {
             self,
             RemeshError::Empty
                 | RemeshError::AllStay
-                | RemeshError::Guesses
+                | RemeshError::Unplaced
                 | RemeshError::Tetrahedra
                 | RemeshError::SizeTooSmall { .. }
                 | RemeshError::Cancelled
@@ -115,7 +115,7 @@ impl RemeshError {
         match self {
             RemeshError::Empty => "there are no faces with an area".to_owned(),
             RemeshError::AllStay => "all faces with an area are to stay as they are".to_owned(),
-            RemeshError::Guesses => {
+            RemeshError::Unplaced => {
                 "every face to be covered has a vertex whose coordinates in the file are not numbers, so that its position is a guess"
                     .to_owned()
             }

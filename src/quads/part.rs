@@ -40,7 +40,7 @@ const NUMBERS: [f64; 2] = [0.96, 1.04];
 /// The most integers of a map for which other numbers are tried, and the most panels: of many panels
 /// the integers matter less.
 const MOST_INTEGERS: usize = 60;
-const MOST_PANELS: f64 = 3000.0;
+const MOST_PANELS_VARIED: f64 = 3000.0;
 /// The number of panels may differ by this factor from the wanted one for the sake of circles.
 const MOST_CHANGED: f64 = 1.08;
 
@@ -97,7 +97,7 @@ impl Asked<'_> {
             return Err(RemeshError::NotFollowed { fault: fault.expect("a map failed") });
         };
         let dropped = notes.dropped_creases;
-        let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS;
+        let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS_VARIED;
         if notes.level == 0 && notes.flipped.is_empty() && is_small {
             for (k, factor) in NUMBERS.into_iter().enumerate() {
                 let weights = [follow, direction, self.wanted * factor];
@@ -171,19 +171,19 @@ impl Part {
 fn finish(
     mesh: &Mesh,
     prepared: &Prepared,
-    Extraction { mut nodes, cells, .. }: Extraction,
+    Extraction { mut nodes, faces }: Extraction,
     notes: &MapNotes,
     boundary: Boundary,
 ) -> (Part, Vec<bool>) {
     let is_boundary: Vec<bool> = nodes.iter().map(|node| node.boundary).collect();
     let is_trimmed =
         |face: &[usize]| boundary == Boundary::Cut && face.iter().any(|&node| is_boundary[node]);
-    let cells = match boundary {
-        Boundary::Followed => cells.faces,
-        Boundary::Cut => trim(&nodes, cells.faces, prepared.size),
+    let faces = match boundary {
+        Boundary::Followed => faces,
+        Boundary::Cut => trim(&nodes, faces, prepared.size),
     };
     let extracted = nodes.len();
-    let Repaired { mut faces, replaced } = repair(&mut nodes, cells, is_trimmed);
+    let Repaired { mut faces, replaced } = repair(&mut nodes, faces, is_trimmed);
     nodes[extracted..].iter_mut().for_each(|node| onto_boundary(&prepared.surface, node));
     glide(&prepared.surface, &mut nodes, &faces);
     let middle = |face: &[usize]| mean(face.iter().map(|&node| nodes[node].position));

@@ -4,7 +4,7 @@
 use super::map::GridMapper;
 use super::options::MOST_PANELS;
 use super::part::Asked;
-use super::remeshed::{notes_on, together, without};
+use super::remeshed::{left_out, notes_on, together, without};
 use super::surface::{InputParts, InputSurface, SHORTEST_LOOP, StayingPart};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
 use crate::mesh::{Mesh, Surface};
@@ -17,8 +17,8 @@ const LONGER_LOOP: f64 = 4.0;
 /// If parts with more than this fraction of the area cannot be covered, nothing is.
 const MOST_LEFT: f64 = 0.5;
 
-/// A surface to be covered, with what other settings can use again: its curvature, and while size,
-/// creases stay the same, for each choice at the boundary the prepared surface with its fields and maps.
+/// A surface to be covered, with what other settings can use again: its curvature, and while size
+/// and creases stay the same, for each choice at the boundary the prepared surface with its fields and maps.
 pub struct Remesher {
     mesh: Mesh,
     surfaces: Vec<InputSurface>,
@@ -28,13 +28,15 @@ pub struct Remesher {
     staying_parts: Vec<StayingPart>,
     /// Faces that are to stay.
     stay: Vec<u32>,
+    /// Faces that are left out.
+    unplaced: Vec<u32>,
     /// The last of each choice at the boundary: both are asked for in turn.
     kept: Vec<Kept>,
     /// What the last result was measured against.
     measured: Option<Measured>,
 }
 
-/// The input without the faces that stay.
+/// The input without the faces that stay or are left out.
 struct Measured {
     staying: Vec<u32>,
     mesh: Mesh,
@@ -42,9 +44,9 @@ struct Measured {
 }
 
 impl Measured {
-    fn new(input: &Mesh, staying: &[u32]) -> Measured {
-        let mesh = without(input, staying);
-        let surface = Surface::of_ground(&mesh.positions, &mesh);
+    fn new(input: &Mesh, staying: &[u32], unplaced: &[u32]) -> Measured {
+        let mesh = without(input, &[staying, unplaced].concat());
+        let surface = Surface::of_polygons(&mesh.positions, &mesh);
         Measured { staying: staying.to_vec(), mesh, surface }
     }
 }
@@ -68,8 +70,8 @@ impl Remesher {
         Remesher::beside(mesh, &[])
     }
 
-    /// The same without some faces, which are to stay as they are, as do those with a vertex whose
-    /// position is a guess. Panels beside them share no vertices with them.
+    /// The same without some faces, which are to stay as they are. Panels beside them share no vertices
+    /// with them. Other faces with a vertex whose position is not in the file are left out.
     ///
     /// # Errors
     /// If no part of the other faces is a surface, or if the mesh has tetrahedra.
@@ -77,29 +79,21 @@ impl Remesher {
         if !mesh.tets.is_empty() {
             return Err(RemeshError::Tetrahedra);
         }
-        let is_guess = |v: &u32| mesh.unplaced.binary_search(v).is_ok();
-        let guesses = (0..).zip(mesh.faces.iter()).filter(|(_, face)| face.iter().any(is_guess));
-        let mut asked = stay.to_vec();
-        asked.sort_unstable();
-        asked.dedup();
-        let mut stay: Vec<u32> = asked.iter().copied().chain(guesses.map(|(f, _)| f)).collect();
+        let mut stay = stay.to_vec();
         stay.sort_unstable();
         stay.dedup();
-        let parts = InputSurface::parts(mesh, &stay).map_err(|error| match error {
-            RemeshError::Empty if stay.len() > asked.len() => RemeshError::Guesses,
-            RemeshError::Empty if !asked.is_empty() => RemeshError::AllStay,
-            error => error,
-        });
-        let InputParts { surfaces, staying: staying_parts } = parts?;
+        let parts = InputSurface::parts(mesh, &stay)?;
+        let InputParts { surfaces, staying: staying_parts, unplaced } = parts;
         if surfaces.is_empty() {
             let largest = staying_parts.into_iter().max_by(|a, b| a.area.total_cmp(&b.area));
             return Err(largest.map_or(RemeshError::Empty, |part| part.error));
         }
         let area = surfaces.iter().map(InputSurface::area).sum();
         // Curves are not covered.
-        let (positions, faces) = (mesh.positions.clone(), mesh.faces.clone());
-        let mesh = Mesh { positions, faces, ..Mesh::default() };
-        Ok(Remesher { mesh, surfaces, area, staying_parts, stay, kept: Vec::new(), measured: None })
+        let Mesh { positions, faces, unplaced: guesses, .. } = mesh.clone();
+        let mesh = Mesh { positions, faces, unplaced: guesses, ..Mesh::default() };
+        let (kept, measured) = (Vec::new(), None);
+        Ok(Remesher { mesh, surfaces, area, staying_parts, stay, unplaced, kept, measured })
     }
 
     /// Covers the surface; see [`remesh`]. The result does not depend on what was asked before.
@@ -187,12 +181,13 @@ impl Remesher {
             all.filter(|&face| !std::mem::replace(&mut stays[face as usize], true)).collect();
         let cuts = options.boundary == Boundary::Cut;
         let last = self.measured.take().filter(|measured| measured.staying == staying);
-        let measured = last.unwrap_or_else(|| Measured::new(mesh, &staying));
+        let measured = last.unwrap_or_else(|| Measured::new(mesh, &staying, &self.unplaced));
         let input = (&measured.mesh, &measured.surface);
         let mut found = together(input, parts, cuts, SUGGESTED * least, units);
         self.measured = Some(measured);
         found.append(mesh, &staying);
         found.notes.extend(notes_on(&staying_parts, units));
+        found.notes.extend(left_out(mesh, &self.unplaced, size));
         self.kept.push(kept);
         Ok(found)
     }

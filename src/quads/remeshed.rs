@@ -5,7 +5,7 @@ use super::options::MOST_PANELS;
 use super::part::Part;
 use super::result::{Distances, RemeshMeasures, Tally, places, places_near};
 use super::surface::{Opening, StayingPart};
-use crate::math::{Vec3, marked};
+use crate::math::{Vec3, marked, mean};
 use crate::mesh::{Mesh, Point, Surface};
 use crate::words;
 
@@ -70,7 +70,7 @@ pub(super) fn together(
     notes.extend(dropped(&parts));
     notes.extend(covered(&parts, least, units));
     let measures = tally.measures(
-        distances.largest(),
+        distances.largest,
         parts.iter().map(|part| part.shape.loops).sum(),
         parts.iter().map(|part| part.shape.euler).sum(),
     );
@@ -133,6 +133,23 @@ pub(super) fn notes_on(staying: &[StayingPart], units: &str) -> Vec<RemeshNote> 
         RemeshNote { words: format!("{parts} {stay}{why}"), places }
     };
     notes.into_iter().map(note).collect()
+}
+
+/// Says how many faces are left out because a corner has no position, and where: at the means of their
+/// other corners.
+pub(super) fn left_out(input: &Mesh, faces: &[u32], size: f64) -> Option<RemeshNote> {
+    let is_placed = |v: &&u32| !input.is_unplaced(**v);
+    let at = |v: &u32| Vec3::from(input.positions[*v as usize]);
+    let corners = faces.iter().map(|&face| input.faces.row(face as usize).iter().filter(is_placed));
+    let placed = corners.filter(|corners| corners.clone().count() > 0);
+    let middles: Vec<Vec3<f64>> = placed.map(|corners| mean(corners.map(at))).collect();
+    let has = match faces.len() {
+        0 => return None,
+        1 => "1 face is left out, since it has".to_owned(),
+        count => format!("{} faces are left out, since they have", words::group_digits(count)),
+    };
+    let words = format!("{has} a vertex with a coordinate in the file that is not a number");
+    Some(RemeshNote { words, places: places(&middles, NEAR * size) })
 }
 
 /// Names the places that the panels cannot follow, and the size of panels that would, unless it is below
@@ -243,7 +260,7 @@ mod tests {
             notes: PrepareNotes::default(),
         };
         let parts = [part];
-        let distances = Distances { to_input: Vec::new(), from_input: Vec::new() };
+        let distances = Distances { from_input: Vec::new(), largest: Default::default() };
         let said = |least: f64| {
             let note = not_followed(&parts, &Mesh::default(), &distances, least, "m");
             note.expect("a place is lost").words

@@ -55,7 +55,7 @@ impl MeasureCache {
         let Measured { measures, recent, .. } = &mut *measured;
         let measure = || {
             let mesh = rest.mesh();
-            let diameter = mesh.bounding_diameter();
+            let diameter = mesh.size();
             let new = Rc::new(Measures::new(scene.positions(), &mesh.faces, diameter));
             *recent = Some((Rc::clone(&new), clock::now()));
             new

@@ -38,6 +38,21 @@ fn how_far_a_mesh_will_move_for_panels_of_one_shape_is_said() {
     assert!(folder.json("report.json").get("forecast").is_none());
 }
 
+/// They were relative to a ball around the lines too.
+#[test]
+fn errors_of_panels_do_not_depend_on_lines_beside_them() {
+    let folder = Folder::new("site-outline");
+    let count = ROOF.lines().filter(|line| line.starts_with("v ")).count();
+    let site = format!("v -900 0 0\nv 900 0 0\nl {} {}\n", count + 1, count + 2);
+    folder.write("roof.obj", ROOF).write("site.obj", format!("{ROOF}\n{site}"));
+    let errors = |name: &str| {
+        folder.run(&["check", name, "--report", "report.json"]).done();
+        let report = folder.json("report.json");
+        ["planarity", "circularity"].map(|kind| report[kind].clone())
+    };
+    assert_eq!(errors("site.obj"), errors("roof.obj"));
+}
+
 #[test]
 fn faces_that_do_not_share_vertices_are_welded_as_they_are_to_be_solved() {
     let folder = Folder::new("soup");
@@ -48,7 +63,7 @@ fn faces_that_do_not_share_vertices_are_welded_as_they_are_to_be_solved() {
     let vertices = [corners(0, 0), corners(1, 0), corners(0, 1), corners(1, 1)].concat();
     let faces = (0..4).map(|k| 4 * k + 1).map(|k| format!("f {k} {} {} {}\n", k + 1, k + 2, k + 3));
     folder.write("soup.obj", vertices + &faces.collect::<String>());
-    let note = "7 coincident vertices were welded, 9 remain";
+    let note = "7 coincident vertices were welded, and the mesh has 9";
     let text = folder.run(&["check", "soup.obj", "--report", "r.json"]).done();
     assert!(text.contains(note), "{text}");
     let report = folder.json("r.json");

@@ -300,5 +300,5 @@ fn solids_that_are_not_read_are_noted() {
                 Hexahedra\n1\n1 2 3 4 1 2 3 4 0\nTriangles 1\n1 2 3 0\nEnd\n";
     let read = ok("a.mesh", text);
     assert_eq!(read.mesh.faces.len(), 1);
-    assert_eq!(read.notes, ["1 Hexahedra ignored: solids are read as tetrahedra"]);
+    assert_eq!(read.notes, ["Hexahedra ignored: 1, since the only solids read are tetrahedra"]);
 }

@@ -277,7 +277,7 @@ fn a_mesh_that_cannot_be_subdivided_is_refused_with_the_reason() {
     }
     let large = grid(40, 40, |i, j| [f64::from(i), f64::from(j), 0.0]);
     let most = refused(&large, subdivision(Scheme::Linear, 6));
-    assert!(matches!(most, Some(SubdivideError::TooMany(6_558_721))), "{most:?}");
+    assert!(matches!(most, Some(SubdivideError::TooMany)), "{most:?}");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::surfaces::{parametric, torus, tube, vault};
 use super::{check, panels, with};
 use crate::support::shared;
 use shape_up::math::{Vec3, cosine, sine};
-use shape_up::mesh::{Mesh, Point, Ragged, Surface, Topology};
+use shape_up::mesh::{Edited, Mesh, Point, Ragged, Surface, Topology};
 use shape_up::quads::{
     InputSurface, MapOptions, PanelSize, RemeshError, RemeshNote, RemeshStage, Remesher, remesh,
 };
@@ -293,7 +293,37 @@ fn where_no_face_is_to_be_covered_the_reason_is_said() {
     assert_eq!(refused(&mesh, &all), RemeshError::AllStay);
     // Nothing was asked to stay, but no position is known.
     mesh.unplaced = (0..mesh.positions.len() as u32).collect();
-    assert_eq!(refused(&mesh, &[]), RemeshError::Guesses);
+    assert_eq!(refused(&mesh, &[]), RemeshError::Unplaced);
+}
+
+/// The opening around them was refused, as if they had been asked to stay.
+#[test]
+fn faces_at_a_vertex_without_a_position_are_left_out_and_said() {
+    let mut mesh = roof();
+    let at = mesh.positions[220];
+    mesh.positions[220] = [at[0], at[1], at[2] - 40.0];
+    mesh.unplaced = vec![220];
+    let stay: Vec<u32> = (0..)
+        .zip(mesh.faces.iter())
+        .filter(|(_, face)| face.contains(&220))
+        .map(|(f, _)| f)
+        .collect();
+    let found = with(&mesh, MapOptions::of_size(PanelSize::Length(4.5))).unwrap();
+    assert_eq!((found.staying, found.measures.loops), (0, 1));
+    let note = found.notes.iter().find(|note| note.words.contains("not a number")).unwrap();
+    let said = format!("{} faces are left out, since they have a vertex", stay.len());
+    assert!(note.words.starts_with(&said), "{}", note.words);
+    assert!((note.places[0] - Vec3::from(at)).length() < 1.0, "{:?}", note.places);
+    // Asked to stay, they do.
+    let mut remesher = Remesher::beside(&mesh, &stay).unwrap();
+    let options = MapOptions::of_size(PanelSize::Length(2.0));
+    let beside = remesher.remesh(&options, "m", &mut |_, _| true).unwrap();
+    assert_eq!((beside.staying, beside.notes.len()), (stay.len(), 0), "{:?}", beside.notes);
+    // No panel comes from them.
+    let Edited { mesh: mut made, origins } = Edited::covering(&mesh, &found.mesh);
+    origins.carry(&mesh, &mut made);
+    assert!(made.unplaced.is_empty());
+    assert!(origins.faces.indices().iter().all(|face| !stay.contains(face)));
 }
 
 #[test]

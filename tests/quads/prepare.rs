@@ -14,7 +14,7 @@ fn options() -> MapOptions {
 
 /// The parts that can be covered: all of them.
 fn surfaces(mesh: &Mesh) -> Vec<InputSurface> {
-    let InputParts { surfaces, staying } = InputSurface::parts(mesh, &[]).unwrap();
+    let InputParts { surfaces, staying, .. } = InputSurface::parts(mesh, &[]).unwrap();
     assert!(staying.is_empty(), "{staying:?}");
     surfaces
 }

@@ -94,7 +94,7 @@ pub(super) fn check(path: &Path, report: Option<&Path>) -> Result<(), Failure> {
     let topology = Topology::new(mesh);
     let boundary_edges =
         (0..topology.edges().len()).filter(|&e| topology.is_boundary_edge(e as u32)).count();
-    let measures = Measures::new(&mesh.positions, &mesh.faces, mesh.bounding_diameter());
+    let measures = Measures::new(&mesh.positions, &mesh.faces, mesh.size());
     let lines = CurvatureLines::new(&mesh.positions, &mesh.faces, &topology);
     let problems = read.problems.iter().map(|problem| Problem {
         message: problem.to_string(),

@@ -1,9 +1,9 @@
 //! A block with creases and corners: a gatehouse.
 
 use super::blocks::Blocks;
-use super::finish::{Noise, rounded};
-use crate::math::{Vec3, cosine, sine, twice_vector_area};
-use crate::mesh::{Group, GroupKeyword, Mesh, Ragged, Topology};
+use crate::generate::finish::{Noise, rounded};
+use crate::math::{cosine, sine};
+use crate::mesh::{Group, GroupKeyword, Mesh, Ragged, Topology, crease_edges};
 
 /// Panels around the passage (a multiple of four), through the wall, and along the passage.
 const PANELS: [u32; 3] = [36, 5, 16];
@@ -85,14 +85,7 @@ const CREASE: f64 = 40.0;
 /// section 4.2): from corner to corner, where other than two of their edges meet.
 fn creases(mesh: &Mesh) -> Ragged {
     let topology = Topology::new(mesh);
-    let at = |&v: &u32| Vec3::from(mesh.positions[v as usize]);
-    let normal = |face: &[u32]| twice_vector_area(face.iter().map(at)).direction_or_zero();
-    let normals: Vec<Vec3<f64>> = mesh.faces.iter().map(normal).collect();
-    let turns = |faces: &[u32]| match *faces {
-        [f, g] => normals[f as usize].dot(normals[g as usize]) < cosine(CREASE / 360.0),
-        _ => false,
-    };
-    let is_crease: Vec<bool> = topology.edge_faces().iter().map(turns).collect();
+    let is_crease = crease_edges(mesh, &topology, CREASE);
     let edges_at = |v: u32| {
         let edges = topology.vertex_edges().row(v as usize).iter().copied();
         edges.filter(|&e| is_crease[e as usize])

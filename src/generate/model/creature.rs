@@ -1,7 +1,7 @@
 //! An animal of blended round parts.
 
-use super::finish::{rounded, slide};
 use super::lattice::Lattice;
+use crate::generate::finish::{rounded, slide};
 use crate::math::Vec3;
 use crate::mesh::{Mesh, Point};
 

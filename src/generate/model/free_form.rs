@@ -1,8 +1,8 @@
 //! Free-form surfaces as they come from a modeller or a scan, in irregular triangles: a roof with two
 //! bulges, a pavilion around a court, a column that widens to a roof.
 
-use super::finish::rounded;
 use super::vault::Random;
+use crate::generate::finish::rounded;
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point};
 

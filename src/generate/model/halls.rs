@@ -1,6 +1,6 @@
 //! Freeform roofs, of quads or of hexagons: a hall with a swelling and a waist, and two mounds.
 
-use super::finish::rounded;
+use crate::generate::finish::rounded;
 use crate::generate::hexagons::hexagons;
 use crate::generate::quads::grid;
 use crate::math::{cosine, sine};

@@ -1,6 +1,6 @@
 //! A face in relief, of uneven triangles.
 
-use super::finish::rounded;
+use crate::generate::finish::rounded;
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point, Ragged};
 

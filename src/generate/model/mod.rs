@@ -3,7 +3,6 @@
 mod archway;
 mod blocks;
 mod creature;
-mod finish;
 mod free_form;
 mod halls;
 mod lattice;
@@ -17,8 +16,6 @@ mod vault;
 pub use archway::archway;
 pub use blocks::Blocks;
 pub use creature::creature;
-pub(super) use finish::Noise;
-pub use finish::{opened, soften};
 pub use free_form::FreeForm;
 pub use halls::{Hall, Mounds, honeycomb};
 pub use mask::mask;

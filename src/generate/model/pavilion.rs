@@ -1,6 +1,6 @@
 //! Points without faces, as from a survey of a building.
 
-use super::finish::{Noise, rounded};
+use crate::generate::finish::{Noise, rounded};
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point};
 use std::f64::consts::TAU;

@@ -1,6 +1,6 @@
 //! Roofs over a plan: a dome with an oval hole, a canopy on four feet, a roof around a court.
 
-use super::finish::rounded;
+use crate::generate::finish::rounded;
 use crate::generate::quads::{Rings, grid};
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point, Ragged};

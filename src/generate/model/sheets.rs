@@ -1,7 +1,7 @@
 //! Sheets of quads over a square: a hyperbolic paraboloid, skew panels, a strip between two rails,
 //! and a piece of a torus.
 
-use super::finish::{Noise, rounded};
+use crate::generate::finish::{Noise, rounded};
 use crate::generate::quads::grid;
 use crate::math::{cosine, sine};
 use crate::mesh::Mesh;

@@ -1,6 +1,6 @@
 //! Surfaces around the z axis, open at the bottom and the top: a vase, a tower, a lantern.
 
-use super::finish::rounded;
+use crate::generate::finish::rounded;
 use crate::generate::quads::Rings;
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Ragged};

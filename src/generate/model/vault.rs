@@ -1,6 +1,6 @@
 //! A free-form vault as it comes from a modeller or a scan: irregular triangles, which follow nothing.
 
-use super::finish::rounded;
+use crate::generate::finish::rounded;
 use crate::math::{cosine, sine};
 use crate::mesh::{Mesh, Point};
 use std::f64::consts::TAU;

@@ -6,7 +6,7 @@
 
 use super::declaration::{MOST_CELLS, PlanError};
 use super::kept::{boundary, is_kept};
-use super::outline::{Ground, Loop, along, closest};
+use super::outline::{FlatPlan, Loop, along, closest};
 use crate::generate::quads::check_face_count;
 use crate::math::plane::{
     Point2, area, bounds, cross, crossings, distance, dot, is_inside, minus, rotated,
@@ -32,7 +32,7 @@ enum Location {
 }
 
 /// The grid over the extent of a plan; its cells have side 1.
-struct Cells {
+struct Grid {
     /// Number of cells in each direction.
     count: [usize; 2],
     /// The loops, the outline first.
@@ -45,7 +45,7 @@ struct Cells {
 }
 
 /// The surface inside the first loop and outside the others.
-pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, PlanError> {
+pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<FlatPlan, PlanError> {
     let [c, s] = cosine_and_sine_of_degrees(turn);
     let flattened: Vec<Vec<(Point2, usize)>> =
         loops.iter().map(|one| one.flattened(FLAT * size)).collect();
@@ -69,31 +69,31 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
     };
     let polygons =
         flattened.iter().map(|places| places.iter().map(|&(place, _)| to_grid(place)).collect());
-    let mut cells = Cells::new(count.map(|n| n as usize), polygons.collect());
+    let mut grid = Grid::new(count.map(|n| n as usize), polygons.collect());
     let mut corners = Vec::new();
     for (l, one) in loops.iter().enumerate() {
         let flags = one.corner_flags();
         for (side, _) in one.sides.iter().zip(flags).filter(|(_, is_sharp)| *is_sharp) {
-            match cells.corner(to_grid(side.at(0.0)), l) {
+            match grid.corner(to_grid(side.at(0.0)), l) {
                 Some(v) if side.is_corner => corners.push((v, l.checked_sub(1))),
                 None if side.is_corner => return Err(PlanError::TooCoarse(l.checked_sub(1))),
                 _ => {}
             }
         }
     }
-    cells.snap();
-    cells.cross();
-    let faces = cells.faces();
+    grid.snap();
+    grid.cross();
+    let faces = grid.faces();
     // Cells that are cut count as whole ones here, and above by their parts.
     check_face_count(faces.len() as f64).map_err(PlanError::TooManyFaces)?;
     // A piece of the outline that is narrower than a cell can turn a face over.
-    if faces.iter().any(|face| cells.area(face) <= 0.0) {
+    if faces.iter().any(|face| grid.area(face) <= 0.0) {
         return Err(PlanError::TooCoarse(None));
     }
     let boundary = boundary(&faces);
-    for (l, polygon) in cells.polygons.iter().enumerate() {
-        let on_it = boundary.iter().filter(|&&v| cells.locations[v as usize] == Location::On(l));
-        if !is_kept(polygon, on_it.map(|&v| cells.places[v as usize])) {
+    for (l, polygon) in grid.polygons.iter().enumerate() {
+        let on_it = boundary.iter().filter(|&&v| grid.locations[v as usize] == Location::On(l));
+        if !is_kept(polygon, on_it.map(|&v| grid.places[v as usize])) {
             return Err(PlanError::TooCoarse(l.checked_sub(1)));
         }
     }
@@ -101,11 +101,11 @@ pub(super) fn mesh(loops: &[&Loop], size: f64, turn: f64) -> Result<Ground, Plan
         let place = [low[0] + place[0] * step[0], low[1] + place[1] * step[1]];
         rotated(place, [c, s])
     };
-    Ok(cells.compact(&faces, &corners, from_grid))
+    Ok(grid.compact(&faces, &corners, from_grid))
 }
 
-impl Cells {
-    fn new(count: [usize; 2], polygons: Vec<Vec<Point2>>) -> Cells {
+impl Grid {
+    fn new(count: [usize; 2], polygons: Vec<Vec<Point2>>) -> Grid {
         let [nx, ny] = count;
         let places: Vec<Point2> =
             (0..=ny).flat_map(|j| (0..=nx).map(move |i| [i as f64, j as f64])).collect();
@@ -124,7 +124,7 @@ impl Cells {
                 }
             }));
         }
-        Cells { count, polygons, places, locations, crossings: BTreeMap::new() }
+        Grid { count, polygons, places, locations, crossings: BTreeMap::new() }
     }
 
     fn vertex(&self, i: usize, j: usize) -> u32 {
@@ -296,7 +296,7 @@ impl Cells {
         faces: &[Vec<u32>],
         corners: &[(u32, Option<usize>)],
         from_grid: impl Fn(&Point2) -> Point2,
-    ) -> Ground {
+    ) -> FlatPlan {
         let mut name = vec![u32::MAX; self.places.len()];
         faces.iter().flatten().for_each(|&v| name[v as usize] = 0);
         let mut positions = Vec::new();
@@ -320,7 +320,7 @@ impl Cells {
                 used_on(self.locations[corner]).min_by(|a, b| away(a).total_cmp(&away(b)));
             nearest.map(|v| (name[v], hole))
         };
-        Ground {
+        FlatPlan {
             outline: used_on(Location::On(0)).map(|v| name[v]).collect(),
             corners: corners.iter().filter_map(foot).collect(),
             mesh: Mesh { positions, faces: named, ..Mesh::default() },

@@ -2,13 +2,11 @@
 //! dragging or typing.
 
 use super::declaration::{Plan, PlanLayout, PlanPoint, Support};
-use super::outline::{Side, along};
+use super::outline::{SHARP, Side, along};
 use crate::math::cosine_and_sine_of_degrees;
 use crate::math::plane::{Point2, area, bounds, cross, dot, minus};
 use serde::{Deserialize, Serialize};
 
-/// The smallest turn at a corner of a drawn loop, in degrees.
-const SHARP: f64 = 20.0;
 /// The roof of the first plan in metres: the corners, each with the bulge of the side that begins
 /// there.
 const FIRST: [(Point2, f64); 4] =

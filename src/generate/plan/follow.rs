@@ -1,7 +1,7 @@
 //! A grid whose four sides follow the outline.
 
 use super::declaration::PlanError;
-use super::outline::{Ground, Loop, Side, along};
+use super::outline::{FlatPlan, Loop, Side, along};
 use crate::generate::quads::{check_face_count, quads};
 use crate::generate::sides::{coons_patch, even_steps};
 use crate::math::plane::{Point2, bounds, cross, distance, dot, minus};
@@ -11,7 +11,7 @@ use crate::mesh::Mesh;
 const MOST_MOVES: usize = 40_000_000;
 
 /// The grid between the four marked corners.
-pub(super) fn mesh(outline: &Loop, size: f64) -> Result<Ground, PlanError> {
+pub(super) fn mesh(outline: &Loop, size: f64) -> Result<FlatPlan, PlanError> {
     let marked: Vec<usize> =
         (0..outline.sides.len()).filter(|&k| outline.sides[k].is_corner).collect();
     let &[a, b, c, d] = &marked[..] else { return Err(PlanError::FourCorners(marked.len())) };
@@ -40,7 +40,7 @@ pub(super) fn mesh(outline: &Loop, size: f64) -> Result<Ground, PlanError> {
         let (i, j) = (*v as usize % (nx + 1), *v as usize / (nx + 1));
         i == 0 || j == 0 || i == nx || j == ny
     };
-    Ok(Ground {
+    Ok(FlatPlan {
         outline: (0..mesh.positions.len() as u32).filter(is_outer).collect(),
         corners: [[0, 0], [nx, 0], [nx, ny], [0, ny]].map(|[i, j]| (corner(i, j), None)).to_vec(),
         mesh,

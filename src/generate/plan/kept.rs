@@ -1,8 +1,8 @@
 //! Whether a surface that is cut from a grid has kept a loop, or closed it where it is narrow.
 
-use super::outline::along;
-use crate::math::plane::{Point2, dot, minus};
+use crate::math::plane::Point2;
 use crate::math::{Cells, Vec3, polygon_sides};
+use crate::mesh::{Point, Polyline};
 use std::collections::BTreeSet;
 
 /// A loop is kept if each of its points is nearer than this to a vertex of the boundary on it, in sides
@@ -24,94 +24,54 @@ pub(super) fn boundary(faces: &[Vec<u32>]) -> BTreeSet<u32> {
 
 /// Whether a loop is kept by a surface with these boundary vertices on it; cells have side 1.
 pub(super) fn is_kept(polygon: &[Point2], on_it: impl Iterator<Item = Point2>) -> bool {
-    let in_space = |[x, y]: Point2| Vec3::new(x, y, 0.0);
+    let in_space = |[x, y]: Point2| [x, y, 0.0];
     let mut vertices = Cells::new(NEAR);
-    on_it.for_each(|place| vertices.add(in_space(place), ()));
-    let has_near =
-        |place: Point2| vertices.near(in_space(place)).any(|(_, distance)| distance <= NEAR);
-    let walk = Walk::new(polygon);
-    let tips = walk.tips();
-    let mut so_far = 0.0;
-    polygon_sides(polygon).all(|[a, b]| {
-        let by = minus(b, a);
-        let length = dot(by, by).sqrt();
-        let pieces = (length / STEP).ceil().max(1.0);
-        let begins = so_far;
-        so_far += length;
-        (0..pieces as usize).all(|k| {
-            let part = k as f64 / pieces;
+    on_it.for_each(|place| vertices.add(in_space(place).into(), ()));
+    let has_near = |point: Point| vertices.near(point.into()).any(|(_, distance)| distance <= NEAR);
+    let ring = polygon.iter().chain(polygon.first());
+    let walk = Polyline::new(ring.map(|&place| in_space(place)), true);
+    let whole = walk.length_to(polygon.len());
+    let tips = tips(&walk, polygon.len());
+    (0..polygon.len()).all(|k| {
+        let [begins, ends] = [k, k + 1].map(|k| walk.length_to(k));
+        let pieces = ((ends - begins) / STEP).ceil().max(1.0);
+        (0..pieces as usize).all(|piece| {
+            let at = begins + piece as f64 / pieces * (ends - begins);
             let is_in_tip = tips.iter().any(|&(tip, reach)| {
-                let away = (begins + part * length - tip).abs();
-                away.min(walk.length - away) < reach
+                let away = (at - tip).abs();
+                away.min(whole - away) < reach
             });
-            is_in_tip || has_near(along(a, part, by))
+            is_in_tip || has_near(walk.point(at))
         })
     })
 }
 
-/// A loop, by the length of the way from its first corner.
-struct Walk<'a> {
-    polygon: &'a [Point2],
-    /// The length at each corner.
-    at_corner: Vec<f64>,
-    length: f64,
-}
-
-impl<'a> Walk<'a> {
-    fn new(polygon: &'a [Point2]) -> Walk<'a> {
-        let mut length = 0.0;
-        let at_corner = polygon_sides(polygon)
-            .map(|[a, b]| {
-                let (begins, by) = (length, minus(b, a));
-                length += dot(by, by).sqrt();
-                begins
-            })
-            .collect();
-        Walk { polygon, at_corner, length }
-    }
-
-    /// The point after a length, which may be negative.
-    fn at(&self, length: f64) -> Point2 {
-        let length = length.rem_euclid(self.length);
-        let k = self.at_corner.partition_point(|&at| at <= length).max(1) - 1;
-        let [a, b] = [0, 1].map(|next| self.polygon[(k + next) % self.polygon.len()]);
-        let end = self.at_corner.get(k + 1).copied().unwrap_or(self.length);
-        let side = end - self.at_corner[k];
-        let part = if side > 0.0 { (length - self.at_corner[k]) / side } else { 0.0 };
-        along(a, part, minus(b, a))
-    }
-
-    /// The tips, and how far from each the loop is nearer to itself than a cell is wide. What is so
-    /// narrow up to where its flanks end is no tip: smaller cells would keep it.
-    fn tips(&self) -> Vec<(f64, f64)> {
-        let n = self.polygon.len();
-        let is_tip = |&k: &usize| {
-            let corner = self.polygon[k];
-            let [before, after] = [k + n - 1, k + 1].map(|j| minus(self.polygon[j % n], corner));
-            let lengths = (dot(before, before) * dot(after, after)).sqrt();
-            lengths > 0.0 && dot(before, after) > TIP * lengths
-        };
-        let reach = |k: usize| {
-            let tip = self.at_corner[k];
-            let step = |way: f64, by: f64| minus(self.at(tip + way + by), self.at(tip + way));
-            let has_turned = |way: f64, by: f64| {
-                let (first, last) = (step(0.0, by), step(way, by));
-                dot(first, last) < TIP * (dot(first, first) * dot(last, last)).sqrt()
-            };
-            let mut way = 0.0;
-            loop {
-                let is_over =
-                    way > 0.5 * self.length || has_turned(way, STEP) || has_turned(-way, -STEP);
-                if is_over {
-                    return None;
-                }
-                way += STEP;
-                let between = minus(self.at(tip + way), self.at(tip - way));
-                if dot(between, between) >= 1.0 {
-                    return Some((tip, way));
-                }
+/// The tips of a loop of `n` corners, as lengths along it, and how far from each the loop is nearer to itself
+/// than a cell is wide. What is so narrow up to where its flanks end is no tip: smaller cells would keep it.
+fn tips(walk: &Polyline, n: usize) -> Vec<(f64, f64)> {
+    let at = |length: f64| Vec3::from(walk.point(length));
+    let cosine =
+        |a: Vec3<f64>, b: Vec3<f64>| a.dot(b) / (a.length_squared() * b.length_squared()).sqrt();
+    let is_tip = |&k: &usize| {
+        let [before, corner, after] = [k + n - 1, k, k + 1].map(|j| at(walk.length_to(j % n)));
+        cosine(before - corner, after - corner) > TIP
+    };
+    let reach = |k: usize| {
+        let tip = walk.length_to(k);
+        let step = |way: f64, by: f64| at(tip + way + by) - at(tip + way);
+        let has_turned = |way: f64, by: f64| cosine(step(0.0, by), step(way, by)) < TIP;
+        let mut way = 0.0;
+        loop {
+            let is_over =
+                way > 0.5 * walk.length_to(n) || has_turned(way, STEP) || has_turned(-way, -STEP);
+            if is_over {
+                return None;
             }
-        };
-        (0..n).filter(is_tip).filter_map(reach).collect()
-    }
+            way += STEP;
+            if (at(tip + way) - at(tip - way)).length_squared() >= 1.0 {
+                return Some((tip, way));
+            }
+        }
+    };
+    (0..n).filter(is_tip).filter_map(reach).collect()
 }

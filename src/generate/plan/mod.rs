@@ -17,7 +17,7 @@ use crate::math::{Vec3, marked, twice_vector_area};
 use crate::mesh::{Mesh, Topology};
 use crate::sparse::{BlockMatrix, SymbolicAnalysis};
 use declaration::entry;
-use outline::{Ground, Loop};
+use outline::{FlatPlan, Loop};
 use std::collections::BTreeSet;
 
 /// Force density of free edges relative to edges between panels: they are arches that carry the
@@ -53,12 +53,12 @@ impl Plan {
         let holes = holes.collect::<Result<Vec<_>, _>>()?;
         let loops: Vec<&Loop> = std::iter::once(&outline).chain(&holes).collect();
         Loop::check_disjoint(&loops)?;
-        let ground = match self.layout {
+        let flat = match self.layout {
             PlanLayout::Follow if !holes.is_empty() => return Err(PlanError::Holes),
             PlanLayout::Follow => follow::mesh(&outline, size)?,
             PlanLayout::Cut => cut::mesh(&loops, size, turn)?,
         };
-        raised(ground, self.support, height)
+        raised(flat, self.support, height)
     }
 
     /// The mesh of the surface, without its supports.
@@ -72,8 +72,8 @@ impl Plan {
 
 /// Raises the mesh until its highest vertex is at `height`. All inner edges have the same force
 /// density, loads are the areas around vertices (Schek 1974), and supported vertices stay at zero.
-fn raised(ground: Ground, support: Support, height: f64) -> Result<PlanSurface, PlanError> {
-    let Ground { mut mesh, outline, corners } = ground;
+fn raised(flat: FlatPlan, support: Support, height: f64) -> Result<PlanSurface, PlanError> {
+    let FlatPlan { mut mesh, outline, corners } = flat;
     let (held, feet) = match support {
         Support::Corners if corners.len() < 3 => {
             return Err(PlanError::TooFewCorners(corners.len()));

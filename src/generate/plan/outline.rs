@@ -8,8 +8,8 @@ use std::f64::consts::TAU;
 
 /// Sides with a smaller bulge are straight.
 const STRAIGHT: f64 = 1e-6;
-/// Cosine of the smallest turn at a sharp corner: 20 degrees.
-const SHARP: f64 = 0.939_692_620_785_908_4;
+/// The smallest turn at a sharp corner, in degrees.
+pub(super) const SHARP: f64 = 20.0;
 
 /// A side: straight, or an arc.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +31,7 @@ pub(super) struct Loop {
 }
 
 /// A plan divided into panels.
-pub(super) struct Ground {
+pub(super) struct FlatPlan {
     pub(super) mesh: Mesh,
     /// The vertices on the outline.
     pub(super) outline: Vec<u32>,
@@ -166,9 +166,10 @@ impl Loop {
     /// For each side, whether the loop has a corner at its start: a marked one, or a sharp turn.
     pub(super) fn corner_flags(&self) -> Vec<bool> {
         let n = self.sides.len();
+        let most = cosine(SHARP / 360.0);
         let is_sharp = |k: usize| {
             let [before, here] = [&self.sides[(k + n - 1) % n], &self.sides[k]];
-            here.is_corner || dot(before.ends()[1], here.ends()[0]) < SHARP
+            here.is_corner || dot(before.ends()[1], here.ends()[0]) < most
         };
         (0..n).map(is_sharp).collect()
     }

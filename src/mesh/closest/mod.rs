@@ -49,8 +49,8 @@ impl Surface {
     }
 
     /// Returns the surface of the triangles on which panels are laid out: to ask what lies on it, and on
-    /// which face. No face covers ground outside itself, as the fan of a concave one does.
-    pub fn of_ground(positions: &[Point], mesh: &Mesh) -> Surface {
+    /// which face. No face covers what is outside its polygon, as the fan of a concave one does.
+    pub fn of_polygons(positions: &[Point], mesh: &Mesh) -> Surface {
         Surface::cut(positions, mesh, ears_in_space)
     }
 

@@ -1,14 +1,9 @@
 //! Field of principal directions on a surface: second fundamental forms at the corners of
 //! triangles, interpolated linearly.
 
-use super::{Curvature, SecondForm, curvatures};
-use crate::math::{Vec3, argsort, key_of_pair, mean};
-use crate::mesh::{BoundingSphere, Mesh, Point, Topology, at_vertices};
-
-const NONE: u32 = u32::MAX;
-
-/// A symmetric tensor: xx, yy, zz, xy, xz, yz.
-type Tensor = [f64; 6];
+use super::{Curvature, SecondForm, Tensor, curvatures};
+use crate::math::{Vec3, mean, polygon_sides};
+use crate::mesh::{BoundingSphere, Mesh, Point, Topology, at_vertices, components, orientation};
 
 /// One of the two orthogonal families of lines of curvature.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,8 +34,10 @@ pub struct CurvatureField {
     /// The face that each triangle belongs to.
     faces: Vec<u32>,
     normals: Vec<Vec3<f64>>,
-    /// The triangles across the sides of each triangle; side 0 is from corner 0 to corner 1.
-    beyond: Vec<[u32; 3]>,
+    /// The triangle across each side of each triangle, and the index of the side in that one; side 0 is from
+    /// corner 0 to corner 1. None at the boundary, where more than two triangles meet, and where orientations
+    /// disagree.
+    across: Vec<[Option<(u32, usize)>; 3]>,
     mean_edge: f64,
     diameter: f64,
 }
@@ -73,14 +70,13 @@ impl CurvatureField {
         let mut field = CurvatureField {
             points,
             forms,
-            normals: vec![Vec3::zero(); triangles.len()],
-            beyond: vec![[NONE; 3]; triangles.len()],
+            normals: Vec::new(),
+            across: vec![[None; 3]; triangles.len()],
             triangles,
             faces,
             mean_edge,
             diameter,
         };
-        field.join();
         field.orient();
         field
     }
@@ -127,18 +123,7 @@ impl CurvatureField {
     /// Returns the triangle across a side and the index of the side in that triangle; `None` at the
     /// boundary.
     pub(super) fn across(&self, triangle: u32, side: usize) -> Option<(u32, usize)> {
-        let next = self.beyond[triangle as usize][side];
-        let back = (0..3).find(|&k| {
-            next != NONE && self.beyond[next as usize][k] == triangle && {
-                let corners = |t: u32, k: usize| {
-                    let corners = self.triangles[t as usize];
-                    [corners[k], corners[(k + 1) % 3]]
-                };
-                let [a, b] = corners(triangle, side);
-                corners(next, k) == [b, a]
-            }
-        });
-        back.map(|k| (next, k))
+        self.across[triangle as usize][side]
     }
 
     /// Returns the barycentric coordinates of a point in its triangle.
@@ -190,65 +175,40 @@ impl CurvatureField {
         direction
     }
 
-    /// Connects triangles across sides that exactly two triangles share.
-    fn join(&mut self) {
-        let mut sides = Vec::new();
-        for (t, corners) in (0..).zip(&self.triangles) {
-            sides.extend((0..3).map(|k| {
-                (corners[k].min(corners[(k + 1) % 3]), corners[k].max(corners[(k + 1) % 3]), t, k)
-            }));
-        }
-        let order = argsort(sides.iter().map(|&(a, b, ..)| key_of_pair([a, b])));
-        let sides: Vec<(u32, u32, u32, usize)> =
-            order.into_iter().map(|i| sides[i as usize]).collect();
-        for same in sides.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-            if let &[(.., t, k), (.., u, l)] = same {
-                self.beyond[t as usize][k] = u;
-                self.beyond[u as usize][l] = t;
-            }
-        }
-    }
-
-    /// Orients each component, see [`CurvatureField`], and computes the normals. Across sides where
-    /// orientations disagree, [`CurvatureField::across`] returns `None`.
+    /// Orients each component, see [`CurvatureField`], connects its triangles, and computes the normals.
     fn orient(&mut self) {
-        let count = self.triangles.len();
-        let mut is_seen = vec![false; count];
-        let mut part = Vec::new();
-        for first in 0..count {
-            if std::mem::replace(&mut is_seen[first], true) {
-                continue;
-            }
-            part.clear();
-            part.push(first);
-            let mut next = 0;
-            while let Some(&t) = part.get(next) {
-                next += 1;
-                for k in 0..3 {
-                    let other = self.beyond[t][k];
-                    if other == NONE || std::mem::replace(&mut is_seen[other as usize], true) {
-                        continue;
-                    }
-                    if self.across(t as u32, k).is_none() {
-                        self.turn(other as usize);
-                    }
-                    part.push(other as usize);
-                }
-            }
-            let bend: f64 = part.iter().map(|&t| self.bend(t)).sum();
-            if bend < 0.0 {
-                part.iter().for_each(|&t| self.turn(t));
+        let positions = self.points.iter().map(|&p| p.into()).collect();
+        let faces = self.triangles.iter().collect();
+        let mesh = Mesh { positions, faces, ..Mesh::default() };
+        let topology = Topology::new(&mesh);
+        let (turned, _) = orientation(&mesh.faces, &topology);
+        let part_of = components(
+            self.triangles.len(),
+            topology.edge_faces().iter().filter(|faces| faces.len() == 2),
+        );
+        let mut bends = vec![0.0; self.triangles.len()];
+        for (t, &part) in part_of.iter().enumerate() {
+            bends[part as usize] += if turned[t] { -self.bend(t) } else { self.bend(t) };
+        }
+        for (t, part) in part_of.into_iter().enumerate() {
+            if turned[t] != (bends[part as usize] < 0.0) {
+                self.triangles[t].swap(0, 1);
             }
         }
-        for t in 0..count {
-            let [a, b, c] = self.corners(t as u32);
-            self.normals[t] = (b - a).cross(c - a).direction_or_zero();
+        for (&[a, b], faces) in topology.edges().iter().zip(topology.edge_faces().iter()) {
+            let &[t, u] = faces else { continue };
+            let side = |t: u32, ends: [u32; 2]| {
+                polygon_sides(&self.triangles[t as usize]).position(|side| side == ends)
+            };
+            let opposite = |[a, b]: [u32; 2]| side(t, [a, b]).zip(side(u, [b, a]));
+            if let Some((k, l)) = opposite([a, b]).or_else(|| opposite([b, a])) {
+                self.across[t as usize][k] = Some((u, l));
+                self.across[u as usize][l] = Some((t, k));
+            }
         }
-    }
-
-    fn turn(&mut self, triangle: usize) {
-        self.triangles[triangle].swap(0, 1);
-        self.beyond[triangle].swap(1, 2);
+        let normal = |[a, b, c]: [Vec3<f64>; 3]| (b - a).cross(c - a).direction_or_zero();
+        let all = 0..self.triangles.len() as u32;
+        self.normals = all.map(|t| normal(self.corners(t))).collect();
     }
 
     /// Returns a positive multiple of mean curvature times area, signed by the triangle's normal.
@@ -283,7 +243,7 @@ fn mean_form(
 
 /// The value of a symmetric form, such as the second fundamental form, on two vectors; its entries are
 /// `xx, yy, zz, xy, xz, yz`.
-pub(crate) fn form_on([xx, yy, zz, xy, xz, yz]: &[f64; 6], a: Vec3<f64>, b: Vec3<f64>) -> f64 {
+pub(crate) fn form_on([xx, yy, zz, xy, xz, yz]: &Tensor, a: Vec3<f64>, b: Vec3<f64>) -> f64 {
     xx * a.x * b.x
         + yy * a.y * b.y
         + zz * a.z * b.z

@@ -24,6 +24,9 @@ const RINGS: u32 = 2;
 /// The surface counts as flat over a length if it turns by less than this, in radians.
 const FLAT: f64 = 1e-3;
 
+/// A symmetric tensor in space: xx, yy, zz, xy, xz, yz.
+pub(crate) type Tensor = [f64; 6];
+
 /// Curvature of the surface at a vertex, in one over the unit of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curvature {
@@ -54,8 +57,8 @@ impl Curvature {
         along(0) + along(1)
     }
 
-    /// The second fundamental form as a symmetric tensor: its entries xx, yy, zz, xy, xz and yz.
-    pub(crate) fn tensor(&self) -> [f64; 6] {
+    /// The second fundamental form as a symmetric tensor.
+    pub(crate) fn tensor(&self) -> Tensor {
         let mut tensor = [0.0; 6];
         for (value, Vec3 { x, y, z }) in self.principal.into_iter().zip(self.directions) {
             let square = [x * x, y * y, z * z, x * y, x * z, y * z];

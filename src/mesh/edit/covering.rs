@@ -4,23 +4,33 @@
 use super::origins::{Combinations, Edited, Origins};
 use super::rebuild::regrouped;
 use crate::math::{Vec3, mean, twice_vector_area};
-use crate::mesh::{Mesh, Point, Ragged, Surface, Topology, orientation};
+use crate::mesh::{Mesh, Point, Ragged, Surface, Topology, Weld, components, orientation};
 use std::collections::HashMap;
 
 /// A new vertex whose weight on a corner is at most this does not depend on it.
 const NEGLIGIBLE: f64 = 1e-9;
+/// Nor does one that is no farther from the opposite side than its coordinates are rounded, in units of the
+/// last place: a vertex on a side was computed in a few steps, each of which rounds.
+const ROUNDED: f64 = 8.0;
 /// A face lies on no other one than those whose normals, of length one, have at least this inner product
 /// with the mean of those at its corners: not on the other wall of a shell.
 const FACING: f64 = -0.5;
 
 impl Edited {
     /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
-    /// from [the same one](Mesh::same_faces), else from the old face at its centre that faces as those at
-    /// its corners do; sets and groups follow that. Curves stay, and so do vertices of no face and of faces
-    /// that are left as they are.
+    /// from [the same one](Mesh::same_faces), else from the old face at its centre that is connected
+    /// over edges to those at its corners and faces the same way; sets and groups follow that. Nothing else comes
+    /// from faces with a vertex whose position is not in the file. Curves stay, and so do vertices of no face
+    /// and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
-        let surface = Surface::of_ground(&mesh.positions, mesh);
-        let face_at = |point: Point| surface.closest_face(point).unwrap_or(0);
+        let surface = Surface::of_polygons(&mesh.positions, mesh);
+        let is_placed = |face: &[u32]| !face.iter().any(|&v| mesh.is_unplaced(v));
+        let is_placed: Vec<bool> = mesh.faces.iter().map(is_placed).collect();
+        let face_at = |point: Point| {
+            let found =
+                surface.closest_face_of(point, f64::INFINITY, |old| is_placed[old as usize]);
+            found.unwrap_or(0)
+        };
         let same = cover.same_faces(mesh);
         let at_vertices: Vec<u32> = cover.positions.iter().map(|&point| face_at(point)).collect();
         let on_faces = cover.positions.iter().zip(&at_vertices);
@@ -67,15 +77,27 @@ impl Edited {
         let places: Vec<u32> = now.iter().map(|new| new.unwrap_or(u32::MAX)).collect();
         made.curves = mesh.curves.clone();
         made.curves.rename(&places);
-        let normals = normals(mesh);
-        // The centre of a panel is inside a curved shell, and can be nearer to its other wall.
+        // Panels are laid out on faces that are welded if they share no vertices.
+        let mut welded = mesh.clone();
+        Weld::apply(&mut welded);
+        let topology = Topology::new(&welded);
+        let part_of = components(welded.faces.len(), topology.edge_faces().iter());
+        let normals = normals(&welded, &topology);
+        // The centre of a panel is inside a curved shell, and can be nearer to its other wall, or to another
+        // layer.
         let at_centre = |face: &[u32]| {
             let corners = || face.iter().map(|&v| Vec3::from(cover.positions[v as usize]));
-            let facing = mean(face.iter().map(|&v| normals[at_vertices[v as usize] as usize]));
+            let olds = || face.iter().map(|&v| at_vertices[v as usize] as usize);
+            let facing = mean(olds().map(|old| normals[old]));
             let centre = mean(corners());
             let reach = corners().map(|corner| (corner - centre).length()).fold(0.0, f64::max);
-            let is_facing = |old: u32| normals[old as usize].dot(facing) >= FACING;
-            let found = surface.closest_face_of(centre.into(), reach, is_facing);
+            let is_own = |old: u32| {
+                let old = old as usize;
+                is_placed[old]
+                    && normals[old].dot(facing) >= FACING
+                    && olds().any(|other| part_of[other] == part_of[old])
+            };
+            let found = surface.closest_face_of(centre.into(), reach, is_own);
             found.unwrap_or_else(|| face_at(centre.into()))
         };
         let origin =
@@ -103,8 +125,8 @@ impl Mesh {
 }
 
 /// The normals of all faces, of length one, as if neighbours agreed; zero of faces without area.
-fn normals(mesh: &Mesh) -> Vec<Vec3<f64>> {
-    let (turned, _) = orientation(&mesh.faces, &Topology::new(mesh));
+fn normals(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
+    let (turned, _) = orientation(&mesh.faces, topology);
     let normal = |(face, turned): (&[u32], bool)| {
         let corners = face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]));
         let normal = twice_vector_area(corners).direction_or_zero();
@@ -130,7 +152,10 @@ fn weights(mesh: &Mesh, face: u32, point: Point) -> Vec<(u32, f64)> {
     let inside = |weights: &[(u32, f64); 3]| {
         weights.iter().map(|(_, weight)| *weight).fold(f64::INFINITY, f64::min)
     };
+    let coordinates = corners.iter().flat_map(|&v| mesh.positions[v as usize]);
+    let largest = coordinates.fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let mut best = [(first, 1.0), (first, 0.0), (first, 0.0)];
+    let mut heights = [f64::INFINITY; 3];
     let mut most = f64::NEG_INFINITY;
     for sides in corners[1..].windows(2) {
         let [b, c] = [sides[0], sides[1]];
@@ -145,10 +170,18 @@ fn weights(mesh: &Mesh, face: u32, point: Point) -> Vec<(u32, f64)> {
         if inside(&found) > most {
             most = inside(&found);
             best = found;
+            heights = [ac - ab, ac, ab].map(|opposite| normal.length() / opposite.length());
         }
     }
-    let kept: Vec<(u32, f64)> =
-        best.into_iter().filter(|(_, weight)| weight.abs() > NEGLIGIBLE).collect();
+    // Of a triangle as small as that, the nearest corner.
+    let greatest = best.iter().fold(0.0, |greatest: f64, (_, weight)| greatest.max(weight.abs()));
+    let depends = |((_, weight), height): &((u32, f64), f64)| {
+        let weight = weight.abs();
+        weight >= greatest
+            || (weight > NEGLIGIBLE && weight * height > ROUNDED * f64::EPSILON * largest)
+    };
+    let kept = best.into_iter().zip(heights).filter(depends);
+    let kept: Vec<(u32, f64)> = kept.map(|(term, _)| term).collect();
     match kept[..] {
         [(corner, _)] => vec![(corner, 1.0)],
         _ => kept,
@@ -235,9 +268,41 @@ mod tests {
         assert_eq!(groups, [[1]]);
     }
 
-    /// The centre of a panel on the outer wall is nearer to the inner one.
+    /// The vertices of a curved eave far from the origin were inside triangles.
+    #[test]
+    fn a_vertex_on_a_side_is_between_its_ends_at_coordinates_of_a_site() {
+        let eave = |k: u32| {
+            let x = 0.25 * f64::from(k);
+            [7.0e5 + x, 5.33e6 + 0.3 * x + 0.01 * x * x, 300.0 + 0.1 * x]
+        };
+        let mut mesh = Mesh::default();
+        for k in 0..100 {
+            let [x, y, z] = eave(k);
+            mesh.positions.extend([[x, y, z], [x - 0.06, y + 0.2, z + 0.05]]);
+        }
+        for k in 0..99 {
+            let v = 2 * k;
+            mesh.faces.push(&[v, v + 2, v + 3]);
+            mesh.faces.push(&[v, v + 3, v + 1]);
+        }
+        let on_eave = |k: u32| {
+            let [start, end] = [eave(k), eave(k + 1)].map(Vec3::from);
+            Point::from(start + (end - start) * (0.1 + 0.008 * f64::from(k)))
+        };
+        for k in 0..99 {
+            let point = on_eave(k);
+            let of: Vec<u32> = weights(&mesh, 2 * k, point).iter().map(|term| term.0).collect();
+            assert_eq!(of, [2 * k, 2 * k + 2]);
+        }
+    }
+
+    /// The centre of a panel on the outer wall is nearer to the inner one, or to another layer.
     #[test]
     fn a_panel_on_a_wall_of_a_shell_comes_from_that_wall() {
+        [true, false].into_iter().for_each(check_walls);
+    }
+
+    fn check_walls(inwards: bool) {
         let mut mesh = Mesh::default();
         let mut wall = |radius: f64, turned: bool| {
             let first = mesh.positions.len() as u32;
@@ -254,7 +319,7 @@ mod tests {
             }
         };
         wall(5.0, false);
-        wall(4.9, true);
+        wall(4.9, inwards);
         let corner = |[i, j]: [usize; 2], wall: usize| mesh.positions[121 * wall + 11 * j + i];
         let corners = [[2, 2], [8, 2], [8, 8], [2, 8]];
         let both = [0, 1].map(|wall| corners.map(|at| corner(at, wall)));
@@ -263,7 +328,7 @@ mod tests {
             faces: [[0, 1, 2, 3], [4, 7, 6, 5]].iter().collect(),
             ..Mesh::default()
         };
-        let surface = Surface::of_ground(&mesh.positions, &mesh);
+        let surface = Surface::of_polygons(&mesh.positions, &mesh);
         let centre = [0, 1, 2].map(|axis| both[0].iter().map(|p| p[axis]).sum::<f64>() / 4.0);
         assert!(surface.closest_face(centre).is_some_and(|face| face >= 100));
         let edited = Edited::covering(&mesh, &cover);

@@ -91,9 +91,8 @@ impl Origins {
     /// are, as long as their vertices are there, and which vertices are not in the file; and the
     /// statements of its file, which stand between elements, if all of these are still there.
     pub fn carry(&self, from: &Mesh, to: &mut Mesh) {
-        let is_unplaced = |old: &u32| from.unplaced.binary_search(old).is_ok();
         let made_of = (0..).zip(self.between.iter());
-        let unplaced = made_of.filter(|(_, olds)| olds.iter().any(is_unplaced));
+        let unplaced = made_of.filter(|(_, olds)| olds.iter().any(|&old| from.is_unplaced(old)));
         to.unplaced = unplaced.map(|(new, _)| new).collect();
         let is_own = |(new, olds): (u32, &[u32])| *olds == [new];
         if self.faces.len() == from.faces.len()

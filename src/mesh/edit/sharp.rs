@@ -1,7 +1,7 @@
 //! Sharp edges (the boundary and creases) and corners, which a subdivision keeps.
 
 use crate::math::{Vec3, angle_between};
-use crate::mesh::{Mesh, Topology, crease_normals};
+use crate::mesh::{Mesh, Topology, crease_edges};
 
 pub(super) struct Sharp {
     /// `#E`: edges that are smoothed as curves only.
@@ -17,16 +17,14 @@ impl Sharp {
     pub(super) fn of(mesh: &Mesh, topology: &Topology, degrees: f64) -> Sharp {
         let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
         let most = degrees.to_radians();
-        let normals = crease_normals(mesh, topology);
-        let is_sharp = |(e, faces): (u32, &[u32])| match *faces {
-            [f, g] => turns(normals[f as usize], normals[g as usize] * topology.agreement(e), most),
-            _ => true,
-        };
-        let edges: Vec<bool> = (0..).zip(topology.edge_faces().iter()).map(is_sharp).collect();
+        let mut edges = crease_edges(mesh, topology, degrees);
+        for (is_sharp, faces) in edges.iter_mut().zip(topology.edge_faces().iter()) {
+            *is_sharp |= faces.len() != 2;
+        }
         let is_corner = |v: u32| match *sharp_neighbours(&edges, topology, v) {
             // A sharp edge that ends inside the surface does not make a corner.
             [] | [_] => topology.vertex_faces().row(v as usize).is_empty(),
-            [a, b] => turns(at(v) - at(a), at(b) - at(v), most),
+            [a, b] => angle_between(at(v) - at(a), at(b) - at(v)).is_some_and(|turn| turn > most),
             _ => true,
         };
         let corners = (0..mesh.positions.len() as u32).map(is_corner).collect();
@@ -62,9 +60,4 @@ fn sharp_neighbours(edges: &[bool], topology: &Topology, v: u32) -> Vec<u32> {
     let all = topology.vertex_edges().row(v as usize).iter();
     let sharp = all.filter(|&&e| edges[e as usize] && counts(e));
     sharp.map(|&e| topology.other_end(e, v)).collect()
-}
-
-/// Whether the angle between two directions exceeds `most`, in radians; false for a zero vector.
-fn turns(a: Vec3<f64>, b: Vec3<f64>, most: f64) -> bool {
-    angle_between(a, b).is_some_and(|angle| angle > most)
 }

@@ -71,8 +71,8 @@ pub enum SubdivideError {
     NotTriangles(usize),
     /// This face visits a vertex twice.
     Repeated(u32),
-    /// The result would have this many vertices.
-    TooMany(usize),
+    /// The result would have more than 4,000,000 vertices.
+    TooMany,
     /// Faces are too large, the largest of this many corners.
     LargeFaces(usize),
 }
@@ -100,17 +100,17 @@ impl fmt::Display for SubdivideError {
             SubdivideError::Repeated(face) => {
                 write!(f, "face {face} has the same vertex at two corners")
             }
-            SubdivideError::TooMany(vertices) => write!(
-                f,
-                "the result would have {}, expected {} at most",
-                words::count(*vertices, "vertex", "vertices"),
-                words::group_digits(MOST_VERTICES)
-            ),
-            SubdivideError::LargeFaces(corners) => write!(
-                f,
-                "a face has {}, too many to refine: expected smaller faces",
-                words::count(*corners, "corner", "corners")
-            ),
+            SubdivideError::TooMany => {
+                let most = words::group_digits(MOST_VERTICES);
+                write!(f, "the result would have more than {most} vertices")
+            }
+            SubdivideError::LargeFaces(corners) => {
+                let corners = words::group_digits(*corners);
+                write!(
+                    f,
+                    "faces have up to {corners} corners, together too many to refine: expected fewer or smaller ones"
+                )
+            }
         }
     }
 }
@@ -166,7 +166,7 @@ impl Subdivision {
             (vertices, edges) = (vertices + edges + inner, 2 * edges + corners);
             (faces, corners) = (children, if splits_triangles { 3 } else { 4 } * children);
             if vertices > MOST_VERTICES {
-                return Err(SubdivideError::TooMany(vertices));
+                return Err(SubdivideError::TooMany);
             }
         }
         Ok(SubdividedCounts { vertices, faces })

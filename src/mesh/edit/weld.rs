@@ -4,6 +4,7 @@
 use crate::mesh::coincident::{first_of_group, tolerance, within_face};
 use crate::mesh::io::COINCIDENT;
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
+use crate::words;
 use std::collections::BTreeSet;
 
 /// A mesh is unwelded if at least this fraction of the vertices of faces belongs to one face only.
@@ -30,10 +31,10 @@ impl Read {
         self.problems.retain(|problem| of_mesh.iter().all(|other| other.kind != problem.kind));
         self.problems.extend(diagnose(&self.mesh));
         self.notes.retain(|note| !note.contains(COINCIDENT));
+        let left = self.mesh.positions.len();
+        let [welded, left] = [weld.original.positions.len() - left, left].map(words::group_digits);
         self.notes.push(format!(
-            "faces do not share vertices: {} coincident vertices were welded, {} remain",
-            weld.original.positions.len() - self.mesh.positions.len(),
-            self.mesh.positions.len()
+            "faces do not share vertices: {welded} coincident vertices were welded, and the mesh has {left}"
         ));
         Some(weld)
     }

@@ -8,6 +8,7 @@ use super::builder::ReadFault;
 use super::number::Numbering;
 use super::stream::Stream;
 use crate::mesh::{ElementKind, Mesh};
+use crate::words::group_digits;
 use std::fmt::Write;
 
 /// The first word of a file.
@@ -44,7 +45,10 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
             "Hexahedra" | "Prisms" | "Pyramids" => {
                 let count = stream.count(format_args!("the number of {word}"))?;
                 if count > 0 {
-                    let note = format!("{count} {word} ignored: solids are read as tetrahedra");
+                    let count = group_digits(count);
+                    let note = format!(
+                        "{word} ignored: {count}, since the only solids read are tetrahedra"
+                    );
                     builder.notes.push(note);
                 }
                 section = "";

@@ -10,7 +10,7 @@ use super::lines::{decode, lines, words};
 use super::number::{Decimal, Numbering, coordinate, of_number};
 use crate::math::{Vec3, polygon_sides, triangles_in_space};
 use crate::mesh::{ElementKind, GroupKeyword, Mesh, Point, ProblemKind};
-use crate::words::count;
+use crate::words::{count, group_digits};
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -59,6 +59,7 @@ fn read_binary(bytes: &[u8], corners: &mut Corners) -> Result<(), ReadFault> {
     let triangles = u32::from_le_bytes([a, b, c, d]) as usize;
     let there = body.len() / TRIANGLE;
     if there < triangles {
+        let [there, triangles] = [there, triangles].map(group_digits);
         return Err(ReadFault::whole(format!(
             "the file ends after {there} of {triangles} triangles: it is not whole, or no STL file"
         )));

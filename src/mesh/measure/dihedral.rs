@@ -1,7 +1,7 @@
 //! Dihedral angles, between the normals of two faces with a common edge, normals by which creases are
 //! told, and faces that a deformation has folded over.
 
-use crate::math::{Vec3, angle, polygon_sides, twice_vector_area};
+use crate::math::{Vec3, angle, angle_between, polygon_sides, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged, Topology};
 
 /// Two faces with a common edge.
@@ -55,10 +55,26 @@ pub fn mean_dihedral_angle(mesh: &Mesh, topology: &Topology, at: &[Point]) -> f6
 /// tilt it.
 const THIN: f64 = 1e-3;
 
+/// Returns whether each edge is a crease: whether it has two faces whose [normals](crease_normals) turn by
+/// more than `degrees`, `#E`.
+pub(crate) fn crease_edges(mesh: &Mesh, topology: &Topology, degrees: f64) -> Vec<bool> {
+    let normals = crease_normals(mesh, topology);
+    let most = degrees.to_radians();
+    let mut is_crease = vec![false; topology.edges().len()];
+    for (e, faces) in (0..).zip(topology.edge_faces().iter()) {
+        if let [f, g] = *faces {
+            let other = normals[g as usize] * topology.agreement(e);
+            let turn = angle_between(normals[f as usize], other);
+            is_crease[e as usize] = turn.is_some_and(|turn| turn > most);
+        }
+    }
+    is_crease
+}
+
 /// Returns a normal of each face, not of length one, by which creases are told: twice its vector area, or
 /// for a thin triangle that of the face across its longest side. Beside another thin triangle, as in a
 /// narrow strip, it keeps its own: a walk over many would leave the surface there.
-pub(crate) fn crease_normals(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
+fn crease_normals(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
     let areas = mesh.faces.iter().map(|face| twice_vector_area(face.iter().map(|&v| at(v))));
     let areas: Vec<Vec3<f64>> = areas.collect();

@@ -10,7 +10,7 @@ mod quasi_conformal;
 
 pub use area::smoothed_area;
 pub use developable::{UnrolledStrip, gauss_curvature};
-pub(crate) use dihedral::crease_normals;
+pub(crate) use dihedral::crease_edges;
 pub use dihedral::{folded_faces, mean_dihedral_angle};
 pub use histogram::{Histogram, angle_histogram};
 pub use quasi_conformal::{MapErrors, QuasiConformal, quasi_conformal};

@@ -7,21 +7,13 @@
 use super::links::Links;
 use super::ports::{Line, Ports};
 
-/// Faces and boundary loops, as nodes counterclockwise with the face or the surface on the left.
-#[derive(Clone, Debug, Default)]
-pub(in crate::quads) struct Cells {
-    pub(in crate::quads) faces: Vec<Vec<usize>>,
-    pub(in crate::quads) loops: Vec<Vec<usize>>,
-}
-
-impl Cells {
-    /// Finds the cells, without edges that bound no face of their own: those of inner nodes with
-    /// fewer than three edges, one side of a face of two sides, and those from a node to itself.
-    pub(super) fn of(ports: &Ports, links: &Links) -> Cells {
-        let mut map = CombinatorialMap::new(ports, links);
-        while map.simplify() {}
-        map.cells()
-    }
+/// Finds the faces, as nodes counterclockwise with the face on the left, without edges that bound no face
+/// of their own: those of inner nodes with fewer than three edges, one side of a face of two sides, and
+/// those from a node to itself.
+pub(super) fn faces(ports: &Ports, links: &Links) -> Vec<Vec<usize>> {
+    let mut map = CombinatorialMap::new(ports, links);
+    while map.simplify() {}
+    map.faces()
 }
 
 struct CombinatorialMap<'a> {
@@ -109,23 +101,19 @@ impl<'a> CombinatorialMap<'a> {
         changed
     }
 
-    fn cells(&self) -> Cells {
+    fn faces(&self) -> Vec<Vec<usize>> {
         let mut seen = vec![false; self.other.len()];
-        let mut cells = Cells::default();
+        let mut faces = Vec::new();
         for port in 0..self.other.len() {
             if seen[port] || self.other[port].is_none() {
                 continue;
             }
             let (cell, outside) = self.cell(port);
             cell.iter().for_each(|&p| seen[p] = true);
-            let mut nodes: Vec<usize> = cell.iter().map(|&p| self.ports.all[p].node).collect();
-            if outside {
-                nodes.reverse();
-                cells.loops.push(nodes);
-            } else {
-                cells.faces.push(nodes);
+            if !outside {
+                faces.push(cell.iter().map(|&p| self.ports.all[p].node).collect());
             }
         }
-        cells
+        faces
     }
 }

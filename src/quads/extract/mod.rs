@@ -10,7 +10,7 @@
 //! | `ports` | the grid lines that begin at each node, counterclockwise |
 //! | `trace` | the walk along a grid line to the next node |
 //! | `links` | pairs of ports that are two ends of one edge |
-//! | `cells` | the faces between the edges, and the boundary loops |
+//! | `cells` | the faces between the edges |
 //! | `tests` | maps that are known |
 
 mod cells;
@@ -24,7 +24,6 @@ pub(in crate::quads) mod tests;
 mod trace;
 
 use super::grid_map::{GridMap, Triangulation};
-pub(super) use cells::Cells;
 use fan::Fans;
 use links::link;
 pub(super) use nodes::{Node, Place};
@@ -35,8 +34,8 @@ use ports::Ports;
 pub(super) struct Extraction {
     /// `#N`: the points where grid lines meet, or meet the boundary.
     pub(super) nodes: Vec<Node>,
-    /// The faces and boundary loops.
-    pub(super) cells: Cells,
+    /// The faces, as nodes counterclockwise with the face on the left.
+    pub(super) faces: Vec<Vec<usize>>,
 }
 
 /// Extracts the grid. Where triangles are flipped, lines can be lost: their walk does not end at a
@@ -48,6 +47,6 @@ pub(super) fn extract(surface: &Triangulation, map: &GridMap, careful: bool) -> 
     let nodes = nodes::nodes(surface, map, &fans);
     let ports = Ports::of(surface, map, &fans, &nodes);
     let links = link(surface, map, &fans, &nodes, &ports, careful);
-    let cells = Cells::of(&ports, &links);
-    Extraction { nodes, cells }
+    let faces = cells::faces(&ports, &links);
+    Extraction { nodes, faces }
 }

@@ -2,7 +2,8 @@
 //! cuts it.
 
 use super::{Extraction, extract};
-use crate::math::Vec3;
+use crate::math::{Vec3, polygon_sides};
+use crate::mesh::{Mesh, Ragged, Topology};
 use crate::quads::grid_map::{GridMap, Side, Transition, Triangulation, UNIT};
 use std::collections::BTreeMap;
 
@@ -98,26 +99,27 @@ fn rectangle(
     mapped(positions, triangles, corners, follows_boundary)
 }
 
-/// Vertices of faces minus edges plus faces.
-fn euler(extraction: &Extraction) -> i64 {
-    let mut edges: Vec<[usize; 2]> = Vec::new();
-    let mut nodes: Vec<usize> = Vec::new();
-    for face in &extraction.cells.faces {
-        for k in 0..face.len() {
-            let (a, b) = (face[k], face[(k + 1) % face.len()]);
-            edges.push([a.min(b), a.max(b)]);
-            nodes.push(a);
-        }
-    }
-    edges.sort_unstable();
-    edges.dedup();
-    nodes.sort_unstable();
-    nodes.dedup();
-    nodes.len() as i64 - edges.len() as i64 + extraction.cells.faces.len() as i64
+/// The number of boundary loops, and vertices of faces minus edges plus faces.
+fn shape(extraction: &Extraction) -> (usize, i64) {
+    let face = |face: &Vec<usize>| face.iter().map(|&node| node as u32).collect::<Vec<u32>>();
+    let faces: Ragged = extraction.faces.iter().map(face).collect();
+    let positions = vec![[0.0; 3]; extraction.nodes.len()];
+    let topology = Topology::new(&Mesh { positions, faces, ..Mesh::default() });
+    let vertices = topology.neighbours().iter().filter(|near| !near.is_empty()).count();
+    let euler = (vertices + extraction.faces.len()) as i64 - topology.edges().len() as i64;
+    (topology.boundary_loops().len(), euler)
+}
+
+/// The sides of the faces, and how many of them are on the boundary.
+fn sides(extraction: &Extraction) -> (Vec<[usize; 2]>, usize) {
+    let sides: Vec<[usize; 2]> =
+        extraction.faces.iter().flat_map(|face| polygon_sides(face)).collect();
+    let outer = sides.iter().filter(|&&[a, b]| !sides.contains(&[b, a])).count();
+    (sides, outer)
 }
 
 fn all_quads(extraction: &Extraction) -> bool {
-    extraction.cells.faces.iter().all(|face| face.len() == 4)
+    extraction.faces.iter().all(|face| face.len() == 4)
 }
 
 #[test]
@@ -128,11 +130,11 @@ fn the_grid_of_a_rectangle_is_found_whatever_its_triangles() {
                 rectangle(columns, rows, noise, |x, y| [scale * x, scale * y], true);
             let found = extract(&surface, &map, false);
             let expected = columns * rows * (scale * scale * 4.0) as usize / 4;
-            assert_eq!(found.cells.faces.len(), expected, "{columns} {rows} {scale} {noise}");
+            assert_eq!(found.faces.len(), expected, "{columns} {rows} {scale} {noise}");
             assert!(all_quads(&found));
-            assert_eq!((found.cells.loops.len(), euler(&found)), (1, 1));
+            assert_eq!(shape(&found), (1, 1));
             let boundary = (2.0 * scale * (columns + rows) as f64) as usize;
-            assert_eq!(found.cells.loops[0].len(), boundary);
+            assert_eq!(sides(&found).1, boundary);
         }
     }
 }
@@ -156,9 +158,9 @@ fn a_torus_has_quads_only() {
         .collect();
     let (surface, map) = mapped(positions, triangles, corners, true);
     let found = extract(&surface, &map, false);
-    assert_eq!(found.cells.faces.len(), (u * v) as usize);
-    assert!(all_quads(&found) && found.cells.loops.is_empty());
-    assert_eq!(euler(&found), 0);
+    assert_eq!(found.faces.len(), (u * v) as usize);
+    assert!(all_quads(&found));
+    assert_eq!(shape(&found), (0, 0));
 }
 
 /// `sectors` squares of `size` panels around a vertex.
@@ -197,10 +199,10 @@ fn a_cone_has_one_irregular_vertex() {
         for (size, cells) in [(1, 4), (4, 4), (6, 4), (5, 2)] {
             let (surface, map) = cone(sectors, size, cells);
             let found = extract(&surface, &map, false);
-            assert_eq!(found.cells.faces.len(), sectors * (size * size) as usize);
+            assert_eq!(found.faces.len(), sectors * (size * size) as usize);
             assert!(all_quads(&found));
-            assert_eq!((found.cells.loops.len(), euler(&found)), (1, 1));
-            let at_apex = found.cells.faces.iter().filter(|face| face.contains(&0)).count();
+            assert_eq!(shape(&found), (1, 1));
+            let at_apex = found.faces.iter().filter(|face| face.contains(&0)).count();
             assert_eq!(at_apex, sectors);
         }
     }
@@ -213,12 +215,12 @@ fn a_boundary_that_cuts_the_grid_closes_its_panels() {
         let to_plane = |x: f64, y: f64| [1.7 * (c * x - s * y), 1.7 * (s * x + c * y)];
         let (surface, map) = rectangle(6, 4, 0.2, to_plane, false);
         let found = extract(&surface, &map, false);
-        assert_eq!((found.cells.loops.len(), euler(&found)), (1, 1), "{turns}");
+        assert_eq!(shape(&found), (1, 1), "{turns}");
         let area = |face: &Vec<usize>| {
             let at = |k: usize| found.nodes[face[k % face.len()]].position;
             (0..face.len()).map(|k| 0.5 * at(k).cross(at(k + 1)).z).sum::<f64>()
         };
-        let areas: Vec<f64> = found.cells.faces.iter().map(area).collect();
+        let areas: Vec<f64> = found.faces.iter().map(area).collect();
         assert!(areas.iter().all(|&area| area > 0.0));
         assert!((areas.iter().sum::<f64>() - 24.0).abs() < 1e-5);
         let whole = areas.iter().fold(0.0f64, |most, &area| most.max(area));
@@ -243,19 +245,9 @@ fn a_flipped_triangle_leaves_no_edge_without_a_face() {
     assert!((0..surface.triangles.len()).any(|t| map.doubled_area(t) < 0));
     for careful in [false, true] {
         let found = extract(&surface, &map, careful);
-        assert_eq!((found.cells.loops.len(), found.cells.loops[0].len()), (1, 64));
-        let quads = found.cells.faces.iter().filter(|face| face.len() == 4).count();
+        let quads = found.faces.iter().filter(|face| face.len() == 4).count();
         assert!(quads > 200, "{quads}");
-        let mut sides: Vec<[usize; 2]> = Vec::new();
-        for face in found.cells.faces.iter() {
-            sides.extend((0..face.len()).map(|k| [face[k], face[(k + 1) % face.len()]]));
-        }
-        let on_loop = |a: usize, b: usize| {
-            let ring = &found.cells.loops[0];
-            (0..ring.len()).any(|k| [ring[k], ring[(k + 1) % ring.len()]] == [a, b])
-        };
-        for &[a, b] in &sides {
-            assert!(sides.contains(&[b, a]) || on_loop(a, b), "{a} {b}");
-        }
+        let (_, outer) = sides(&found);
+        assert_eq!((shape(&found).0, outer), (1, 64));
     }
 }

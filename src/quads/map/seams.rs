@@ -3,7 +3,7 @@
 
 use super::elimination::{Elimination, Row};
 use crate::quads::field::{Combed, Frames, argument};
-use crate::quads::surface::Prepared;
+use crate::quads::surface::{Prepared, corner_classes};
 use crate::quads::{Side, Transition};
 use std::f64::consts::FRAC_PI_2;
 
@@ -39,9 +39,9 @@ impl Seams {
     ) -> Seams {
         let surface = &prepared.surface;
         let n = surface.triangles.len();
-        let mut is_cut = vec![[false; 3]; n];
-        cut.iter().flatten().for_each(|side| is_cut[side.triangle][side.side] = true);
-        let classes = classes(&surface.neighbours, &is_cut);
+        let mut joined = surface.neighbours.clone();
+        cut.iter().flatten().for_each(|side| joined[side.triangle][side.side] = None);
+        let classes = corner_classes(&joined);
         let count = classes.iter().flatten().max().map_or(0, |&last| last as usize + 1);
         let coordinate = |triangle: usize, corner: usize, axis: usize| {
             2 * classes[triangle][corner % 3] + axis as u32
@@ -141,32 +141,6 @@ impl Seams {
 pub(super) fn turned(quarter_turns: u8, axis: usize) -> (usize, f64) {
     let unit = [[1, 0], [0, 1]].map(|e| Transition { quarter_turns, shift: [0; 2] }.turn(e)[axis]);
     if unit[0] != 0 { (0, unit[0] as f64) } else { (1, unit[1] as f64) }
-}
-
-/// Numbers the classes of corners that are joined over sides that are not cut.
-fn classes(neighbours: &[[Option<Side>; 3]], is_cut: &[[bool; 3]]) -> Vec<[u32; 3]> {
-    let mut classes = vec![[NONE; 3]; neighbours.len()];
-    let mut count = 0;
-    for first in 0..3 * neighbours.len() {
-        if classes[first / 3][first % 3] != NONE {
-            continue;
-        }
-        classes[first / 3][first % 3] = count;
-        let mut queue = vec![(first / 3, first % 3)];
-        while let Some((t, k)) = queue.pop() {
-            let over = |side: usize| neighbours[t][side].filter(|_| !is_cut[t][side]);
-            let ahead = over(k).map(|next| (next.triangle, (next.side + 1) % 3));
-            let behind = over((k + 2) % 3).map(|next| (next.triangle, next.side));
-            for (u, l) in [ahead, behind].into_iter().flatten() {
-                if classes[u][l] == NONE {
-                    classes[u][l] = count;
-                    queue.push((u, l));
-                }
-            }
-        }
-        count += 1;
-    }
-    classes
 }
 
 /// Chooses two unknowns whose moves are independent, integers with a determinant of one if possible,

@@ -37,11 +37,11 @@ pub(super) fn repair(
     let mut panels = Panels::of(faces);
     let mut replaced = Vec::new();
     let divide = |panels: &mut Panels, nodes: &[Node], replaced: &mut Vec<Vec<usize>>| {
-        let odd_one = |panels: &Panels, index: usize| {
+        let to_replace = |panels: &Panels, index: usize| {
             let face = panels.face(index)?;
             (face.len() != 4 && !is_trimmed(face)).then_some(index)
         };
-        let wrong: Vec<usize> = panels.indices().filter_map(|i| odd_one(panels, i)).collect();
+        let wrong: Vec<usize> = panels.indices().filter_map(|i| to_replace(panels, i)).collect();
         for index in wrong {
             replace(panels, nodes, index, replaced);
         }
@@ -58,14 +58,10 @@ fn replace(panels: &mut Panels, nodes: &[Node], index: usize, replaced: &mut Vec
     let at = |node: usize| nodes[node].position;
     match quadrangulate(&face, at, |a, b| !panels.has_edge(a, b)) {
         Some(quads) => {
-            quads.into_iter().for_each(|quad| {
-                panels.add(quad.to_vec());
-            });
+            quads.into_iter().for_each(|quad| panels.add(quad.to_vec()));
             replaced.push(face);
         }
-        None => {
-            panels.add(face);
-        }
+        None => panels.add(face),
     }
 }
 

@@ -16,20 +16,17 @@ impl Panels {
     /// Enters all faces.
     pub(super) fn of(faces: Vec<Vec<usize>>) -> Panels {
         let mut panels = Panels::default();
-        faces.into_iter().for_each(|face| {
-            panels.add(face);
-        });
+        faces.into_iter().for_each(|face| panels.add(face));
         panels
     }
 
-    /// Adds a face, and returns its index.
-    pub(super) fn add(&mut self, face: Vec<usize>) -> usize {
+    /// Adds a face.
+    pub(super) fn add(&mut self, face: Vec<usize>) {
         let index = self.faces.len();
         for side in polygon_sides(&face) {
             self.on_left.entry(side).or_default().push(index);
         }
         self.faces.push(Some(face));
-        index
     }
 
     /// Removes a face, if it is there.

@@ -13,31 +13,23 @@ pub struct LargestDistances {
     pub from_input: f64,
 }
 
-/// The distance of each vertex to the other mesh, in the unit of the mesh.
+/// The distances between the vertices of the result and the input, both ways, in the unit of the mesh.
 pub(in crate::quads) struct Distances {
-    /// From the vertices of the result to the input.
-    pub(in crate::quads) to_input: Vec<f64>,
     /// From the used vertices of the input to the result.
     pub(in crate::quads) from_input: Vec<f64>,
+    /// The largest of them.
+    pub(in crate::quads) largest: LargestDistances,
 }
 
 impl Distances {
     /// Measures the distances both ways between two meshes, of which the input has this surface.
     pub(in crate::quads) fn between(result: &Mesh, input: &Mesh, surface: &Surface) -> Distances {
-        let of_result = Surface::of_ground(&result.positions, result);
-        Distances {
-            to_input: distances(&result.used_positions(), surface),
-            from_input: distances(&input.used_positions(), &of_result),
-        }
-    }
-
-    /// The largest of them.
-    pub(in crate::quads) fn largest(&self) -> LargestDistances {
+        let of_result = Surface::of_polygons(&result.positions, result);
+        let from_input = distances(&input.used_positions(), &of_result);
         let largest = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
-        LargestDistances {
-            to_input: largest(&self.to_input),
-            from_input: largest(&self.from_input),
-        }
+        let to_input = largest(&distances(&result.used_positions(), surface));
+        let largest = LargestDistances { to_input, from_input: largest(&from_input) };
+        Distances { from_input, largest }
     }
 }
 

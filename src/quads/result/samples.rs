@@ -1,8 +1,9 @@
 //! Normals and curvature of the surface at the nodes of the grid.
 
 use crate::math::Vec3;
+use crate::mesh::Tensor;
 use crate::quads::extract::{Node, Place};
-use crate::quads::surface::{Prepared, Tensor};
+use crate::quads::surface::Prepared;
 
 /// The surface at each node.
 pub(in crate::quads) struct Samples {

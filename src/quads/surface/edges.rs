@@ -48,3 +48,27 @@ impl Edges {
         neighbours
     }
 }
+
+/// Numbers the classes of corners that are joined over sides, which are those of one vertex that triangles
+/// around it connect: `#T by 3`, from 0 in the order of their first corners.
+pub(in crate::quads) fn corner_classes(neighbours: &[[Option<Side>; 3]]) -> Vec<[u32; 3]> {
+    const NONE: u32 = u32::MAX;
+    let mut classes = vec![[NONE; 3]; neighbours.len()];
+    let mut count = 0;
+    for first in 0..3 * neighbours.len() {
+        if classes[first / 3][first % 3] != NONE {
+            continue;
+        }
+        let mut queue = vec![(first / 3, first % 3)];
+        while let Some((t, k)) = queue.pop() {
+            classes[t][k] = count;
+            // Over the side that starts here and the one that ends here.
+            let ahead = neighbours[t][k].map(|next| (next.triangle, (next.side + 1) % 3));
+            let behind = neighbours[t][(k + 2) % 3].map(|next| (next.triangle, next.side));
+            let around = [ahead, behind].into_iter().flatten();
+            queue.extend(around.filter(|&(u, l)| classes[u][l] == NONE));
+        }
+        count += 1;
+    }
+    classes
+}

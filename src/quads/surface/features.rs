@@ -3,8 +3,9 @@
 use super::edges::Edges;
 use super::input::as_mesh;
 use super::refine::Line;
-use crate::math::{Vec3, cosine};
-use crate::mesh::{Topology, crease_normals};
+use crate::math::Vec3;
+use crate::mesh::{Topology, crease_edges};
+use crate::quads::Side;
 
 /// Marks the sides on the boundary, and those on creases: edges between triangles whose normals turn
 /// by more than `crease` degrees, in connected sets of at least the length `shortest`: `#T by 3`.
@@ -16,20 +17,14 @@ pub(super) fn lines(
 ) -> Vec<[Line; 3]> {
     let edges = Edges::new(triangles);
     let mesh = as_mesh(positions, triangles);
-    let normals = crease_normals(&mesh, &Topology::new(&mesh));
-    let normal = |t: usize| normals[t].direction_or_zero();
-    let least = crease.map(|degrees| cosine(degrees / 360.0));
-    let mut line: Vec<Line> = edges
-        .sides
-        .iter()
-        .map(|sides| match (sides.as_slice(), least) {
-            ([_], _) => Line::Boundary,
-            ([a, b], Some(least)) if normal(a.triangle).dot(normal(b.triangle)) < least => {
-                Line::Crease
-            }
-            _ => Line::None,
-        })
-        .collect();
+    // Both number edges in the order of their ends.
+    let is_crease = crease.map(|degrees| crease_edges(&mesh, &Topology::new(&mesh), degrees));
+    let line = |(e, sides): (usize, &Vec<Side>)| match (sides.len(), &is_crease) {
+        (1, _) => Line::Boundary,
+        (2, Some(is_crease)) if is_crease[e] => Line::Crease,
+        _ => Line::None,
+    };
+    let mut line: Vec<Line> = edges.sides.iter().enumerate().map(line).collect();
     let mut at_vertex: Vec<Vec<usize>> = vec![Vec::new(); positions.len()];
     for (e, _) in line.iter().enumerate().filter(|&(_, &line)| line == Line::Crease) {
         edges.ends[e].iter().for_each(|&v| at_vertex[v].push(e));

@@ -1,18 +1,15 @@
 //! The surface as given: its connected parts as oriented triangles, with curvature. Independent of
 //! the size of panels.
 
-use super::edges::Edges;
+use super::edges::{Edges, corner_classes};
 use super::slivers::remove_slivers;
-use crate::math::{Vec3, argsort, ears_in_space, marked, mean};
-use crate::mesh::{Mesh, Topology, Weld, components, curvatures, orientation};
-use crate::quads::{RemeshError, Side};
+use crate::math::{Vec3, argsort, ears_in_space, key_of_pair, marked, mean};
+use crate::mesh::{Mesh, Tensor, Topology, Weld, components, curvatures, orientation};
+use crate::quads::RemeshError;
 use std::collections::BTreeMap;
 
 /// Fewer triangles have no curvature to speak of.
 const FEWEST: usize = 10;
-
-/// A symmetric tensor in space: xx, yy, zz, xy, xz, yz.
-pub(crate) type Tensor = [f64; 6];
 
 /// A connected part of the input.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +35,8 @@ pub struct InputParts {
     pub surfaces: Vec<InputSurface>,
     /// The others, in this order too; those of faces without area last.
     pub staying: Vec<StayingPart>,
+    /// The faces of no part, ascending, because where a corner is, is not in the file.
+    pub unplaced: Vec<u32>,
 }
 
 /// A part of the input that is not covered.
@@ -56,10 +55,12 @@ pub struct StayingPart {
 impl InputSurface {
     /// Returns the connected parts of the faces of a mesh, in the order of their first faces. Faces
     /// that share no vertices are welded first; triangles without area are removed, their faces still
-    /// belong to their part. The faces `stay` belong to no part.
+    /// belong to their part. The faces `stay` belong to no part, nor do those with a vertex whose position
+    /// is not in the file: these are not a surface.
     ///
     /// # Errors
-    /// [`RemeshError::Empty`] if there is nothing to remesh.
+    /// [`RemeshError::Empty`], [`RemeshError::AllStay`] or [`RemeshError::Unplaced`] if there is nothing
+    /// to remesh.
     pub fn parts(mesh: &Mesh, stay: &[u32]) -> Result<InputParts, RemeshError> {
         let mut welded = mesh.clone();
         let weld = Weld::apply(&mut welded);
@@ -75,11 +76,22 @@ impl InputSurface {
         let mut at_staying = vec![false; positions.len()];
         let staying = welded.faces.iter().zip(&stays).filter(|(_, stays)| **stays);
         staying.flat_map(|(face, _)| face).for_each(|&v| at_staying[v as usize] = true);
-        let (all, face_of) = triangulate(&positions, &welded, &stays);
+        let is_unplaced = |f: &u32| {
+            let face = mesh.faces.row(*f as usize);
+            !stays[*f as usize] && face.iter().any(|&v| mesh.is_unplaced(v))
+        };
+        let unplaced: Vec<u32> = (0..mesh.faces.len() as u32).filter(is_unplaced).collect();
+        let mut is_out = stays;
+        unplaced.iter().for_each(|&f| is_out[f as usize] = true);
+        let (all, face_of) = triangulate(&positions, &welded, &is_out);
         let mut triangles = all.clone();
         let given = remove_slivers(&positions, &mut triangles);
         if triangles.is_empty() {
-            return Err(RemeshError::Empty);
+            return Err(match stay {
+                _ if !unplaced.is_empty() => RemeshError::Unplaced,
+                [] => RemeshError::Empty,
+                _ => RemeshError::AllStay,
+            });
         }
         let (part_of, mut faults) = orient(&positions, &mut triangles);
         let mut members: Vec<(Vec<[usize; 3]>, Vec<u32>)> = vec![Default::default(); faults.len()];
@@ -107,7 +119,7 @@ impl InputSurface {
                 members[part].1.push(face_of[k]);
             }
         }
-        let mut found = InputParts::default();
+        let mut found = InputParts { unplaced, ..InputParts::default() };
         for ((own, mut faces), fault) in members.into_iter().zip(faults) {
             faces.sort_unstable();
             faces.dedup();
@@ -149,19 +161,15 @@ impl InputSurface {
         (original, at_staying): (&[u32], &[bool]),
     ) -> InputSurface {
         let neighbours = Edges::new(&triangles).neighbours();
-        let fans = fans(&triangles, &neighbours);
-        let order = argsort((0..3 * triangles.len()).map(|k| {
-            let (vertex, fan) = (triangles[k / 3][k % 3], fans[k]);
-            ((vertex as u64) << 32) | fan as u64
-        }));
+        let fans = corner_classes(&neighbours);
+        let fan = |k: usize| [triangles[k / 3][k % 3] as u32, fans[k / 3][k % 3]];
+        let order = argsort((0..3 * triangles.len()).map(|k| key_of_pair(fan(k))));
         let mut vertices: Vec<usize> = Vec::new();
         let mut last = None;
         let mut renumbered = triangles.clone();
         for k in order.into_iter().map(|k| k as usize) {
-            let vertex = triangles[k / 3][k % 3];
-            if last != Some((vertex, fans[k])) {
-                vertices.push(vertex);
-                last = Some((vertex, fans[k]));
+            if last.replace(fan(k)) != Some(fan(k)) {
+                vertices.push(triangles[k / 3][k % 3]);
             }
             renumbered[k / 3][k % 3] = vertices.len() - 1;
         }
@@ -188,14 +196,14 @@ fn area(positions: &[Vec3<f64>], triangles: &[[usize; 3]]) -> f64 {
     triangles.iter().map(area).sum()
 }
 
-/// Returns the triangles of all faces but those that stay, and the face of each.
+/// Returns the triangles of all faces but those that are left out, and the face of each.
 fn triangulate(
     positions: &[Vec3<f64>],
     mesh: &Mesh,
-    stays: &[bool],
+    is_out: &[bool],
 ) -> (Vec<[usize; 3]>, Vec<u32>) {
     let mut found: Vec<([usize; 3], u32)> = Vec::new();
-    let others = (0..).zip(mesh.faces.iter()).zip(stays).filter(|(_, stays)| !**stays);
+    let others = (0..).zip(mesh.faces.iter()).zip(is_out).filter(|(_, is_out)| !**is_out);
     for ((f, face), _) in others {
         let mut face = face.to_vec();
         face.dedup();
@@ -238,31 +246,6 @@ fn orient(
         triangle.swap(1, 2);
     }
     (part_of, faults)
-}
-
-/// Numbers the fans of triangles around vertices: the same for corners of one vertex that are
-/// connected by triangles around it, `3 #T`.
-fn fans(triangles: &[[usize; 3]], neighbours: &[[Option<Side>; 3]]) -> Vec<usize> {
-    let mut fan: Vec<usize> = (0..3 * triangles.len()).collect();
-    for first in 0..fan.len() {
-        if fan[first] != first {
-            continue;
-        }
-        let mut queue = vec![first];
-        while let Some(corner) = queue.pop() {
-            let (t, k) = (corner / 3, corner % 3);
-            // Over the side that starts here and the one that ends here.
-            let ahead = neighbours[t][k].map(|next| 3 * next.triangle + (next.side + 1) % 3);
-            let behind = neighbours[t][(k + 2) % 3].map(|next| 3 * next.triangle + next.side);
-            for other in [ahead, behind].into_iter().flatten() {
-                if other > first && fan[other] != first {
-                    fan[other] = first;
-                    queue.push(other);
-                }
-            }
-        }
-    }
-    fan
 }
 
 /// The triangles as faces of a mesh.

@@ -22,8 +22,7 @@ mod refine;
 mod slivers;
 mod wedges;
 
-pub(super) use edges::Edges;
-pub(super) use input::Tensor;
+pub(super) use edges::{Edges, corner_classes};
 pub use input::{InputParts, InputSurface, StayingPart};
 pub use openings::Opening;
 pub(super) use openings::SHORTEST_LOOP;

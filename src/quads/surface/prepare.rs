@@ -4,11 +4,12 @@
 use super::chains::Chains;
 use super::edges::Edges;
 use super::features;
-use super::input::{InputSurface, Tensor};
+use super::input::InputSurface;
 use super::openings::{Opening, SHORTEST_LOOP};
 use super::refine::{Line, Refined};
 use super::wedges::wedges;
 use crate::math::Vec3;
+use crate::mesh::Tensor;
 use crate::quads::options::MOST_PANELS;
 use crate::quads::{Boundary, MapOptions, RemeshError, Side, Triangulation};
 
@@ -49,7 +50,6 @@ impl Prepared {
         let chains = Chains::new(&surface.positions, &edges, &is_feature);
         chains.tangents(&edges, size, &mut tangents);
         let dropped = chains.too_close(size, is_crease);
-        drop(chains);
         for &e in &dropped {
             is_feature[e] = false;
             edges.sides[e].iter().for_each(|s| surface.feature[s.triangle][s.side] = false);

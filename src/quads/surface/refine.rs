@@ -1,8 +1,8 @@
 //! Subdivision of triangles until edges are shorter than a panel, and until features are apart.
 
 use super::edges::Edges;
-use super::input::Tensor;
 use crate::math::Vec3;
+use crate::mesh::Tensor;
 use crate::quads::Side;
 
 /// What a side of a triangle lies on. The order is that of precedence.

@@ -35,7 +35,9 @@ pub struct PanelLayouts {
 impl PanelLayouts {
     /// Layouts on a shape beside some of its faces; `units` is the symbol of its unit.
     pub(super) fn new(shape: Mesh, units: &str, kept: &[u32]) -> PanelLayouts {
-        let has_boundary = !Topology::new(&shape).boundary_loops().is_empty() || !kept.is_empty();
+        // Faces that stay, or are left out, leave openings.
+        let is_whole = kept.is_empty() && shape.unplaced.is_empty();
+        let has_boundary = !is_whole || !Topology::new(&shape).boundary_loops().is_empty();
         PanelLayouts {
             shape,
             surface: OnceCell::new(),
@@ -105,7 +107,7 @@ impl PanelLayouts {
     }
 
     fn surface(&self) -> &Surface {
-        self.surface.get_or_init(|| Surface::of_ground(&self.shape.positions, &self.shape))
+        self.surface.get_or_init(|| Surface::of_polygons(&self.shape.positions, &self.shape))
     }
 
     /// The layout that moves less of those with the wished choices at the boundary.

@@ -42,7 +42,7 @@ impl Session {
         match shape {
             Shape::Now => self.measures(),
             Shape::Original => {
-                let diameter = self.rest.mesh().bounding_diameter();
+                let diameter = self.rest.mesh().size();
                 Rc::new(Measures::new(self.rest.positions(), self.faces(), diameter))
             }
         }

@@ -127,7 +127,7 @@ impl RestMesh {
         let target = target?;
         let mut known = self.original.borrow_mut();
         if known.as_ref().is_none_or(|(mesh, _)| !Rc::ptr_eq(mesh, target)) {
-            let surface = Surface::of_ground(&target.positions, target);
+            let surface = Surface::of_polygons(&target.positions, target);
             let limit = ON_SURFACE * self.mean_edge();
             let mut hint = Surface::NO_HINT;
             let mut is_on = |v: u32| {

@@ -4,7 +4,8 @@
 use super::parts::{constraint, each, fixed, moved};
 use crate::constraint::{Element, Selector};
 use crate::generate::example::Example;
-use crate::generate::model::{Blocks, Noise, Patch, creature, soften};
+use crate::generate::finish::{Noise, soften};
+use crate::generate::model::{Blocks, Patch, creature};
 use crate::math::{cosine, sine};
 use crate::mesh::{Group, GroupKeyword, Mesh, Point};
 use crate::scene::{ClosenessTo, ConstraintSpec, Scene};

@@ -2,7 +2,8 @@
 //! command line's `parametrize` flatten their meshes.
 
 use crate::generate::example::Example;
-use crate::generate::model::{self, Mounds, opened};
+use crate::generate::finish::opened;
+use crate::generate::model::{self, Mounds};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
 

@@ -1,12 +1,11 @@
-//! What generators do with a mesh in the end: even it out, open it, and round its coordinates; and
+//! What generators do with a mesh in the end: even it out, edit it, open it, and round its coordinates; and
 //! random numbers, the same on every machine.
 
-use crate::generate::hexagons::edited;
 use crate::math::{Vec3, mean};
-use crate::mesh::{Mesh, Point, Topology};
+use crate::mesh::{Mesh, MeshOperation, Point, Task, Topology};
 
 /// Smooths a surface: in each step every vertex moves halfway to the mean of its neighbours.
-pub fn soften(mesh: &mut Mesh, steps: usize) {
+pub(super) fn soften(mesh: &mut Mesh, steps: usize) {
     let topology = Topology::new(mesh);
     for _ in 0..steps {
         mesh.positions = halfway(mesh, &topology).into_iter().map(Into::into).collect();
@@ -67,9 +66,18 @@ fn gradient(field: impl Fn(Point) -> f64, p: Point, step: f64) -> Vec3<f64> {
     Vec3::new(along(0), along(1), along(2))
 }
 
+/// The mesh after an operation on `faces`, which the generator knows to be possible. Some operations act
+/// on all faces if there are none, others are refused.
+pub(super) fn edited(mesh: &Mesh, operation: &str, sizes: &[f64], faces: &[u32]) -> Mesh {
+    let (rest, topology) = (&mesh.positions, &Topology::new(mesh));
+    let task = Task { mesh, rest, topology, up: [0.0, 0.0, 1.0], sizes, vertices: &[], faces };
+    let edited = MeshOperation::of(operation).and_then(|operation| operation.apply(&task));
+    edited.expect("the operation fits the mesh").mesh
+}
+
 /// The mesh without the faces for whose centroid `is_open` is true, and without the vertices then
 /// unused; the rest keeps its order.
-pub fn opened(mesh: &Mesh, is_open: impl Fn(Point) -> bool) -> Mesh {
+pub(super) fn opened(mesh: &Mesh, is_open: impl Fn(Point) -> bool) -> Mesh {
     let middle = |face: &[u32]| mean(face.iter().map(|&v| mesh.positions[v as usize].into()));
     let is_open = |(_, face): &(u32, &[u32])| is_open(middle(face).into());
     let open: Vec<u32> = (0..).zip(mesh.faces.iter()).filter(is_open).map(|(f, _)| f).collect();
