@@ -2,7 +2,7 @@
 
 use super::document::{ConstraintSpec, HandleSpec, MeshSource, Scene};
 use super::lesson::Goal;
-use crate::json::{Entries, object, object_or_none, objects, points, present};
+use crate::json::{Entries, object_or_none, objects, points, present};
 use crate::mesh::{Mesh, Point};
 use crate::solve::Weights;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -37,9 +37,9 @@ pub struct Results {
     /// The names of the steps that led here, as shown by Undo; the oldest may be missing.
     #[serde(default)]
     pub steps: Vec<String>,
-    /// The weights of the energies at the end.
-    #[serde(deserialize_with = "object")]
-    pub weights: Weights,
+    /// The weights of the energies at the end; `None` in older files.
+    #[serde(default, deserialize_with = "object_or_none", skip_serializing_if = "Option::is_none")]
+    pub weights: Option<Weights>,
     /// The declared settings at the end, by id.
     #[serde(default, deserialize_with = "unrepeated")]
     pub settings: Map<String, Value>,

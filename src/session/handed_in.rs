@@ -7,8 +7,8 @@ use crate::constraint::Selector;
 use crate::fabricate::{BUILD_NUMBERS, Build, Stand, unit_of};
 use crate::mesh::{Mesh, Topology};
 use crate::scene::{
-    BuildSettings, ConstraintSpec, Goal, GoalOf, GoalResult, Lock, MeshSource, Results, Scene,
-    SceneError,
+    BoundaryRequire, BuildSettings, ConstraintSpec, Goal, GoalOf, GoalResult, Lock, MeshSource,
+    NamedEnum, Results, Scene, SceneError,
 };
 use crate::session::Error;
 use crate::solve::Require;
@@ -40,7 +40,7 @@ impl Session {
             constraints,
             handles,
             steps: self.history.steps()[0].iter().map(|(name, _)| name.clone()).collect(),
-            weights,
+            weights: Some(weights),
             settings,
             moved: Some(self.moved().max),
             distance: Some(self.worst_distance()),
@@ -236,14 +236,19 @@ fn differences(
 ) -> Vec<(Lock, String)> {
     let is_carried = |id: &str| is_other_mesh && ["closeness", "boundary"].contains(&id);
     let mut found = Vec::new();
-    let [from, to] = [given.weights, results.weights];
-    let pairs = [
-        ("shape", from.shape, to.shape),
-        ("close", from.close, to.close),
-        ("smooth", from.smooth, to.smooth),
-    ];
-    for (name, from, to) in pairs.into_iter().filter(|(_, from, to)| from != to) {
-        found.push((Lock::Weights, format!("{name} weight {from} to {to}")));
+    match results.weights {
+        Some(weights) => {
+            let [from, to] = [given.weights, weights];
+            let pairs = [
+                ("shape", from.shape, to.shape),
+                ("close", from.close, to.close),
+                ("smooth", from.smooth, to.smooth),
+            ];
+            for (name, from, to) in pairs.into_iter().filter(|(_, from, to)| from != to) {
+                found.push((Lock::Weights, format!("{name} weight {from} to {to}")));
+            }
+        }
+        None => found.push((Lock::Weights, "weights missing".to_owned())),
     }
     for (id, from) in &settings_of(given) {
         let to = results.settings.get(id);
@@ -280,8 +285,15 @@ fn differences(
 }
 
 /// Compares a value `handed_in` with that of a setting. A whole number may be written with or without a
-/// decimal point.
+/// decimal point, and results of earlier versions have other words for how the boundary is held.
 fn same_value(handed_in: &Value, given: &Value) -> bool {
-    let number = handed_in.as_f64();
-    if number.is_some() { number == given.as_f64() } else { handed_in == given }
+    let word = match handed_in.as_str() {
+        Some("exactly") => Some(BoundaryRequire::Exact.word()),
+        Some("nearly") => Some(BoundaryRequire::Soft.word()),
+        word => word,
+    };
+    match word {
+        Some(word) => given.as_str() == Some(word),
+        None => handed_in.as_f64().is_some_and(|number| given.as_f64() == Some(number)),
+    }
 }

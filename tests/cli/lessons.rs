@@ -74,7 +74,7 @@ fn results_with_one_locked_part_altered_do_not_pass() {
     let mut session = session(&locked);
     session.solve(false).unwrap();
     let mut results = session.results("Mallory", "").unwrap();
-    results.weights.close = 0.5;
+    results.weights.as_mut().unwrap().close = 0.5;
     let folder = Folder::new("altered");
     folder.write("roof.obj", ROOF).write("s.json", scene(&format!("{PLANES}{locked}")));
     folder.write("r.json", results.to_json());

@@ -2,7 +2,9 @@
 
 use crate::support::grid::{bumpy, grid};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{ChosenAttempt, ClosenessTo, Lock, NamedEnum, Results, Scene};
+use shape_up::scene::{
+    BoundaryRequire, ChosenAttempt, ClosenessTo, Lock, NamedEnum, Results, Scene,
+};
 use shape_up::session::Error;
 use shape_up::session::{DragPhase, Edit, PanelStart, Session, check_results};
 
@@ -184,7 +186,7 @@ fn results_tell_what_was_done() {
     let results = session.results("Ada", "").expect("it is a lesson");
     let results = Results::from_json(&results.to_json()).expect("it was written here");
     assert_eq!(results.steps, ["Change weights", "Run, 1 iteration"]);
-    assert_eq!(results.weights.shape, 100.0);
+    assert_eq!(results.weights.map(|weights| weights.shape), Some(100.0));
     assert_eq!(results.moved, Some(session.moved().max));
     assert_eq!(results.distance, Some(session.worst_distance()));
     assert_eq!(results.settings["window"], 5);
@@ -221,6 +223,24 @@ fn what_was_altered_is_found_by_the_part_that_is_locked() {
     let checked = check_results(&results, session_scene("[\"weights\"]"), bumpy(5));
     let checked = checked.expect("they are of it");
     assert!(checked.altered.is_empty() && checked.changed.is_empty(), "{checked:?}");
+}
+
+#[test]
+fn results_with_the_earlier_words_for_how_a_boundary_is_held_are_not_altered() {
+    // The words were `exactly` and `nearly`, and have become those of scene files.
+    let words = [(BoundaryRequire::Exact, "exactly"), (BoundaryRequire::Soft, "nearly")];
+    for (require, own) in words {
+        let mut given = session_scene("[\"weights\"]");
+        given.closeness.boundary.require = require;
+        let mut session = Session::open(given.clone(), bumpy(5)).expect("it fits");
+        let mut results = session.results("Ada", "").expect("it is a lesson");
+        for (_, word) in words {
+            results.settings.insert("boundary".to_owned(), word.into());
+            let checked = check_results(&results, given.clone(), bumpy(5));
+            let altered = checked.expect("they are of it").altered;
+            assert_eq!(altered.is_empty(), word == own, "{word}: {altered:?}");
+        }
+    }
 }
 
 fn session_scene(lock: &str) -> Scene {
