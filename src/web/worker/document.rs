@@ -5,7 +5,9 @@ use crate::constraint::describe;
 use crate::scene::{
     ClosenessTo, Hold, Lesson, Lock, PRESETS, Preset, PresetOffer, Slide, SmoothnessOf, Up,
 };
-use crate::session::{GoalWords, Session, UnusedCloseness, goals_in_words, settings_of};
+use crate::session::{
+    EasedPanels, GoalWords, Session, UnusedCloseness, goals_in_words, settings_of,
+};
 use crate::solve::Require;
 use crate::web::values::{Js, plain};
 use serde::Serialize;
@@ -102,8 +104,8 @@ struct ConstraintRow<'a> {
     enabled: bool,
     /// In the form of the scene file.
     require: Require,
-    /// The larger tolerance of some panels.
-    eased: Option<f64>,
+    /// The panels with a weaker requirement.
+    eased: Option<EasedPanels>,
     #[tsify(type = "Record<string, ParamValue>")]
     params: Value,
 }
@@ -166,7 +168,10 @@ impl<'a> Document<'a> {
                     weight: spec.weight,
                     enabled: spec.enabled,
                     require: spec.require,
-                    eased: spec.eased.as_ref().map(|eased| eased.within),
+                    eased: spec.eased.as_ref().map(|eased| EasedPanels {
+                        panels: eased.faces.len(),
+                        within: eased.within,
+                    }),
                     params: spec.kind.params(),
                 }
             })

@@ -243,7 +243,7 @@ function Worst({ row }: { row: ConstraintRow }) {
   const unmet = isSoft ? undefined : found.unmet;
   const isWithin = unmet ? !unmet.includes(row.index) : value <= allowed;
   const { eased } = row;
-  const others = eased !== null && value > allowed ? `, some within ${limit(eased, units)}` : '';
+  const others = eased && value > allowed ? `, some within ${limit(eased.within, units)}` : '';
   // The row says what it requires.
   const compared = isSoft
     ? `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`
