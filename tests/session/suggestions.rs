@@ -159,8 +159,9 @@ fn the_best_of_the_better_presses_is_recommended() {
     let recommended: Vec<_> = recommended.collect();
     let [best] = recommended[..] else { panic!("one is recommended: {recommended:?}") };
     assert_ne!(best, &presses.found()[0]);
-    for other in others.filter(|other| other.kind == best.kind) {
-        let is_worse = other.level > best.level || other.surface > 0.6 * best.surface;
+    for other in others {
+        let is_nearer = other.kind == best.kind && other.surface <= 0.6 * best.surface;
+        let is_worse = other.level > best.level || (other.level == best.level && !is_nearer);
         assert!(is_worse, "{other:?} {best:?}");
     }
 }

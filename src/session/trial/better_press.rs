@@ -49,11 +49,11 @@ pub struct BetterPress {
 }
 
 impl BetterPress {
-    /// Whether it ends better than another one of the same kind, at a better level or much nearer.
+    /// Whether it ends better than another one: at a better level, or with the same kind of panels at the
+    /// same level and much nearer.
     fn ends_better_than(&self, other: &BetterPress) -> bool {
-        let is_nearer = self.surface <= NEARER * other.surface;
-        self.kind == other.kind
-            && (self.level < other.level || (self.level == other.level && is_nearer))
+        let is_nearer = self.kind == other.kind && self.surface <= NEARER * other.surface;
+        self.level < other.level || (self.level == other.level && is_nearer)
     }
 }
 
