@@ -95,8 +95,9 @@ impl Scene {
     }
 
     /// Leaves the search where other hard constraints are asked for than those that it has met, or
-    /// elsewhere: its start, its smoothness and its larger tolerances say nothing about these, and the
-    /// next run tries them again. Closeness and boundary stay, which only a press for panels tries.
+    /// elsewhere: its start, its smoothness and its larger tolerances say nothing about these. Closeness
+    /// and boundary stay, which only a press for panels tries: where it has chosen the surface, the next
+    /// run makes the first attempt on that alone, and elsewhere it tries start and smoothness again.
     pub(crate) fn leave_search(&mut self) {
         if self.attempt.smoother != 1.0 {
             // As many digits as anybody types: without the rounding of product and quotient.

@@ -60,21 +60,35 @@ impl UnitsAndUp {
     }
 
     /// Checks what the second file `name` of a scene, a surface or a pose, states: its coordinates are
-    /// taken as those of the model. A unit is compared if the scene has one.
+    /// taken as those of the model, of which the mesh file states `own`. The scene may say otherwise than
+    /// its files, and is as good; one that names no unit, or no axis beside a mesh that states none, has
+    /// nothing to compare.
     ///
     /// # Errors
     /// If it is another unit or another axis.
-    pub fn check_second(&self, name: &str, scene: &Scene) -> Result<(), SceneError> {
-        let refused = |stated: String, own: &str| {
-            let message = format!("{name} {stated}, expected that of the model, {own}");
+    pub fn check_second(
+        &self,
+        name: &str,
+        own: &UnitsAndUp,
+        scene: &Scene,
+    ) -> Result<(), SceneError> {
+        let refused = |what: &str, stated: &str, expected: &str| {
+            let message = format!(
+                "{name} states the {what} {stated}, expected that of the model, {expected}: give the \
+                 model the same {what} first if the coordinates agree"
+            );
             Err(SceneError { path: String::new(), message })
         };
-        match (&self.units, self.up) {
-            (Some(units), _) if !scene.units.is_empty() && *units != scene.units => {
-                refused(format!("states the unit {units}"), &scene.units)
-            }
-            (_, Some(up)) if up != scene.up => {
-                refused(format!("states the up axis {}", up.word()), scene.up.word())
+        if let Some(units) = &self.units
+            && self.units != own.units
+            && *units != scene.units
+            && !scene.units.is_empty()
+        {
+            return refused("unit", units, &scene.units);
+        }
+        match (self.up, own.up) {
+            (Some(up), Some(of_model)) if up != of_model && up != scene.up => {
+                refused("up axis", up.word(), scene.up.word())
             }
             _ => Ok(()),
         }

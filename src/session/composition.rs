@@ -1,13 +1,12 @@
 //! The session itself: its parts, and plain access to them.
 
 use super::measured::MeasureCache;
-use super::report::panel_row;
 use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, Search, TraceEntry};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
 use super::undo::{History, Transaction};
 use crate::mesh::{Mesh, Point, Topology};
 use crate::scene::Scene;
-use crate::solve::Solver;
+use crate::solve::{Require, Solver};
 use std::rc::Rc;
 
 /// An open scene.
@@ -91,11 +90,11 @@ impl Session {
         self.progress.halfway()
     }
 
-    /// How the shape has collapsed since iterating began, if it has. The end of a search for panels is
-    /// judged by its verdict instead.
+    /// How the shape has collapsed since iterating began, if it has. Where a search for panels that have
+    /// to meet a requirement has ended, their verdict judges the shape instead.
     pub fn collapse(&self) -> Option<Collapse> {
-        let has_verdict = || self.is_searched() && panel_row(self.document()).is_some();
-        self.guard.collapse().filter(|_| !has_verdict())
+        let requires_panels = || self.panel_requirement().is_some_and(Require::is_hard);
+        self.guard.collapse().filter(|_| !(self.is_searched() && requires_panels()))
     }
 
     /// Whether the last iteration changed the total by no more than the tolerance, or a run has met the

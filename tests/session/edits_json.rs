@@ -114,6 +114,19 @@ fn what_has_no_meaning_is_refused_where_it_stands() {
         (json!({ "removeHandles": { "vertices": [0, -1] } }), "vertices[1]", "found -1"),
         (json!({ "holdClose": { "weight": "much" } }), "weight", "found \"much\""),
         (json!({ "setUp": { "up": "w" } }), "up", "expected \"z\" or \"y\""),
+        // It replaced the set of that name, or was added to no use.
+        (
+            json!({ "addConstraint": { "kind": "plane", "on": { "each": "face", "in": "eaves" },
+                "set": { "faces": [1] }, "weight": 1 } }),
+            "set",
+            "found a set",
+        ),
+        (
+            json!({ "addConstraint": { "kind": "plane", "on": "faces", "set": { "faces": [1] },
+                "weight": 1 } }),
+            "set",
+            "found a set",
+        ),
         (
             json!({ "addConstraint": { "kind": "plane", "on": "faces", "weight": 1,
                 "params": { "angle": 3 } } }),

@@ -141,6 +141,26 @@ fn a_lesson_that_is_saved_unsolved_is_as_it_was_asked_for() {
 }
 
 #[test]
+fn what_a_search_has_chosen_does_not_become_the_students_where_it_is_locked() {
+    // The teacher's check said that the student had altered it.
+    let mut solved = scene(r#"["weights"]"#);
+    let text = r#"{ "from": "rest", "smoother": 10, "on_surface": true }"#;
+    solved.attempt = serde_json::from_str(text).expect("it is an attempt");
+    (solved.weights.smooth, solved.closeness.to) = (5.0, ClosenessTo::Surface);
+    let mut session = Session::open(solved, bumpy(5)).expect("it fits");
+    for same in [
+        r#"{ "set": { "id": "closeness", "value": "surface" } }"#,
+        r#"{ "setWeights": { "smooth": 5 } }"#,
+    ] {
+        assert!(refused(session.edit(Edit::from_json(same).expect("it is an edit"))), "{same}");
+    }
+    // Another requirement leaves the search.
+    let other = r#"{ "setConstraint": { "index": 0, "require": "exact" } }"#;
+    session.edit(Edit::from_json(other).expect("it is an edit")).expect("it is not locked");
+    assert_eq!(session.document().weights.smooth, 0.5);
+}
+
+#[test]
 fn neither_refining_nor_editing_the_mesh_leaves_out_what_is_locked() {
     let mesh = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
     let mut triangles = Mesh { positions: mesh.positions.clone(), ..Mesh::default() };

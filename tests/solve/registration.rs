@@ -116,7 +116,8 @@ fn a_second_file_in_another_unit_or_with_another_axis_is_refused() {
         for edit in
             [Edit::FitTo { name: name.clone(), text: text.clone() }, Edit::TakePose { name, text }]
         {
-            assert_eq!(session.edit(edit).expect_err("it does not fit").to_string(), words);
+            let refused = session.edit(edit).expect_err("it does not fit").to_string();
+            assert!(refused.starts_with(words), "{refused}");
         }
     }
     let text = "# units: m\n# up: z\n".to_owned() + &write_obj(&wave(), &wave().positions);

@@ -295,7 +295,9 @@ fn check_name_of_group(name: &str, draft: &Draft<'_>) -> Result<(), SceneError> 
 
 /// Reads the text of a second mesh file, which has the coordinates of the model.
 fn read_second(name: &str, text: &str, document: &Scene) -> Result<Read, SceneError> {
-    UnitsAndUp::stated(text.as_bytes()).check_second(name, document)?;
+    // What the file of the model states is known no longer; the user sees, and can set, what it has.
+    let own = UnitsAndUp { units: None, up: Some(document.up) };
+    UnitsAndUp::stated(text.as_bytes()).check_second(name, &own, document)?;
     read(name, text.as_bytes())
         .map_err(|error| SceneError { path: String::new(), message: error.to_string() })
 }

@@ -1,5 +1,6 @@
 //! The edits of the document: each is one step of undo.
 
+use super::ConstraintTarget;
 use super::remeshing::Remeshing;
 use crate::constraint::{Selector, Set};
 use crate::json::indices::{self, Indices};
@@ -254,7 +255,7 @@ fn list_or_none<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Vec<u32>>, 
 pub struct NewConstraint {
     /// The row.
     pub spec: ConstraintSpec,
-    /// The set that [`super::ConstraintTarget::UNNAMED`] stands for in the selector.
+    /// The set that [`ConstraintTarget::UNNAMED`] stands for in the selector.
     pub set: Option<Set>,
 }
 
@@ -280,6 +281,12 @@ impl TryFrom<ConstraintEntry> for NewConstraint {
 
     fn try_from(entry: ConstraintEntry) -> Result<NewConstraint, JsonError> {
         let ConstraintEntry { kind, on, set, weight, params } = entry;
+        let unnamed = Some(ConstraintTarget::UNNAMED);
+        let is_meant = matches!(&on, Selector::Each { within, .. } if within.as_deref() == unnamed);
+        if set.is_some() && !is_meant {
+            let message = "found a set, expected none where `on` has no empty name to stand for it";
+            return Err(JsonError::new("set", message));
+        }
         let kind = kind_of(&kind, params)?;
         let (name, require, eased) = (String::new(), Require::Soft, None);
         let number = RowNumber::default();

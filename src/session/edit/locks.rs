@@ -1,6 +1,6 @@
 //! Locks of a lesson: what an edit has changed is refused if it is locked, whichever edit it is.
 
-use super::edit_list::Edit;
+use super::edit_list::{Edit, PanelStart};
 use crate::scene::{ConstraintSpec, Lesson, Lock, Scene, SceneError, Variant, Variants};
 use crate::session::state::{Draft, other_sets, uses};
 use crate::solve::Handle;
@@ -18,8 +18,13 @@ pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneErro
         let message = "locked by the lesson: it cannot be changed while it locks parts of the scene. If you have just written it, press Undo".to_owned();
         return Err(SceneError { path: "lesson.lock".to_owned(), message });
     }
-    // To try these takes as long as they do.
+    // To try those that bring or make a mesh takes as long as they do. A start that is asked for would
+    // be taken as the choice of a search.
     let changed: &[Lock] = match edit {
+        Edit::MakePanels {
+            from: PanelStart::Smoother | PanelStart::Surface | PanelStart::Boundary,
+            ..
+        } => &[Lock::Weights],
         Edit::FitTo { .. } => &[Lock::Weights, Lock::Mesh],
         Edit::Refine { .. } | Edit::Remesh(_) | Edit::TakePose { .. } => &[Lock::Mesh],
         _ => &[],
@@ -67,17 +72,14 @@ fn locked(part: Lock) -> SceneError {
 fn locks_between(before: &Scene, now: &Scene) -> Vec<Lock> {
     let mut changed = Vec::new();
     let mut add_if = |differs: bool, lock| changed.extend(differs.then_some(lock));
-    // That a search has chosen settings is no change of the user, nor that they are left again.
-    let mut asked = before.clone();
-    asked.as_asked();
-    let settings: [fn(&Scene, &Scene) -> bool; 4] = [
-        |a, b| a.weights == b.weights,
-        |a, b| a.closeness.to == b.closeness.to,
-        |a, b| a.closeness.boundary == b.closeness.boundary,
-        |a, b| a.smoothness == b.smoothness,
-    ];
-    let is_kept = |same: &fn(&Scene, &Scene) -> bool| same(before, now) || same(&asked, now);
-    add_if(!settings.iter().all(is_kept), Lock::Weights);
+    // That a search has chosen settings is no change of the user, nor that they are left again; but it
+    // is one that they are the user's from now on.
+    let [from, to] = [before, now].map(|scene| {
+        let mut asked = scene.clone();
+        asked.as_asked();
+        (asked.weights, asked.closeness.to, asked.closeness.boundary, asked.smoothness)
+    });
+    add_if(from != to, Lock::Weights);
     let [from, to] = [before, now].map(|it| (&it.closeness.target, &it.pose));
     add_if(from != to, Lock::Mesh);
     add_if((&before.units, before.up) != (&now.units, now.up), Lock::Mesh);

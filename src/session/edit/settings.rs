@@ -136,7 +136,7 @@ pub const SETTINGS: &[Setting] = &[
     },
 ];
 
-/// Why closeness keeps no vertex near the original.
+/// Why closeness keeps no vertex near the original, but for a boundary that is held exactly.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct UnusedCloseness {
@@ -147,13 +147,18 @@ pub struct UnusedCloseness {
 }
 
 impl UnusedCloseness {
-    /// Returns this for a scene; none if some vertices may be kept near the original. A boundary that is
-    /// held exactly on its curves needs no weight.
+    /// Returns this for a scene; none if closeness may keep some vertices near the original. A boundary
+    /// that is held exactly on its curves needs no weight.
     pub fn of(scene: &Scene) -> Option<UnusedCloseness> {
         let boundary = scene.closeness.boundary.require;
         let is_nowhere = scene.closeness.to == ClosenessTo::None;
         if scene.weights.close == 0.0 {
-            let why = "The weight of Close is 0: nothing is kept near the original.";
+            let why = match boundary {
+                BoundaryRequire::Exact => {
+                    "The weight of Close is 0: only the boundary is kept, exactly."
+                }
+                _ => "The weight of Close is 0: nothing is kept near the original.",
+            };
             let mut settings = if is_nowhere { Vec::new() } else { vec!["closeness"] };
             if boundary == BoundaryRequire::Soft {
                 settings.extend(["boundary", "boundary-weight", "corners"]);
@@ -320,6 +325,9 @@ mod tests {
         scene.closeness.boundary.require = BoundaryRequire::Soft;
         let all = vec!["closeness", "boundary", "boundary-weight", "corners"];
         assert_eq!(unused(&scene), Some(all));
+        scene.closeness.boundary.require = BoundaryRequire::Exact;
+        let exact = UnusedCloseness::of(&scene).expect("closeness has no weight");
+        assert!(exact.why.ends_with("only the boundary is kept, exactly."), "it was denied");
         scene.weights.close = 1.0;
         assert_eq!(unused(&scene), None);
         scene.closeness.to = ClosenessTo::None;

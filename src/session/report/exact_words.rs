@@ -145,7 +145,7 @@ impl Session {
         // What has a tolerance is not too large for it.
         let too_large = places(&|row| report.too_large && row.require == Require::Exact);
         let why = "the mesh, or one constraint, is too large for that";
-        let (cannot, mut closest) = if !too_large.is_empty() && too_large.len() == unmet.len() {
+        let (cannot, mut more) = if !too_large.is_empty() && too_large.len() == unmet.len() {
             (format!("are not exact: {why}"), String::new())
         } else if report.contradiction {
             let closest = " This is the closest shape that was found.".to_owned();
@@ -154,10 +154,10 @@ impl Session {
             ("are not satisfied yet".to_owned(), String::new())
         };
         if !too_large.is_empty() && too_large.len() < unmet.len() {
-            closest = format!(" {} cannot be exact: {why}.", too_large.join(", "));
+            more += &format!(" {} cannot be exact: {why}.", too_large.join(", "));
         }
         let brief = format!(
-            "{} of {} constraints {cannot}: {}.{closest}",
+            "{} of {} constraints {cannot}: {}.{more}",
             words::group_digits(report.misses),
             words::group_digits(all),
             unmet.join(", ")
@@ -263,13 +263,14 @@ mod tests {
             faces: [[0, 1, 2, 3]].into_iter().collect(),
             ..Mesh::default()
         };
-        let brief = |first: &str, second: &str| {
+        let brief_of = |first: &str, second: &str, contradiction: bool| {
             let scene = Scene::from_json(&rows(first, second)).expect("it is a scene");
             let session = Session::open(scene, mesh.clone()).expect("it fits");
             let (unmet, misses) = (vec![0, 1], 2);
-            let report = ExactReport { unmet, misses, too_large: true, ..ExactReport::default() };
-            session.unmet_words(&report).brief
+            let known = ExactReport { too_large: true, contradiction, ..ExactReport::default() };
+            session.unmet_words(&ExactReport { unmet, misses, ..known }).brief
         };
+        let brief = |first: &str, second: &str| brief_of(first, second, false);
         let within = r#"{ "within": 0.001 }"#;
         let why = "the mesh, or one constraint, is too large for that";
         assert_eq!(
@@ -286,5 +287,8 @@ mod tests {
             )
         );
         assert!(!brief(within, within).contains(why));
+        let both = brief_of("\"exact\"", within, true);
+        assert!(both.contains("This is the closest shape that was found. Plane"), "{both}");
+        assert!(both.ends_with(&format!("{why}.")), "{both}");
     }
 }

@@ -44,7 +44,7 @@ pub struct BetterPress {
     pub level: Level,
     /// The largest distance of its surface from the original, in the unit of the mesh.
     pub surface: f64,
-    /// Whether it is the best of those found.
+    /// Whether it is the best of those found that make the same kind of panels as the first of them.
     pub recommended: bool,
 }
 
@@ -158,7 +158,7 @@ impl BetterPresses {
         Ok(true)
     }
 
-    /// Recommends the best that was found.
+    /// Recommends the best that was found, of those with the kind of panels of the first one.
     fn recommend(&mut self) {
         let found = &self.found;
         let better = |best: usize, k: usize| {
