@@ -1,5 +1,6 @@
 //! Advice: other values of settings with which parts can be cut and joined.
 
+use super::beam::Frame;
 use super::build::Build;
 use super::panel::{distinct_corners, smallest_box_within};
 use super::paper::PaperModel;
@@ -160,7 +161,7 @@ impl Build {
     }
 
     /// The number of panels, or of fins and node discs, of which there are parts at this scale and with
-    /// this joint. Neither a joint nor, in general, a scale takes away what is made of paper: 0.
+    /// this joint.
     fn made(&self, scale: f64, joint: f64) -> usize {
         let settings = &BuildSettings { scale, joint, ..self.settings.clone() };
         match settings.product {
@@ -168,8 +169,11 @@ impl Build {
                 let panels = 0..self.flat.len();
                 panels.filter(|&f| self.outline(f, settings).is_ok()).count()
             }
+            Product::Fins if scale == self.settings.scale => {
+                self.frame.as_ref().map_or(0, Frame::made)
+            }
             Product::Fins => self.frame_at(scale).map_or(0, |frame| frame.made()),
-            Product::Paper => 0,
+            Product::Paper => PaperModel::made(&self.surface, &self.flat, self.paper_size(scale)),
         }
     }
 
@@ -195,6 +199,7 @@ mod tests {
     use crate::fabricate::Stand;
     use crate::math::cosine_and_sine_of_degrees;
     use crate::mesh::Mesh;
+    use crate::scene::Fold;
     use crate::words::{LengthUnit, UNITS};
 
     /// A ridge of two panels with sides of this length, each of which goes down by this angle.
@@ -272,6 +277,45 @@ mod tests {
             given.iter().flat_map(|own| &own.choices).map(|own| own.value).collect::<Vec<_>>()
         };
         assert_eq!([at(25.0), at(50.0), at(200.0)], [vec![50.0], vec![], vec![50.0]]);
+    }
+
+    #[test]
+    fn no_scale_is_advised_at_which_folds_leave_nothing_of_card() {
+        // Beside the floor a ridge of two panels, bent down by 60 degrees each, of which a third goes on.
+        let at = |width: f64| {
+            let mut mesh = floor();
+            let [cosine, sine] = cosine_and_sine_of_degrees(60.0);
+            let (across, down) = (width * cosine, width * sine);
+            let profile = [
+                [-0.5 * width - across, -down],
+                [-0.5 * width, 0.0],
+                [0.5 * width, 0.0],
+                [0.5 * width + across, -down],
+            ];
+            let first = mesh.positions.len() as u32;
+            for [x, z] in profile {
+                mesh.positions.extend([[x, -4.0, z], [x, -3.0, z]]);
+            }
+            for k in [0, 2, 4].map(|k| first + k) {
+                mesh.faces.push(&[k, k + 2, k + 3, k + 1]);
+            }
+            let (product, fold, sheet) = (Product::Paper, Fold::Score, [420.0, 297.0]);
+            let own = BuildSettings {
+                product,
+                fold,
+                sheet,
+                thickness: 3.0,
+                scale: 25.0,
+                ..BuildSettings::default()
+            };
+            advice(&mesh, &own)
+                .iter()
+                .flat_map(|own| &own.choices)
+                .map(|own| own.value)
+                .collect::<Vec<f64>>()
+        };
+        // The folds take 1.7 mm from either side: of 2 mm at 1:50, or of 8 mm.
+        assert_eq!([at(0.1), at(0.4)], [vec![], vec![50.0]]);
     }
 
     #[test]

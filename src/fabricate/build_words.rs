@@ -284,10 +284,11 @@ impl BuildReport {
         if self.product != Product::Panels || thickness == 0.0 {
             return String::new();
         }
+        const KNOWN: &str = "a joint on the sheet of ";
         let panels = format!("Panels of {}", words::millimetres_limit(thickness));
         let of_side = |k: usize| match (self.no_least_joint[k], self.least_joint_mm[k]) {
             ("", Some(least)) => {
-                format!("a joint on the sheet of at least {}", words::millimetres(least))
+                format!("{KNOWN}at least {}", words::millimetres(least))
             }
             ("", None) => "no joint".to_owned(),
             (why, _) => format!("a joint that is not known ({why})"),
@@ -295,6 +296,9 @@ impl BuildReport {
         match [of_side(0), of_side(1)] {
             [outside, inside] if outside == inside => format!("{panels} need {outside}."),
             [outside, inside] => {
+                // What is the same for both is said once.
+                let of_both = inside.strip_prefix(KNOWN).filter(|_| outside.starts_with(KNOWN));
+                let inside = of_both.unwrap_or(&inside);
                 format!("{panels} need {outside} outside the surface, and {inside} inside.")
             }
         }

@@ -2,7 +2,7 @@
 //! elements that exceed a limit. Lengths are in mm of the building.
 
 use super::build::{Build, is_within};
-use super::numbers::{BUILD_NUMBERS, BuildNumber, NumberUnit};
+use super::numbers::{BEAM_WARP, BuildNumber, DISTANCE_ERROR, LEAN, NumberUnit, PANEL_FLATNESS};
 use super::offset::{BeamCheck, NodeCheck};
 use super::surface::distinct;
 use serde::Serialize;
@@ -100,16 +100,15 @@ impl Build {
     /// The five rows of the build check.
     pub(super) fn check_rows(&self) -> Vec<CheckRow> {
         let beam = |e: u32| Worst::Edge(self.surface.edges[e as usize].ends);
-        let [warp, error, lean, flatness, ..] =
-            BUILD_NUMBERS.map(|BuildNumber { id, label, unit, .. }| {
-                (id, label, if unit == NumberUnit::Degrees { "deg" } else { "mm" })
-            });
+        let of = |BuildNumber { id, label, unit, .. }| {
+            (id, label, if unit == NumberUnit::Degrees { "deg" } else { "mm" })
+        };
         vec![
-            self.warp().row(warp, beam),
-            self.distance_error().row(error, Worst::Vertex),
-            self.lean().row(lean, Worst::Vertex),
+            self.warp().row(of(BEAM_WARP), beam),
+            self.distance_error().row(of(DISTANCE_ERROR), Worst::Vertex),
+            self.lean().row(of(LEAN), Worst::Vertex),
             self.safe_distance_row(beam),
-            self.flatness().row(flatness, Worst::Panel),
+            self.flatness().row(of(PANEL_FLATNESS), Worst::Panel),
         ]
     }
 

@@ -31,32 +31,37 @@ pub struct BuildNumber {
     pub unit: NumberUnit,
 }
 
-/// All numbers; the first four are of the build check, in its order.
+pub(super) const BEAM_WARP: BuildNumber = BuildNumber {
+    id: "beam_warp",
+    label: "Beam warp",
+    description: "largest distance of a beam's corners to its plane",
+    unit: NumberUnit::Length,
+};
+pub(super) const DISTANCE_ERROR: BuildNumber = BuildNumber {
+    id: "distance_error",
+    label: "Offset error",
+    description: "largest difference of the offset from its distance",
+    unit: NumberUnit::Length,
+};
+pub(super) const LEAN: BuildNumber = BuildNumber {
+    id: "lean",
+    label: "Axis lean",
+    description: "largest angle between an inner node axis and the surface normal",
+    unit: NumberUnit::Degrees,
+};
+pub(super) const PANEL_FLATNESS: BuildNumber = BuildNumber {
+    id: "panel_flatness",
+    label: "Panel flatness",
+    description: "largest distance of a panel's corners to its plane",
+    unit: NumberUnit::Length,
+};
+
+/// All numbers.
 pub const BUILD_NUMBERS: [BuildNumber; 6] = [
-    BuildNumber {
-        id: "beam_warp",
-        label: "Beam warp",
-        description: "largest distance of a beam's corners to its plane",
-        unit: NumberUnit::Length,
-    },
-    BuildNumber {
-        id: "distance_error",
-        label: "Offset error",
-        description: "largest difference of the offset from its distance",
-        unit: NumberUnit::Length,
-    },
-    BuildNumber {
-        id: "lean",
-        label: "Axis lean",
-        description: "largest angle between an inner node axis and the surface normal",
-        unit: NumberUnit::Degrees,
-    },
-    BuildNumber {
-        id: "panel_flatness",
-        label: "Panel flatness",
-        description: "largest distance of a panel's corners to its plane",
-        unit: NumberUnit::Length,
-    },
+    BEAM_WARP,
+    DISTANCE_ERROR,
+    LEAN,
+    PANEL_FLATNESS,
     BuildNumber {
         id: "types",
         label: "Types of panels",

@@ -203,7 +203,7 @@ fn a_boundary_is_held_exactly_or_nearly() {
     // Without a weight of closeness it did nothing, and did not say so.
     folder.write("s.json", scene(PLANES));
     let said = folder.run(&["solve", "s.json", "--boundary", "100"]).done();
-    let why = "note: the boundary is not held: The weight of Close is 0";
+    let why = "note: the boundary is not held, since the weight of Close is 0";
     assert!(said.contains(why), "{said}");
 }
 

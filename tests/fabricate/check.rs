@@ -163,6 +163,43 @@ fn nothing_is_suggested_that_does_not_remove_the_reason() {
     assert_eq!(words, "Every number that is available is within its limit.");
 }
 
+/// The mesh `one`, and `other` beside it.
+fn beside(one: &Mesh, other: &Mesh) -> Mesh {
+    let (mut mesh, first) = (one.clone(), one.positions.len() as u32);
+    mesh.positions.extend(other.positions.iter().map(|[x, y, z]| [x + 20.0, *y, *z]));
+    for face in other.faces.iter() {
+        mesh.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
+    }
+    mesh
+}
+
+#[test]
+fn circles_are_suggested_unless_another_part_cannot_be_exact_either_way() {
+    let wavy = wavy();
+    let split = |positions: &[[f64; 3]]| {
+        let mut mesh = Mesh { positions: positions.to_vec(), ..Mesh::default() };
+        for face in wavy.faces.iter() {
+            mesh.faces.push(&face[..3]);
+            mesh.faces.push(&[face[2], face[3], face[0]]);
+        }
+        mesh
+    };
+    let own = BuildSettings { kind: Some(OffsetKind::Corner), ..BuildSettings::default() };
+    // Circles remove the reason from the quads only.
+    let flat: Vec<_> = wavy.positions.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
+    let [curved, flat] = [split(&wavy.positions), split(&flat)];
+    for mesh in [beside(&wavy, &curved), beside(&curved, &wavy)] {
+        let limits = CheckLimits { flatness: 1e9, ..CheckLimits::default() };
+        let words = otherwise(&mesh, &BuildSettings { limits, ..own.clone() });
+        assert!(words.contains("with an odd number of edges"), "{words}");
+    }
+    // Axes close around triangles in one plane.
+    for mesh in [beside(&wavy, &flat), beside(&flat, &wavy)] {
+        let tighten = build(&mesh, &own).card().tighten;
+        assert_eq!(tighten.suggestions.first().map(|one| one.constraint), Some("circle"));
+    }
+}
+
 #[test]
 fn sides_that_fail_are_on_the_sheet_with_their_panel() {
     let limits = CheckLimits { warp: 0.1, lean: 5.0, ..CheckLimits::default() };
@@ -251,20 +288,16 @@ fn openings_through_a_part_are_found_whatever_the_other_parts_are() {
         mesh.faces = quads.collect();
         mesh
     };
-    let with_cube = |mut mesh: Mesh| {
-        let n = mesh.positions.len() as u32;
-        mesh.positions.extend(cube().positions.iter().map(|[x, y, z]| [x + 9.0, *y, *z]));
-        for face in cube().faces.iter() {
-            mesh.faces.push(&face.iter().map(|v| v + n).collect::<Vec<_>>());
-        }
-        mesh
-    };
     let all = [(ring(4), true), (ring(3), true), (cube(), false), (revolution(9, 7), false)];
     for (mesh, has_openings) in all {
-        for mesh in [with_cube(mesh.clone()), mesh] {
+        for mesh in [beside(&mesh, &cube()), mesh] {
             let surface = PanelSurface::new(&mesh).unwrap();
-            let found = closings(&surface).parts.iter().any(|own| own.has_openings);
-            assert_eq!(found, has_openings, "{} parts", surface.parts);
+            let found = closings(&surface);
+            let has: Vec<bool> = found.parts.iter().map(|own| own.has_openings).collect();
+            // The cube, if it is there, comes after the other part.
+            assert_eq!(has[found.part_of[mesh.faces.row(0)[0] as usize] as usize], has_openings);
+            let others = usize::from(has_openings);
+            assert_eq!(has.iter().filter(|own| **own).count(), others, "{} parts", surface.parts);
         }
     }
 }

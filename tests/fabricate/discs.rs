@@ -43,6 +43,8 @@ fn discs_are_on_the_sheets_in_a_table_in_words_and_in_space() {
     assert_eq!(table.lines().count(), 1 + nodes);
     assert!(text_of(&made, "summary.csv").contains("\r\nnode discs,30,\r\n"));
     assert!(text_of(&made, "summary.csv").contains("\r\nNode discs (disc),,mm\r\n"));
+    let slots = "\r\nhow to read names at slots of discs,";
+    assert!(text_of(&made, "summary.csv").contains(slots));
     let files = made.files(true);
     assert!(files.iter().all(|file| BuildFile::is_name_of_one(&file.name)));
     let plates = text_of(&made, "plates.obj");

@@ -1,11 +1,11 @@
 //! The report of a build in words.
 
-use super::build;
 use super::identities::revolution;
+use super::{build, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::{BuildReport, CheckWords, PanelSuggestion};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Names, OffsetKind, Product};
+use shape_up::scene::{BuildSettings, Fold, Names, OffsetKind, Product};
 
 /// Quads that are neither flat nor circular.
 fn wavy() -> Mesh {
@@ -73,6 +73,10 @@ fn a_joint_is_needed_where_panels_of_a_thickness_would_collide() {
         (
             [Some(1.0), None],
             "need a joint on the sheet of at least 1.00 mm outside the surface, and no joint inside.",
+        ),
+        (
+            [Some(1.0), Some(2.0)],
+            "need a joint on the sheet of at least 1.00 mm outside the surface, and at least 2.00 mm inside.",
         ),
         ([None, None], "need no joint."),
     ] {
@@ -182,6 +186,32 @@ fn the_joint_of_one_side_is_known_where_panels_lie_on_each_other_on_the_other_si
     for words in ["at least", "(panels lie on each other)"] {
         assert!(advice[0].words.contains(words), "{advice:?}");
     }
+}
+
+#[test]
+fn the_summary_says_how_to_read_the_tables_and_names_that_are_there() {
+    let of = |own: BuildSettings| {
+        let made = build(&revolution(5, 4), &own);
+        let summary = text_of(&made, "summary.csv");
+        let rows = summary.lines().filter_map(|row| row.strip_prefix("how to read "));
+        let what: Vec<String> =
+            rows.filter_map(|row| Some(row.split(',').next()?.to_owned())).collect();
+        for table in what.iter().filter_map(|what| what.split_once(".csv ")) {
+            let name = format!("{}.csv", table.0);
+            let header = text_of(&made, &name);
+            let mut columns = header.lines().next().unwrap().split(',');
+            assert!(columns.any(|own| own == table.1), "{table:?}");
+        }
+        move |own: &str| what.iter().any(|what| what == own)
+    };
+    let panels = of(BuildSettings::default());
+    assert!(panels("outlines") && panels("panels.csv turn_deg"));
+    assert!(!panels("splices.csv pieces") && !panels("tabs") && !panels("names of fins"));
+    let paper = BuildSettings { product: Product::Paper, ..BuildSettings::default() };
+    let card = BuildSettings { fold: Fold::Score, thickness: 1.0, ..paper.clone() };
+    let [paper, card] = [paper, card].map(of);
+    assert!(paper("tabs") && paper("joins.csv fold") && !paper("outlines"));
+    assert!(!card("tabs") && card("joins.csv fold"));
 }
 
 #[test]

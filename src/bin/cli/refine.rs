@@ -37,9 +37,17 @@ pub(in crate::cli) fn refine(command: &Refine) -> Result<(), Failure> {
     output::check(command.out.iter().chain(&command.report))?;
     let at_input = input::at(&command.input);
     let subdivision = command.subdivision;
-    // Triangles cannot be such panels, but the quads that they are divided into can.
-    let is_asked =
-        command.panels.is_some_and(|kind| scene.request_panels(kind, Require::Soft, &mesh).is_ok());
+    let mut is_asked = false;
+    if let Some(kind) = command.panels {
+        match scene.request_panels(kind, Require::Soft, &mesh) {
+            Ok(_) => is_asked = true,
+            Err(error) if subdivision.splits_triangles(&mesh) => {
+                return Err(at_input(error.into()));
+            }
+            // The faces cannot be such panels, but the quads that they are divided into can.
+            Err(_) => {}
+        }
+    }
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
     // Said before anything is solved.
     subdivision

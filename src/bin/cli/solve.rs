@@ -81,11 +81,10 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         };
         remarks.push(format!("nothing is required: {none}; --panels adds some"));
     }
-    remarks.extend(
-        UnusedCloseness::of(session.document())
-            .filter(|unused| unused.settings.contains(&"boundary"))
-            .map(|unused| format!("the boundary is not held: {}", unused.why)),
-    );
+    let unused = UnusedCloseness::of(session.document());
+    if unused.is_some_and(|unused| unused.settings.contains(&"boundary")) {
+        remarks.push("the boundary is not held, since the weight of Close is 0".to_owned());
+    }
     remarks.extend(misfits(&session));
     remarks.extend(session.unpaired_words());
     remarks.extend(session.collapse().map(|collapse| {

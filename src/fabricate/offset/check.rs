@@ -167,33 +167,39 @@ pub enum Inexact {
     Lean,
 }
 
-/// The first distance error or beam warp of these axes (`#V`) above `tolerance`; none if all are below.
-pub(super) fn first_error(
+/// The distance errors, then the beam warps, of these axes (`#V`) above `tolerance`; of a vertex with several
+/// elements it may be there several times.
+pub(super) fn errors(
     surface: &PanelSurface,
     axes: &[Vec3<f64>],
     kind: OffsetKind,
     depth: f64,
     tolerance: f64,
-) -> Option<Inexact> {
+) -> Vec<Inexact> {
     let is_kept = |length: f64| (depth * (length - 1.0)).abs() <= tolerance;
     let axis = |v: u32| axes[v as usize];
-    let moved = match kind {
+    let moved: Vec<u32> = match kind {
         OffsetKind::Corner => (0..axes.len() as u32)
-            .find(|&v| surface.normals[v as usize] != Vec3::zero() && !is_kept(axis(v).length())),
-        OffsetKind::Face => surface.faces.iter().zip(0..).find_map(|(face, f)| {
-            let normal = surface.normal(f);
-            let moved = |&v: &u32| normal != Vec3::zero() && !is_kept(normal.dot(axis(v)));
-            face.iter().copied().find(moved)
-        }),
-        OffsetKind::Edge => surface.beams().find_map(|(edge, t)| {
-            edge.ends.into_iter().find(|&v| !is_kept(across_edge(axis(v), t).length()))
-        }),
+            .filter(|&v| surface.normals[v as usize] != Vec3::zero() && !is_kept(axis(v).length()))
+            .collect(),
+        OffsetKind::Face => {
+            let of_face = |(face, f)| {
+                let normal = surface.normal(f);
+                let moved = move |v: &u32| normal != Vec3::zero() && !is_kept(normal.dot(axis(*v)));
+                <[u32]>::iter(face).copied().filter(moved)
+            };
+            surface.faces.iter().zip(0..).flat_map(of_face).collect()
+        }
+        OffsetKind::Edge => {
+            let ends = surface.beams().flat_map(|(edge, t)| edge.ends.map(|v| (v, t)));
+            ends.filter(|&(v, t)| !is_kept(across_edge(axis(v), t).length()))
+                .map(|(v, _)| v)
+                .collect()
+        }
     };
     let is_flat = |ends: [u32; 2]| beam_warp(surface, ends, axes, depth) <= tolerance;
-    moved.map(Inexact::Distance).or_else(|| {
-        let mut ends = surface.edges.iter().map(|edge| edge.ends);
-        ends.find(|&ends| !is_flat(ends)).map(Inexact::Warp)
-    })
+    let warped = surface.edges.iter().map(|edge| edge.ends).filter(|&ends| !is_flat(ends));
+    moved.into_iter().map(Inexact::Distance).chain(warped.map(Inexact::Warp)).collect()
 }
 
 /// The largest angle between an axis and the surface normal, in degrees.

@@ -1,6 +1,6 @@
 //! The exact pass: the limit `mu -> 0` without a choice of `mu`, and whether it is worthwhile.
 
-use super::newton::{add_faces, descend, energy};
+use super::newton::{Stage, add_faces, descend, energy};
 use super::system::{System, identity_and_outer};
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::{Vec3, symmetric_eigen};
@@ -70,8 +70,8 @@ fn of_beams(
     let mut left = energy(surface, kind, 0.0, &axes);
     while mu > 2.0 * LEAST_MU {
         mu *= 0.1;
-        let is_last = mu <= 2.0 * LEAST_MU;
-        axes = descend(system, surface, kind, mu, (axes, true), is_last);
+        let stage = if mu <= 2.0 * LEAST_MU { Stage::Last } else { Stage::Intermediate };
+        axes = descend(system, surface, kind, mu, axes, stage);
         let energy = energy(surface, kind, 0.0, &axes);
         if energy > FALLS * left {
             break;

@@ -47,9 +47,9 @@ pub(super) use system::across_edge;
 use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use crate::scene::OffsetKind;
-use check::{first_error, most_lean};
+use check::{errors, most_lean};
 use exact::{can_be_exact, exact_pass};
-use newton::descend;
+use newton::{Stage, descend};
 use serde::Serialize;
 use system::System;
 
@@ -63,8 +63,8 @@ pub struct Axes {
     pub axes: Vec<Vec3<f64>>,
     /// The elements that keep their distance.
     pub kind: OffsetKind,
-    /// Why the exact axes are not taken, but the fit; none if they are.
-    pub inexact: Option<Inexact>,
+    /// Why the exact axes are not taken, but the fit; empty if they are.
+    pub inexact: Vec<Inexact>,
 }
 
 /// For each kind the exact axes, if beam warp and distance error at the distance `depth` stay below
@@ -81,14 +81,16 @@ pub fn axes_of(
     let of = |&kind: &OffsetKind| {
         let fitted = fitted(system, surface, kind, mu);
         if !can_be_exact(surface, kind, depth, tolerance) {
-            return Axes { axes: fitted, kind, inexact: Some(Inexact::NoPoint) };
+            return Axes { axes: fitted, kind, inexact: vec![Inexact::NoPoint] };
         }
         let exact = exact_pass(system, surface, kind, (mu, fitted.clone()));
-        let inexact = first_error(surface, &exact, kind, depth, tolerance).or_else(|| {
-            let most = most_lean(surface, &fitted) + MOST_LEAN;
-            (most_lean(surface, &exact) > most).then_some(Inexact::Lean)
-        });
-        Axes { axes: if inexact.is_none() { exact } else { fitted }, kind, inexact }
+        let mut inexact = errors(surface, &exact, kind, depth, tolerance);
+        if inexact.is_empty()
+            && most_lean(surface, &exact) > most_lean(surface, &fitted) + MOST_LEAN
+        {
+            inexact.push(Inexact::Lean);
+        }
+        Axes { axes: if inexact.is_empty() { exact } else { fitted }, kind, inexact }
     };
     kinds.iter().map(of).collect()
 }
@@ -100,7 +102,7 @@ fn fitted(
     kind: OffsetKind,
     mu: f64,
 ) -> Vec<Vec3<f64>> {
-    descend(system, surface, kind, mu, (surface.normals.clone(), false), true)
+    descend(system, surface, kind, mu, surface.normals.clone(), Stage::Fit)
 }
 
 /// The errors that one kind of offset would have, to choose between kinds.
@@ -122,7 +124,7 @@ impl Choice {
     pub(in crate::fabricate) fn of(axes: &Axes, check: &OffsetCheck, building: f64) -> Choice {
         Choice {
             kind: axes.kind,
-            exact: axes.inexact.is_none(),
+            exact: axes.inexact.is_empty(),
             warp_mm: check.warp * building,
             distance_error_mm: check.distance_error * building,
         }

@@ -21,17 +21,29 @@ const ACCURACY: [f64; 2] = [1e-4, 0.03];
 /// this fraction.
 const WORTH: f64 = 0.1;
 
+/// Which minimum is sought.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stage {
+    /// The least-squares fit, until the axes do not move.
+    Fit,
+    /// From a minimum of another `mu`, whose matrix was factored last, until the energy hardly falls.
+    Intermediate,
+    /// From there, until the axes do not move.
+    Last,
+}
+
 /// Minimises the energy from these `axes` by Newton's method; a step that would raise the energy is
-/// halved. `is_near` is whether their matrix is close to the one factored last; `is_last`, whether to go
-/// on until the axes do not move, else until the energy hardly falls.
+/// halved.
 pub(super) fn descend(
     system: &mut System,
     surface: &PanelSurface,
     kind: OffsetKind,
     mu: f64,
-    (mut axes, mut is_near): (Vec<Vec3<f64>>, bool),
-    is_last: bool,
+    mut axes: Vec<Vec3<f64>>,
+    stage: Stage,
 ) -> Vec<Vec3<f64>> {
+    // Whether the matrix is close to the one factored last.
+    let mut is_near = stage != Stage::Fit;
     let mut lowest = energy(surface, kind, mu, &axes);
     let mut last = f64::INFINITY;
     for _ in 0..MOST_STEPS {
@@ -76,7 +88,7 @@ pub(super) fn descend(
         };
         (axes, lowest, last) = (next, value.min(lowest), length);
         is_near = length < NEAR;
-        if is_still || kind == OffsetKind::Face || (!is_last && is_settled) {
+        if is_still || kind == OffsetKind::Face || (stage == Stage::Intermediate && is_settled) {
             break;
         }
     }

@@ -58,30 +58,39 @@ impl Closing {
 }
 
 impl Axes {
-    /// Why these are not exact; none if they are. `are_flat` is whether all panels are flat.
+    /// Why these are not exact; none if they are. `are_flat` is whether all panels are flat. Where parts
+    /// have different reasons it is one that no constraint on panels removes, if there is any.
     pub(in crate::fabricate) fn reason(
         &self,
         closings: &Closings,
         are_flat: bool,
     ) -> Option<Reason> {
-        let inexact = self.inexact?;
-        let cause = match (self.kind, inexact) {
-            (_, Inexact::NoPoint | Inexact::Lean) => None,
-            // The cause is in the part that has the error: others may close.
-            (OffsetKind::Corner, Inexact::Distance(v) | Inexact::Warp([v, _])) => {
-                let own = &closings.parts[closings.part_of[v as usize] as usize];
-                own.reason().or(own.has_openings.then_some(Reason::Openings))
-            }
-            (OffsetKind::Face, _) => (!are_flat).then_some(Reason::NotFlat),
-            (OffsetKind::Edge, _) => Some(Reason::NoSphere),
+        let of_part = |own: &Closing| own.reason().or(own.has_openings.then_some(Reason::Openings));
+        let of_parts: Vec<_> = closings.parts.iter().map(of_part).collect();
+        let of = |inexact: Inexact| {
+            let cause = match (self.kind, inexact) {
+                (_, Inexact::NoPoint | Inexact::Lean) => None,
+                // The cause is in the part that has the error: others may close.
+                (OffsetKind::Corner, Inexact::Distance(v) | Inexact::Warp([v, _])) => {
+                    of_parts[closings.part_of[v as usize] as usize]
+                }
+                (OffsetKind::Face, _) => (!are_flat).then_some(Reason::NotFlat),
+                (OffsetKind::Edge, _) => Some(Reason::NoSphere),
+            };
+            // Without a known cause, what was measured.
+            cause.unwrap_or(match inexact {
+                Inexact::NoPoint => Reason::NoPoint,
+                Inexact::Distance(vertex) => Reason::Distance(vertex),
+                Inexact::Warp(ends) => Reason::Warp(ends),
+                Inexact::Lean => Reason::Lean,
+            })
         };
-        // Without a known cause, what was measured.
-        Some(cause.unwrap_or(match inexact {
-            Inexact::NoPoint => Reason::NoPoint,
-            Inexact::Distance(vertex) => Reason::Distance(vertex),
-            Inexact::Warp(ends) => Reason::Warp(ends),
-            Inexact::Lean => Reason::Lean,
-        }))
+        self.inexact.iter().map(|&inexact| of(inexact)).min_by_key(|reason| match reason {
+            // What was measured does not tell whether a constraint helps.
+            Reason::Distance(_) | Reason::Warp(_) => 2,
+            Reason::PanelTurn(..) | Reason::NotFlat => 1,
+            _ => 0,
+        })
     }
 }
 
@@ -147,7 +156,7 @@ mod tests {
     const WARP: Inexact = Inexact::Warp([3, 7]);
 
     fn reason(closing: &Closing, inexact: Inexact) -> Option<Reason> {
-        let axes = Axes { axes: Vec::new(), kind: OffsetKind::Corner, inexact: Some(inexact) };
+        let axes = Axes { axes: Vec::new(), kind: OffsetKind::Corner, inexact: vec![inexact] };
         let closings = Closings { parts: vec![closing.clone()], part_of: vec![0; 8] };
         axes.reason(&closings, true)
     }
@@ -197,12 +206,14 @@ mod tests {
         let panels = Closing { odd_panels: 4, ..Closing::default() };
         let closings =
             Closings { parts: vec![patch, tube, panels], part_of: vec![0, 0, 1, 1, 2, 2] };
-        let of = |inexact| {
-            let axes = Axes { axes: Vec::new(), kind: OffsetKind::Corner, inexact: Some(inexact) };
-            axes.reason(&closings, true)
+        let of = |inexact: &[Inexact]| {
+            let (kind, inexact) = (OffsetKind::Corner, inexact.to_vec());
+            Axes { axes: Vec::new(), kind, inexact }.reason(&closings, true)
         };
-        assert_eq!(of(Inexact::Warp([2, 3])), Some(Reason::Openings));
-        assert_eq!(of(Inexact::Distance(5)), Some(Reason::OddPanels(4)));
-        assert_eq!(of(Inexact::Distance(1)), Some(Reason::Distance(1)));
+        assert_eq!(of(&[]), None);
+        assert_eq!(of(&[Inexact::Warp([2, 3])]), Some(Reason::Openings));
+        assert_eq!(of(&[Inexact::Distance(5)]), Some(Reason::OddPanels(4)));
+        assert_eq!(of(&[Inexact::Distance(1)]), Some(Reason::Distance(1)));
+        assert_eq!(of(&[Inexact::Distance(1), Inexact::Warp([4, 5])]), Some(Reason::OddPanels(4)));
     }
 }

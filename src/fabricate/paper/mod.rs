@@ -20,7 +20,7 @@ pub use thickness::{Card, Uneven};
 
 use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{FlatPanel, smallest_box_within};
-use crate::fabricate::surface::PanelSurface;
+use crate::fabricate::surface::{PanelSurface, distinct};
 use crate::math::plane::{Point2, bounds};
 use crate::math::sort_by_number;
 use crate::scene::Pieces;
@@ -129,6 +129,15 @@ impl PaperModel {
         let (mut facets, mut joints, _) = facets(surface, flat, size.model);
         size.card.cut_back(surface, &mut facets, &mut joints);
         facets.iter().all(|facet| lies_on(&facet.corners, size.room))
+    }
+
+    /// The number of panels with facets of all of which the folds of a model of this size leave something.
+    pub fn made(surface: &PanelSurface, flat: &[Option<FlatPanel>], size: PaperSize) -> usize {
+        let (mut facets, mut joints, _) = facets(surface, flat, size.model);
+        let too_thick = size.card.cut_back(surface, &mut facets, &mut joints).too_thick;
+        let panels = |own: &mut dyn Iterator<Item = &Facet>| distinct(own.map(|f| f.panel)).len();
+        let lost = panels(&mut too_thick.iter().map(|&f| &facets[f as usize]));
+        panels(&mut facets.iter()) - lost
     }
 
     /// The tab on a side.

@@ -198,7 +198,8 @@ impl Subdivision {
         Ok(edited)
     }
 
-    fn splits_triangles(&self, mesh: &Mesh) -> bool {
+    /// Whether it splits the faces of `mesh` into triangles, else into quads.
+    pub fn splits_triangles(&self, mesh: &Mesh) -> bool {
         match self.scheme {
             Scheme::CatmullClark => false,
             Scheme::Linear => mesh.faces.iter().all(|face| face.len() == 3),
