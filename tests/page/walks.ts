@@ -361,6 +361,7 @@ export const walks: Record<string, State[]> = {
         await field.fill('high');
         await field.press('Enter');
         await expect(field).toHaveValue('high');
+        await expect(field).toHaveJSProperty('validationMessage', /“high” is not a length/);
       },
       leave: escape,
     },

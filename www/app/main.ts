@@ -85,8 +85,12 @@ store.subscribe(['status'], ({ status }) => status && alerts.note(status));
 offerPanelCommands(app);
 /** Goals on the parts are measured in the second worker, which few scenes need. */
 const measureParts = once(() => measureGoals(app));
-store.subscribe(['document'], ({ document: scene }) => {
-  if (scene?.lesson?.goals.some(({ build }) => build)) void actions.reportErrors(measureParts());
+/** The model for which that was tried: a failure is told once. */
+let tried = store.get().model;
+store.subscribe(['document'], ({ document: scene, model }) => {
+  if (model === tried || !scene?.lesson?.goals.some(({ build }) => build)) return;
+  tried = model;
+  void actions.reportErrors(measureParts());
 });
 showMoved(viewport, store);
 solver.on('collapsed', ({ collapse }) => reportCollapse(app, collapse));
@@ -154,7 +158,7 @@ function bindSolver(client: SolverClient) {
     const ended = before.numbers?.ended[converged ? 'converged' : 'paused'];
     store.set({ status: running ? 'Running' : (ended ?? '') });
   });
-  client.on('busy', ({ busy }) => offerCancel('solver', busy, () => client.abandon()));
+  client.on('busy', ({ busy, job }) => offerCancel('solver', busy, () => client.abandon(), job));
   // The card of new panels says itself what it does, with its own Cancel.
   const isSaid = (job: string) => LAYING_OUT.some((one) => one === job);
   jobs.on('busy', ({ busy, job }) =>

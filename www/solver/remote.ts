@@ -81,15 +81,10 @@ export class Waiting {
     return this.#calls.size;
   }
 
-  /** Name of the first call without an answer; empty if there is none. */
+  /** The first call without an answer; null if there is none. */
   get first() {
-    const [call] = this.#calls.values();
-    return call?.name ?? '';
-  }
-
-  /** Whether the call with this number has no answer yet. */
-  has(id: number) {
-    return this.#calls.has(id);
+    for (const [id, { name }] of this.#calls) return { id, name };
+    return null;
   }
 
   /** Sends a call, numbered, by `send`. */

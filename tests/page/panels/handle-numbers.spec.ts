@@ -116,6 +116,20 @@ test('two coordinates entered in quick succession both take effect', async ({ pa
   await expect(undoButton(page)).toHaveAttribute('title', /Move handle/);
 });
 
+test('a held arrow key moves the handle by one step of undo', async ({ page }) => {
+  // Each repeat of the key was one.
+  await open(page);
+  await makeHandles(page, [MIDDLE]);
+  const before = await targets(page);
+  await target(page, 'z').focus();
+  for (let time = 0; time < 5; time++) await page.keyboard.down('ArrowUp');
+  await page.keyboard.up('ArrowUp');
+  const z = async () => (await targets(page))[0][2];
+  await expect.poll(z).toBeCloseTo(before[0][2] + 0.05, 3);
+  await undoButton(page).click();
+  await expect.poll(() => targets(page)).toEqual(before);
+});
+
 test('a drag that begins while a number is typed is a step of its own', async ({ page }) => {
   // It ended with the move to the number, and the handle jumped there.
   await open(page);

@@ -54,7 +54,7 @@ export function SelectedHandles() {
               placeholder={shown[axis] ?? MIXED}
               {...{ unit, min: -Infinity, step: firstIn(unit) }}
               onAmount={(to) => move(chosen, axis, () => to)}
-              onAdd={(by) => move(chosen, axis, (from) => from + by)}
+              onAddToEach={(by) => move(chosen, axis, (from) => from + by)}
             />
           </label>
         ))}
@@ -75,12 +75,14 @@ function useTypedTargets() {
   const { document, refused } = store.state;
   /** Targets not yet in the document, by vertex. */
   const [ahead, setAhead] = useState<ReadonlyMap<number, HandleRow['target']>>(new Map());
-  const drag = useRef<HandleDrag>(null);
+  const latest = useRef<{ drag: HandleDrag; of: string; timer?: ReturnType<typeof setTimeout> }>(
+    null,
+  );
   useLayoutEffect(() => {
-    if (drag.current?.isOver !== false) setAhead(new Map());
+    if (latest.current?.drag.isOver !== false) setAhead(new Map());
   }, [document, refused]);
 
-  /** Moves handles along one axis, as one step of undo. */
+  /** Moves handles along one axis; what follows at once, as while an arrow key is held, is one step of undo. */
   function move(before: HandleRow[], axis: number, to: (from: number) => number) {
     const after = before.map((handle) => {
       const target = [...handle.target] as HandleRow['target'];
@@ -88,12 +90,16 @@ function useTypedTargets() {
       return { ...handle, target };
     });
     setAhead(new Map(after.map(({ vertex, target }) => [vertex, target])));
-    const moving = actions.drags.begin(before);
-    drag.current = moving;
-    moving.moveTo(Float64Array.from(after.flatMap(({ target }) => target)));
-    setTimeout(() => moving.end(), FOLLOW_MS);
-    // What is saved waits for it: meanwhile the mesh is half way.
-    void actions.begin(moving.ended);
+    const of = [axis, ...before.map(({ vertex }) => vertex)].join(' ');
+    if (latest.current?.of !== of || latest.current.drag.isOver) {
+      latest.current = { drag: actions.drags.begin(before), of };
+      // What is saved waits for it: meanwhile the mesh is half way.
+      void actions.begin(latest.current.drag.ended);
+    }
+    const { drag, timer } = latest.current;
+    drag.moveTo(Float64Array.from(after.flatMap(({ target }) => target)));
+    clearTimeout(timer);
+    latest.current.timer = setTimeout(() => drag.end(), FOLLOW_MS);
     actions.setStatus(
       after.length === 1 ? 'Handle moved' : `${count(after.length, 'handle')} moved`,
     );

@@ -17,7 +17,7 @@ export function AmountField({
   value,
   shown = value === null ? '' : String(value),
   onAmount,
-  onAdd,
+  onAddToEach,
   onEmpty,
   isReplaced = false,
   unit,
@@ -28,7 +28,7 @@ export function AmountField({
   step,
   ...rest
 }: Omit<ComponentProps<'input'>, 'value' | 'type' | 'role' | 'min' | 'max' | 'step'> &
-  Omit<Accepted, 'present' | 'isSeveral'> & {
+  Omit<Accepted, 'present' | 'addsToEach'> & {
     /** its accessible name, unless a label names it */
     name?: string;
     /** null for none */
@@ -36,8 +36,8 @@ export function AmountField({
     /** the value in words, if other than all its digits */
     shown?: string;
     onAmount: (to: number) => unknown;
-    /** called for what is added to each of several numbers */
-    onAdd?: (by: number) => unknown;
+    /** called for what is added to each of the numbers that it stands for */
+    onAddToEach?: (by: number) => unknown;
     /** called for a field that is emptied; without it, this is invalid too */
     onEmpty?: () => unknown;
     /** whether what is typed next replaces a value that comes while the field has the focus */
@@ -48,8 +48,8 @@ export function AmountField({
   const field = useRef<HTMLInputElement>(null);
   /** Whether Enter was pressed after the last input. */
   const isEntered = useRef(false);
-  const isSeveral = onAdd !== undefined;
-  const accepted = { unit, min, max, isWhole, isPositive, step, present: over(value), isSeveral };
+  const addsToEach = onAddToEach !== undefined;
+  const accepted = { unit, min, max, isWhole, isPositive, step, present: over(value), addsToEach };
   const textNow = () => (over(value) === value ? shown : String(over(value) ?? ''));
   const text = textNow();
   useLayoutEffect(() => {
@@ -83,7 +83,7 @@ export function AmountField({
         if (isEntered.current && !currentTarget.reportValidity()) return;
         if (to !== null) enter(to, onAmount(to));
         else if (currentTarget.validity.valid && currentTarget.value.trim())
-          onAdd?.(readLength(currentTarget.value, unit ?? '').length);
+          onAddToEach?.(readLength(currentTarget.value, unit ?? '').length);
         else if (onEmpty && currentTarget.validity.valid) enter(null, onEmpty());
         revert();
       }}

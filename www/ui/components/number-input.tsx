@@ -19,21 +19,21 @@ export interface Accepted extends Steps {
   isWhole?: boolean;
   /** what is added to; nothing is where it is absent */
   present?: number | null;
-  /** whether it stands for several numbers, to each of which is added */
-  isSeveral?: boolean;
+  /** whether what is added is for each of the numbers that it stands for, and no number of its own */
+  addsToEach?: boolean;
 }
 
 const isAboveZero = ({ isPositive = false, min }: Accepted) => isPositive || min === ABOVE_ZERO;
 
-/** Returns the number of a text, null if it is empty or added to several, and what is wrong with it. */
+/** Returns the number of a text, null if it is empty or added to each number, and what is wrong with it. */
 export function readNumber(text: string, accepted: Accepted): [number | null, string] {
-  const { unit = '', min = -Infinity, max = Infinity, isWhole, present, isSeveral } = accepted;
+  const { unit = '', min = -Infinity, max = Infinity, isWhole, present, addsToEach } = accepted;
   if (text.trim() === '') return [null, ''];
   // To some readers 1,000 is a thousand, to others one.
   if (isWhole && /[.,]/.test(text)) return [null, 'Expected a whole number, such as 1000.'];
   try {
     const { by, length } = readLength(text, unit);
-    if (by && isSeveral) return [null, ''];
+    if (by && addsToEach) return [null, ''];
     if (by && typeof present !== 'number') return [null, 'There is no number to add to.'];
     const number = by ? (present ?? 0) + length : length;
     if (isAboveZero(accepted) && !(number > 0)) return [null, 'Expected a number above 0.'];
@@ -105,7 +105,7 @@ export function NumberInput({
 /** Changes the number in a field by a step, as if it had been typed and entered. */
 function step(field: HTMLInputElement, by: 1 | -1, accepted: Accepted) {
   const number = numberIn(field, accepted);
-  if (!field.reportValidity() || (number === null && accepted.isSeveral)) return;
+  if (!field.reportValidity() || (number === null && accepted.addsToEach)) return;
   const { min = -Infinity, max = Infinity, isWhole } = accepted;
   const how = { ...accepted, isPositive: isAboveZero(accepted) };
   const next = nextNumber(number ?? 0, by, isWhole ? { step: 1 } : how);

@@ -12,7 +12,7 @@ export interface Refusal {
 }
 
 /** Reads an error with a `path` in the scene; null if it is about something else. */
-function refusalOf(error: unknown, params: Param[]): Refusal | null {
+function atParameter(error: unknown, params: Param[]): Refusal | null {
   if (!(error instanceof Error && 'path' in error)) return null;
   const at = String(error.path);
   const path = at.replace(/^constraints\[\d+\]\.?/, '');
@@ -29,7 +29,7 @@ export function useRefusal(params: Param[]) {
     refusal,
     /** Keeps an error; returns whether it is about these parameters. */
     refuse(error: unknown) {
-      const found = refusalOf(error, params);
+      const found = atParameter(error, params);
       if (found) setRefusal(found);
       return found !== null;
     },
