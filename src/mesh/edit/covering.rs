@@ -3,7 +3,7 @@
 
 use super::origins::{Combinations, Edited, Origins};
 use super::rebuild::regrouped;
-use crate::math::{Vec3, mean, twice_vector_area};
+use crate::math::{Vec3, marked, mean, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged, Surface, Topology, Weld, components, orientation};
 use std::collections::HashMap;
 
@@ -24,11 +24,9 @@ impl Edited {
     /// and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::of_polygons(&mesh.positions, mesh);
-        let is_placed = |face: &[u32]| !face.iter().any(|&v| mesh.is_unplaced(v));
-        let is_placed: Vec<bool> = mesh.faces.iter().map(is_placed).collect();
+        let is_out = marked(mesh.faces.len(), mesh.faces_left_out(&[]));
         let face_at = |point: Point| {
-            let found =
-                surface.closest_face_of(point, f64::INFINITY, |old| is_placed[old as usize]);
+            let found = surface.closest_face_of(point, f64::INFINITY, |old| !is_out[old as usize]);
             found.unwrap_or(0)
         };
         let same = cover.same_faces(mesh);
@@ -93,7 +91,7 @@ impl Edited {
             let reach = corners().map(|corner| (corner - centre).length()).fold(0.0, f64::max);
             let is_own = |old: u32| {
                 let old = old as usize;
-                is_placed[old]
+                !is_out[old]
                     && normals[old].dot(facing) >= FACING
                     && olds().any(|other| part_of[other] == part_of[old])
             };
