@@ -1,4 +1,4 @@
-//! What generators do with a mesh in the end: even it out, edit it, open it, and round its coordinates; and
+//! What generators of any kind do with a mesh: even it out, edit it, open it, and round its coordinates; and
 //! random numbers, the same on every machine.
 
 use crate::math::{Vec3, mean};

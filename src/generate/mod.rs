@@ -11,7 +11,7 @@
 //! | `model` | the meshes of the examples |
 //! | `example` | the example scenes, and their files |
 //! | `quads` | rows of quads, and the limit of the number of faces |
-//! | `finish` | what generators do with a mesh in the end, and random numbers |
+//! | `finish` | what generators of any kind do with a mesh, and random numbers |
 //! | `hexagons` | hexagons and other polygons over a square |
 //! | `sides` | points in equal steps along a side, and the grid between four sides |
 

@@ -1,7 +1,7 @@
 //! A polygon mesh with curves, tetrahedra and named groups.
 
 use super::file_order::FileOrder;
-use crate::math::Ragged;
+use crate::math::{Ragged, marked};
 
 /// A position in space, in the units of the mesh.
 pub type Point = [f64; 3];
@@ -42,6 +42,23 @@ impl Mesh {
     /// Whether the position of a vertex is not in the file.
     pub(crate) fn is_unplaced(&self, vertex: u32) -> bool {
         self.unplaced.binary_search(&vertex).is_ok()
+    }
+
+    /// Its faces, ascending, with a vertex whose position is not in the file, except those that are to
+    /// stay as they are: no surface to lay panels on.
+    pub(crate) fn faces_left_out(&self, staying: &[u32]) -> Vec<u32> {
+        let stays = marked(self.faces.len(), staying);
+        let rows = (0..).zip(self.faces.iter()).zip(stays);
+        let others = rows.filter_map(|(row, stays)| (!stays).then_some(row));
+        let is_out = |face: &[u32]| face.iter().any(|&v| self.is_unplaced(v));
+        others.filter_map(|(f, face)| is_out(face).then_some(f)).collect()
+    }
+
+    /// Its vertices, with the faces but these: a mesh without curves, groups and all else.
+    pub(crate) fn without_faces(&self, faces: &[u32]) -> Mesh {
+        let gone = marked(self.faces.len(), faces);
+        let kept = self.faces.iter().zip(gone).filter(|(_, gone)| !gone).map(|(face, _)| face);
+        Mesh { positions: self.positions.clone(), faces: kept.collect(), ..Mesh::default() }
     }
 
     /// Whether one of its groups has this name.

@@ -116,7 +116,7 @@ impl RemeshError {
             RemeshError::Empty => "there are no faces with an area".to_owned(),
             RemeshError::AllStay => "all faces with an area are to stay as they are".to_owned(),
             RemeshError::Unplaced => {
-                "every face to be covered has a vertex whose coordinates in the file are not numbers, so that its position is a guess"
+                "no face to be covered has an area and numbers for all its coordinates in the file"
                     .to_owned()
             }
             RemeshError::Tetrahedra => "the mesh has tetrahedra, expected a surface".to_owned(),

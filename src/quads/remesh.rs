@@ -4,7 +4,7 @@
 use super::map::GridMapper;
 use super::options::MOST_PANELS;
 use super::part::Asked;
-use super::remeshed::{left_out, notes_on, together, without};
+use super::remeshed::{note_on_left_out, notes_on, together};
 use super::surface::{InputParts, InputSurface, SHORTEST_LOOP, StayingPart};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
 use crate::mesh::{Mesh, Surface};
@@ -29,7 +29,7 @@ pub struct Remesher {
     /// Faces that are to stay.
     stay: Vec<u32>,
     /// Faces that are left out.
-    unplaced: Vec<u32>,
+    left_out: Vec<u32>,
     /// The last of each choice at the boundary: both are asked for in turn.
     kept: Vec<Kept>,
     /// What the last result was measured against.
@@ -44,8 +44,8 @@ struct Measured {
 }
 
 impl Measured {
-    fn new(input: &Mesh, staying: &[u32], unplaced: &[u32]) -> Measured {
-        let mesh = without(input, &[staying, unplaced].concat());
+    fn new(input: &Mesh, staying: &[u32], left_out: &[u32]) -> Measured {
+        let mesh = input.without_faces(&[staying, left_out].concat());
         let surface = Surface::of_polygons(&mesh.positions, &mesh);
         Measured { staying: staying.to_vec(), mesh, surface }
     }
@@ -83,17 +83,16 @@ impl Remesher {
         stay.sort_unstable();
         stay.dedup();
         let parts = InputSurface::parts(mesh, &stay)?;
-        let InputParts { surfaces, staying: staying_parts, unplaced } = parts;
+        let InputParts { surfaces, staying: staying_parts, left_out } = parts;
         if surfaces.is_empty() {
             let largest = staying_parts.into_iter().max_by(|a, b| a.area.total_cmp(&b.area));
             return Err(largest.map_or(RemeshError::Empty, |part| part.error));
         }
         let area = surfaces.iter().map(InputSurface::area).sum();
         // Curves are not covered.
-        let Mesh { positions, faces, unplaced: guesses, .. } = mesh.clone();
-        let mesh = Mesh { positions, faces, unplaced: guesses, ..Mesh::default() };
+        let mesh = Mesh { unplaced: mesh.unplaced.clone(), ..mesh.without_faces(&[]) };
         let (kept, measured) = (Vec::new(), None);
-        Ok(Remesher { mesh, surfaces, area, staying_parts, stay, unplaced, kept, measured })
+        Ok(Remesher { mesh, surfaces, area, staying_parts, stay, left_out, kept, measured })
     }
 
     /// Covers the surface; see [`remesh`]. The result does not depend on what was asked before.
@@ -181,13 +180,13 @@ impl Remesher {
             all.filter(|&face| !std::mem::replace(&mut stays[face as usize], true)).collect();
         let cuts = options.boundary == Boundary::Cut;
         let last = self.measured.take().filter(|measured| measured.staying == staying);
-        let measured = last.unwrap_or_else(|| Measured::new(mesh, &staying, &self.unplaced));
+        let measured = last.unwrap_or_else(|| Measured::new(mesh, &staying, &self.left_out));
         let input = (&measured.mesh, &measured.surface);
         let mut found = together(input, parts, cuts, SUGGESTED * least, units);
         self.measured = Some(measured);
         found.append(mesh, &staying);
         found.notes.extend(notes_on(&staying_parts, units));
-        found.notes.extend(left_out(mesh, &self.unplaced, size));
+        found.notes.extend(note_on_left_out(mesh, &self.left_out, size));
         self.kept.push(kept);
         Ok(found)
     }

@@ -5,7 +5,7 @@ use super::options::MOST_PANELS;
 use super::part::Part;
 use super::result::{Distances, RemeshMeasures, Tally, places, places_near};
 use super::surface::{Opening, StayingPart};
-use crate::math::{Vec3, marked, mean};
+use crate::math::{Vec3, mean};
 use crate::mesh::{Mesh, Point, Surface};
 use crate::words;
 
@@ -78,13 +78,6 @@ pub(super) fn together(
     Remeshed { mesh, staying: 0, measures, level, notes }
 }
 
-/// The mesh without some of its faces.
-pub(super) fn without(mesh: &Mesh, faces: &[u32]) -> Mesh {
-    let gone = marked(mesh.faces.len(), faces);
-    let kept = mesh.faces.iter().zip(gone).filter(|(_, gone)| !gone).map(|(face, _)| face);
-    Mesh { positions: mesh.positions.clone(), faces: kept.collect(), ..Mesh::default() }
-}
-
 impl Remeshed {
     /// Appends faces of the input as they are.
     pub(super) fn append(&mut self, input: &Mesh, faces: &[u32]) {
@@ -137,7 +130,7 @@ pub(super) fn notes_on(staying: &[StayingPart], units: &str) -> Vec<RemeshNote> 
 
 /// Says how many faces are left out because a corner has no position, and where: at the means of their
 /// other corners.
-pub(super) fn left_out(input: &Mesh, faces: &[u32], size: f64) -> Option<RemeshNote> {
+pub(super) fn note_on_left_out(input: &Mesh, faces: &[u32], size: f64) -> Option<RemeshNote> {
     let is_placed = |v: &&u32| !input.is_unplaced(**v);
     let at = |v: &u32| Vec3::from(input.positions[*v as usize]);
     let corners = faces.iter().map(|&face| input.faces.row(face as usize).iter().filter(is_placed));

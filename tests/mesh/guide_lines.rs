@@ -4,11 +4,11 @@
 use super::operations::{Picked, apply, with_vertices};
 use crate::support::meshes::wavy;
 use shape_up::mesh::{
-    Mesh, Scheme, Subdivision, Topology, curvatures, gauss_curvature, quasi_conformal,
+    Measures, Mesh, Scheme, Subdivision, Topology, curvatures, gauss_curvature, quasi_conformal,
     smoothed_area, stars,
 };
-use shape_up::scene::UnitsAndUp;
-use shape_up::session::tolerance_of;
+use shape_up::scene::{Scene, UnitsAndUp};
+use shape_up::session::{Session, tolerance_of};
 
 /// The same with a line from an interior vertex far down, bracing along the diagonals of two panels, the
 /// outline of a site, and a vertex of nothing.
@@ -35,8 +35,10 @@ fn nothing_that_is_said_of_a_surface_hangs_on_the_lines_beside_it() {
         let count = surface.positions.len();
         // Beside is what has no curvature.
         let gauss = gauss_curvature(at, mesh, &topology);
+        let session = Session::open(Scene::opened("own.obj"), mesh.clone()).expect("it opens");
         (
             [mesh.size(), topology.mean_edge(at), tolerance_of(mesh)],
+            Measures::clone(&session.measures()),
             smoothed_area(mesh, &topology, at),
             curvatures(at, &mesh.faces, &topology)[..count].to_vec(),
             gauss[..count].iter().map(|x| x.to_bits()).collect::<Vec<u64>>(),

@@ -273,6 +273,52 @@ fn places_that_are_named_are_marked_and_framed() {
     assert_eq!(layouts.refused_at(), None);
 }
 
+/// The panels were pulled to the walls of the spike, and their lines and the place were on these.
+#[test]
+fn faces_that_are_left_out_are_no_part_of_the_surface() {
+    let mut mesh = vault(12, false);
+    let (vertex, depth) = (6 * 13 + 6, 40.0);
+    let faces = mesh.faces.len();
+    mesh.positions[vertex as usize][2] -= depth;
+    mesh.unplaced = vec![vertex];
+    let spike: Vec<u32> =
+        (0..faces as u32).filter(|&face| mesh.faces.row(face as usize).contains(&vertex)).collect();
+    let mut session = opened(mesh);
+    let is_high = |points: &[Point]| points.iter().all(|point| point[2] > -depth / 8.0);
+    let layout = laid_out(&session, &LayoutSettings { size: Some(2.5), ..USUAL });
+    let note = layout.notes.last().expect("it is said");
+    assert!(note.words.starts_with("6 faces are left out, "), "{note:?}");
+    assert!(!note.places[0].is_empty() && !note.places[0].contains(&vertex), "{note:?}");
+    assert!(layout.lines.iter().all(|line| is_high(line)));
+    assert!(session.take_panels(session.generation(), &layout.mesh).expect("it can be solved"));
+    let target = session.document().closeness.target_mesh().expect("closeness to that surface");
+    assert_eq!(target.faces.len(), faces - spike.len());
+    session.undo().expect("it can be solved");
+
+    // Asked to stay, they do, and are a part of it.
+    let mut layouts = session.panel_layouts(&spike).expect("a surface");
+    let layout = layouts.lay_out(&USUAL, &mut |_, _| true).expect("the others are covered");
+    assert!(session.take_panels(session.generation(), &layout.mesh).expect("it can be solved"));
+    let target = session.document().closeness.target_mesh().expect("closeness to that surface");
+    assert_eq!(target.faces.len(), faces);
+}
+
+/// The choice at the boundary was offered for a closed surface.
+#[test]
+fn a_closed_surface_beside_a_vertex_without_a_position_has_no_choice_at_the_boundary() {
+    let corner = |k: u32| [k & 1, k >> 1 & 1, k >> 2].map(f64::from);
+    let mut mesh = Mesh { positions: (0..8).map(corner).collect(), ..Mesh::default() };
+    let sides =
+        [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    mesh.faces = sides.iter().collect();
+    mesh.positions.push([0.5; 3]);
+    mesh.unplaced = vec![8];
+    let session = opened(mesh);
+    let mut layouts = session.panel_layouts(&[]).expect("a surface");
+    let found = layouts.at_boundaries(&USUAL, &mut |_, _| true).expect("not cancelled");
+    assert_eq!(found, []);
+}
+
 #[test]
 fn selected_faces_stay_as_they_are() {
     let mut session = opened(vault(10, false));

@@ -3,7 +3,7 @@
 
 use super::origins::{Combinations, Edited, Origins};
 use super::rebuild::regrouped;
-use crate::math::{Vec3, mean, twice_vector_area};
+use crate::math::{Vec3, marked, mean, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged, Surface, Topology, Weld, components, orientation};
 use std::collections::HashMap;
 
@@ -24,11 +24,9 @@ impl Edited {
     /// and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::of_polygons(&mesh.positions, mesh);
-        let is_placed = |face: &[u32]| !face.iter().any(|&v| mesh.is_unplaced(v));
-        let is_placed: Vec<bool> = mesh.faces.iter().map(is_placed).collect();
+        let is_out = marked(mesh.faces.len(), mesh.faces_left_out(&[]));
         let face_at = |point: Point| {
-            let found =
-                surface.closest_face_of(point, f64::INFINITY, |old| is_placed[old as usize]);
+            let found = surface.closest_face_of(point, f64::INFINITY, |old| !is_out[old as usize]);
             found.unwrap_or(0)
         };
         let same = cover.same_faces(mesh);
@@ -93,7 +91,7 @@ impl Edited {
             let reach = corners().map(|corner| (corner - centre).length()).fold(0.0, f64::max);
             let is_own = |old: u32| {
                 let old = old as usize;
-                is_placed[old]
+                !is_out[old]
                     && normals[old].dot(facing) >= FACING
                     && olds().any(|other| part_of[other] == part_of[old])
             };
@@ -173,15 +171,14 @@ fn weights(mesh: &Mesh, face: u32, point: Point) -> Vec<(u32, f64)> {
             heights = [ac - ab, ac, ab].map(|opposite| normal.length() / opposite.length());
         }
     }
-    // Of a triangle as small as that, the nearest corner.
-    let greatest = best.iter().fold(0.0, |greatest: f64, (_, weight)| greatest.max(weight.abs()));
-    let depends = |((_, weight), height): &((u32, f64), f64)| {
-        let weight = weight.abs();
-        weight >= greatest
-            || (weight > NEGLIGIBLE && weight * height > ROUNDED * f64::EPSILON * largest)
+    // Of a triangle as small as that, the corner of the greatest weight.
+    let greatest = (0..3).max_by(|&i, &j| best[i].1.total_cmp(&best[j].1));
+    let depends = |&k: &usize| {
+        let weight = best[k].1.abs();
+        Some(k) == greatest
+            || (weight > NEGLIGIBLE && weight * heights[k] > ROUNDED * f64::EPSILON * largest)
     };
-    let kept = best.into_iter().zip(heights).filter(depends);
-    let kept: Vec<(u32, f64)> = kept.map(|(term, _)| term).collect();
+    let kept: Vec<(u32, f64)> = (0..3).filter(depends).map(|k| best[k]).collect();
     match kept[..] {
         [(corner, _)] => vec![(corner, 1.0)],
         _ => kept,
@@ -294,6 +291,19 @@ mod tests {
             let of: Vec<u32> = weights(&mesh, 2 * k, point).iter().map(|term| term.0).collect();
             assert_eq!(of, [2 * k, 2 * k + 2]);
         }
+    }
+
+    /// It was the farthest one, since its weight is the most negative.
+    #[test]
+    fn a_vertex_outside_a_triangle_as_small_as_rounding_is_at_a_near_corner() {
+        let (far, step) = (1e6, 2_f64.powi(-33));
+        let mesh = Mesh {
+            positions: vec![[far, 0.0, 0.0], [far + step, 0.0, 0.0], [far, step, 0.0]],
+            faces: [[0, 1, 2]].iter().collect(),
+            ..Mesh::default()
+        };
+        let found = weights(&mesh, 0, [far + 2.0 * step, 2.0 * step, 0.0]);
+        assert!(found == [(1, 1.0)] || found == [(2, 1.0)], "{found:?}");
     }
 
     /// The centre of a panel on the outer wall is nearer to the inner one, or to another layer.

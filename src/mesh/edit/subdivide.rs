@@ -73,7 +73,7 @@ pub enum SubdivideError {
     Repeated(u32),
     /// The result would have more than 4,000,000 vertices.
     TooMany,
-    /// Faces are too large, the largest of this many corners.
+    /// One face, or large faces together, have too many corners; the largest has this many.
     LargeFaces(usize),
 }
 
@@ -105,10 +105,14 @@ impl fmt::Display for SubdivideError {
                 write!(f, "the result would have more than {most} vertices")
             }
             SubdivideError::LargeFaces(corners) => {
-                let corners = words::group_digits(*corners);
+                let said = words::group_digits(*corners);
+                if (*corners as u64).pow(2) > MOST_SQUARED {
+                    let most = words::group_digits(MOST_SQUARED.isqrt() as usize);
+                    return write!(f, "a face has {said} corners, expected at most {most}");
+                }
                 write!(
                     f,
-                    "faces have up to {corners} corners, together too many to refine: expected fewer or smaller ones"
+                    "faces have up to {said} corners, together too many to refine: expected fewer or smaller ones"
                 )
             }
         }

@@ -27,7 +27,7 @@ pub struct Planarity {
     pub max_distance: f64,
     /// The mean over faces of the largest distance of their vertices.
     pub mean_distance: f64,
-    /// The largest `e_p` of a face, bounding sphere of diameter 1: the mean squared distance of its
+    /// The largest `e_p` of a face, in the scale of [`Measures::new`]: the mean squared distance of its
     /// vertices to the plane.
     pub e_p_max: f64,
     /// The mean `e_p`.
@@ -45,7 +45,7 @@ pub struct Circularity {
     pub max_distance: f64,
     /// The mean over faces of the largest distance of their vertices.
     pub mean_distance: f64,
-    /// The largest `e_c` of a face, bounding sphere of diameter 1: the mean squared distance of its
+    /// The largest `e_c` of a face, in the scale of [`Measures::new`]: the mean squared distance of its
     /// vertices to the circle of Thomas and Chan in their least-squares plane. It is more than
     /// their share of `E_shape` (Eq. 4), which moves the circle so that the closest points have the
     /// same mean as the vertices.
@@ -72,8 +72,9 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// Measures `faces` at `positions` (`#V by 3`). `diameter` is the diameter of the bounding
-    /// sphere of the rest mesh; if it is 0, so are `e_p` and `e_c`.
+    /// Measures `faces` at `positions` (`#V by 3`). `e_p` and `e_c` are those in the scale where `diameter` is
+    /// 1; if it is 0, so are they. For reports it is the [size](crate::mesh::Mesh::size) of the rest mesh: the
+    /// diameter of the bounding sphere of its faces, without curves, tetrahedra and vertices beside them.
     pub fn new(positions: &[Point], faces: &Ragged, diameter: f64) -> Measures {
         let mut all = Measures::default();
         let squares_scale = if diameter > 0.0 { 1.0 / diameter / diameter } else { 0.0 };

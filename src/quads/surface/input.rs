@@ -35,8 +35,8 @@ pub struct InputParts {
     pub surfaces: Vec<InputSurface>,
     /// The others, in this order too; those of faces without area last.
     pub staying: Vec<StayingPart>,
-    /// The faces of no part, ascending, because where a corner is, is not in the file.
-    pub unplaced: Vec<u32>,
+    /// Faces that are left out, ascending: the position of a corner is not in the file.
+    pub left_out: Vec<u32>,
 }
 
 /// A part of the input that is not covered.
@@ -76,19 +76,15 @@ impl InputSurface {
         let mut at_staying = vec![false; positions.len()];
         let staying = welded.faces.iter().zip(&stays).filter(|(_, stays)| **stays);
         staying.flat_map(|(face, _)| face).for_each(|&v| at_staying[v as usize] = true);
-        let is_unplaced = |f: &u32| {
-            let face = mesh.faces.row(*f as usize);
-            !stays[*f as usize] && face.iter().any(|&v| mesh.is_unplaced(v))
-        };
-        let unplaced: Vec<u32> = (0..mesh.faces.len() as u32).filter(is_unplaced).collect();
+        let left_out = mesh.faces_left_out(stay);
         let mut is_out = stays;
-        unplaced.iter().for_each(|&f| is_out[f as usize] = true);
+        left_out.iter().for_each(|&f| is_out[f as usize] = true);
         let (all, face_of) = triangulate(&positions, &welded, &is_out);
         let mut triangles = all.clone();
         let given = remove_slivers(&positions, &mut triangles);
         if triangles.is_empty() {
             return Err(match stay {
-                _ if !unplaced.is_empty() => RemeshError::Unplaced,
+                _ if !left_out.is_empty() => RemeshError::Unplaced,
                 [] => RemeshError::Empty,
                 _ => RemeshError::AllStay,
             });
@@ -119,7 +115,7 @@ impl InputSurface {
                 members[part].1.push(face_of[k]);
             }
         }
-        let mut found = InputParts { unplaced, ..InputParts::default() };
+        let mut found = InputParts { left_out, ..InputParts::default() };
         for ((own, mut faces), fault) in members.into_iter().zip(faults) {
             faces.sort_unstable();
             faces.dedup();

@@ -86,11 +86,11 @@ impl Layout {
         kinds.map(|kind| kind.least_move).fold(0.0, f64::max) * self.remeshed.measures.edge.mean
     }
 
-    /// The layout on its shape, with its surface, as hosts see it; `units` is the symbol of the unit, and `kept` the
-    /// number of faces that were to stay.
+    /// The layout as hosts see it, on its shape without faces that are left out, and the surface of this;
+    /// `units` is the symbol of the unit, and `kept` the number of faces that were to stay.
     pub(super) fn shown(
         &self,
-        (shape, surface): (&Mesh, &Surface),
+        (shape, surface): &(Mesh, Surface),
         units: &str,
         kept: usize,
     ) -> PanelLayout {

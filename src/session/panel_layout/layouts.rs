@@ -19,7 +19,8 @@ const RING: f64 = 0.03;
 /// last layout of each choice at the boundary. To be dropped when the shape changes.
 pub struct PanelLayouts {
     shape: Mesh,
-    surface: OnceCell<Surface>,
+    /// The shape without the faces that are left out, with its surface: what lines and places are on.
+    shown: OnceCell<(Mesh, Surface)>,
     units: String,
     has_boundary: bool,
     /// The faces that stay as they are.
@@ -36,11 +37,11 @@ impl PanelLayouts {
     /// Layouts on a shape beside some of its faces; `units` is the symbol of its unit.
     pub(super) fn new(shape: Mesh, units: &str, kept: &[u32]) -> PanelLayouts {
         // Faces that stay, or are left out, leave openings.
-        let is_whole = kept.is_empty() && shape.unplaced.is_empty();
-        let has_boundary = !is_whole || !Topology::new(&shape).boundary_loops().is_empty();
+        let covered = shape.without_faces(&[kept, &shape.faces_left_out(kept)].concat());
+        let has_boundary = !Topology::new(&covered).boundary_loops().is_empty();
         PanelLayouts {
             shape,
-            surface: OnceCell::new(),
+            shown: OnceCell::new(),
             units: units.to_owned(),
             has_boundary,
             kept: kept.to_vec(),
@@ -71,10 +72,11 @@ impl PanelLayouts {
             self.refused_at = error.place();
             refused(&error, &self.units)
         })?;
-        Ok(layout.shown((&self.shape, self.surface()), &self.units, self.kept.len()))
+        Ok(layout.shown(self.shown(), &self.units, self.kept.len()))
     }
 
-    /// What the panels come to with each choice at the boundary; empty if the surface is closed.
+    /// What the panels come to with each choice at the boundary; empty if the surface to be
+    /// covered is closed.
     ///
     /// # Errors
     /// If `observer` cancels.
@@ -101,13 +103,17 @@ impl PanelLayouts {
 
     /// The place of the last refusal, if it has one.
     pub fn refused_at(&self) -> Option<MarkedPlace> {
-        let shape = &self.shape;
-        let radius = RING * shape.size();
-        self.refused_at.map(|at| MarkedPlace::new(at, radius, self.surface(), shape))
+        let at = self.refused_at?;
+        let (shape, surface) = self.shown();
+        Some(MarkedPlace::new(at, RING * shape.size(), surface, shape))
     }
 
-    fn surface(&self) -> &Surface {
-        self.surface.get_or_init(|| Surface::of_polygons(&self.shape.positions, &self.shape))
+    fn shown(&self) -> &(Mesh, Surface) {
+        self.shown.get_or_init(|| {
+            let shape = self.shape.without_faces(&self.shape.faces_left_out(&self.kept));
+            let surface = Surface::of_polygons(&shape.positions, &shape);
+            (shape, surface)
+        })
     }
 
     /// The layout that moves less of those with the wished choices at the boundary.

@@ -43,7 +43,7 @@ impl Session {
 
     /// Puts panels in place of the mesh, as one step of undo, if the session still has this
     /// generation; returns whether it has. The scene is carried over, with closeness to the surface
-    /// to which the mesh was kept close before.
+    /// to which the mesh was kept close before; faces that are left out are no part of that.
     ///
     /// # Errors
     /// If the lesson locks the mesh, or the system would be singular; nothing has changed then.
@@ -55,11 +55,14 @@ impl Session {
         self.end_transaction();
         let shape = self.current_shape();
         // Faces that stay as they are have not been laid out.
-        let new = panels.same_faces(&shape).iter().filter(|same| same.is_none()).count();
+        let staying: Vec<u32> = panels.same_faces(&shape).into_iter().flatten().collect();
+        let new = panels.faces.len() - staying.len();
         let edited = Edited::covering(&shape, panels);
-        let Mesh { positions: rest, faces, .. } = self.mesh().clone();
-        let positions = self.document().variants.design_positions().map_or(rest, <[_]>::to_vec);
-        let original = Rc::new(Mesh { positions, faces, ..Mesh::default() });
+        let mut original = self.mesh().without_faces(&shape.faces_left_out(&staying));
+        if let Some(design) = self.document().variants.design_positions() {
+            original.positions = design.to_vec();
+        }
+        let original = Rc::new(original);
         let before = self.replace_mesh(&edited, |scene| scene.closeness.stay_on(&original))?;
         self.add_step(format!("Lay out {}", words::count(new, "panel", "panels")), before);
         Ok(true)

@@ -64,7 +64,8 @@ impl ViewState {
 
     /// Shows a mesh. One of another topology, or in another place, starts without marks, handles and
     /// shapes, in the three-quarter view; if faces and curves are the same, and the place is about
-    /// the same, only the positions change.
+    /// the same, only the positions change. The rest positions are forgotten in any case, until
+    /// [`ViewState::set_rest`].
     ///
     /// # Errors
     /// Arrays that do not fit together; the old mesh stays.
