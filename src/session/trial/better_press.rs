@@ -44,7 +44,7 @@ pub struct BetterPress {
     pub level: Level,
     /// The largest distance of its surface from the original, in the unit of the mesh.
     pub surface: f64,
-    /// Whether it is the best of those found that make the same kind of panels as the first of them.
+    /// Whether it is the best of those found.
     pub recommended: bool,
 }
 
