@@ -158,7 +158,7 @@ impl BetterPresses {
         Ok(true)
     }
 
-    /// Recommends the best that was found, of those with the kind of panels of the first one.
+    /// Recommends the best that was found.
     fn recommend(&mut self) {
         let found = &self.found;
         let better = |best: usize, k: usize| {
