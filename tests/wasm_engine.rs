@@ -226,10 +226,13 @@ fn a_selection_becomes_a_set_of_the_scene() {
     let place = get(&segment, "offers.0.place").as_string();
     assert_eq!(place.as_deref(), Some("each-edge"), "a quad is no edge");
     // The place is passed back as it is.
-    let on = JSON::stringify(&get(&found("places", "id", "each-face-selected"), "on"));
-    let on = String::from(on.expect("it is plain data"));
+    let selected = found("places", "id", "each-face-selected");
+    let [on, set] = ["on", "set"].map(|key| {
+        let value = JSON::stringify(&get(&selected, key));
+        String::from(value.expect("it is plain data"))
+    });
     let add = format!(
-        r#"{{ "addConstraint": {{ "kind": "plane", "params": {{}}, "on": {on}, "weight": 1 }} }}"#
+        r#"{{ "addConstraint": {{ "kind": "plane", "params": {{}}, "on": {on}, "set": {set}, "weight": 1 }} }}"#
     );
     solver.edit(object(&add)).expect("a plane fits a quad");
     let members = solver.members(0).expect("the row is there");
