@@ -202,13 +202,13 @@ impl Session {
     }
 
     /// Returns the number of panels within `tolerance`, and of all panels; none if no row constrains
-    /// panels. It takes no longer than an iteration, unlike the whole verdict.
+    /// panels. It takes as long as [`Session::panel_progress`].
     pub(crate) fn panels_within(&mut self, tolerance: f64) -> Option<[usize; 2]> {
         Panels::of(self).map(|panels| [panels.within(tolerance), panels.faces.len()])
     }
 
-    /// Says how many panels are within `tolerance` so far; none if no row constrains panels. It takes as
-    /// long as [`Session::panels_within`].
+    /// Says how many panels are within `tolerance` so far; none if no row constrains panels. It takes no
+    /// longer than an iteration, unlike the whole verdict.
     pub fn panel_progress(&mut self, tolerance: f64) -> Option<String> {
         let panels = Panels::of(self)?;
         let (within, of) = (panels.within(tolerance), panels.faces.len());
