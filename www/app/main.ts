@@ -158,7 +158,7 @@ function bindSolver(client: SolverClient) {
     const ended = before.numbers?.ended[converged ? 'converged' : 'paused'];
     store.set({ status: running ? 'Running' : (ended ?? '') });
   });
-  client.on('busy', ({ busy, job }) => offerCancel('solver', busy, () => client.abandon(), job));
+  client.on('busy', ({ busy }) => offerCancel('solver', busy, () => client.abandon()));
   // The card of new panels says itself what it does, with its own Cancel.
   const isSaid = (job: string) => LAYING_OUT.some((one) => one === job);
   jobs.on('busy', ({ busy, job }) =>

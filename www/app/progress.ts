@@ -34,13 +34,12 @@ const cards = new Map<string, ProgressCard>();
 /**
  * Shows that a worker works, with an offer to cancel that, or removes what showed it.
  * @param worker its name
- * @param job what it is called for
  */
-export function offerCancel(worker: string, busy: boolean, abandon: () => void, job: string = '') {
+export function offerCancel(worker: string, busy: boolean, abandon: () => void) {
   cards.get(worker)?.remove();
   cards.delete(worker);
   if (!busy) return;
-  const attributes = { class: 'message notice', 'data-job': job };
+  const attributes = { class: 'message notice', 'data-worker': worker };
   const card = new ProgressCard('Long work', byId('messages'), attributes, abandon);
   card.show('Working …', null);
   cards.set(worker, card);

@@ -70,6 +70,8 @@ export interface Large {
   most: Promise<number>;
   /** asks whether to open so many all the same; rejects if not */
   ask: (faces: number) => Promise<void>;
+  /** called when it is passed to the solver, and when that has answered */
+  atWork: (now: boolean) => void;
   /** aborted when the opening is cancelled */
   cancelled: AbortSignal;
 }
@@ -191,7 +193,11 @@ export class Files extends Emitter<{ opened: void }> {
       const { saved, first: solved, unwelded } = origin;
       const frame = rememberedFrame(digest);
       const how = { files, saved, frame, solved, weld: !unwelded };
-      const open = (most?: number) => this.#solver.open({ ...how, most }, cancelled);
+      const open = (most?: number) => {
+        large.atWork?.(true);
+        const opened = this.#solver.open({ ...how, most }, cancelled);
+        return opened.finally(() => large.atWork?.(false));
+      };
       let loaded = await open(most);
       while (typeof loaded === 'number') {
         if (large.ask) await opening.asks(large.ask(loaded));

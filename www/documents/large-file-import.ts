@@ -37,8 +37,9 @@ export async function openLarge(
   const stop = new AbortController();
   const cancel = () => stop.abort(new Cancelled());
   const cancelled = stop.signal;
-  const attributes = { class: 'message notice opening' };
-  const card = new ProgressCard(`Opening ${names}`, byId('messages'), attributes, cancel);
+  const place = byId('messages');
+  const card = new ProgressCard(`Opening ${names}`, place, { class: 'message notice' }, cancel);
+  const atWork = (now: boolean) => void place.classList.toggle('opening', now);
   overtaken.addEventListener('abort', cancel);
   // The solver measures the limit, unless known already, while the file is read.
   const most = unlessCancelled(actions.ask.mostFaces(), cancelled);
@@ -63,7 +64,7 @@ export async function openLarge(
       files.push({ name: file.name, bytes: await reading.catch(unreadable(file)) });
     }
     card.show(`Opening ${names}`, null);
-    const loaded = await open(files, { most, ask, cancelled });
+    const loaded = await open(files, { most, ask, atWork, cancelled });
     if (cancelled.aborted) throw new Cancelled();
     return loaded;
   } catch (error) {

@@ -127,6 +127,6 @@ export class JobsClient extends Emitter<{
   #setBusy(busy: boolean) {
     if (busy === this.#isBusy) return;
     this.#isBusy = busy;
-    this.emit('busy', { busy, job: this.#waiting.first?.name ?? '' });
+    this.emit('busy', { busy, job: this.#waiting.first });
   }
 }

@@ -81,10 +81,15 @@ export class Waiting {
     return this.#calls.size;
   }
 
-  /** The first call without an answer; null if there is none. */
+  /** Name of the first call without an answer; empty if there is none. */
   get first() {
-    for (const [id, { name }] of this.#calls) return { id, name };
-    return null;
+    const [call] = this.#calls.values();
+    return call?.name ?? '';
+  }
+
+  /** Whether the call with this number has no answer yet. */
+  has(id: number) {
+    return this.#calls.has(id);
   }
 
   /** Sends a call, numbered, by `send`. */

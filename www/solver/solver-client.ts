@@ -66,14 +66,14 @@ class Refusal extends Error {
 }
 
 /**
- * The worker's messages, and events about the worker itself: it has been working for long (`busy`, for
- * the call `job` or else for a run), it could not be started (`absent`), it was replaced (`restarted`).
+ * The worker's messages, and events about the worker itself: it has been working for long (`busy`),
+ * it could not be started (`absent`), it was replaced (`restarted`).
  */
 type SolverEvents = Omit<
   WorkerEvents,
   'reply' | 'refused' | 'outdated' | 'died' | 'working' | 'pong'
 > & {
-  busy: { busy: boolean; job: string };
+  busy: { busy: boolean };
   absent: { message: string };
   restarted: { message: string };
 };
@@ -103,14 +103,15 @@ export class SolverClient extends Emitter<SolverEvents> {
   #opened: OfFile = null;
   /** The previous scene, while the next one is being opened. */
   #replaced: { opened: OfFile; text: string | null; saved: Saved } | null = null;
-  /** What the worker has begun work for that may take long: the first call without an answer, or none. */
-  #working: 'call' | 'run' | null = null;
+  /** Whether the worker has begun work that may take long. */
+  #working = false;
+  /** The call that this work is for, unless it is for none, as that of a run. */
+  #workingFor: number | undefined;
   /** Number of checks since then. */
   #busyChecks = 0;
   /** Number of checks since its last message. */
   #missed = 0;
   #stepMs = 0;
-  /** Messages not posted yet: see `#postHeld`. */
   #held: [Call, Transferable[]][] = [];
   #waiting = new Waiting();
   /** What was begun and is not done yet: see `begin`. */
@@ -189,21 +190,24 @@ export class SolverClient extends Emitter<SolverEvents> {
   }
 
   /**
-   * Opens files. When `cancelled` is aborted before the worker has got them, it does not get them, and
-   * all else goes on; afterwards it is abandoned.
+   * Opens files. When `cancelled` is aborted, the work for this ends, or else is not begun: what was
+   * begun before goes on.
    */
   open(given: Opening, cancelled?: AbortSignal) {
-    const stop = () => {
-      const at = this.#held.findIndex(([call]) => call.given[0] === given);
-      if (at < 0) return this.abandon();
-      const [[{ id = 0 }]] = this.#held.splice(at, 1);
-      this.#waiting.settle(id, null, new Cancelled());
-      this.#postHeld();
+    const ask = () => {
+      let own = 0;
+      const opened = this.#waiting.call('open', [given], (call) => {
+        own = call.id;
+        this.#post(call);
+      });
+      const stop = () => {
+        if (own === this.#workingFor) this.abandon();
+        else this.#waiting.settle(own, null, new Cancelled());
+      };
+      cancelled?.addEventListener('abort', stop);
+      return opened.finally(() => cancelled?.removeEventListener('abort', stop));
     };
-    cancelled?.addEventListener('abort', stop);
-    const ask = () => this.#request('open', [given]) as Promise<Opened | number>;
-    const opened = this.begin(retryIfCollateral(ask, () => cancelled?.throwIfAborted()));
-    return opened.finally(() => cancelled?.removeEventListener('abort', stop));
+    return this.begin(retryIfCollateral(ask)) as Promise<Opened | number>;
   }
 
   /** Abandons the current work; the previous model is opened again. */
@@ -218,10 +222,7 @@ export class SolverClient extends Emitter<SolverEvents> {
     });
     this.#worker = worker;
     this.#ready = false;
-    worker.onmessage = (event) => {
-      this.#receive(event.data);
-      this.#postHeld();
-    };
+    worker.onmessage = (event) => this.#receive(event.data);
     worker.onerror = (event) => {
       event.preventDefault();
       const message = event.message?.replace(/^Uncaught /, '');
@@ -252,7 +253,7 @@ export class SolverClient extends Emitter<SolverEvents> {
     this.#busyChecks = checks;
     const busy = checks >= LONG_WORK;
     if (busy === before >= LONG_WORK) return;
-    this.emit('busy', { busy, job: (this.#working === 'call' && this.#waiting.first?.name) || '' });
+    this.emit('busy', { busy });
   }
 
   /** Requests something; what waits behind cancelled work is done after it. */
@@ -270,43 +271,37 @@ export class SolverClient extends Emitter<SolverEvents> {
     if (!this.#worker) {
       if (call.id !== undefined)
         this.#answer(call.id, null, new Error('the solver has stopped: reload the page'));
+    } else if (this.#ready) {
+      this.#worker.postMessage(call, transfer);
     } else {
       this.#held.push([call, transfer]);
-      this.#postHeld();
-    }
-  }
-
-  /**
-   * Posts messages in their order, once the worker is ready; an opening when all calls before it are
-   * answered, so that it can be cancelled alone until then, and is the work that is abandoned afterwards.
-   */
-  #postHeld() {
-    while (this.#ready && this.#held.length > 0) {
-      const [[call, transfer]] = this.#held;
-      const isFree = !this.#working && call.id === this.#waiting.first?.id;
-      if (call.name === 'open' && !isFree) return;
-      this.#held.shift();
-      this.#worker?.postMessage(call, transfer);
     }
   }
 
   #receive(message: FromWorker) {
     this.#missed = 0;
-    if (message.type !== 'working') {
-      this.#working = null;
+    this.#working = message.type === 'working';
+    if (!this.#working) {
       this.#setBusy(0);
+      this.#workingFor = undefined;
     }
     switch (message.type) {
       case 'working':
-        // Parts of the work for a call are announced without it.
-        this.#working ??= message.id === undefined ? 'run' : 'call';
+        // The call was withdrawn before its turn.
+        if (message.id !== undefined && !this.#waiting.has(message.id)) return this.abandon();
+        // Parts of it are announced without the call.
+        this.#workingFor ??= message.id;
         return;
       case 'pong':
         return;
-      case 'ready':
+      case 'ready': {
         this.#ready = true;
         this.#compiled(message.module);
+        const held = this.#held;
+        this.#held = [];
+        for (const [early, transfer] of held) this.#post(early, transfer);
         break;
+      }
       case 'model':
         this.#mesh = message.mesh;
         this.#isSameModel = this.#restoring || !message.loaded.name;
@@ -365,7 +360,7 @@ export class SolverClient extends Emitter<SolverEvents> {
       case 'outdated':
         return this.#answer(message.id, null, new Cancelled());
       case 'died':
-        return void this.#died(message.message);
+        return this.#died(message.message);
     }
     this.emit(message.type, message);
   }
@@ -384,18 +379,18 @@ export class SolverClient extends Emitter<SolverEvents> {
     const lastScene = this.sceneText;
     const wasRestoring = this.#restoring;
     const atStart = !this.#ready;
-    const isOfRun = this.#working === 'run';
+    const [working, workingFor] = [this.#working, this.#workingFor];
     this.#worker?.terminate();
     this.#worker = null;
-    this.#ready = false;
-    this.#working = null;
+    this.#ready = this.#working = false;
+    this.#workingFor = undefined;
     this.#missed = 0;
     this.#setBusy(0);
     this.#held = [];
     this.#previous = this.#replaced = null;
-    this.#waiting.fail((_, place) => {
+    this.#waiting.fail((_, place, id) => {
       // What waited behind the work that the user has cancelled can be asked for again.
-      const isDirect = place === 0 && !isOfRun;
+      const isDirect = working ? id === workingFor : place === 0;
       return wanted ? new Cancelled(isDirect) : new Error(`the solver stopped (${reason})`);
     });
     this.emit('activity', { type: 'activity', running: false, converged: false });

@@ -61,7 +61,7 @@ class FakeWorker {
 async function clientWithRoof() {
   const client = new SolverClient();
   const worker = FakeWorker.latest;
-  const opened = client.open({ files: [] });
+  const opened = client.change.open({ files: [] });
   worker.say({ type: 'ready' });
   worker.model('roof.obj');
   worker.scene('the roof', 7);
@@ -79,16 +79,11 @@ test('a file whose opening is cancelled before its answer does not replace the s
   const client = await clientWithRoof();
   const names: string[] = [];
   client.on('model', ({ loaded }) => names.push(loaded.name));
-  const stop = new AbortController();
-  const isDirect = (error: Error) => error instanceof Cancelled && !wasCollateral(error);
-  const refused = assert.rejects(client.open({ files: [] }, stop.signal), isDirect);
-  const edited = assert.rejects(client.change.undo(), wasCollateral);
-  FakeWorker.latest.say({ type: 'working', id: FakeWorker.latest.posted[0].id });
-  // With its mesh the worker is no longer said to work, though it has not answered.
+  const refused = assert.rejects(client.change.open({ files: [] }));
   FakeWorker.latest.model('large.obj');
   FakeWorker.latest.scene('the large mesh', 0);
-  stop.abort();
-  await Promise.all([refused, edited]);
+  client.abandon();
+  await refused;
   // The cancelled file used to be restored.
   assert.equal(client.sceneText, 'the roof');
   assert.equal(client.saved.iteration, 7);
@@ -103,7 +98,7 @@ test('what was guessed of a file stays a guess when its mesh is changed or resto
   const client = await clientWithRoof();
   const guesses: object[] = [];
   client.on('model', ({ loaded }) => guesses.push(loaded.guessed));
-  const opened = client.open({ files: [] });
+  const opened = client.change.open({ files: [] });
   const guessed = { units: 'm', up: null };
   FakeWorker.latest.model('dome.stl', 2, guessed);
   FakeWorker.latest.scene('the dome', 0);
@@ -214,7 +209,7 @@ test('what is edited while the model comes back is edited then, but no other mod
   FakeWorker.latest.scene('the roof', 8);
   FakeWorker.latest.opened();
   await tick();
-  client.open({ files: [] }).catch(() => {});
+  client.change.open({ files: [] }).catch(() => {});
   FakeWorker.latest.model('large.obj', 2);
   client.abandon();
   FakeWorker.latest.say({ type: 'ready' });
@@ -228,75 +223,51 @@ test('what waits behind cancelled work is done by the next worker, but nothing t
   const client = await clientWithRoof();
   const { ask, change } = client;
   const waiting = () => [
-    ...[client.open({ files: [] }), change.edit('reset'), ask.scene()],
+    ...[change.open({ files: [] }), change.edit('reset'), ask.scene()],
     ...[change.undo(), change.makePanels('circle', 1, 'now')],
   ];
-  /** @param work whether the work is for the first call, or else for a run */
-  const after = async (work: 'call' | 'run') => {
-    const ended = waiting().map((each) => each.then(String, wasCollateral));
+  /** @param work the place of the call at work; none of a run */
+  const after = async (work?: number) => {
+    const ended = waiting().map((each) => each.catch((error: Error) => wasCollateral(error)));
     const worker = FakeWorker.latest;
-    const [{ id }] = worker.posted.slice(-ended.length);
-    worker.say({ type: 'working', id: work === 'call' ? id : undefined });
+    const ids = worker.posted.flatMap(({ id }) => id ?? []).slice(-ended.length);
+    worker.say({ type: 'working', id: work === undefined ? work : ids[work] });
     // Its first part is the end of the run.
     worker.say({ type: 'working' });
     client.abandon();
     await tick();
     FakeWorker.latest.say({ type: 'ready' });
-    const restoring = FakeWorker.latest.posted.map(({ name }) => name);
-    assert.deepEqual(
-      restoring,
-      work === 'call' ? ['open', 'edit', 'scene', 'makePanels'] : ['open'],
-    );
-    FakeWorker.latest.opened();
-    await tick();
     const names = FakeWorker.latest.posted.map(({ name }) => name);
-    return { names, ended };
+    return { names, of: (place: number) => ended[place] };
   };
-  const behindRun = await after('run');
-  assert.deepEqual(behindRun.names, ['open', 'open', 'edit', 'scene', 'makePanels']);
-  assert.equal(await behindRun.ended[3], true);
-  for (const { id, name } of FakeWorker.latest.posted.slice(1))
-    FakeWorker.latest.say({ type: 'reply', id, value: name });
-  assert.deepEqual(await Promise.all(behindRun.ended), [
-    'open',
-    'edit',
-    'scene',
-    true,
-    'makePanels',
-  ]);
-  FakeWorker.latest.scene('the roof', 7);
-  FakeWorker.latest.posted.length = 0;
-  const behindOpening = await after('call');
-  assert.equal(await behindOpening.ended[0], false);
+  const behindRun = await after();
+  assert.deepEqual(behindRun.names, ['open', 'edit', 'scene', 'makePanels']);
+  assert.deepEqual([await behindRun.of(0), await behindRun.of(3)], [true, true]);
+  const behindOpening = await after(0);
+  assert.deepEqual(behindOpening.names.slice(0, 4), ['open', 'edit', 'scene', 'makePanels']);
+  assert.equal(await behindOpening.of(0), false);
 });
 
-test('a file that waits for its turn is cancelled alone, and all else is done', async () => {
-  // Of two files the first one was not opened, since the second one was cancelled; then the worker ended
-  // at the turn of the second one, with all that had been asked since.
+test('a file that waits for its turn is cancelled alone, and what is at work is done', async () => {
+  // Of two files the first one was not opened, since the second one was cancelled.
   const client = await clientWithRoof();
   const worker = FakeWorker.latest;
-  const names = () => worker.posted.map(({ name }) => name);
   const stop = new AbortController();
-  const first = client.open({ files: [] }, new AbortController().signal);
+  const first = client.open({ files: [] });
   const second = client.open({ files: [] }, stop.signal);
-  client.tell.run();
-  const { id } = worker.posted[0];
-  worker.say({ type: 'working', id });
-  worker.model('large.obj', 2);
-  assert.deepEqual(names(), ['open']);
+  const [atWork, waiting] = worker.posted.map(({ id }) => id);
+  worker.say({ type: 'working', id: atWork });
   stop.abort();
   await assert.rejects(second, (error) => error instanceof Cancelled && !wasCollateral(error));
-  assert.deepEqual(names(), ['open', 'run']);
-  worker.say({ type: 'reply', id, value: { undoLost: '' } });
+  worker.model('large.obj', 2);
+  worker.scene('the large mesh', 0);
+  worker.say({ type: 'reply', id: atWork, value: { undoLost: '' } });
   await first;
-  // Neither does it reach a run that is at work.
-  worker.say({ type: 'working' });
-  const third = client.open({ files: [] });
-  assert.deepEqual(names(), ['open', 'run']);
-  worker.say({ type: 'pong' });
-  assert.deepEqual(names(), ['open', 'run', 'open']);
   assert.equal(FakeWorker.latest, worker);
-  third.catch(() => {});
+  // When its turn comes, its worker ends before it opens anything.
+  worker.say({ type: 'working', id: waiting });
+  FakeWorker.latest.say({ type: 'ready' });
+  assert.equal(FakeWorker.latest.reopened, 'the large mesh');
 });
 
 test('work that the user cancels is no error', async () => {
