@@ -70,7 +70,7 @@ export interface Large {
   most: Promise<number>;
   /** asks whether to open so many all the same; rejects if not */
   ask: (faces: number) => Promise<void>;
-  /** called when it is passed to the solver, and when that has answered */
+  /** called when the solver begins or ends to work for it: a cancelled opening ends that work */
   atWork: (now: boolean) => void;
   /** aborted when the opening is cancelled */
   cancelled: AbortSignal;

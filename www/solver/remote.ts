@@ -87,11 +87,6 @@ export class Waiting {
     return call?.name ?? '';
   }
 
-  /** Whether the call with this number has no answer yet. */
-  has(id: number) {
-    return this.#calls.has(id);
-  }
-
   /** Sends a call, numbered, by `send`. */
   call(
     name: string,

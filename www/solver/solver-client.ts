@@ -10,7 +10,7 @@ import { Cancelled, messageOf, retryIfCollateral } from './errors.ts';
 import type { FromWorker, WorkerEvents } from './events.ts';
 import { calling, Waiting, type Call, type Remote, type Told } from './remote.ts';
 import type { DrawnProjections } from '../pkg/engine/shape_up.js';
-import type { Connectivity, Loaded, Measure, Opened, Snapshot, Saved } from './types.ts';
+import type { Connectivity, Loaded, Measure, Snapshot, Saved } from './types.ts';
 import type { Changes, Commands, Questions } from '../worker/interface.ts';
 import type { Opening } from '../worker/open.ts';
 
@@ -50,8 +50,8 @@ const STEPS_MISSED = 10;
 const LONG_WORK = 3;
 
 /**
- * Not repeated after cancelled work: undo and redo would take back something else, and a worker that
- * replaces another one opens the scene itself.
+ * Not repeated after cancelled work: undo and redo would take back something else, `open` is repeated
+ * by its caller.
  */
 const ONCE: ReadonlySet<string> = new Set<keyof Changes>(['undo', 'redo', 'open']);
 
@@ -190,24 +190,15 @@ export class SolverClient extends Emitter<SolverEvents> {
   }
 
   /**
-   * Opens files. When `cancelled` is aborted, the work for this ends, or else is not begun: what was
-   * begun before goes on.
+   * Opens files. When `cancelled` is aborted, the current work is abandoned. What waits behind cancelled
+   * work is opened after it, unless it has been `cancelled` itself.
    */
   open(given: Opening, cancelled?: AbortSignal) {
-    const ask = () => {
-      let own = 0;
-      const opened = this.#waiting.call('open', [given], (call) => {
-        own = call.id;
-        this.#post(call);
-      });
-      const stop = () => {
-        if (own === this.#workingFor) this.abandon();
-        else this.#waiting.settle(own, null, new Cancelled());
-      };
-      cancelled?.addEventListener('abort', stop);
-      return opened.finally(() => cancelled?.removeEventListener('abort', stop));
-    };
-    return this.begin(retryIfCollateral(ask)) as Promise<Opened | number>;
+    const stop = () => this.abandon();
+    cancelled?.addEventListener('abort', stop);
+    const ask = () => this.change.open(given);
+    const opened = retryIfCollateral(ask, () => cancelled?.throwIfAborted());
+    return opened.finally(() => cancelled?.removeEventListener('abort', stop));
   }
 
   /** Abandons the current work; the previous model is opened again. */
@@ -287,8 +278,6 @@ export class SolverClient extends Emitter<SolverEvents> {
     }
     switch (message.type) {
       case 'working':
-        // The call was withdrawn before its turn.
-        if (message.id !== undefined && !this.#waiting.has(message.id)) return this.abandon();
         // Parts of it are announced without the call.
         this.#workingFor ??= message.id;
         return;

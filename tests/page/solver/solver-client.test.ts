@@ -248,28 +248,6 @@ test('what waits behind cancelled work is done by the next worker, but nothing t
   assert.equal(await behindOpening.of(0), false);
 });
 
-test('a file that waits for its turn is cancelled alone, and what is at work is done', async () => {
-  // Of two files the first one was not opened, since the second one was cancelled.
-  const client = await clientWithRoof();
-  const worker = FakeWorker.latest;
-  const stop = new AbortController();
-  const first = client.open({ files: [] });
-  const second = client.open({ files: [] }, stop.signal);
-  const [atWork, waiting] = worker.posted.map(({ id }) => id);
-  worker.say({ type: 'working', id: atWork });
-  stop.abort();
-  await assert.rejects(second, (error) => error instanceof Cancelled && !wasCollateral(error));
-  worker.model('large.obj', 2);
-  worker.scene('the large mesh', 0);
-  worker.say({ type: 'reply', id: atWork, value: { undoLost: '' } });
-  await first;
-  assert.equal(FakeWorker.latest, worker);
-  // When its turn comes, its worker ends before it opens anything.
-  worker.say({ type: 'working', id: waiting });
-  FakeWorker.latest.say({ type: 'ready' });
-  assert.equal(FakeWorker.latest.reopened, 'the large mesh');
-});
-
 test('work that the user cancels is no error', async () => {
   // It was said that the solver had stopped.
   const client = await clientWithRoof();
