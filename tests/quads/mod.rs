@@ -5,6 +5,7 @@ mod boundary;
 mod followed;
 mod fuzzed;
 mod map;
+mod openings;
 mod parts;
 mod prepare;
 mod surfaces;

@@ -143,3 +143,8 @@ pub(crate) fn without_stray(mut mesh: Mesh) -> Mesh {
     mesh.faces.rename(&name);
     Mesh { positions, ..mesh }
 }
+
+/// A roof of 20 m by 20 m in squares of 1 m, each two triangles.
+pub(crate) fn roof() -> Mesh {
+    parametric([20, 20], [false, false], |u, v| [20.0 * u, 20.0 * v, 3.0 * u * (1.0 - u)])
+}
