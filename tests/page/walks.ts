@@ -361,7 +361,8 @@ export const walks: Record<string, State[]> = {
         await field.fill('high');
         await field.press('Enter');
         await expect(field).toHaveValue('high');
-        await expect(field).toHaveJSProperty('validationMessage', /“high” is not a length/);
+        const refusal = '“high” is not a length. Expected 1.5, 1/3 or +0.5.';
+        await expect(field).toHaveJSProperty('validationMessage', refusal);
       },
       leave: escape,
     },
