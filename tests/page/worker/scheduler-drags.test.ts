@@ -11,6 +11,17 @@ import { closeChannel, died, solverWith } from './fake-solver.ts';
 const dragsOf = (scheduler: Scheduler, id: number) => (phase: Drag['phase'], x: number) =>
   scheduler.drag({ id, vertices: Uint32Array.of(0), targets: Float64Array.of(x, 0, 0), phase });
 
+/** A scheduler during a drag that has moved vertex 0, with the types of what it sends. */
+function dragged(solver: ConstructorParameters<typeof Scheduler>[0], sent: FromWorker['type'][]) {
+  const scheduler = new Scheduler(solver, ({ type }) => sent.push(type), died);
+  scheduler.begin(false);
+  scheduler.frames.renew(1);
+  const drag = dragsOf(scheduler, 1);
+  drag('start', 0);
+  drag('move', 1);
+  return { scheduler, drag };
+}
+
 test('a refused drag leaves the run and the document as they were', (context) => {
   // It used to end the run, and its end was not answered, so that the page kept the dragged target.
   closeChannel(context);
@@ -51,12 +62,7 @@ test('an edit during a drag acts on its latest move, and ends it', (context) => 
     generation: () => 1,
   });
   const sent: FromWorker['type'][] = [];
-  const scheduler = new Scheduler(solver, ({ type }) => sent.push(type), died);
-  scheduler.begin(false);
-  scheduler.frames.renew(1);
-  const drag = dragsOf(scheduler, 1);
-  drag('start', 0);
-  drag('move', 1);
+  const { scheduler, drag } = dragged(solver, sent);
   scheduler.betweenRuns(() => solver.undo());
   // Nothing is left of it where the edit had no effect.
   const expected = ['start 0,0,0', 'move 1,0,0', 'undo', 'end '];
@@ -108,12 +114,7 @@ test('a half step during a drag ends it with its latest move', (context) => {
       return { half: 'local', fitted: [] };
     },
   });
-  const scheduler = new Scheduler(solver, ({ type }) => sent.push(type), died);
-  scheduler.begin(false);
-  scheduler.frames.renew(1);
-  const drag = dragsOf(scheduler, 1);
-  drag('start', 0);
-  drag('move', 1);
+  const { scheduler } = dragged(solver, sent);
   scheduler.halfStep();
   assert.deepEqual(calls, ['start 0,0,0', 'move 1,0,0', 'half', 'end ']);
   // It is a step of undo now.
