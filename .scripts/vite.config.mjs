@@ -114,6 +114,12 @@ const pages = ['index', 'gallery', 'licences', 'checked', 'speed', 'rhino', 'emb
 
 const documents = pages.map((page) => at('www', `${page}.html`));
 /**
+ * Left out of chunks, so that the document has one script: of an entry that only imports, Vite makes a
+ * script for each import, and in WebKit a script does not wait for another that awaits its module
+ * (https://bugs.webkit.org/show_bug.cgi?id=242740).
+ */
+const ENTRIES = [documents[0], at('www', 'app', 'main.ts')];
+/**
  * Returns the name of the first-visit chunk of a module, if any: `workbench` for modules that only
  * the workbench starts with, `common` for those that another page starts with as well. Modules
  * shared with other pages would otherwise be several files, which compress worse. `words` is a file of
@@ -123,6 +129,7 @@ const documents = pages.map((page) => at('www', `${page}.html`));
  */
 function firstFile(id, graph) {
   if (/[\\/](ui[\\/]words\.ts|pkg[\\/]words[\\/])/.test(id)) return 'words';
+  if (ENTRIES.includes(id)) return null;
   const [workbench, ...others] = documents.map((document) => begunWith(document, graph));
   if (!workbench.has(id)) return null;
   return others.some((other) => other.has(id)) ? 'common' : 'workbench';

@@ -1,6 +1,8 @@
 // If a part of the page cannot be loaded, one plain message gives the reason and the suggestion, and no
 // later error covers it.
 
+import { readdirSync } from 'node:fs';
+import { at } from '../../../.scripts/project.mjs';
 import { expect, test } from '../support.ts';
 
 test.use({ fresh: true });
@@ -91,4 +93,15 @@ test('the gallery without the module of words says why it is empty', async ({
   );
   await expect(page.getByText('Loading')).toHaveCount(0);
   expectOnlyMissing(complaints);
+});
+
+test('each page of the site begins with one script', async ({ request }) => {
+  // In Safari the workbench did not start: of three scripts, the last did not wait for the module of
+  // words, which another awaited.
+  const pages = readdirSync(at('dist')).filter((name) => name.endsWith('.html'));
+  expect(pages).toContain('index.html');
+  for (const page of pages) {
+    const text = await (await request.get(`./${page}`)).text();
+    expect([page, ...text.match(/<script[^>]* type="module"[^>]*>/g)!.slice(1)]).toEqual([page]);
+  }
 });
