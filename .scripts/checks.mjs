@@ -225,6 +225,14 @@ const page = [
   },
 ];
 
+/** Only `npm run test:long` has it; all other tests of the page run in Chromium. */
+const otherBrowsers = {
+  title: 'a story in Firefox and WebKit',
+  // Node 20 has a client of web sockets, but not without this.
+  run: ['node', ['--experimental-websocket', ...node(['tests/browsers/story.test.mjs'])[1]]],
+  count: 'node',
+};
+
 const all = [
   [[...texts, ...engine, ...views.map(module), ...compiled, ...built], native],
   [[programBuilt, ...bench, ...viewTests, ...page]],
@@ -241,5 +249,5 @@ export const stages = {
   site: [[[...engine, ...views.map(module), ...viewTests, ...built, programBuilt, ...bench]]],
   page: [[[programBuilt, ...page]]],
   test: all,
-  long: all,
+  long: [...all, [[otherBrowsers]]],
 };

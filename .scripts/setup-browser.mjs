@@ -2,7 +2,7 @@
 
 import * as apt from './apt.mjs';
 import { findBrowser } from './browser.mjs';
-import { Problem, run, say } from './run.mjs';
+import { outputOf, Problem, run, say } from './run.mjs';
 
 /** Ensures that `findBrowser` finds a browser. */
 export async function setUpBrowser() {
@@ -33,4 +33,15 @@ async function downloadChromium() {
 async function installChromium() {
   say('installing the system package chromium-headless-shell');
   await apt.install('chromium-headless-shell');
+}
+
+/** Installs what `tests/browsers` drives, where that can be done without asking the user. */
+export async function setUpOtherBrowsers() {
+  const missing = ['firefox-esr', 'WebKitWebDriver', 'Xvfb'].filter(
+    (program) => outputOf('which', [program]) === null,
+  );
+  if (missing.length === 0 || !apt.canInstall()) return;
+  say('installing Firefox and WebKit');
+  // The libraries are those by which Firefox draws without a graphics card.
+  await apt.install('firefox-esr', 'libegl1', 'libgl1', 'webkit2gtk-driver', 'xvfb');
 }

@@ -9,6 +9,7 @@ import { countTests, inexcusable, isToRunAgain } from './count.mjs';
 import { targetFolder } from './project.mjs';
 import { main, outputOf, Problem } from './run.mjs';
 import { setUp } from './setup.mjs';
+import { setUpOtherBrowsers } from './setup-browser.mjs';
 import { stampOf } from './stamp.mjs';
 import { step } from './step.mjs';
 
@@ -83,6 +84,7 @@ await main(async () => {
   if (!existsSync(targetFolder)) process.env.CARGO_INCREMENTAL ??= '0';
   const begun = performance.now();
   await setUp({ checks: true, browser: command !== 'check' });
+  if (command === 'long') await setUpOtherBrowsers();
   found = await tools();
   console.log(`- set-up\n    ok (${((performance.now() - begun) / 1000).toFixed(1)} s)`);
   for (const lanes of stages[command]) await Promise.all(lanes.map(lane));

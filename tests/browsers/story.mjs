@@ -1,0 +1,124 @@
+// One story, from a file to a reload, in any browser that can be driven.
+
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { join } from 'node:path';
+import { setTimeout as wait } from 'node:timers/promises';
+import { wavyGrid } from '../page/meshes.ts';
+import { folderOfOwn } from './programs.mjs';
+
+/**
+ * @typedef {object} Browser
+ * @property {(url: string) => Promise<unknown>} open
+ * @property {(text: string, ...args: unknown[]) => Promise<any>} ask calls a function, given as text,
+ *   in the page
+ * @property {(selector: string, path: string) => Promise<unknown>} choose a file in a file input
+ * @property {(way: import('./pointer.mjs').Place[], keys?: string[]) => Promise<unknown>} pointer
+ */
+
+const SIDE = 8;
+const VERTICES = (SIDE + 1) ** 2;
+/** A vertex inside the grid. */
+const HELD = 4 * (SIDE + 1) + 4;
+/** Drawing in software, and a compiler that warms up. */
+const PATIENCE_MS = 120_000;
+
+/**
+ * Opens a mesh, makes its panels circular, drags a vertex, exports, and reloads.
+ * @param {Browser} browser
+ * @param {string} address of the page
+ * @returns what draws the view, and a digest of the circular shape
+ */
+export async function tell(browser, address) {
+  const state = () => browser.ask('() => window.shapeUp.state()');
+  const shape = () => browser.ask('() => [...window.shapeUp.positions()]');
+  const until = async (what, condition, ...args) => {
+    for (const start = performance.now(); ; await wait(200)) {
+      const found = await browser.ask(condition, ...args);
+      if (found) return found;
+      assert.ok(performance.now() < start + PATIENCE_MS, `expected: ${what}`);
+    }
+  };
+  const press = async (name) => {
+    await browser.pointer([await until(`a button ${name} that stands still`, placeOfButton, name)]);
+  };
+  const isDrawn = "() => window.shapeUp?.state().renderer.startsWith('web')";
+
+  await browser.open(address);
+  await until('the first model is drawn', isDrawn);
+
+  const folder = folderOfOwn({ 'grid.obj': wavyGrid(SIDE) });
+  await browser.choose('input[type=file]', join(folder, 'grid.obj'));
+  await until('the grid is open', '(n) => window.shapeUp.state().vertices === n', VERTICES);
+
+  await press('Make panels circular');
+  const ended = '() => !window.shapeUp.state().running && window.shapeUp.state().verdict !== null';
+  await until('a verdict', ended);
+  const { verdict, renderer } = await state();
+  assert.equal(verdict.within, verdict.of, 'all panels are circular');
+  const circular = await shape();
+
+  const from = await browser.ask('(v) => window.shapeUp.screen(v)', HELD);
+  const way = [0, 10, 25, 40].map((up) => [from[0], from[1] - up]);
+  await browser.pointer(way, ['Alt']);
+  await until('a handle', '() => window.shapeUp.state().handles.length === 1');
+  const dragged = await until('the shape is at rest', shapeAtRest);
+  const moved = Math.hypot(...[0, 1, 2].map((i) => dragged[3 * HELD + i] - circular[3 * HELD + i]));
+  assert.ok(moved > 0.1, `the dragged vertex has moved by ${moved}`);
+
+  await browser.ask(keepFiles);
+  await press('Export');
+  await until('a file', '() => window.saved.length === 1');
+  const text = await browser.ask('() => window.saved[0].text()');
+  const written = [...text.matchAll(/^v (\S+) (\S+) (\S+)$/gm)].flatMap((line) => line.slice(1, 4));
+  assert.deepEqual(written.map(Number), dragged, 'the file has the shape of the view');
+
+  await browser.ask('() => window.shapeUp.settled()');
+  await browser.open(address);
+  await until('the work is back', '(n) => window.shapeUp?.state().vertices === n', VERTICES);
+  await until('it is drawn', isDrawn);
+  assert.equal((await state()).handles.length, 1);
+  assert.deepEqual(await shape(), dragged);
+
+  const bytes = new Uint8Array(Float64Array.from(circular).buffer);
+  return { renderer, shape: createHash('sha256').update(bytes).digest('hex') };
+}
+
+/**
+ * In the page: the middle of the button of this name, scrolled into view; nothing while it moves or
+ * something lies over it.
+ */
+const placeOfButton = `async (name) => {
+  const isIt = (one) => (one.ariaLabel || one.textContent).trim() === name && one.checkVisibility();
+  const button = [...document.querySelectorAll('button')].findLast(isIt);
+  if (!button) return null;
+  button.scrollIntoView({ block: 'center' });
+  const middle = () => {
+    const { left, top, width, height } = button.getBoundingClientRect();
+    return [left + width / 2, top + height / 2];
+  };
+  const before = middle();
+  await new Promise((done) => setTimeout(done, 300));
+  const now = middle();
+  const stands = String(now) === String(before);
+  return stands && button.contains(document.elementFromPoint(...now)) ? now : null;
+}`;
+
+/** In the page: the current positions; nothing while they change. */
+const shapeAtRest = `async () => {
+  const before = window.shapeUp.positions();
+  await new Promise((done) => setTimeout(done, 1000));
+  await window.shapeUp.settled();
+  const now = window.shapeUp.positions();
+  return String(now) === String(before) ? [...now] : null;
+}`;
+
+/** In the page: what is saved from now on is kept in \`saved\`. */
+const keepFiles = `() => {
+  window.saved = [];
+  const made = URL.createObjectURL.bind(URL);
+  URL.createObjectURL = (blob) => {
+    if (blob instanceof Blob) window.saved.push(blob);
+    return made(blob);
+  };
+}`;
