@@ -402,7 +402,7 @@ export function withModel(
   return {
     ...(!restoring && {
       ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
-      ...{ frameChosen: null, section: null, fitted: null },
+      ...{ frameChosen: null, section: null, fitted: null, presenting: false },
     }),
     ...(!reopensSameMesh && { press: null, closedCard: false }),
     model: loaded,
