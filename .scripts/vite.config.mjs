@@ -2,6 +2,7 @@
 // sub-path of any static host.
 
 import { cpSync, readFileSync, statSync } from 'node:fs';
+import { relative } from 'node:path';
 import { minify } from 'vite';
 import { escaped, licenceTexts } from './licences-page.mjs';
 import { assertLicensed } from './licences.mjs';
@@ -101,7 +102,7 @@ const layers = {
   enforce: 'pre',
   transform(code, id) {
     if (!/\.css($|\?)/.test(id)) return null;
-    const room = /\/www\/(\w+)\//.exec(id)?.[1] ?? 'library';
+    const room = /^(\w+)[\\/]/.exec(relative(at('www'), id))?.[1] ?? 'library';
     if (!LAYERS.includes(room)) throw new Error(`${id}: ${room}/ belongs to no layer`);
     // Whichever style sheet comes first declares the order of the layers.
     const plain = code.replace(/var\((--[\w-]+)\)/g, (use, name) => constants[name] ?? use);

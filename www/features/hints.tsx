@@ -34,8 +34,10 @@ function Hints() {
   const { state } = useApp().store;
   const { at, isDone, finish } = useProgress();
   const words = useThrottled(() => (isDone.value ? '' : hintOf(state, at.value)));
-  const { firstExample, fileName, nothingOpen } = state;
-  const isHidden = isDone.value || nothingOpen || (fileName !== '' && !firstExample);
+  const { firstExample, fileName, nothingOpen, renderer } = state;
+  const isOfOther = fileName !== '' && !firstExample;
+  // They are about what can be dragged in the view.
+  const isHidden = isDone.value || nothingOpen || isOfOther || renderer === 'none';
   const isSaid = words !== '' && !isHidden;
   useLayoutEffect(() => {
     byId('hint-card').hidden = isHidden;

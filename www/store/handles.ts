@@ -32,10 +32,10 @@ function withTargets(handles: HandleRow[], vertices: ArrayLike<number>, targets:
 export const areHandlesLocked = (document: SceneDocument | null) =>
   isLocked({ document }, 'handles');
 
-/** Names a handle that can be dragged, by its colour in the view; empty if there is none. */
-export function draggableInWords(document: SceneDocument) {
-  const { handles } = document;
-  if (handles.length === 0 || areHandlesLocked(document)) return '';
+/** Names a handle that can be dragged, by its colour in the view; empty if there is none, or no view. */
+export function draggableInWords({ document, renderer }: Pick<State, 'document' | 'renderer'>) {
+  const handles = document?.handles ?? [];
+  if (handles.length === 0 || areHandlesLocked(document) || renderer === 'none') return '';
   return handles.some(({ fixed }) => !fixed) ? 'a blue handle' : 'a handle';
 }
 

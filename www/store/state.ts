@@ -225,6 +225,8 @@ export type Selection = Record<Mode, ReadonlySet<number>>;
  */
 export const MARKINGS = ['pointed', 'unmet', 'unbuildable', 'free'] as const;
 export type Marking = (typeof MARKINGS)[number];
+/** The colour of elements that fail, sRGB bytes. */
+export const FAILED: Tint['colour'] = [214, 40, 57];
 export type Tint = { vertices: Uint32Array; faces: Uint32Array; colour: [number, number, number] };
 /** The original shape, `#V by 3`, and its values of the measure, `#F`, if there is one. */
 type HeldOriginal = { positions: Float64Array; values: Float32Array | null };
@@ -402,7 +404,7 @@ export function withModel(
   return {
     ...(!restoring && {
       ...{ camera: null, views: [], measureChosen: false, tolerances: {}, refining: false },
-      ...{ frameChosen: null, section: null, fitted: null },
+      ...{ frameChosen: null, section: null, fitted: null, presenting: false },
     }),
     ...(!reopensSameMesh && { press: null, closedCard: false }),
     model: loaded,

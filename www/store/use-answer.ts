@@ -1,7 +1,7 @@
-/** Answers of the worker on the model, asked for only while somebody can see them. */
+/** Answers of the worker that a component shows. */
 
 import { useSignal, useSignalEffect } from '@preact/signals';
-import { useEffect, useMemo, useRef } from 'preact/hooks';
+import { useEffect, useMemo, useRef, useState } from 'preact/hooks';
 import { throttled } from '../ui/dom.ts';
 import { newestOnly } from './latest-only.ts';
 import { useApp } from './use-app.ts';
@@ -55,4 +55,27 @@ export function useAnswer<Answer>(
     if (store.state.model && isInView.value) askSoon();
   });
   return answer.value?.model === store.state.model ? (answer.value?.found ?? null) : null;
+}
+
+/**
+ * Asks at first and whenever the question changes. Of the answers to earlier questions none is shown that
+ * comes late, and no error is reported.
+ * @param question what the answer depends on, each compared by identity
+ * @param ask resolves with undefined if there is no answer
+ * @returns the latest answer, undefined before the first one, and whether it is that to `question`
+ */
+export function useAnswerTo<Answer>(
+  question: unknown[],
+  ask: () => Promise<Answer | undefined> | undefined,
+): { answer: Answer | undefined; isCurrent: boolean } {
+  const { actions } = useApp();
+  const newest = useMemo(() => newestOnly(), []);
+  const [known, setKnown] = useState<{ of: unknown[]; answer: Answer } | null>(null);
+  useEffect(() => {
+    void actions.reportErrors(newest(ask())).then((answer) => {
+      if (answer !== undefined) setKnown({ of: question, answer });
+    });
+  }, question);
+  const isCurrent = known !== null && question.every((part, i) => part === known.of[i]);
+  return { answer: known?.answer, isCurrent };
 }

@@ -1,7 +1,7 @@
 /** What one shape of all panels would do to the mesh, in words of the second worker. */
 
-import { useEffect, useMemo, useState } from 'preact/hooks';
-import { newestOnly } from './latest-only.ts';
+import { useRef } from 'preact/hooks';
+import { useAnswerTo } from './use-answer.ts';
 import { useApp } from './use-app.ts';
 import type { ForecastWords } from '../pkg/engine/shape_up.js';
 
@@ -14,19 +14,11 @@ export function useForecastWords(isWanted: boolean): ForecastWords | null | unde
   const { store, actions } = useApp();
   const { model, document } = store.state;
   const units = document?.units;
-  const newest = useMemo(() => newestOnly(() => store.get().model), [store]);
-  const [known, setKnown] = useState<{
-    model: unknown;
-    units: string;
-    found?: ForecastWords | null;
-  } | null>(null);
-  const isKnown = known !== null && known.model === model && known.units === units;
-  useEffect(() => {
-    if (!isWanted || isKnown || units === undefined) return;
-    setKnown({ model, units });
-    void newest(actions.trials.forecast().catch(() => null)).then((found) => {
-      if (found !== undefined) setKnown({ model, units, found });
-    });
-  }, [isWanted, model, units]);
-  return isKnown ? known.found : undefined;
+  const wanted = useRef<unknown>(null);
+  if (isWanted) wanted.current = model;
+  const isAsked = wanted.current === model && units !== undefined;
+  const { answer, isCurrent } = useAnswerTo([isAsked, model, units], () =>
+    isAsked ? actions.trials.forecast().catch(() => null) : undefined,
+  );
+  return isCurrent ? answer : undefined;
 }

@@ -57,7 +57,8 @@ export function createViewActions(store: Store) {
     /** Ends the range of the colours at the worst face of the current shape. */
     fitRange() {
       const { spread, range } = store.get();
-      if (!spread || spread.greatest <= range[0]) return store.set({ ownRange: AUTOMATIC });
+      if (!spread || spread.greatest <= Math.max(range[0], 0))
+        return store.set({ ownRange: AUTOMATIC });
       const { greatest } = spread;
       store.set({ ownRange: { low: null, high: greatest, top: greatest } });
     },

@@ -1,4 +1,4 @@
-/** Where the camera looks: flights, elements that cover the view, and elements to reveal. */
+/** Where the camera looks: its motions, elements that cover the view, and elements to reveal. */
 
 import { between, isMoved } from './flight.ts';
 import { cornersOf, verticesOf } from '../store/selection.ts';
@@ -9,32 +9,67 @@ import type { Connectivity } from '../solver/types.ts';
 
 const FLIGHT_MS = 320;
 const still = matchMedia('(prefers-reduced-motion: reduce)');
+/** Seconds in which a model that turns slowly turns once. */
+const TURN_SECONDS = 24;
 
 /** Moves the camera as `change` does: animated, or at once if the user prefers reduced motion. */
 export function fly(viewport: Viewport, change: (view: View) => void) {
-  if (still.matches) return void viewport.with(change);
   viewport.with((view) => {
     viewport.arrive();
+    viewport.motion = null;
+    if (still.matches) return change(view);
     const from = view.camera();
     change(view);
     const to = view.camera();
-    viewport.destination = to;
     const started = performance.now();
-    let at = to;
-    const on = () =>
-      viewport.unmeasured((view) => {
-        if (viewport.destination !== to) return;
-        if (isMoved(view.camera(), at)) return void (viewport.destination = null);
-        const part = (performance.now() - started) / FLIGHT_MS;
-        if (part >= 1) return viewport.arrive();
-        view.placeCamera(between(from, to, part));
-        at = view.camera();
-        requestAnimationFrame(on);
-      });
     view.placeCamera(between(from, to, 0));
-    at = view.camera();
-    requestAnimationFrame(on);
+    animate(viewport, view, to, (view, now) => {
+      const part = (now - started) / FLIGHT_MS;
+      if (part >= 1) viewport.arrive();
+      else view.placeCamera(between(from, to, part));
+    });
   });
+}
+
+/** Turns the model slowly, as on a turntable, until the camera is moved otherwise; or stops that. */
+export function turnSlowly(viewport: Viewport) {
+  if (viewport.motion && !viewport.motion.to) return stopTurning(viewport);
+  viewport.with((view) => {
+    viewport.arrive();
+    let last = performance.now();
+    animate(viewport, view, null, (view, now) => {
+      // A page that was hidden continues from the same angle.
+      const passed = Math.min(now - last, 100);
+      last = now;
+      view.spin((2 * Math.PI * passed) / 1000 / TURN_SECONDS);
+    });
+  });
+}
+
+/** Ends the turning of the model, if it turns. */
+export function stopTurning(viewport: Viewport) {
+  if (!viewport.motion?.to) viewport.motion = null;
+}
+
+/** Takes a step in each frame, until another motion begins or the camera is moved otherwise. */
+function animate(
+  viewport: Viewport,
+  view: View,
+  to: Float64Array | null,
+  step: (view: View, now: number) => void,
+) {
+  const motion = { to };
+  viewport.motion = motion;
+  let at = view.camera();
+  const on = () =>
+    viewport.unmeasured((view) => {
+      if (viewport.motion !== motion) return;
+      if (isMoved(view.camera(), at)) return void (viewport.motion = null);
+      step(view, performance.now());
+      at = view.camera();
+      requestAnimationFrame(on);
+    });
+  requestAnimationFrame(on);
 }
 
 /** Windows in which messages and cards lie below the model. */

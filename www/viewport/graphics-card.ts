@@ -2,7 +2,7 @@
 
 import type { State } from '../store/state.ts';
 
-export interface GraphicsCard {
+interface GraphicsCard {
   /** as the browser calls it; empty if it does not say */
   name: string;
   isSoftware: boolean;

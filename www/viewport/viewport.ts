@@ -33,8 +33,8 @@ export class Viewport extends Emitter<ViewportEvents> {
   element: HTMLElement;
   /** Null during start-up and if nothing can draw. */
   view: View | null = null;
-  /** Where a flight of the camera ends; null while there is none. */
-  destination: Float64Array | null = null;
+  /** What moves the camera by itself: a flight to a camera, or turning, to none; null while it rests. */
+  motion: { to: Float64Array | null } | null = null;
   /** Returns the labels over the picture, for saved pictures. */
   labels: () => Label[] = () => [];
 
@@ -101,11 +101,12 @@ export class Viewport extends Emitter<ViewportEvents> {
     return action(this.view);
   }
 
-  /** Ends a flight at its destination. */
+  /** Ends a flight at its destination; a model that turns goes on. */
   arrive() {
     this.unmeasured((view) => {
-      if (this.destination) view.placeCamera(this.destination);
-      this.destination = null;
+      if (!this.motion?.to) return;
+      view.placeCamera(this.motion.to);
+      this.motion = null;
     });
   }
 
@@ -310,7 +311,7 @@ export class Viewport extends Emitter<ViewportEvents> {
     }
     subscribe(['camera'], ({ camera }) => {
       if (!camera || camera === this.#camera || this.#newMesh) return;
-      this.destination = null;
+      this.motion = null;
       this.unmeasured((view) => view.placeCamera(Float64Array.from(camera)));
     });
   }
@@ -334,7 +335,7 @@ export class Viewport extends Emitter<ViewportEvents> {
     if (!view || !geometry || !(this.#newMesh || this.#newFrame)) return;
     const state = this.#store.get();
     if (this.#newMesh) {
-      this.destination = null;
+      this.motion = null;
       const { faceOffsets, faceIndices, curveOffsets, curveIndices } = geometry.connectivity;
       view.setUp(frameOf(state).up);
       view.setMesh(faceOffsets, faceIndices, curveOffsets, curveIndices, geometry.positions);

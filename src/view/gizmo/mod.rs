@@ -88,7 +88,7 @@ impl Gizmo {
         let sizes = if touch { COARSE } else { FINE };
         let pixel = eye.across(Vec2::X, depth).length();
         let sight = eye.ray(middle).1.normalize();
-        let place = |way: Vec3| at + way * pixel;
+        let place = |offset: Vec3| at + offset * pixel;
         let arrows = (0..3).map(|axis| {
             let along = axis_of(axis);
             let ends = [sizes.gap, sizes.length].map(|far| place(along * far));
@@ -112,10 +112,10 @@ impl Gizmo {
         }
         let mut nearest: Option<(f32, DragDirection)> = None;
         for part in self.parts.iter().filter(|part| part.strength >= LEAST_PICKABLE) {
-            if let Some(apart) = part.apart(at, self.sizes.reach)
-                && nearest.is_none_or(|(least, _)| apart < least)
+            if let Some(distance) = part.distance(at, self.sizes.reach)
+                && nearest.is_none_or(|(least, _)| distance < least)
             {
-                nearest = Some((apart, part.direction));
+                nearest = Some((distance, part.direction));
             }
         }
         nearest.map(|(_, direction)| direction)
@@ -149,10 +149,10 @@ impl Part {
     }
 
     /// Returns the distance of the part from a screen position, if it is at most `reach`.
-    fn apart(&self, at: Vec2, reach: f32) -> Option<f32> {
+    fn distance(&self, at: Vec2, reach: f32) -> Option<f32> {
         if let [start, tip] = self.corners[..] {
-            let apart = apart_from_segment(at, start, tip);
-            return (apart <= reach).then_some(apart);
+            let distance = distance_to_segment(at, start, tip);
+            return (distance <= reach).then_some(distance);
         }
         let sides = self.corners.iter().zip(self.corners.iter().cycle().skip(1));
         let turns = sides.clone().map(|(&a, &b)| (b - a).perp_dot(at - a));
@@ -160,12 +160,12 @@ impl Part {
         if inside {
             return Some(0.0);
         }
-        let apart = sides.map(|(&a, &b)| apart_from_segment(at, a, b)).fold(f32::MAX, f32::min);
-        (at.distance(self.middle()) <= reach).then_some(apart)
+        let distance = sides.map(|(&a, &b)| distance_to_segment(at, a, b)).fold(f32::MAX, f32::min);
+        (at.distance(self.middle()) <= reach).then_some(distance)
     }
 }
 
-fn apart_from_segment(at: Vec2, start: Vec2, end: Vec2) -> f32 {
+fn distance_to_segment(at: Vec2, start: Vec2, end: Vec2) -> f32 {
     let span = end - start;
     let part =
         ((at - start).dot(span) / span.length_squared().max(f32::MIN_POSITIVE)).clamp(0.0, 1.0);
@@ -219,14 +219,14 @@ mod tests {
                 let [start, tip] = part.corners[..] else { panic!("an arrow has two ends") };
                 let aside = (tip - start).perp().normalize() * (half - 0.1);
                 for side in [aside, -aside] {
-                    let found = part.apart(tip + side, gizmo.sizes.reach);
+                    let found = part.distance(tip + side, gizmo.sizes.reach);
                     assert!(found.is_some(), "{:?}", part.direction);
                 }
             }
             for part in &gizmo.parts[3..] {
                 for way in [Vec2::X, Vec2::Y, -Vec2::X, -Vec2::Y] {
                     let at = part.middle() + way * (half - 0.1);
-                    assert!(part.apart(at, gizmo.sizes.reach).is_some(), "{:?}", part.direction);
+                    assert!(part.distance(at, gizmo.sizes.reach).is_some(), "{:?}", part.direction);
                 }
             }
         }

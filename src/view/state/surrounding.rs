@@ -92,8 +92,8 @@ impl ViewState {
         self.around.grid.lines.iter().flatten().copied()
     }
 
-    /// Returns the points beside the mesh that are drawn: targets, grid, without those of stray vertices
-    /// ghost and layer, and around fitted shapes.
+    /// Returns the points beside the mesh that are drawn: targets and grid; ghost and layer without their
+    /// stray vertices; and the corners of boxes around fitted shapes.
     fn drawn_beside(&self) -> impl Iterator<Item = Vec3> + '_ {
         let mesh = &self.content.mesh;
         let points = mesh.used_of(self.ghost()).chain(mesh.used_of(&self.layer.points));

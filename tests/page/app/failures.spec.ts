@@ -151,6 +151,13 @@ test('without graphics everything but the 3D view works', async ({ page }) => {
   await expect(page.locator('#first-picture')).toHaveCount(0);
   expect((await state(page)).renderer).toBe('none');
   await openText(page, 'grid.obj', wavyGrid(4), 25);
+  await page.keyboard.press('Control+a');
+  await page.keyboard.press('h');
+  await waitForState(page, (now) => now.handles.length === 25);
+  // The hint and the list of handles said to drag them.
+  await expect(page.locator('#hint')).not.toHaveText(/[Dd]rag/);
+  await expect(page.getByText('25 handles.', { exact: true })).toBeAttached();
+  await page.keyboard.press('Control+z');
   await addConstraint(page, 'Circle', 'each face');
   const before = await state(page);
   const after = await runToTheEnd(page);

@@ -85,6 +85,12 @@ test('Gauss and mean curvature are coloured around zero, with units in metres', 
   await high.fill('0.02');
   await high.press('Enter');
   await expect(low).toHaveValue('−0.0200');
+  // A range that ended at 0 had the colours of another map.
+  await high.fill('0');
+  await high.press('Enter');
+  expect(await high.evaluate((field) => field.matches(':invalid'))).toBe(true);
+  await high.press('Escape');
+  await expect(high).toHaveValue('0.0200');
   await colours.selectOption('Mean curvature');
   await expect(legend).toContainText('Mean curvature');
 });

@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import type { Slide } from '../../../www/pkg/engine/shape_up.js';
-import { openText, tool } from '../actions.ts';
+import { openText, showStep, tool } from '../actions.ts';
 import { file, wavyGrid } from '../meshes.ts';
 import { boxOf, expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
@@ -165,6 +165,27 @@ test('a presentation ends when its last step is undone', async ({ page }) => {
     await page.keyboard.press('Control+z');
     await expect(stageOf(page)).toHaveCount(0, { timeout: 500 });
   }).toPass();
+});
+
+test('a presentation goes on when a change of the mesh is undone', async ({ page }) => {
+  // It ended while the mesh before was on its way.
+  await openPage(page);
+  await openText(page, 'roof.obj', wavyGrid(4), 25);
+  await openSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Add this view' }).click();
+  await dialogOf(page).getByRole('button', { name: 'Close' }).click();
+  await showStep(page, 'Shape');
+  await page.getByRole('button', { name: 'Refine', exact: true }).click();
+  await page.getByRole('dialog', { name: 'Refine' }).getByText('Refine now').click();
+  await waitForState(page, (now) => now.faces === 64);
+  await openSteps(page);
+  await dialogOf(page).getByRole('button', { name: 'Start', exact: true }).click();
+  await expect(stageOf(page)).toContainText('1 of 1');
+  await expect(async () => {
+    await page.keyboard.press('Control+z');
+    await waitForState(page, (now) => now.faces === 16, undefined, { timeout: 1000 });
+  }).toPass();
+  await expect(stageOf(page)).toContainText('1 of 1');
 });
 
 test('another view for a step leaves its shape', async ({ page }) => {

@@ -17,7 +17,7 @@ test('a view differs by its angles and, as far as it is away, by its lengths', a
   const store = createStore();
   const placed: number[][] = [];
   const view = { placeCamera: (camera: Float64Array) => placed.push([...camera]) };
-  const viewport = { with: (act: (of: typeof view) => void) => act(view) };
+  const viewport = { arrive() {}, with: (act: (of: typeof view) => void) => act(view) };
   const app = { store, viewport, solver: new Emitter(), actions: { setStatus() {} } };
   const history = new ViewHistory(app as unknown as AppContext);
   const seen = async (...camera: number[]) => {

@@ -418,14 +418,22 @@ test('views are saved with the model and can be restored', async ({ page }) => {
   await expect(menu.getByRole('button', { name: 'View 2', exact: true })).toBeHidden();
 });
 
-test('the model turns slowly until the view is touched', async ({ page }) => {
+test('the model turns slowly until the view is touched or another is chosen', async ({ page }) => {
   await openSteps(page);
-  const menu = await openViews(page);
+  let menu = await openViews(page);
   const before = await screenOf(page, 6);
   await menu.getByRole('button', { name: 'Turn slowly' }).click();
   await expect.poll(async () => (await screenOf(page, 6))[0]).not.toBeCloseTo(before[0], 0);
+  const rests = async () => {
+    const stopped = await screenOf(page, 0);
+    await page.waitForTimeout(300);
+    expect(await screenOf(page, 0)).toEqual(stopped);
+  };
   await view(page).click({ position: { x: 20, y: 300 } });
-  const stopped = await screenOf(page, 0);
-  await page.waitForTimeout(300);
-  expect(await screenOf(page, 0)).toEqual(stopped);
+  await rests();
+  menu = await openViews(page);
+  await menu.getByRole('button', { name: 'Turn slowly' }).click();
+  menu = await openViews(page);
+  await menu.getByRole('button', { name: 'Top' }).click();
+  await rests();
 });

@@ -249,8 +249,11 @@ test('the selection is held closer than the rest, and evenly again', async ({ pa
     ).toBeDisabled();
   // Nor did anything say that a boundary needs the weight to stay nearly on its curve.
   const boundary = page.getByRole('combobox', { name: 'Boundary stays on its curve' });
+  await expect(page.getByText('not used in this scene')).toBeVisible();
   await boundary.selectOption('nearly');
   await expect(page.getByText('The weight of Close is 0')).toHaveCount(4);
+  // It was called unused, although it is the weight of the boundary.
+  await expect(page.getByText('stay near the curve of the boundary')).toBeVisible();
 });
 
 test('a handle is moved by numbers, fixed, and weighted', async ({ page }) => {

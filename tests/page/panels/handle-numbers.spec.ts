@@ -130,6 +130,18 @@ test('a held arrow key moves the handle by one step of undo', async ({ page }) =
   await expect.poll(() => targets(page)).toEqual(before);
 });
 
+test('an arrow key moves a handle visibly whatever the size of the mesh', async ({ page }) => {
+  // What was shown was rounded to 0 decimals and read again: of steps of 0.1, none but the first moved it.
+  const large = (_: string, ...at: string[]) => `v ${at.map((x) => 1e4 * Number(x)).join(' ')}`;
+  await open(page, wavyGrid(N).replace(/^v (\S+) (\S+) (\S+)$/gm, large));
+  await makeHandles(page, [MIDDLE]);
+  const [[, , before]] = await targets(page);
+  await target(page, 'z').focus();
+  for (let time = 0; time < 3; time++) await page.keyboard.press('ArrowUp');
+  const z = async () => Math.round((await targets(page))[0][2] - before);
+  await expect.poll(z).toBe(300);
+});
+
 test('a drag that begins while a number is typed is a step of its own', async ({ page }) => {
   // It ended with the move to the number, and the handle jumped there.
   await open(page);

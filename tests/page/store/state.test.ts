@@ -62,6 +62,15 @@ test('dragged handles have the targets of the drag', () => {
   assert.deepEqual(handlesNow({ ...state, document: null }), []);
 });
 
+test('a presentation outlasts another mesh of its model, and ends with the model', () => {
+  const store = createStore();
+  for (const restoring of [true, false]) {
+    store.set({ presenting: true });
+    store.set(withModel({} as Loaded, { restoring, reopensSameMesh: false }));
+    assert.equal(store.get().presenting, restoring);
+  }
+});
+
 test('why the parts of one lesson could not be built is not said of the next one', () => {
   const store = createStore();
   store.set({ goalsRefused: 'Cancelled.' });

@@ -1,4 +1,4 @@
-// Flights of the camera: where they lead, and what ends them.
+// Motions of the camera: where flights lead, and what ends them and turning.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
@@ -19,8 +19,19 @@ test('a flight turns the shorter way, and its distance changes by equal factors'
   assert.ok(Math.abs(Math.sin(end[4]) - Math.sin(TO[4])) < 1e-12);
 });
 
-/** Flies from FROM to TO; `meanwhile` may change the camera halfway. Returns the last camera. */
-async function flown(meanwhile: (camera: Float64Array) => void) {
+type Motions = typeof import('../../../www/viewport/camera.ts');
+
+const toTop = ({ fly }: Motions, viewport: Viewport) =>
+  fly(viewport, (view) => view.placeCamera(TO));
+
+/**
+ * Begins a motion at FROM with the given functions; `meanwhile` may change the camera in its second
+ * frame, after 160 ms. Returns the camera after a second.
+ */
+async function moved(
+  begin: (of: Motions, viewport: Viewport) => void,
+  meanwhile: (camera: Float64Array, of: Motions, viewport: Viewport) => void,
+) {
   let now = 0;
   let next: (() => void) | null = null;
   const page = { matchMedia: () => ({ matches: false }), performance: { now: () => now } };
@@ -29,28 +40,34 @@ async function flown(meanwhile: (camera: Float64Array) => void) {
   for (const [name, value] of Object.entries({ ...page, ...frames }))
     Object.defineProperty(globalThis, name, { value, configurable: true, writable: true });
   try {
-    const { fly } = await import('../../../www/viewport/camera.ts');
-    let camera = FROM;
+    const motions = await import('../../../www/viewport/camera.ts');
+    let camera = FROM.slice();
     const view = {
       camera: () => camera.slice(),
       placeCamera: (numbers: Float64Array) => (camera = numbers.slice()),
+      spin(angle: number) {
+        camera[4] += angle;
+        camera[6] = 0;
+      },
     };
-    const viewport = {
-      destination: null as Float64Array | null,
+    const fake = {
+      motion: null as Viewport['motion'],
       with: (action: (of: typeof view) => unknown) => action(view),
       unmeasured: (action: (of: typeof view) => unknown) => action(view),
       arrive() {
-        if (this.destination) view.placeCamera(this.destination);
-        this.destination = null;
+        if (!this.motion?.to) return;
+        view.placeCamera(this.motion.to);
+        this.motion = null;
       },
     };
-    fly(viewport as unknown as Viewport, () => void (camera = TO));
+    const viewport = fake as unknown as Viewport;
+    begin(motions, viewport);
     assert.deepEqual(camera.slice(0, 6), FROM.slice(0, 6), 'it begins where the camera was');
     for (now = 80; next && now < 1000; now += 80) {
       const frame: () => void = next;
       next = null;
       frame();
-      if (now === 160) meanwhile(camera);
+      if (now === 160) meanwhile(camera, motions, viewport);
     }
     return camera;
   } finally {
@@ -61,7 +78,7 @@ async function flown(meanwhile: (camera: Float64Array) => void) {
 }
 
 test('a model that is framed during a flight does not end it halfway', async () => {
-  const end = await flown((camera) => {
+  const end = await moved(toTop, (camera) => {
     camera[3] = 5;
     camera[6] = 1;
   });
@@ -69,7 +86,25 @@ test('a model that is framed during a flight does not end it halfway', async () 
 });
 
 test('who moves the camera ends the flight', async () => {
-  const end = await flown((camera) => (camera[4] += 0.3));
+  const end = await moved(toTop, (camera) => void (camera[4] += 0.3));
   assert.notDeepEqual(end, TO);
   assert.equal(end[6], 0);
+});
+
+test('a model turns until a view is chosen, the camera is moved, or turning ends', async () => {
+  const turn = ({ turnSlowly }: Motions, viewport: Viewport) => turnSlowly(viewport);
+  const after = (...of: Parameters<typeof moved>) =>
+    moved(...of).then((camera) => camera[4] - FROM[4]);
+  const inRadians = (seconds: number) => (2 * Math.PI * seconds) / 24;
+  const whole = await after(turn, () => {});
+  assert.ok(Math.abs(whole - inRadians(0.96)) < 1e-9, `${whole}`);
+  // The flight ended in its first frame, and the model turned on.
+  assert.deepEqual(await moved(turn, (_, motions, viewport) => toTop(motions, viewport)), TO);
+  const early = inRadians(0.16);
+  const pushed = await after(turn, (camera) => void (camera[4] += 0.3));
+  assert.ok(Math.abs(pushed - early - 0.3) < 1e-9, `${pushed}`);
+  for (const end of ['turnSlowly', 'stopTurning'] as const) {
+    const stopped = await after(turn, (_, motions, viewport) => motions[end](viewport));
+    assert.ok(Math.abs(stopped - early) < 1e-9, `${end}: ${stopped}`);
+  }
 });

@@ -1,11 +1,10 @@
 /** The offset in the view, with failed beams and posts, and failed panels of the model, in red. */
 
+import { FAILED } from '../../store/state.ts';
 import type { OffsetLayer } from '../../pkg/engine/shape_up.js';
 import type { AppContext } from '../../app/context.ts';
 
 const NONE = new Uint32Array(0);
-/** The colour of panels that exceed a limit. */
-const FAILED: [number, number, number] = [214, 40, 57];
 
 export function offsetLayer({ solver, actions, viewport }: AppContext) {
   let layer: OffsetLayer | null = null;

@@ -34,6 +34,7 @@ export async function turntableVideo(
   });
   const camera = viewport.with((view) => {
     viewport.arrive();
+    viewport.motion = null;
     return view.camera();
   });
   recorder.start();

@@ -1,10 +1,10 @@
 /** The Edit mesh dialog: the operations that the solver declares, their sizes, and a preview. */
 
 import './refine.css';
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useState } from 'preact/hooks';
 import { refusalOf } from '../../solver/errors.ts';
-import { newestOnly } from '../../store/latest-only.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
+import { useAnswerTo } from '../../store/use-answer.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
@@ -123,34 +123,21 @@ const beginWith = ({ id, defaults }: Operations[number]) => ({
   problems: defaults.map(() => ''),
 });
 
-interface Preview {
-  words: string;
-  /** what would be lost */
-  lost: string[];
-  isReady: boolean;
-}
-
 /**
- * What the operation would produce.
+ * What the operation would produce, what would be lost, and whether that is known.
  * @param wrong with the sizes, in words; empty if nothing is
  */
 function usePreview(operation: string, sizes: number[], picked: Picked, wrong: string) {
-  const { actions } = useApp();
-  const newest = useMemo(() => newestOnly(), []);
-  const [preview, setPreview] = useState<Preview>({ words: '', lost: [], isReady: false });
-  const refuse = (words: string) => setPreview({ words, lost: [], isReady: false });
-  useEffect(() => {
-    setPreview((before) => ({ ...before, lost: [], isReady: false }));
-    const asked = wrong ? null : actions.ask.remeshing({ operation, sizes, ...picked });
-    newest(asked).then(
-      (made) => {
-        if (made) setPreview({ words: sentence(made), lost: made.lost, isReady: true });
-        else if (made === null) refuse(wrong);
-      },
-      (error) => refuse(refusalOf(error, 'Not possible yet')),
+  const { ask } = useApp().actions;
+  const refused = (words: string) => ({ words, lost: [] as string[], isReady: false });
+  const { answer = refused(''), isCurrent } = useAnswerTo([operation, sizes, wrong], async () => {
+    if (wrong) return refused(wrong);
+    return ask.remeshing({ operation, sizes, ...picked }).then(
+      (made) => ({ words: sentence(made), lost: made.lost, isReady: true }),
+      (error) => refused(refusalOf(error, 'Not possible yet')),
     );
-  }, [operation, sizes, wrong]);
-  return preview;
+  });
+  return isCurrent ? answer : refused(answer.words);
 }
 
 /** The result of an operation in words. */

@@ -1,10 +1,10 @@
 /** The Refine dialog: scheme, number of levels, and resulting number of faces. */
 
 import './refine.css';
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useMemo, useState } from 'preact/hooks';
 import { messageOf } from '../../solver/errors.ts';
-import { newestOnly } from '../../store/latest-only.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
+import { useAnswerTo } from '../../store/use-answer.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { AmountField, Choice } from '../../ui/components/fields.tsx';
@@ -145,17 +145,12 @@ function RefineDialog({ close }: InDialog) {
  * asked before.
  */
 function useRefinements(scheme: Scheme, sharpAbove: number) {
-  const { actions } = useApp();
-  const newest = useMemo(() => newestOnly(), []);
-  const asked = `${scheme} ${sharpAbove}`;
-  const [found, setFound] = useState<{ made: Refinement[]; refused: string; of: string }>({
-    ...{ made: [], refused: '', of: '' },
-  });
-  useEffect(() => {
-    newest(actions.ask.refinements(scheme, sharpAbove)).then(
-      (made) => made && setFound({ made, refused: '', of: asked }),
-      (error) => setFound({ made: [], refused: messageOf(error), of: asked }),
-    );
-  }, [asked]);
-  return { ...found, isReady: found.of === asked };
+  const { ask } = useApp().actions;
+  const { answer, isCurrent } = useAnswerTo([scheme, sharpAbove], () =>
+    ask.refinements(scheme, sharpAbove).then(
+      (made) => ({ made, refused: '' }),
+      (error) => ({ made: [], refused: messageOf(error) }),
+    ),
+  );
+  return { made: [], refused: '', ...answer, isReady: isCurrent };
 }

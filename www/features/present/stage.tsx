@@ -84,7 +84,8 @@ function Presentation() {
     if (!isHeld) void done[what]();
   }
 
-  const isOver = steps.length === 0;
+  // While a mesh is replaced or restored there is no document.
+  const isOver = store.state.document !== null && steps.length === 0;
   useLayoutEffect(() => {
     if (isOver) end();
   }, [isOver]);

@@ -1,7 +1,7 @@
 /** The kept shapes: a strip of thumbnails, and a table of their numbers. */
 
-import { useEffect, useLayoutEffect, useMemo, useRef, useState } from 'preact/hooks';
-import { newestOnly } from '../../store/latest-only.ts';
+import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import { useAnswerTo } from '../../store/use-answer.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
 import { Thumbnail } from '../../ui/components/thumbnail.tsx';
@@ -135,21 +135,14 @@ function Numbers({ row, scene }: { row: VariantRow; scene: SceneDocument }) {
 function useKept() {
   const { store, solver, actions } = useApp();
   const { document: scene, model, running } = store.state;
-  const newest = useMemo(() => newestOnly(), []);
   const shapesOf = useMemo(() => keptShapes(actions.ask), [model]);
-  const [kept, setKept] = useState<KeptShapes | null>(null);
-  useEffect(() => {
-    const ask = async (): Promise<KeptShapes | null> => {
-      const { connectivity } = solver.geometry ?? {};
-      if (!scene || !connectivity) return null;
-      const rows = scene.variants.length > 0 ? await actions.ask.variantTable() : [];
-      return { scene, connectivity, rows, shapes: await shapesOf(rows) };
-    };
-    void actions.reportErrors(newest(ask())).then((found) => {
-      if (found !== undefined) setKept(found);
-    });
-  }, [scene, running]);
-  return kept;
+  const { answer } = useAnswerTo([scene, running], async (): Promise<KeptShapes | null> => {
+    const { connectivity } = solver.geometry ?? {};
+    if (!scene || !connectivity) return null;
+    const rows = scene.variants.length > 0 ? await actions.ask.variantTable() : [];
+    return { scene, connectivity, rows, shapes: await shapesOf(rows) };
+  });
+  return answer;
 }
 
 /** Changes a kept shape by its name: those that are shown may not be those of the document yet. */

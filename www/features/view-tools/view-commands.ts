@@ -5,9 +5,9 @@
 
 import { ViewHistory } from './view-history.ts';
 import { ViewTools } from './view-tools.ts';
+import { stopTurning, turnSlowly } from '../../viewport/camera.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
-import type { Viewport } from '../../viewport/viewport.ts';
 
 /** Name of the view, and for some a numpad key; all also have Shift + digit. */
 const VIEWS = [
@@ -25,6 +25,12 @@ export function viewCommands(app: AppContext): Command[] {
   const tools = new ViewTools(app);
   const history = new ViewHistory(app);
   const enabled = ({ renderer }: State) => renderer !== 'none';
+  const { element } = app.viewport;
+  for (const event of ['pointerdown', 'wheel', 'keydown'])
+    element.addEventListener(event, () => stopTurning(app.viewport), {
+      capture: true,
+      passive: true,
+    });
   return [
     ...VIEWS.map(([name, ...keys], i) => ({
       id: `view-${name}`,
@@ -107,39 +113,4 @@ export function viewCommands(app: AppContext): Command[] {
       enabled,
     },
   ];
-}
-
-/** Seconds per turn of the turntable. */
-const TURN = 24;
-/** What ends turning. */
-const EVENTS = ['pointerdown', 'wheel', 'keydown'] as const;
-
-/** Stops the current turning. */
-let end: (() => void) | null = null;
-
-/** Turns the model slowly, as on a turntable, until the user touches the view; or stops that. */
-function turnSlowly(viewport: Viewport) {
-  if (end) return end();
-  let last = performance.now();
-  let request = requestAnimationFrame(turn);
-  const listening = new AbortController();
-  end = () => {
-    cancelAnimationFrame(request);
-    listening.abort();
-    end = null;
-  };
-  for (const event of EVENTS)
-    viewport.element.addEventListener(event, end, {
-      capture: true,
-      passive: true,
-      signal: listening.signal,
-    });
-
-  function turn(now: number) {
-    // A page that was hidden continues from the same angle.
-    const passed = Math.min(Math.max(now - last, 0), 100);
-    last = now;
-    viewport.unmeasured((view) => view.spin((2 * Math.PI * passed) / 1000 / TURN));
-    request = requestAnimationFrame(turn);
-  }
 }

@@ -4,7 +4,7 @@
  */
 
 import { isLocked } from '../../store/panels-card.ts';
-import { isHard } from '../../store/state.ts';
+import { FAILED, isHard } from '../../store/state.ts';
 import { showElements } from '../../viewport/camera.ts';
 import type { AppContext as App } from '../../app/context.ts';
 import type { ExactReport, ExactWords } from '../../pkg/engine/shape_up.js';
@@ -12,9 +12,6 @@ import type { Offer, RunMessages } from './run-messages.ts';
 
 /** Minimum relative decrease of the energy for an improvement to be worth an undo step. */
 const LEAST_GAIN = 1e-4;
-
-/** The colour of constraints that cannot be met, sRGB bytes. */
-const UNMET: [number, number, number] = [214, 40, 57];
 
 export class ExactVerdict {
   #app;
@@ -138,7 +135,7 @@ export class ExactVerdict {
     );
     const show = () => {
       showElements(this.#app, elements);
-      actions.tint('unmet', { ...elements, colour: UNMET });
+      actions.tint('unmet', { ...elements, colour: FAILED });
     };
     const isFixed = isLocked(store.get(), 'constraints');
     // The rows as they are now: another one may have this index when the offer is taken.

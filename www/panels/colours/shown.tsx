@@ -92,6 +92,8 @@ function Range() {
           <AmountField
             name="Colours to"
             unit={about.unit === 'length' ? unit : ''}
+            // A range about 0 ends above it.
+            isPositive={about.signed}
             value={range[1] * factor}
             shown={number(range[1] * factor)}
             {...end('high')}

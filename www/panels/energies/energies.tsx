@@ -26,7 +26,12 @@ interface Term {
 /** The terms; the explanation depends on the settings of the scene. */
 const TERMS: Term[] = [
   { id: 'shape', label: 'Shape', words: () => 'satisfy the constraints' },
-  { id: 'close', label: 'Close', words: ({ closeness }) => CLOSENESS[closeness] },
+  {
+    id: 'close',
+    label: 'Close',
+    words: ({ closeness, settings }) =>
+      closeness === 'none' && settings.boundary === 'soft' ? BOUNDARY : CLOSENESS[closeness],
+  },
   { id: 'smooth', label: 'Smooth', words: ({ smoothness }) => SMOOTHNESS[smoothness] },
 ];
 const CLOSENESS = {
@@ -35,6 +40,8 @@ const CLOSENESS = {
   none: 'not used in this scene',
   target: 'lie on the other surface',
 };
+/** What Close is for if it keeps the boundary only. */
+const BOUNDARY = 'stay near the curve of the boundary';
 const SMOOTHNESS = { surface: 'keep it smooth', displacement: 'keep the change smooth' };
 
 export function Energies() {

@@ -8,12 +8,14 @@ import { useApp } from '../../store/use-app.ts';
 import { count, groupDigits } from '../../ui/words.ts';
 import { SelectedHandles } from './selected.tsx';
 import type { Document as SceneDocument } from '../../pkg/engine/shape_up.js';
+import type { State } from '../../store/state.ts';
 
 export function Handles() {
-  const { document } = useApp().store.state;
+  const { state } = useApp().store;
+  const { document } = state;
   return (
     <>
-      <p class="quiet">{document && wordsFor(document) + automatic(document)}</p>
+      <p class="quiet">{document && wordsFor(document, state) + automatic(document)}</p>
       <HandleButtons />
       <SelectedHandles />
     </>
@@ -21,16 +23,15 @@ export function Handles() {
 }
 
 /** Says how many handles there are, and what to do with them. */
-function wordsFor(scene: SceneDocument) {
+function wordsFor(scene: SceneDocument, state: Readonly<State>) {
   const all = scene.handles.length;
-  const isLocked = areHandlesLocked(scene);
   if (all === 0)
-    return isLocked
+    return areHandlesLocked(scene) || state.renderer === 'none'
       ? 'No handles.'
       : 'No handles yet. Double-click a vertex to make one, then drag it.';
   const fixed = scene.handles.filter((handle) => handle.fixed).length;
   const share = fixed === all ? ', fixed' : fixed > 0 ? `, ${fixed} of them fixed` : '';
-  const one = draggableInWords(scene);
+  const one = draggableInWords(state);
   return `${count(all, 'handle')}${share}.${one && ` Drag ${one} in the view.`}`;
 }
 

@@ -4,7 +4,6 @@ import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { handlesNow, type HandleDrag } from '../../store/handles.ts';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
-import { firstIn } from '../../ui/components/number-steps.ts';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { count, coordinate, decimalsFor } from '../../ui/words.ts';
 import type { HandleRow } from '../../pkg/engine/shape_up.js';
@@ -52,7 +51,7 @@ export function SelectedHandles() {
               value={common(chosen.map(({ target }) => target[axis]))}
               shown={shown[axis] ?? ''}
               placeholder={shown[axis] ?? MIXED}
-              {...{ unit, min: -Infinity, step: firstIn(unit) }}
+              {...{ unit, min: -Infinity, step: 10 ** (2 - decimals) }}
               onAmount={(to) => move(chosen, axis, () => to)}
               onAddToEach={(by) => move(chosen, axis, (from) => from + by)}
             />

@@ -12,8 +12,7 @@ import type { Loaded } from '../../solver/types.ts';
 
 export function Model() {
   const { model, nothingOpen } = useApp().store.state;
-  if (!model)
-    return <p class="quiet">{nothingOpen ? 'Nothing is open.' : 'Loading an example.'}</p>;
+  if (!model) return <p class="quiet">{nothingOpen ? 'Nothing is open.' : 'Loading the model.'}</p>;
   return (
     <>
       <dl class="facts">

@@ -12,7 +12,7 @@ const SHAPES = { box: 'Drag a box', lasso: 'Draw a lasso', paint: 'Brush' };
 
 /** Returns the hint; empty without a model. */
 export function hintOf(state: Readonly<State>) {
-  const { kinds, model, document, tool, shape, mode, selection, dragged, renderer } = state;
+  const { kinds, model, document, tool, shape, mode, selection, dragged, display } = state;
   if (!model || !document) return '';
   if (dragged.length > 0) return 'Release to place it · Esc cancels';
   const next = nextStep(state);
@@ -21,14 +21,15 @@ export function hintOf(state: Readonly<State>) {
   if (next === 'change') return 'Next: other panels for this mesh, or a constraint';
   if (next === 'constrain') return 'Next: add a constraint to say what shape its parts shall have';
   const isLocked = areHandlesLocked(document);
-  if (!isLocked && document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
-    return 'Drag the handle, an arrow or a square · Enter, then arrow keys, moves it';
+  const one = draggableInWords(state);
+  if (one && document.handles.some(({ vertex }) => selection.vertices.has(vertex)))
+    return `Drag the handle${display.gizmo ? ', an arrow or a square' : ''} · Enter, then arrow keys, moves it`;
   if (sizeOfSelection(selection) > 0) {
     const key = isLocked ? '' : workingKey('H');
     const makes = key && `${key} turns the selection into handles · `;
     return `${makes}Add constraint can use it · Esc clears the selection`;
   }
-  if (renderer === 'none') return 'Run, Export and the steps work without the 3D view';
+  if (state.renderer === 'none') return 'Run, Export and the steps work without the 3D view';
   if (tool === 'select') {
     const key = workingKey('V');
     const back = key && ` · ${key} goes back to Drag`;
@@ -37,7 +38,6 @@ export function hintOf(state: Readonly<State>) {
   if (next === 'choose' && state.verdict && panelsCard(state) === 'verdict')
     return 'Next: see the verdict in the view · drag elsewhere to orbit';
   const { running, converged } = state;
-  const one = draggableInWords(document);
   if (!running && !converged)
     return one
       ? `Next: Run, or drag ${one} · drag elsewhere to orbit`

@@ -1,8 +1,8 @@
 /** The status bar: status message, hint, numbers of the iteration, and the environment. */
 
-import { useEffect, useMemo, useState } from 'preact/hooks';
+import { useEffect, useState } from 'preact/hooks';
 import { colouring, movedInWords, toleranceOf, worstOf } from '../../store/colours/measures.ts';
-import { newestOnly } from '../../store/latest-only.ts';
+import { useAnswerTo } from '../../store/use-answer.ts';
 import { useApp } from '../../store/use-app.ts';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { duration, energyOrZero, groupDigits, measured, number } from '../../ui/words.ts';
@@ -122,13 +122,7 @@ const SLOW = 'Software rendering is slow. Turn on graphics acceleration in the b
 
 function SoftwareRendering() {
   const { renderer } = useApp().store.state;
-  const newest = useMemo(() => newestOnly(), []);
-  const [isSlow, setSlow] = useState(false);
-  useEffect(() => {
-    void newest(drawsInSoftware(renderer)).then((found) => {
-      if (found !== undefined) setSlow(found);
-    });
-  }, [renderer]);
+  const { answer: isSlow } = useAnswerTo([renderer], () => drawsInSoftware(renderer));
   return (
     <Cell look={WIDE} title={SLOW}>
       {isSlow && 'Software rendering'}

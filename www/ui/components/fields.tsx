@@ -38,7 +38,7 @@ export function AmountField({
     onAmount: (to: number) => unknown;
     /** called for what is added to each of the numbers that it stands for */
     onAddToEach?: (by: number) => unknown;
-    /** called for a field that is emptied; without it, this is invalid too */
+    /** called for a field that is emptied; without it, the value comes back */
     onEmpty?: () => unknown;
     /** whether what is typed next replaces a value that comes while the field has the focus */
     isReplaced?: boolean;

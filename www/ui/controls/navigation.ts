@@ -7,8 +7,7 @@ const KEYS = {
 
 /**
  * Returns the item that a key moves the focus to, and prevents the default action of the key.
- * @param options `wraps`: from the last to
- *   the first; `ends`: Home and End move to the ends
+ * @param options `wraps`: from the last to the first; `ends`: Home and End move to the ends
  * @returns undefined for other keys
  */
 export function itemByKey<Item extends HTMLElement>(

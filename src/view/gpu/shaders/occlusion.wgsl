@@ -58,7 +58,7 @@ fn seen_at(pixel: vec2f, part: f32, size: vec2f) -> vec3f {
 }
 
 // Number of samples per pixel.
-const LOOKS: i32 = 8;
+const SAMPLES: i32 = 8;
 // Maximum distance of a sample in pixels.
 const FARTHEST: f32 = 72.0;
 // Samples that rise less than this above the surface, as a sine, block no light: faces are flat.
@@ -88,10 +88,10 @@ fn gathered(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let cell = vec2u(position.xy) & vec2u(3u);
     let crossed = cell.x ^ cell.y;
     let turned = f32((crossed & 1u) * 8u + (cell.y & 1u) * 4u + (crossed & 2u) + (cell.y >> 1u));
-    var kept_off = 0.0;
-    for (var i = 0; i < LOOKS; i++) {
+    var blocked = 0.0;
+    for (var i = 0; i < SAMPLES; i++) {
         let angle = 2.39996323 * f32(i) + turned * 0.39269908;
-        let away = radius * (f32(i) + 0.35 + turned * 0.04) / f32(LOOKS) + 1.0;
+        let away = radius * (f32(i) + 0.35 + turned * 0.04) / f32(SAMPLES) + 1.0;
         let there = position.xy + away * vec2f(cos(angle), sin(angle));
         let pixel = clamp(vec2i(there), vec2i(0), extent - 1);
         let other = unpacked(textureLoad(previous, pixel, 0).xy);
@@ -99,9 +99,9 @@ fn gathered(@builtin(position) position: vec4f) -> @location(0) vec4f {
         let length_squared = max(dot(way, way), 1e-20);
         let rise = dot(way, normal) * inverseSqrt(length_squared);
         let nearness = max(1.0 - length_squared / (reach * reach), 0.0);
-        kept_off += max(rise - RISE, 0.0) * nearness;
+        blocked += max(rise - RISE, 0.0) * nearness;
     }
-    var open = 1.0 - STRENGTH * kept_off / f32(LOOKS);
+    var open = 1.0 - STRENGTH * blocked / f32(SAMPLES);
 
     // The ground is not a face, but blocks light from low surfaces that face down.
     let sky = vec3f(
