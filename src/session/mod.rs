@@ -38,7 +38,7 @@
 //! | `handed_in` | the results of a lesson, and their check |
 //! | `trial` | suggestions, and the cost of exactness, tried on a copy |
 //! | `state` | the parts: the rest mesh, and the scene with its solver; their states |
-//! | `run` | the parts: progress, meeting of hard constraints, and the guard against collapse |
+//! | `run` | the parts: progress, meeting of hard constraints, and what is told of a collapse |
 //! | `undo` | the parts: the history, and the drag or run under way |
 //! | `edit` | the edits and their effects, settings, offers |
 //! | `selection` | selecting by properties of the mesh |

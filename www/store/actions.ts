@@ -309,8 +309,7 @@ export function createActions(
       view.select({ vertices: [next], faces: [] });
     },
 
-    /** @param ignoreCollapse continue although the mesh has collapsed */
-    run: (ignoreCollapse?: boolean) => solver.tell.run(ignoreCollapse),
+    run: () => solver.tell.run(),
   };
 }
 

@@ -14,11 +14,8 @@ import type { Drag, NamedBytes, Snapshot } from '../solver/types.ts';
 
 /** Commands, which have no answer. Their errors are told as `trouble`. */
 export const commandsOf = (scheduler: Scheduler) => ({
-  /**
-   * Iterates until converged.
-   * @param ignoreCollapse goes on although the shape collapses, which otherwise ends a run outside a drag
-   */
-  run: (ignoreCollapse?: boolean) => scheduler.run(ignoreCollapse),
+  /** Iterates until converged. */
+  run: () => scheduler.run(),
   pause: () => scheduler.pause(),
   drag: (drag: Drag) => scheduler.drag(drag),
   /** Sets what is sent with each frame besides positions. */
@@ -184,7 +181,6 @@ type Inner =
   | 'beginRun'
   | 'endRun'
   | 'free'
-  | 'ignoreCollapse'
   | 'load'
   | 'openRead'
   | 'read'

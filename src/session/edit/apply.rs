@@ -163,10 +163,6 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
         }
         Edit::HoldCloser => {
             strengthen_closeness(&mut draft.document);
-            // A shape without extent cannot recover, so go back to the start.
-            if let Some((positions, iteration)) = draft.start.take() {
-                (draft.positions, draft.iteration) = (positions, Some(iteration));
-            }
             "Hold near original positions".to_owned()
         }
         Edit::WeighHandles { vertices, weight } => {

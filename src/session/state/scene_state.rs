@@ -103,12 +103,9 @@ pub(crate) struct Draft<'a> {
     pub(crate) handles: Rc<[Handle]>,
     /// `#V by 3`.
     pub(crate) positions: Rc<[Point]>,
-    /// The number of iterations to go on from, if the edit went back to where they began; it stays
+    /// The number of iterations to go on from, if the edit went back to the rest shape; it stays
     /// otherwise, also where the edit has replaced the positions.
     pub(crate) iteration: Option<u32>,
-    /// The positions at which iterating began and their number of iterations, if the shape has collapsed
-    /// since and the edit may go back to them.
-    pub(crate) start: Option<(Rc<[Point]>, u32)>,
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! The steps of undo and redo, and the state that each of them leads to.
 
-use crate::session::run::Start;
 use crate::session::state::{RestMesh, SceneState};
 use std::rc::Rc;
 
@@ -15,18 +14,13 @@ pub(crate) struct SessionState {
     pub(crate) scene: SceneState,
     /// Number of iterations up to the state.
     pub(crate) iteration: u32,
-    /// The shape at which these iterations began, after the last edit.
-    pub(crate) start: Option<Rc<Start>>,
 }
 
 impl SessionState {
     /// Memory in bytes, without what is shared with `other`.
     fn unshared_bytes(&self, other: &SessionState) -> usize {
         let rest = if Rc::ptr_eq(&self.rest, &other.rest) { 0 } else { self.rest.bytes() };
-        let is_other =
-            |start: &&Rc<Start>| other.start.as_ref().is_none_or(|other| !Rc::ptr_eq(other, start));
-        let start = self.start.as_ref().filter(is_other).map_or(0, |start| start.bytes());
-        size_of::<SessionState>() + rest + start + self.scene.unshared_bytes(&other.scene)
+        rest + self.scene.unshared_bytes(&other.scene)
     }
 
     /// Sets the tolerance, if it is `before`; returns whether it was.
