@@ -85,12 +85,12 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     /**
      * Applies a shape that the second worker has made exact, if it belongs to the current one.
      * @param positions `#V by 3`
-     * @param joins as part of the last step of undo
+     * @param unasked as part of the last step of undo, and with the requirements as they are
      * @returns whether it was done
      */
-    makeExact: (shape: ExactShape, positions: Float64Array, joins: boolean) =>
+    makeExact: (shape: ExactShape, positions: Float64Array, unasked: boolean) =>
       !scheduler.isMoving &&
-      scheduler.betweenRuns(() => solver.makeExact(shape, positions, joins), true),
+      scheduler.betweenRuns(() => solver.makeExact(shape, positions, unasked), true),
     /**
      * Puts panels that the second worker has laid out in place of the mesh, if they are for the current
      * model, as one step of undo.
