@@ -146,6 +146,8 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
             let document = &mut draft.document;
             document.closeness.to = ClosenessTo::Target;
             document.closeness.target = Some(Target::Mesh(read.mesh.into()));
+            // The curves that it is held on are those of the original.
+            document.closeness.boundary.require = BoundaryRequire::Off;
             // Without a weight nothing would be drawn to it.
             if document.weights.close == 0.0 {
                 document.weights.close = 1.0;
