@@ -270,7 +270,11 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
         document.own_changes_since(before);
         let is_elsewhere = document.attempt.from != before.attempt.from;
         if is_elsewhere || asks_otherwise(before, document) {
-            document.leave_search();
+            let mut rows = document.constraints.iter();
+            match rows.any(|row| row.enabled && row.require.is_hard()) {
+                true => document.leave_search(),
+                false => document.as_asked(),
+            }
         }
     }
     check_changes(draft, &handles)?;
