@@ -81,7 +81,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         };
         remarks.push(format!("nothing is required: {none}; --panels adds some"));
     }
-    let unused = UnusedCloseness::of(session.document());
+    let unused = UnusedCloseness::of(session.document(), session.topology());
     if unused.is_some_and(|unused| unused.settings.contains(&"boundary")) {
         remarks.push("the boundary is not held, since the weight of Close is 0".to_owned());
     }
