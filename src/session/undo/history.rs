@@ -3,8 +3,8 @@
 use crate::session::state::{RestMesh, SceneState};
 use std::rc::Rc;
 
-/// Memory limit in bytes. Beyond it steps of undo are dropped before those of redo, in each list the one
-/// that is farthest from now first.
+/// Memory limit of positions and meshes, in bytes. Beyond it steps of undo are dropped before those of
+/// redo, in each list the one that is farthest from now first.
 const LIMIT_BYTES: usize = 64 << 20;
 
 /// A state of a session.
@@ -17,7 +17,7 @@ pub(crate) struct SessionState {
 }
 
 impl SessionState {
-    /// Memory in bytes, without what is shared with `other`.
+    /// Memory in bytes of the positions and meshes that are not shared with `other`.
     fn unshared_bytes(&self, other: &SessionState) -> usize {
         let rest = if Rc::ptr_eq(&self.rest, &other.rest) { 0 } else { self.rest.bytes() };
         rest + self.scene.unshared_bytes(&other.scene)
@@ -115,9 +115,8 @@ impl History {
     /// the next one, or the last one with the state `now`, does not count for it.
     fn trim(&mut self, now: &SessionState) {
         let bytes_of = |steps: &[NamedStep], place: usize| {
-            let (name, state) = &steps[place];
             let next = steps.get(place + 1).map_or(now, |(_, state)| state);
-            name.len() + state.unshared_bytes(next)
+            steps[place].1.unshared_bytes(next)
         };
         let all = |steps: &[NamedStep]| -> usize {
             (0..steps.len()).map(|place| bytes_of(steps, place)).sum()
