@@ -89,7 +89,7 @@ pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,
     FaceMeasure, GoalProgress, GoalWords, LessonProgress, Projections, Report, RowPalette,
     RunVerdict, Seconds, Shape, TrialWords, Unpaired, Verdict, VerdictWords, WeakerRequirement,
-    WorstElement, WorstRow, ZERO_SIZE_FACES, flaw_of, goals_in_words, tolerance_of,
+    WorstElement, ZERO_SIZE_FACES, flaw_of, goals_in_words, tolerance_of,
 };
 pub use run::{
     Bend, BendChange, Collapse, CollapseReason, Eased, ExactReport, FittedCount, Flaw, HalfStep,
