@@ -374,14 +374,11 @@ export class Scheduler {
     end();
   }
 
-  /**
-   * Ends the run and its step of undo.
-   * @returns how it has collapsed the shape
-   */
+  /** Ends the run and its step of undo. */
   #endRun() {
     this.#isRunning = false;
     this.#activityDue = true;
-    return this.#solver.endRun();
+    this.#collapse = this.#solver.endRun();
   }
 
   #queueSlice() {
@@ -418,7 +415,7 @@ export class Scheduler {
       this.frames.due = true;
     }
     if (this.#isSettled && this.#isRunning && this.#drag === null) {
-      this.#collapse = this.#endRun();
+      this.#endRun();
       this.changed();
     } else if (this.frames.due) {
       this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);

@@ -105,7 +105,8 @@ pub enum Edit {
     /// Holds all vertices closer to their rest positions.
     HoldCloser,
     /// Keeps vertices close to the surface of a mesh file instead of the original and its boundary, with a
-    /// weight of 1 if closeness has none. A file that states another unit or up axis than the model has is refused.
+    /// weight of 1 if closeness has none. A file that states another unit or up axis than the model has is
+    /// refused.
     FitTo {
         /// The name of the file.
         name: String,
