@@ -104,13 +104,14 @@
 //!    validates the scene against the mesh and resolves the selectors (`session/state/rows`).
 //! 2. `Solver::new` assembles the normal matrix (`solve::assemble`); [`sparse`] orders and factors it.
 //! 3. `Session::begin_run` (`session/dragging`, since a drag is one too), then `Session::step` until it
-//!    reports the end: converged, collapsed (`session/run/collapse_guard`), or after as many iterations
-//!    as the scene allows. Where constraints are hard, `solve/exact` then meets them
-//!    (`session/run/meeting`), by one attempt after another (`session/searching`, `session/run/attempts`) until a shape is good by the measure
-//!    of `session/run/shape_measure`. A press for panels tries all of them, and at last larger
-//!    tolerances (`session/run/easing`).
+//!    reports the end: converged, or after as many iterations as the scene allows. Where constraints are
+//!    hard, `solve/exact` then meets them (`session/run/meeting`), by one attempt after another
+//!    (`session/searching`, `session/run/attempts`) until a shape is good by the measure of
+//!    `session/run/shape_measure`. A press for panels tries all of them, and at last larger tolerances
+//!    (`session/run/easing`).
 //! 4. `Session::end_run` keeps the iterate of least energy, or the best shape for the hard
-//!    constraints, and records the run as one step of undo. The scene names the attempt that found it
+//!    constraints, and records the run as one step of undo; if it has collapsed the shape, that is told
+//!    (`session/run/collapse`). The scene names the attempt that found it
 //!    ([`scene::ChosenAttempt`]), so that every host gets the same shape from it.
 //! 5. `Session::report` measures the shape (`mesh/measure`). Verdicts on it are questions of their own
 //!    (`session/queries`): after a press for panels `Session::verdict` (worded in

@@ -96,8 +96,8 @@ impl Scene {
 
     /// Leaves the search where other hard constraints are asked for than those that it has met, or
     /// elsewhere: its start, its smoothness and its larger tolerances say nothing about these. Closeness
-    /// and boundary stay, which only a press for panels tries: where it has chosen the surface, the next
-    /// run makes the first attempt on that alone, and elsewhere it tries start and smoothness again.
+    /// and boundary stay, which only a press for panels tries. If it chose the surface, the next run makes
+    /// one attempt there; otherwise it tries other starts and smoothness again.
     pub(crate) fn leave_search(&mut self) {
         if self.attempt.smoother != 1.0 {
             // As many digits as anybody types: without the rounding of product and quotient.

@@ -55,7 +55,8 @@ fn expected_of(parent: &str, key: &str) -> Option<String> {
         "on" | "each" => return Some(forms_of_selectors()),
         "vertices" => "a list of indices",
         "weight" if parent.starts_with("handles[") => "a number above 0",
-        "weight" | "at_most" => "a number from 0",
+        // That of handles is above 0, and the path of an edit does not tell which one it is.
+        "weight" | "at_most" if !parent.is_empty() => "a number from 0",
         "corners" => "an angle in degrees from 0 to 180",
         "text" => "the text of the task",
         "goals" => "an array of goals",

@@ -52,7 +52,7 @@ impl UnitsAndUp {
         UnitsAndUp { units: self.units.or(other.units), up: self.up.or(other.up) }
     }
 
-    /// Gives a scene that names no unit that of its mesh file, which these are stated in.
+    /// Sets the unit of a scene without one to the unit that its mesh file states.
     pub fn complete(self, scene: &mut Scene) {
         if scene.units.is_empty() {
             scene.units = self.units.unwrap_or_default();
@@ -60,9 +60,9 @@ impl UnitsAndUp {
     }
 
     /// Checks what the second file `name` of a scene, a surface or a pose, states: its coordinates are
-    /// taken as those of the model, of which the mesh file states `own`. The scene may say otherwise than
-    /// its files, and is as good; one that names no unit, or no axis beside a mesh that states none, has
-    /// nothing to compare.
+    /// taken as those of the model, of which the mesh file states `own`. A statement that agrees with the
+    /// mesh file or with the scene is accepted. The unit is not checked if the scene has none, the axis
+    /// not if the mesh file states none.
     ///
     /// # Errors
     /// If it is another unit or another axis.

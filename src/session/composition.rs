@@ -1,12 +1,12 @@
 //! The session itself: its parts, and plain access to them.
 
 use super::measured::MeasureCache;
-use super::run::{Collapse, CollapseGuard, Meeting, Met, Progress, Search, TraceEntry};
+use super::run::{Collapse, Collapsed, Meeting, Met, Progress, Search, TraceEntry};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
 use super::undo::{History, Transaction};
 use crate::mesh::{Mesh, Point, Topology};
 use crate::scene::Scene;
-use crate::solve::{Require, Solver};
+use crate::solve::Solver;
 use std::rc::Rc;
 
 /// An open scene.
@@ -14,7 +14,11 @@ pub struct Session {
     pub(super) rest: Rc<RestMesh>,
     pub(super) scene: SolvedScene,
     pub(super) progress: Progress,
-    pub(super) guard: CollapseGuard,
+    /// The document as it was opened, without handles and positions: a run of the same problem does
+    /// what its author intends, even if it collapses. None if this does not hold.
+    pub(super) opened: Option<Rc<Scene>>,
+    /// The last collapse, and the shape that this holds for.
+    pub(super) collapsed: Option<Collapsed>,
     pub(super) history: History,
     /// The drag, run or variation under way.
     pub(super) transaction: Option<Transaction>,
@@ -90,11 +94,11 @@ impl Session {
         self.progress.halfway()
     }
 
-    /// How the shape has collapsed since iterating began, if it has. Where a search for panels that have
-    /// to meet a requirement has ended, their verdict judges the shape instead.
+    /// How the run that ended with the current shape has collapsed it, if it has; see
+    /// [`Session::end_run`].
     pub fn collapse(&self) -> Option<Collapse> {
-        let requires_panels = || self.panel_requirement().is_some_and(Require::is_hard);
-        self.guard.collapse().filter(|_| !(self.is_searched() && requires_panels()))
+        let collapsed = self.collapsed.as_ref().filter(|collapsed| collapsed.is_of(&self.scene));
+        collapsed.map(|collapsed| collapsed.collapse)
     }
 
     /// Whether the last iteration changed the total by no more than the tolerance, or a run has met the

@@ -2,13 +2,15 @@
 
 use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
-use super::run::{Collapse, Search};
-use super::state::check_targets;
+use super::run::{Collapse, Collapsed, Search};
+use super::state::{check_targets, same_problem};
 use super::undo::{Transaction, TransactionKind};
 use crate::mesh::Point;
 use crate::scene::Lock;
 use crate::session::Error;
+use crate::solve::Require;
 use serde::Deserialize;
+use std::rc::Rc;
 
 /// The phases of a drag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
@@ -78,7 +80,6 @@ impl Session {
     /// Begins a drag of vertices that are handles, until [`Session::end_drag`].
     pub fn begin_drag(&mut self) {
         self.begin(TransactionKind::Drag);
-        self.guard.forget_start();
     }
 
     /// Makes vertices handles where they are and begins to drag them, as one step of undo: undoing
@@ -124,7 +125,6 @@ impl Session {
 
     /// Begins a run: all iterations up to [`Session::end_run`] are one step of undo.
     pub fn begin_run(&mut self) {
-        self.guard.set_ignore_collapse(false);
         self.leave_variation();
         // A run that was interrupted goes on with the tolerance that it was asked for.
         if !self.document().constraints.iter().any(|row| self.eases(row)) {
@@ -177,18 +177,14 @@ impl Session {
         }
     }
 
-    /// Lets the current run continue if the shape collapses.
-    pub fn ignore_collapse(&mut self) {
-        self.guard.set_ignore_collapse(true);
-    }
-
     /// Whether a run has begun and not ended.
     pub fn is_running(&self) -> bool {
         self.transaction.as_ref().is_some_and(Transaction::is_run)
     }
 
-    /// Ends a run, at its lowest total or at the best shape for its hard constraints. Returns how the
-    /// shape has collapsed, unless that was to be ignored.
+    /// Ends a run, at its lowest total or at the best shape for its hard constraints. Returns how it has
+    /// collapsed the shape, if it has: to be told, and offered to be undone. The scene as it was opened is
+    /// run as its author intended, and panels that have to meet a requirement are judged by their verdict.
     pub fn end_run(&mut self) -> Option<Collapse> {
         let met = self.end_meeting(false).expect("the state was solvable before");
         let transaction = self.transaction.take_if(|t| t.is_run())?;
@@ -197,7 +193,9 @@ impl Session {
         } else if !met {
             self.scene.settle();
         }
-        self.guard.look(&self.scene, &self.rest, false);
+        let start = &transaction.before().scene.positions;
+        let before = self.collapsed.take();
+        self.collapsed = self.collapsed_since(start, before);
         // A run that collapsed is a step of its own, so that it can be undone alone.
         let joins = transaction.joins_last() && self.collapse().is_none();
         match transaction.name_of_run(&self.state()) {
@@ -205,7 +203,22 @@ impl Session {
             Some(name) => self.add_step(name, transaction.into_before()),
             None => {}
         }
-        self.collapse().filter(|_| !self.guard.ignores_collapse())
+        self.collapse()
+    }
+
+    /// As [`Collapsed::since`], where the current shape is looked at for a collapse.
+    pub(super) fn collapsed_since(
+        &self,
+        start: &Rc<[Point]>,
+        before: Option<Collapsed>,
+    ) -> Option<Collapsed> {
+        let is_as_opened = |opened| same_problem(self.document(), opened);
+        let requires_panels = || self.panel_requirement().is_some_and(Require::is_hard);
+        let is_judged = self.is_searched() && requires_panels();
+        if is_judged || self.opened.as_deref().is_some_and(is_as_opened) {
+            return None;
+        }
+        Collapsed::since(start, before, &self.scene, &self.rest)
     }
 
     fn move_handles(&mut self, vertices: &[u32], targets: &[Point]) {

@@ -7,7 +7,7 @@ use super::edit::{
 };
 use super::measured::MeasureCache;
 use super::report::{check_lesson, check_presentation};
-use super::run::{Search, Start};
+use super::run::Search;
 use super::state::{RestMesh, SceneState, SolvedScene, asks_otherwise, resolve_rows};
 use super::undo::{
     SessionState, Transaction, read_history, read_state, write_history, write_state,
@@ -165,9 +165,8 @@ impl Session {
         let mut result = Ok(());
         if !history.is_empty() {
             result = read_history(history, &now).map(|(history, first)| {
-                first.into_iter().for_each(|first| self.guard.set_opened(first));
+                self.opened = first.or(self.opened.take());
                 self.history = history;
-                self.begin_from(None);
             });
         }
         if !progress.is_empty() {
@@ -205,17 +204,13 @@ impl Session {
             return self.remesh(&remeshing).map(Some);
         }
         let before = self.state();
-        let start = before.start.clone().filter(|_| self.collapse().is_some());
-        let ((name, iteration), differs) = self.scene.edit(&self.rest, |draft| {
-            draft.start = start.as_ref().map(|it| (Rc::clone(it.positions()), it.iteration()));
-            Ok((apply(edit, draft)?, draft.iteration))
-        })?;
+        let ((name, iteration), differs) =
+            self.scene.edit(&self.rest, |draft| Ok((apply(edit, draft)?, draft.iteration)))?;
         if !differs {
             return Ok(None);
         }
         self.leave_search_since(&before.scene.document);
-        let kept = start.filter(|_| iteration.is_none());
-        self.arrive(iteration.unwrap_or(before.iteration), kept);
+        self.arrive(iteration.unwrap_or(before.iteration));
         Ok(Some((name, before)))
     }
 
@@ -230,12 +225,12 @@ impl Session {
     /// # Errors
     /// When the document does not fit the mesh, or the system would be singular; nothing has changed then.
     pub(super) fn go_to_state(&mut self, state: SessionState) -> Result<(), Error> {
-        let SessionState { rest, scene, iteration, start } = state;
+        let SessionState { rest, scene, iteration } = state;
         match Rc::ptr_eq(&rest, &self.rest) {
             true => self.go_to_scene(scene)?,
             false => self.go_to_mesh(rest, scene)?,
         }
-        self.arrive(iteration, start);
+        self.arrive(iteration);
         Ok(())
     }
 
@@ -388,7 +383,6 @@ impl Session {
             rest: Rc::new(rest),
             scene: SceneState { document, handles, positions },
             iteration: before.iteration,
-            start: None,
         })?;
         Ok(before)
     }
@@ -426,18 +420,11 @@ impl Session {
             rest: Rc::clone(&self.rest),
             scene: self.scene.state(),
             iteration: self.iteration(),
-            start: self.guard.start(),
         }
     }
 
-    /// Sets the iteration count after a jump to another state; its iterations began at `start`.
-    fn arrive(&mut self, iteration: u32, start: Option<Rc<Start>>) {
-        self.begin_from(start);
+    /// Sets the iteration count after a jump to another state.
+    fn arrive(&mut self, iteration: u32) {
         self.progress.go_to(iteration, self.scene.solver().energy());
-    }
-
-    pub(super) fn begin_from(&mut self, start: Option<Rc<Start>>) {
-        let dragging = self.is_dragging();
-        self.guard.start_from(start, &self.scene, &self.rest, dragging);
     }
 }

@@ -256,8 +256,8 @@ fn differences(
             found.push((Lock::Weights, format!("setting {id}")));
         }
     }
-    // Which panels have a relaxed tolerance is found by the search, and not set by anybody; and what is
-    // met within a distance becomes exact by itself where that costs nothing.
+    // Which panels have a relaxed tolerance is found by the search, and not set by anybody; and in
+    // results of earlier versions what is met within a distance has become exact by itself.
     let own = |specs: &[ConstraintSpec]| -> Vec<ConstraintSpec> {
         let left = specs.iter().filter(|spec| is_left(spec));
         left.map(|spec| ConstraintSpec { eased: None, ..spec.clone() }).collect()

@@ -157,7 +157,6 @@ impl Session {
         let handles = Rc::clone(self.scene.handles());
         let document = self.scene.shared(document);
         self.go_to_scene(SceneState { document, handles, positions: positions.into() })?;
-        self.begin_from(self.guard.start());
         self.progress.end_with(self.scene.solver().energy());
         Ok(())
     }

@@ -36,22 +36,15 @@ impl Session {
         if self.is_searched() {
             return Ok(Step { converged: self.converged(), ended: true });
         }
-        let dragging = self.is_dragging();
         let is_due =
             || self.needs_no_soft_solution() || (self.has_hard_rows() && self.is_run_long());
         if meets && self.is_running() && is_due() && self.begin_meeting()? {
             return Ok(Step { converged: false, ended: false });
         }
-        if !dragging {
-            self.guard.take_start(&self.scene, &self.rest, self.progress.iteration());
-        }
         self.scene.step()?;
         self.progress.advance(self.scene.solver().energy());
-        let collapsed = self.guard.watch(&self.scene, &self.rest, dragging);
-        let ended = self.scene.solver().converged() || collapsed || (meets && self.is_run_long());
-        // A soft solution that collapses is no reason not to look for a shape that does not.
+        let ended = self.scene.solver().converged() || (meets && self.is_run_long());
         if meets && ended && self.is_running() && self.begin_meeting()? {
-            self.guard.clear_collapse();
             return Ok(Step { converged: false, ended: false });
         }
         Ok(Step { converged: self.converged(), ended })
@@ -163,8 +156,8 @@ impl Session {
         self.progress.record(self.scene.solver().energy());
     }
 
-    /// Watches the shape for a collapse, as after an edit.
-    pub fn arm_guard(&mut self) {
-        self.guard.arm();
+    /// Looks for a collapse at the end of every run, as after an edit.
+    pub fn watch_for_collapse(&mut self) {
+        self.opened = None;
     }
 }

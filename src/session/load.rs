@@ -5,7 +5,7 @@
 use super::Session;
 use super::measured::MeasureCache;
 use super::report::{check_lesson, check_presentation};
-use super::run::{CollapseGuard, Progress, Search};
+use super::run::{Progress, Search};
 use super::state::{ResolvedRow, RestMesh, SceneState, SolvedScene, flat, resolve_rows};
 use super::undo::{History, Transaction};
 use crate::mesh::Mesh;
@@ -35,7 +35,8 @@ impl Session {
 
     /// Opens a scene, as [`Session::open`], in place of `open`, whose generations it goes on with.
     /// If it is refused, the previous scene stays, with its steps of undo; what can be computed again
-    /// is lost: the step history of its solver, and how its hard constraints were met.
+    /// is lost: the step history of its solver, and how its hard constraints were met. So is that a run
+    /// has collapsed its shape.
     ///
     /// # Errors
     /// As [`Session::open`].
@@ -71,8 +72,8 @@ impl Session {
     /// Drops the solver and what was measured. The mesh stays, with what was derived from it.
     fn suspend(self) -> Suspended {
         let state = self.scene.state();
-        let Session { rest, progress, guard, history, transaction, .. } = self;
-        Suspended { rest, state, past: Past { progress, guard, history, transaction } }
+        let Session { rest, progress, opened, history, transaction, .. } = self;
+        Suspended { rest, state, past: Past { progress, opened, history, transaction } }
     }
 }
 
@@ -129,16 +130,17 @@ fn set_up(
     let scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), &positions)?;
     let past = past.unwrap_or_else(|| Past {
         progress: Progress::new(scene.solver().energy()),
-        guard: CollapseGuard::new(opened),
+        opened: Some(opened),
         history: History::default(),
         transaction: None,
     });
-    let Past { progress, guard, history, transaction } = past;
+    let Past { progress, opened, history, transaction } = past;
     Ok(Session {
         rest,
         scene,
         progress,
-        guard,
+        opened,
+        collapsed: None,
         history,
         transaction,
         measured: MeasureCache::default(),
@@ -158,7 +160,7 @@ struct Suspended {
 /// The parts of a session that are kept without its solver.
 struct Past {
     progress: Progress,
-    guard: CollapseGuard,
+    opened: Option<Rc<Scene>>,
     history: History,
     transaction: Option<Transaction>,
 }

@@ -38,7 +38,7 @@
 //! | `handed_in` | the results of a lesson, and their check |
 //! | `trial` | suggestions, and the cost of exactness, tried on a copy |
 //! | `state` | the parts: the rest mesh, and the scene with its solver; their states |
-//! | `run` | the parts: progress, meeting of hard constraints, and the guard against collapse |
+//! | `run` | the parts: progress, meeting of hard constraints, and what is told of a collapse |
 //! | `undo` | the parts: the history, and the drag or run under way |
 //! | `edit` | the edits and their effects, settings, offers |
 //! | `selection` | selecting by properties of the mesh |
@@ -89,7 +89,7 @@ pub use report::{
     ConstraintMap, EasedPanels, EndWords, EnergyReport, ExactWords, FACE_MEASURES, FOLDED_FACES,
     FaceMeasure, GoalProgress, GoalWords, LessonProgress, Projections, Report, RowPalette,
     RunVerdict, Seconds, Shape, TrialWords, Unpaired, Verdict, VerdictWords, WeakerRequirement,
-    WorstElement, WorstRow, ZERO_SIZE_FACES, flaw_of, goals_in_words, tolerance_of,
+    WorstElement, ZERO_SIZE_FACES, flaw_of, goals_in_words, tolerance_of,
 };
 pub use run::{
     Bend, BendChange, Collapse, CollapseReason, Eased, ExactReport, FittedCount, Flaw, HalfStep,

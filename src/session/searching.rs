@@ -259,8 +259,8 @@ impl Session {
     }
 
     /// Eases the rows of `document` to `tolerances`, and returns a report; none if none is eased.
-    /// The first attempt has folded `folded` faces, and the `farthest` vertex has this distance to its projection.
-    /// If the panels did not reach the required tolerance, all of them are eased.
+    /// The first attempt has folded `folded` faces, and the `farthest` vertex has this distance to its
+    /// projection. If the panels did not reach the required tolerance, all of them are eased.
     pub(super) fn ease(
         &self,
         document: &mut Scene,

@@ -13,7 +13,6 @@ pub(crate) fn press(name: &str, bytes: &[u8]) -> Result<(String, String), Box<dy
     let scene = Scene { units: "m".to_owned(), ..Scene::opened(name) };
     let mut session = Session::open(scene, mesh)?;
     let tolerance = session.tolerance();
-    session.arm_guard();
     session.solve_as_pressed(Some("circle"), tolerance, false)?;
     let verdict = session.verdict(tolerance).ok_or("there are no panels")?;
     Ok((session.obj(), session.verdict_words(&verdict).full()))

@@ -113,6 +113,8 @@ fn what_has_no_meaning_is_refused_where_it_stands() {
         (json!({ "removeConstraint": {} }), "", "`index` is missing"),
         (json!({ "removeHandles": { "vertices": [0, -1] } }), "vertices[1]", "found -1"),
         (json!({ "holdClose": { "weight": "much" } }), "weight", "found \"much\""),
+        // It was told that 0 is one.
+        (json!({ "weighHandles": { "weight": "x" } }), "weight", "found \"x\", expected a number"),
         (json!({ "setUp": { "up": "w" } }), "up", "expected \"z\" or \"y\""),
         // It replaced the set of that name, or was added to no use.
         (

@@ -441,7 +441,7 @@ fn a_signed_measure_is_bounded_on_both_sides() {
     let scene = Scene::from_json(text).expect("the scene is valid");
     let mut session = Session::open(scene, saddle).expect("it fits");
     assert_eq!(met(&mut session), [false, false], "{:?}", session.goals());
-    let worst = session.worst_faces("gauss-curvature", 1).expect("it is a measure");
+    let worst = session.worst_faces("gauss-curvature", 1, None).expect("it is a measure");
     assert_eq!(session.goals()[0].value, Some(worst[0].value.abs()));
     let request = r#"{ "operation": "error", "mode": "faces",
         "params": { "measure": "gauss-curvature", "tolerance": 0.01 } }"#;

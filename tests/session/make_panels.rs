@@ -411,15 +411,38 @@ fn what_panels_are_judged_by_stays_when_they_become_exact() {
     session.make_panels("plane", 0.3, PanelStart::Now).expect("it has quads");
     run(&mut session);
     let (shape, positions) = exact_trial(&mut session);
-    assert!(session.make_exact(shape, &positions, true).expect("regular"));
+    assert!(session.make_exact(shape, &positions, false).expect("regular"));
     assert_eq!(session.document().constraints[0].require, Require::Exact);
     assert_eq!(session.tolerance(), 0.3);
     session.make_panels("plane", 0.2, PanelStart::Now).expect("it has quads");
     run(&mut session);
     assert_eq!(session.tolerance(), 0.2);
-    session.undo().expect("solvable");
-    session.undo().expect("solvable");
+    for _ in 0..3 {
+        session.undo().expect("solvable");
+    }
     assert_eq!((session.document().tolerance, session.document().constraints.len()), (None, 0));
+}
+
+#[test]
+fn exactness_that_nobody_asked_for_is_no_requirement() {
+    // A larger tolerance did nothing after it, and no press was tried that ends better.
+    let mut session = wave();
+    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    let (shape, positions) = exact_trial(&mut session);
+    assert!(session.make_exact(shape, &positions, true).expect("regular"));
+    let exact = session.exact().expect("there is a hard row");
+    assert!(exact.met && exact.max_distance < 1e-9 && exact.tolerance == 1e-3, "{exact:?}");
+    assert_eq!(session.document().constraints[0].require, Require::Within(1e-3));
+    let (tight, moved) = (session.verdict(1e-3).expect("it has panels"), session.moved().mean);
+    assert_eq!(tight.required, Some(1e-3));
+    // What is improved stays exact.
+    let mut improvement = session.improvement().expect("regular").expect("all is met");
+    while improvement.step(&session).expect("regular") {}
+    assert!(improvement.shape().report.max_distance < 1e-9);
+    session.make_panels("plane", 0.3, PanelStart::Now).expect("it has quads");
+    run(&mut session);
+    assert!(session.moved().mean < 0.9 * moved, "{} {moved}", session.moved().mean);
 }
 
 #[test]
@@ -483,7 +506,7 @@ fn a_row_that_leaves_exactness_has_its_own_tolerance_again() {
     session.make_panels("plane", 0.3, PanelStart::Now).expect("it has quads");
     run(&mut session);
     let (shape, positions) = exact_trial(&mut session);
-    assert!(session.make_exact(shape, &positions, true).expect("regular"));
+    assert!(session.make_exact(shape, &positions, false).expect("regular"));
     let within = r#"{ "setConstraint": { "index": 0, "require": { "within": 0.1 } } }"#;
     session.edit(Edit::from_json(within).expect("it is an edit")).expect("it is valid");
     assert_eq!(session.tolerance(), 0.1);

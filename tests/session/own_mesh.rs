@@ -228,7 +228,7 @@ fn a_verdict_counts_panels_within_the_tolerance() {
     assert_eq!((all.of, all.within), (16, 16));
     let none = session.verdict(0.5 * all.worst).unwrap();
     assert!(none.within < all.of && none.within > 0, "{none:?}");
-    let worst = session.worst_faces("planarity", 1).unwrap();
+    let worst = session.worst_faces("planarity", 1, None).unwrap();
     assert_eq!((worst[0].value, &*worst[0].faces), (all.worst, &[all.worst_face][..]));
     assert_eq!(session.report().moved, all.moved);
     session.edit(Edit::RemoveConstraint { index: 0 }).unwrap();

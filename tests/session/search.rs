@@ -282,6 +282,23 @@ fn what_the_user_names_is_kept_though_a_search_had_chosen_the_same() {
 }
 
 #[test]
+fn nothing_of_a_search_is_left_where_nothing_is_required_any_more() {
+    // Its closeness and its boundary stayed until the next press, chosen by nobody.
+    for edit in [
+        r#"{ "removeConstraint": { "index": 0 } }"#,
+        r#"{ "setConstraint": { "index": 0, "enabled": false } }"#,
+    ] {
+        let mut session = opened(sheared(4, saddle, 0.4, 0.3));
+        let asked = session.document().closeness.clone();
+        session.make_panels("plane", 0.001, PanelStart::Surface).expect("it has quads");
+        session.end_run();
+        assert_ne!(session.document().closeness, asked);
+        session.edit(Edit::from_json(edit).expect("an edit")).expect("nothing is locked");
+        assert_eq!(session.document().closeness, asked, "{edit}");
+    }
+}
+
+#[test]
 fn a_press_that_is_paused_begins_anew() {
     let n = 10;
     let whole = {

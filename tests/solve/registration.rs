@@ -4,7 +4,7 @@
 use crate::support::meshes::grid;
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::{Mesh, Point, Ragged, Surface, write_obj};
-use shape_up::scene::{ClosenessTo, Scene, SceneError};
+use shape_up::scene::{BoundaryRequire, ClosenessTo, Scene, SceneError};
 use shape_up::session::{Edit, Session};
 
 /// A wave over the square from -1 to 1, of triangles that are unrelated to the panels.
@@ -87,8 +87,16 @@ fn a_file_is_fitted_to_in_one_step_that_is_undone_and_shared() {
     // The file was ignored where nothing was kept near anything.
     session.edit(Edit::Preset { id: "fig-6".to_owned() }).expect("it is declared");
     assert_eq!(session.document().weights.close, 0.0);
-    session.edit(fit).expect("it is a mesh");
+    session.edit(fit.clone()).expect("it is a mesh");
     assert_eq!(session.document().weights.close, 1.0);
+    session.undo().expect("undo works");
+    session.undo().expect("undo works");
+    // The rim was held on that of the original.
+    session.edit(Edit::Preset { id: "fig-7".to_owned() }).expect("it is declared");
+    let boundary = |session: &Session| session.document().closeness.boundary.require;
+    assert_eq!(boundary(&session), BoundaryRequire::Exact);
+    session.edit(fit).expect("it is a mesh");
+    assert_eq!(boundary(&session), BoundaryRequire::Off);
     session.undo().expect("undo works");
     session.undo().expect("undo works");
     let broken = Edit::FitTo { name: "wave.off".to_owned(), text: "OFF\n3".to_owned() };

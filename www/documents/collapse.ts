@@ -1,6 +1,6 @@
 /**
- * Message for a run that was stopped because the mesh collapsed, with offers of what to do, and the
- * question before such a shape is exported.
+ * Message after a run that has collapsed the mesh, with offers of what to do, and the question before
+ * such a shape is exported.
  */
 
 import { openDialog } from '../ui/controls/dialog.ts';
@@ -15,7 +15,7 @@ import type { AppContext } from '../app/context.ts';
  * @param collapse description, as the end of a sentence
  */
 export function reportCollapse({ store, alerts, actions }: AppContext, collapse: string) {
-  const text = `Stopped: ${collapse}.`;
+  const text = `In this run ${collapse}.`;
   actions.setStatus(text);
   const withdraw = alerts.notice(
     text,
@@ -27,7 +27,6 @@ export function reportCollapse({ store, alerts, actions }: AppContext, collapse:
         if ((await actions.edit('holdCloser')) !== undefined) actions.run();
       },
     },
-    { label: 'Continue anyway', action: () => actions.run(true) },
   );
   untilChanged(store, withdraw);
 }

@@ -14,7 +14,7 @@ import { itemByKey } from '../ui/controls/navigation.ts';
 import { showElements } from '../viewport/camera.ts';
 import type { State } from '../store/state.ts';
 import type { RefObject } from 'preact';
-import type { WorstRow } from '../pkg/engine/shape_up.js';
+import type { WorstElement } from '../pkg/engine/shape_up.js';
 
 const ROWS = 20;
 const ASK_EVERY_MS = 300;
@@ -76,7 +76,7 @@ function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<strin
     const by = inEffect(now, chosen.peek());
     const about = by === COLOURS ? colouring(now) : undefined;
     const tolerance = (about ? toleranceOf(now, about) : now.document?.tolerance) ?? undefined;
-    const worst = (): Promise<WorstRow[]> | WorstRow[] => {
+    const worst = (): Promise<WorstElement[]> | WorstElement[] => {
       if (by === '') return [];
       if (about) return actions.ask.worstFaces(about.id, ROWS, tolerance);
       return actions.ask.worstConstraints(Number(by), ROWS, tolerance);
@@ -96,7 +96,7 @@ function useWorst(place: RefObject<Element | null>, chosen: ReadonlySignal<strin
   return useAnswer(place, ASK_EVERY_MS, follow, ask);
 }
 
-function Table({ rows }: { rows: WorstRow[] }) {
+function Table({ rows }: { rows: WorstElement[] }) {
   const app = useApp();
   const buttons = useRef<(HTMLButtonElement | null)[]>([]);
   return (

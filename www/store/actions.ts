@@ -215,10 +215,10 @@ export function createActions(
 
       /**
        * Applies a shape that was found, if it belongs to the current one.
-       * @param joins merges it into the last step of undo
+       * @param unasked merges it into the last step of undo, and leaves the requirements as they are
        */
-      accept: ({ shape, positions }: ExactFound, joins: boolean) =>
-        reportErrors(solver.change.makeExact(shape, positions, joins)),
+      accept: ({ shape, positions }: ExactFound, unasked: boolean) =>
+        reportErrors(solver.change.makeExact(shape, positions, unasked)),
     },
 
     /** Passes numbers of the build of the shape that is shown, by id; goals of a lesson may bound them. */
@@ -309,8 +309,7 @@ export function createActions(
       view.select({ vertices: [next], faces: [] });
     },
 
-    /** @param ignoreCollapse continue although the mesh has collapsed */
-    run: (ignoreCollapse?: boolean) => solver.tell.run(ignoreCollapse),
+    run: () => solver.tell.run(),
   };
 }
 

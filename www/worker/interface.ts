@@ -14,11 +14,8 @@ import type { Drag, NamedBytes, Snapshot } from '../solver/types.ts';
 
 /** Commands, which have no answer. Their errors are told as `trouble`. */
 export const commandsOf = (scheduler: Scheduler) => ({
-  /**
-   * Iterates until converged.
-   * @param ignoreCollapse goes on although the shape collapses, which otherwise ends a run outside a drag
-   */
-  run: (ignoreCollapse?: boolean) => scheduler.run(ignoreCollapse),
+  /** Iterates until converged. */
+  run: () => scheduler.run(),
   pause: () => scheduler.pause(),
   drag: (drag: Drag) => scheduler.drag(drag),
   /** Sets what is sent with each frame besides positions. */
@@ -88,12 +85,12 @@ export function changesOf(solver: Solver, scheduler: Scheduler) {
     /**
      * Applies a shape that the second worker has made exact, if it belongs to the current one.
      * @param positions `#V by 3`
-     * @param joins as part of the last step of undo
+     * @param unasked as part of the last step of undo, and with the requirements as they are
      * @returns whether it was done
      */
-    makeExact: (shape: ExactShape, positions: Float64Array, joins: boolean) =>
+    makeExact: (shape: ExactShape, positions: Float64Array, unasked: boolean) =>
       !scheduler.isMoving &&
-      scheduler.betweenRuns(() => solver.makeExact(shape, positions, joins), true),
+      scheduler.betweenRuns(() => solver.makeExact(shape, positions, unasked), true),
     /**
      * Puts panels that the second worker has laid out in place of the mesh, if they are for the current
      * model, as one step of undo.
@@ -184,7 +181,6 @@ type Inner =
   | 'beginRun'
   | 'endRun'
   | 'free'
-  | 'ignoreCollapse'
   | 'load'
   | 'openRead'
   | 'read'

@@ -69,7 +69,7 @@ export class Scheduler {
   #progressEvery = PROGRESS_EVERY_MS;
   /** Whether `activity` must be sent, after the frame that belongs to it. */
   #activityDue = false;
-  /** How the run that has ended has collapsed, to be told after that. */
+  /** How the run that has ended has collapsed the shape, to be told after that. */
   #collapse: string | undefined;
   #sliceQueued = false;
   /** Whether the next slice may have to factor the system first. */
@@ -123,12 +123,10 @@ export class Scheduler {
     if (solved) this.#iterate();
   }
 
-  /** @param ignoreCollapse continue even if the shape collapses */
-  run(ignoreCollapse: boolean = false) {
+  run() {
     if (!this.#isLoaded || this.#isRunning) return;
     this.#post({ type: 'working' });
     this.#solver.beginRun();
-    if (ignoreCollapse) this.#solver.ignoreCollapse();
     this.#isRunning = true;
     this.#isSettled = false;
     this.#sliceIsNew = true;
@@ -376,14 +374,11 @@ export class Scheduler {
     end();
   }
 
-  /**
-   * Ends the run and its step of undo.
-   * @returns how the shape has collapsed, unless that is to be ignored
-   */
+  /** Ends the run and its step of undo. */
   #endRun() {
     this.#isRunning = false;
     this.#activityDue = true;
-    return this.#solver.endRun();
+    this.#collapse = this.#solver.endRun();
   }
 
   #queueSlice() {
@@ -420,7 +415,7 @@ export class Scheduler {
       this.frames.due = true;
     }
     if (this.#isSettled && this.#isRunning && this.#drag === null) {
-      this.#collapse = this.#endRun();
+      this.#endRun();
       this.changed();
     } else if (this.frames.due) {
       this.#progressTimer ||= setTimeout(() => this.#sendProgress(), this.#progressEvery);

@@ -53,7 +53,7 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
     let mut session = Session::open(scene, mesh).map_err(at_input)?;
     session.set_load_seconds(load_seconds);
     if command.panels.is_some() {
-        session.arm_guard();
+        session.watch_for_collapse();
     }
     if let Some(nearest) = session.nearest_to_exact().map_err(at_input)? {
         let nearest = words::length(nearest, &units);
@@ -81,14 +81,14 @@ pub(super) fn solve(command: &Solve) -> Result<(), Failure> {
         };
         remarks.push(format!("nothing is required: {none}; --panels adds some"));
     }
-    let unused = UnusedCloseness::of(session.document());
+    let unused = UnusedCloseness::of(session.document(), session.topology());
     if unused.is_some_and(|unused| unused.settings.contains(&"boundary")) {
         remarks.push("the boundary is not held, since the weight of Close is 0".to_owned());
     }
     remarks.extend(misfits(&session));
     remarks.extend(session.unpaired_words());
     remarks.extend(session.collapse().map(|collapse| {
-        format!("stopped: {collapse}. A larger weight of closeness keeps the mesh closer to its original shape")
+        format!("in this run {collapse}. A larger weight of closeness keeps the mesh closer to its original shape")
     }));
 
     let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();

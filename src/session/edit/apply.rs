@@ -146,6 +146,8 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
             let document = &mut draft.document;
             document.closeness.to = ClosenessTo::Target;
             document.closeness.target = Some(Target::Mesh(read.mesh.into()));
+            // The curves that it is held on are those of the original.
+            document.closeness.boundary.require = BoundaryRequire::Off;
             // Without a weight nothing would be drawn to it.
             if document.weights.close == 0.0 {
                 document.weights.close = 1.0;
@@ -163,10 +165,6 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
         }
         Edit::HoldCloser => {
             strengthen_closeness(&mut draft.document);
-            // A shape without extent cannot recover, so go back to the start.
-            if let Some((positions, iteration)) = draft.start.take() {
-                (draft.positions, draft.iteration) = (positions, Some(iteration));
-            }
             "Hold near original positions".to_owned()
         }
         Edit::WeighHandles { vertices, weight } => {
@@ -272,7 +270,11 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
         document.own_changes_since(before);
         let is_elsewhere = document.attempt.from != before.attempt.from;
         if is_elsewhere || asks_otherwise(before, document) {
-            document.leave_search();
+            let mut rows = document.constraints.iter();
+            match rows.any(|row| row.enabled && row.require.is_hard()) {
+                true => document.leave_search(),
+                false => document.as_asked(),
+            }
         }
     }
     check_changes(draft, &handles)?;

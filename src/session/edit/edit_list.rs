@@ -102,11 +102,11 @@ pub enum Edit {
         /// Factor of the closeness weight, not negative; 1 for the same as the others.
         weight: f64,
     },
-    /// Goes back to where iterating began, if the shape has collapsed since, and holds all vertices
-    /// closer to their rest positions.
+    /// Holds all vertices closer to their rest positions.
     HoldCloser,
-    /// Keeps vertices close to the surface of a mesh file instead of the original, with a weight of 1 if
-    /// closeness has none. A file that states another unit or up axis than the model has is refused.
+    /// Keeps vertices close to the surface of a mesh file instead of the original and its boundary, with a
+    /// weight of 1 if closeness has none. A file that states another unit or up axis than the model has is
+    /// refused.
     FitTo {
         /// The name of the file.
         name: String,

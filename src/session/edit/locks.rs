@@ -18,8 +18,8 @@ pub(crate) fn check_locks(edit: &Edit, document: &Scene) -> Result<(), SceneErro
         let message = "locked by the lesson: it cannot be changed while it locks parts of the scene. If you have just written it, press Undo".to_owned();
         return Err(SceneError { path: "lesson.lock".to_owned(), message });
     }
-    // To try those that bring or make a mesh takes as long as they do. A start that is asked for would
-    // be taken as the choice of a search.
+    // Edits that read or make a mesh are refused before they are tried, which takes long. Settings that
+    // a press asks for look like a search's to `locks_between`.
     let changed: &[Lock] = match edit {
         Edit::MakePanels {
             from: PanelStart::Smoother | PanelStart::Surface | PanelStart::Boundary,

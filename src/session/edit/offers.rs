@@ -248,7 +248,7 @@ impl Sizes {
         Ok(Sizes {
             shape: target_shape(&on, &selected, mesh, topology),
             vertices: count(&|row| row.len()),
-            ends: count(&|row| edges_among(row, topology).len()),
+            ends: count(&|row| 2 * edges_among(row, topology).len()),
         })
     }
 }

@@ -2,6 +2,7 @@
 //! Hosts build their controls from the list.
 
 use crate::constraint::{Form, Param};
+use crate::mesh::Topology;
 use crate::scene::{
     Accelerator, AttemptSetting, BoundaryRequire, ClosenessTo, NamedEnum, Scene, SceneError,
     SmoothnessOf, Weighting,
@@ -147,10 +148,13 @@ pub struct UnusedCloseness {
 }
 
 impl UnusedCloseness {
-    /// Returns this for a scene; none if closeness may keep some vertices near the original. A boundary
-    /// that is held exactly on its curves needs no weight.
-    pub fn of(scene: &Scene) -> Option<UnusedCloseness> {
-        let boundary = scene.closeness.boundary.require;
+    /// Returns this for a scene on a mesh with this topology; none if closeness may keep some vertices
+    /// near the original. A boundary that is held exactly on its curves needs no weight.
+    pub fn of(scene: &Scene, topology: &Topology) -> Option<UnusedCloseness> {
+        let boundary = match topology.boundary_loops().is_empty() {
+            true => BoundaryRequire::Off,
+            false => scene.closeness.boundary.require,
+        };
         let is_nowhere = scene.closeness.to == ClosenessTo::None;
         if scene.weights.close == 0.0 {
             let why = match boundary {
@@ -261,6 +265,7 @@ fn choice<T: NamedEnum>(id: &str, value: &Value) -> Result<T, SceneError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::Mesh;
     use crate::scene::MeshSource;
 
     fn scene() -> Scene {
@@ -320,14 +325,22 @@ mod tests {
     fn settings_that_need_the_weight_of_closeness_say_so_without_it() {
         // A boundary that was to stay nearly on its curve left it, and nothing said why.
         let mut scene = scene();
-        let unused = |scene: &Scene| UnusedCloseness::of(scene).map(|unused| unused.settings);
+        let triangle = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let of = |scene: &Scene, faces: &[[u32; 3]]| {
+            let faces = faces.iter().copied().collect();
+            let mesh = Mesh { positions: triangle.to_vec(), faces, ..Mesh::default() };
+            UnusedCloseness::of(scene, &Topology::new(&mesh))
+        };
+        let unused = |scene: &Scene| of(scene, &[[0, 1, 2]]).map(|unused| unused.settings);
         assert_eq!(unused(&scene), Some(vec!["closeness"]));
         scene.closeness.boundary.require = BoundaryRequire::Soft;
         let all = vec!["closeness", "boundary", "boundary-weight", "corners"];
         assert_eq!(unused(&scene), Some(all));
         scene.closeness.boundary.require = BoundaryRequire::Exact;
-        let exact = UnusedCloseness::of(&scene).expect("closeness has no weight");
+        let exact = of(&scene, &[[0, 1, 2]]).expect("closeness has no weight");
         assert!(exact.why.ends_with("only the boundary is kept, exactly."), "it was denied");
+        let closed = of(&scene, &[[0, 1, 2], [0, 2, 1]]).expect("closeness has no weight");
+        assert!(closed.why.ends_with("nothing is kept near the original."), "it has no boundary");
         scene.weights.close = 1.0;
         assert_eq!(unused(&scene), None);
         scene.closeness.to = ClosenessTo::None;

@@ -16,7 +16,7 @@ pub(super) fn reset(draft: &mut Draft<'_>) {
 pub(super) fn back_to_rest(variants: Variants, draft: &mut Draft<'_>) {
     draft.positions = draft.mesh.positions.as_slice().into();
     draft.document.variants = variants;
-    (draft.iteration, draft.start) = (Some(0), None);
+    draft.iteration = Some(0);
 }
 
 /// Adds the current shape to the variants and makes it the design. Before the first variant, also

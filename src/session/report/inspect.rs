@@ -1,5 +1,5 @@
-//! Queries about rows of constraints and vertices: members and measure of a row, measure of all, vertices with a
-//! closeness factor of their own, vertices that no energy acts on.
+//! Queries about rows of constraints and vertices: members and measure of a row, measure of all, vertices
+//! with a closeness factor of their own, vertices that no energy acts on.
 
 use super::constraint_map::ConstraintCoverage;
 use crate::constraint::{Element, Kind, Selector};
@@ -44,8 +44,8 @@ pub(crate) fn panel_row(document: &Scene) -> Option<usize> {
 }
 
 impl Session {
-    /// Returns the id of the measure whose largest value over all faces is the largest distance of constraint
-    /// row `index`; none if there is no such measure.
+    /// Returns the id of the measure whose largest value over all faces is the largest distance of
+    /// constraint row `index`; none if there is no such measure.
     pub fn row_measure(&self, index: usize) -> Option<&'static str> {
         let document = self.document();
         let kind = &document.constraints.get(index)?.kind;
@@ -76,8 +76,8 @@ impl Session {
         self.closeness_factors().iter().filter(|&&factor| factor != 1.0).count()
     }
 
-    /// Returns the faces and the vertices that row `index` acts on, ascending; empty without a row. A face is
-    /// included if one constraint of the row contains all its corners.
+    /// Returns the faces and the vertices that row `index` acts on, ascending; empty without a row. A face
+    /// is included if one constraint of the row contains all its corners.
     pub fn members(&self, index: usize) -> [Vec<u32>; 2] {
         let mut cover = ConstraintCoverage::new(self.mesh(), self.topology());
         let [mut faces, mut vertices] = [Vec::new(), Vec::new()];

@@ -287,7 +287,8 @@ impl Session {
         goals.into_iter().map(result).collect()
     }
 
-    /// Returns the largest absolute value, or the number of faces above the limit; none if nothing has a value.
+    /// Returns the largest absolute value, or the number of faces above the limit; none if nothing has a
+    /// value.
     fn worst_of(&mut self, of: &GoalOf) -> Option<f64> {
         match of {
             GoalOf::Measure(id) => {

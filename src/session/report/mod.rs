@@ -48,4 +48,4 @@ pub use run_verdict::{EndWords, RunVerdict};
 pub(crate) use verdict::tolerance;
 pub use verdict::{EasedPanels, Verdict, tolerance_of};
 pub use verdict_words::VerdictWords;
-pub use worst::{WorstElement, WorstRow};
+pub use worst::WorstElement;

@@ -4,8 +4,8 @@
 use super::constraint_map::ConstraintCoverage;
 use super::measuring::Shape;
 use crate::constraint::{Centring, Projected};
-use crate::mesh::Topology;
 use crate::session::Session;
+use crate::session::state::edges_among;
 use crate::solve::{Constraints, rest_projections};
 
 /// Every point of every enabled constraint with its projection. A vertex has one point in each of
@@ -32,7 +32,6 @@ impl Session {
             .map(|(index, row)| (index, row.constraints.kind.info().centring))
             .collect();
         let mut found = Projections::default();
-        let mut finder = EdgeFinder::new(self.rest.topology());
         self.scene.projected(|row, points| {
             let (row, centring) = enabled[row];
             let first = found.vertices.len() as u32;
@@ -47,7 +46,8 @@ impl Session {
                     .outlines
                     .extend((0..own.len() as u32 / 2).map(|k| [first + 2 * k, first + 2 * k + 1])),
                 Centring::Together | Centring::Placed => {
-                    finder.edges(own, |ends| found.outlines.push(ends.map(|end| first + end)));
+                    let edges = edges_among(own, self.rest.topology()).into_iter();
+                    found.outlines.extend(edges.map(|ends| ends.map(|end| first + end)));
                 }
             }
         });
@@ -97,35 +97,5 @@ impl Session {
             }
         });
         distances
-    }
-}
-
-/// Finds the edges of the mesh among sets of vertices.
-struct EdgeFinder<'a> {
-    topology: &'a Topology,
-    /// Per vertex, the last set that contained it, and its index there.
-    place: Vec<(usize, u32)>,
-    sets: usize,
-}
-
-impl<'a> EdgeFinder<'a> {
-    fn new(topology: &'a Topology) -> Self {
-        EdgeFinder { topology, place: vec![(0, 0); topology.neighbours().len()], sets: 0 }
-    }
-
-    /// Calls `each` with the indices in `set` of the ends of every edge among its vertices.
-    fn edges(&mut self, set: &[u32], mut each: impl FnMut([u32; 2])) {
-        self.sets += 1;
-        for (k, &vertex) in (0..).zip(set) {
-            self.place[vertex as usize] = (self.sets, k);
-        }
-        for (k, &vertex) in (0..).zip(set) {
-            for &other in self.topology.neighbours().row(vertex as usize) {
-                let (set, place) = self.place[other as usize];
-                if set == self.sets && vertex < other {
-                    each([k, place]);
-                }
-            }
-        }
     }
 }

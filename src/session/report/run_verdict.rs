@@ -54,13 +54,12 @@ impl Session {
             let brief = format!("All constraints are satisfied within {within}.");
             return Some(RunVerdict { met: true, brief, numbers: String::new(), worst: None });
         }
-        let worst = self.worst_constraints(row, 1).into_iter().next()?;
+        let worst = self.worst_constraints(row, 1, Some(tolerance)).into_iter().next()?;
         let brief = format!(
             "The run has ended, and some constraints are beyond the tolerance of {within}. Worst: {label} on {}.",
             worst.element
         );
-        let numbers =
-            format!("Its distance is {}.", words::length_like(worst.value, &units, tolerance));
+        let numbers = format!("Its distance is {}.", worst.words);
         Some(RunVerdict { met: false, brief, numbers, worst: Some(worst) })
     }
 }

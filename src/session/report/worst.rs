@@ -14,61 +14,54 @@ use serde::Serialize;
 pub struct WorstElement {
     /// Its name: "face 37", "edge 3–4".
     pub element: String,
-    /// The groups of the mesh that contain one of its faces.
-    pub groups: Vec<String>,
+    /// The label of its row of constraints, and the groups of the mesh that contain one of its faces.
+    pub about: String,
     /// The row of constraints: that of the list, or the one that pulls most at the face.
     pub row: Option<usize>,
-    /// The label of this row; empty if there is none.
-    pub constraint: String,
     /// The distance or value, in the unit of the measure.
     pub value: f64,
+    /// The same in words; rounding errors are 0.
+    pub words: String,
     /// The faces whose corners are all in it.
     pub faces: Vec<u32>,
     /// Its vertices.
     pub vertices: Vec<u32>,
 }
 
-/// A row of the list of the worst elements.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct WorstRow {
-    /// The element.
-    #[serde(flatten)]
-    pub element: WorstElement,
-    /// Its value.
-    pub words: String,
-    /// The label of its row of constraints, and its groups.
-    pub about: String,
-}
-
 impl Session {
     /// Returns the `count` faces with the largest absolute values of the measure `id`, largest first,
-    /// ties in mesh order, without faces that have no value. None if there is no such measure.
-    pub fn worst_faces(&mut self, id: &str, count: usize) -> Option<Vec<WorstElement>> {
+    /// ties in mesh order, without faces that have no value. None if there is no such measure. Lengths are
+    /// written in the unit in which their `tolerance` is written.
+    pub fn worst_faces(
+        &mut self,
+        id: &str,
+        count: usize,
+        tolerance: Option<f64>,
+    ) -> Option<Vec<WorstElement>> {
+        let unit = FaceMeasure::of(id)?.unit;
         let values = self.face_values(id)?;
         let value = |face: u32| values[face as usize];
         let descending = argsort(values.iter().map(|&value| !key_of_number(value.abs())));
         let with_value = descending.into_iter().filter(|&face| !value(face).is_nan());
         let faces: Vec<u32> = with_value.take(count).collect();
         let pulling = self.pulling_rows(&faces);
-        let worst = faces.iter().zip(pulling).map(|(&face, row)| WorstElement {
-            element: format!("face {face}"),
-            groups: self.rest.groups_of(&[face]),
-            row,
-            constraint: row
-                .map(|row| self.scene.document().constraints[row].label().to_owned())
-                .unwrap_or_default(),
-            value: value(face),
-            faces: vec![face],
-            vertices: self.faces().row(face as usize).to_vec(),
+        let worst = faces.iter().zip(pulling).map(|(&face, row)| {
+            let elements = [vec![face], self.faces().row(face as usize).to_vec()];
+            let element = format!("face {face}");
+            self.worst_element(element, elements, row, value(face), unit, tolerance)
         });
         Some(worst.collect())
     }
 
     /// Returns the `count` constraints of row `index` that are farthest from being met, farthest first,
-    /// by the largest distance of a vertex to its projection, in the unit of the mesh. Empty if the row
-    /// is disabled or does not exist.
-    pub fn worst_constraints(&mut self, index: usize, count: usize) -> Vec<WorstElement> {
+    /// by the largest distance of a vertex to its projection, in the unit of the mesh; it is written in the
+    /// unit in which `tolerance` is. Empty if the row is disabled or does not exist.
+    pub fn worst_constraints(
+        &mut self,
+        index: usize,
+        count: usize,
+        tolerance: Option<f64>,
+    ) -> Vec<WorstElement> {
         let Some(asked) = self.scene.enabled_rows().position(|row| row == index) else {
             return Vec::new();
         };
@@ -92,15 +85,8 @@ impl Session {
             faces.sort_unstable();
             // Some kinds name a vertex twice, such as those on the edges of a face.
             faces.dedup();
-            WorstElement {
-                element: name_of(&spec.on, &faces, &vertices),
-                groups: self.rest.groups_of(&faces),
-                row: Some(index),
-                constraint: spec.label().to_owned(),
-                value,
-                faces,
-                vertices,
-            }
+            let (element, unit) = (name_of(&spec.on, &faces, &vertices), MeasureUnit::Length);
+            self.worst_element(element, [faces, vertices], Some(index), value, unit, tolerance)
         };
         worst.into_iter().map(element).collect()
     }
@@ -131,49 +117,23 @@ impl Session {
         most.into_iter().map(|(_, row)| row).collect()
     }
 
-    /// Returns what [`Session::worst_faces`] does as a list. Lengths are written in the unit in which
-    /// their `tolerance` is written.
-    pub fn worst_faces_in_words(
-        &mut self,
-        id: &str,
-        count: usize,
-        tolerance: Option<f64>,
-    ) -> Option<Vec<WorstRow>> {
-        let unit = FaceMeasure::of(id)?.unit;
-        let worst = self.worst_faces(id, count)?;
-        Some(self.worst_in_words(worst, unit, tolerance))
-    }
-
-    /// Returns what [`Session::worst_constraints`] does as a list, in the unit in which `tolerance` is
-    /// written.
-    pub fn worst_constraints_in_words(
-        &mut self,
-        index: usize,
-        count: usize,
-        tolerance: Option<f64>,
-    ) -> Vec<WorstRow> {
-        let worst = self.worst_constraints(index, count);
-        self.worst_in_words(worst, MeasureUnit::Length, tolerance)
-    }
-
-    /// Returns the rows of a list, with the values in this unit; rounding errors are 0.
-    fn worst_in_words(
+    fn worst_element(
         &self,
-        worst: Vec<WorstElement>,
+        element: String,
+        [faces, vertices]: [Vec<u32>; 2],
+        row: Option<usize>,
+        value: f64,
         unit: MeasureUnit,
         tolerance: Option<f64>,
-    ) -> Vec<WorstRow> {
-        let in_words = |element: WorstElement| {
-            let value = unit.or_zero(element.value, self.rest.diameter());
-            let like = tolerance.unwrap_or(element.value);
-            let words = unit.in_words(value, &self.document().units, like);
-            let names = std::iter::once(&element.constraint).chain(&element.groups);
-            let names: Vec<&str> =
-                names.map(|name| &**name).filter(|name| !name.is_empty()).collect();
-            let about = if names.is_empty() { "–".to_owned() } else { names.join(" · ") };
-            WorstRow { element, words, about }
-        };
-        worst.into_iter().map(in_words).collect()
+    ) -> WorstElement {
+        let document = self.document();
+        let shown = unit.or_zero(value, self.rest.diameter());
+        let words = unit.in_words(shown, &document.units, tolerance.unwrap_or(value));
+        let label = row.map(|row| document.constraints[row].label().to_owned());
+        let names = label.into_iter().chain(self.rest.groups_of(&faces));
+        let names: Vec<String> = names.filter(|name| !name.is_empty()).collect();
+        let about = if names.is_empty() { "–".to_owned() } else { names.join(" · ") };
+        WorstElement { element, about, row, value, words, faces, vertices }
     }
 }
 

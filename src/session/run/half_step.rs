@@ -7,10 +7,10 @@ use serde::Serialize;
 /// The outcome of one iteration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// Whether the total changed by no more than the tolerance, and the shape has not collapsed.
+    /// Whether the total changed by no more than the tolerance.
     pub converged: bool,
-    /// Whether there is no reason to continue: it has converged or collapsed, a run has met its hard
-    /// constraints as well as it can, or it has had as many iterations as the scene allows.
+    /// Whether there is no reason to continue: it has converged, a run has met its hard constraints as
+    /// well as it can, or it has had as many iterations as the scene allows.
     pub ended: bool,
 }
 

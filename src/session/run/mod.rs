@@ -5,8 +5,7 @@
 //! | `progress` | the iteration count, and the record of the energies |
 //! | `trace` | the energies of the iterations |
 //! | `half_step` | the outcome of an iteration, and of its halves |
-//! | `collapse` | whether a shape has collapsed since a start |
-//! | `collapse_guard` | the guard against a collapse outside drags |
+//! | `collapse` | whether a run has collapsed the shape |
 //! | `interactive_size` | the largest mesh that can be dragged smoothly |
 //! | `meeting` | meeting hard constraints in a run |
 //! | `attempt` | one way to meet hard constraints |
@@ -19,7 +18,6 @@
 mod attempt;
 mod attempts;
 mod collapse;
-mod collapse_guard;
 mod easing;
 mod half_step;
 mod interactive_size;
@@ -33,9 +31,8 @@ mod trace;
 pub use attempt::Tried;
 pub(crate) use attempt::{Attempt, Search};
 pub(crate) use attempts::Attempts;
-pub(crate) use collapse::Start;
+pub(crate) use collapse::Collapsed;
 pub use collapse::{Collapse, CollapseReason};
-pub(crate) use collapse_guard::CollapseGuard;
 pub(crate) use easing::Tolerances;
 pub(crate) use half_step::fitted;
 pub use half_step::{FittedCount, HalfStep, Step};

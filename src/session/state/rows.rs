@@ -90,7 +90,13 @@ pub(crate) fn resolve_row(
         resolve(&spec.on, mesh, topology, &scene.sets).map_err(|error| error.to_string())?;
     let info = spec.kind.info();
     let selected = match info.centring {
-        Centring::ByEdge => selected.iter().map(|members| edges_among(members, topology)).collect(),
+        Centring::ByEdge => selected
+            .iter()
+            .map(|members| {
+                let ends = edges_among(members, topology).into_flattened().into_iter();
+                ends.map(|end| members[end as usize]).collect::<Vec<u32>>()
+            })
+            .collect(),
         Centring::Together | Centring::Placed => selected,
     };
     let selected = match (&spec.kind, &spec.on) {
@@ -139,18 +145,20 @@ fn begun_elsewhere(row: &[u32], mesh: &Mesh, topology: &Topology) -> Vec<u32> {
     row
 }
 
-/// Returns the edges of the mesh between `members`, as consecutive pairs of ends, in the order of
-/// the smaller end among the members.
-pub(crate) fn edges_among(members: &[u32], topology: &Topology) -> Vec<u32> {
-    let mut sorted = members.to_vec();
+/// Returns the edges of the mesh between `members`, each as the indices there of its ends, in the order
+/// of the smaller end among the members.
+pub(crate) fn edges_among(members: &[u32], topology: &Topology) -> Vec<[u32; 2]> {
+    let mut sorted: Vec<(u32, u32)> = members.iter().copied().zip(0..).collect();
     sorted.sort_unstable();
-    let mut ends = Vec::new();
-    for &v in members {
+    let mut edges = Vec::new();
+    for (&v, place) in members.iter().zip(0..) {
         for &u in topology.neighbours().row(v as usize) {
-            if v < u && sorted.binary_search(&u).is_ok() {
-                ends.extend([v, u]);
+            if v < u
+                && let Ok(other) = sorted.binary_search_by_key(&u, |(member, _)| *member)
+            {
+                edges.push([place, sorted[other].1]);
             }
         }
     }
-    ends
+    edges
 }

@@ -1,9 +1,9 @@
 //! A state of a solved scene, and the draft by which an edit makes the next one.
 
-use crate::constraint::Selector;
 use crate::mesh::{Mesh, Point};
-use crate::scene::{Pose, Scene, Slide, Target};
+use crate::scene::{Pose, Scene, Target};
 use crate::solve::Handle;
+use std::iter;
 use std::mem::size_of_val;
 use std::rc::Rc;
 
@@ -19,61 +19,31 @@ pub(crate) struct SceneState {
 }
 
 impl SceneState {
-    /// Memory in bytes, without what is shared with `other`.
+    /// Memory in bytes of the positions and meshes that are not shared with `other`; all else is small
+    /// beside them.
     pub(crate) fn unshared_bytes(&self, other: &SceneState) -> usize {
-        let [own, known] = [self, other].map(SceneState::shared);
-        let own = own.iter().filter(|data| known.binary_search(data).is_err());
-        let has_document = Rc::ptr_eq(&self.document, &other.document);
-        let document = if has_document { 0 } else { bytes_of(&self.document) };
-        document + own.map(|(_, bytes)| bytes).sum::<usize>()
+        let known = other.large();
+        self.large().iter().filter(|data| !known.contains(data)).map(|(_, bytes)| bytes).sum()
     }
 
-    /// The data that states may share, each once: its address and its bytes, ascending.
-    fn shared(&self) -> Vec<(usize, usize)> {
-        fn data<T>(list: &Rc<[T]>) -> (usize, usize) {
-            (Rc::as_ptr(list).cast::<()>().addr(), size_of_val(&**list))
-        }
+    /// The positions and meshes: the address of each, and its bytes.
+    fn large(&self) -> Vec<(usize, usize)> {
+        let Scene { variants, pose, closeness, .. } = &*self.document;
+        let pose = match pose {
+            Some(Pose::Positions(positions)) => Some(positions),
+            Some(Pose::File(_)) | None => None,
+        };
         let of_mesh = |mesh: &Rc<Mesh>| {
             let bytes = size_of_val(&*mesh.positions) + size_of_val(mesh.faces.indices());
             (Rc::as_ptr(mesh).addr(), bytes)
         };
-        let document = &*self.document;
-        let mut all = vec![data(&self.handles), data(&self.positions)];
-        all.extend(document.closeness.target.as_ref().and_then(Target::mesh).map(of_mesh));
-        if let Some(Pose::Positions(pose)) = &document.pose {
-            all.push(data(pose));
-        }
-        all.extend(document.variants.kept.iter().map(|variant| data(&variant.positions)));
-        all.extend(document.sets.values().flat_map(|set| [data(&set.vertices), data(&set.faces)]));
-        let rows = document.constraints.iter();
-        all.extend(rows.clone().filter_map(|row| row.eased.as_ref()).map(|it| data(&it.faces)));
-        let weights = document.closeness.weights.iter();
-        let selectors = rows.map(|row| &row.on).chain(weights.map(|entry| &entry.on));
-        all.extend(selectors.filter_map(|on| match on {
-            Selector::Vertices(vertices) => Some(data(vertices)),
-            Selector::Set(_) | Selector::Each { .. } => None,
-        }));
-        all.sort_unstable();
-        all.dedup();
-        all
+        let kept = variants.kept.iter().map(|variant| &variant.positions);
+        let positions = iter::once(&self.positions).chain(kept).chain(pose);
+        positions
+            .map(|list| (Rc::as_ptr(list).cast::<()>().addr(), size_of_val(&**list)))
+            .chain(closeness.target.as_ref().and_then(Target::mesh).map(of_mesh))
+            .collect()
     }
-}
-
-/// Memory in bytes of a document, without what documents share.
-fn bytes_of(document: &Scene) -> usize {
-    let Scene { constraints, closeness, sets, variants, lesson, build, steps, .. } = document;
-    let of_step = |step: &Slide| step.title.len() + step.text.len() + step.notes.len();
-    let names = constraints.iter().map(|row| &row.name).chain(sets.keys());
-    let lesson = lesson.as_ref().map_or(0, |it| it.text.len() + size_of_val(&*it.goals));
-    size_of::<Scene>()
-        + size_of_val(&**constraints)
-        + size_of_val(&*closeness.weights)
-        + size_of_val(&*variants.kept)
-        + size_of_val(&**steps)
-        + names.map(String::len).sum::<usize>()
-        + steps.iter().map(of_step).sum::<usize>()
-        + lesson
-        + build.as_deref().map_or(0, size_of_val)
 }
 
 /// Whether two documents are equal.
@@ -103,46 +73,34 @@ pub(crate) struct Draft<'a> {
     pub(crate) handles: Rc<[Handle]>,
     /// `#V by 3`.
     pub(crate) positions: Rc<[Point]>,
-    /// The number of iterations to go on from, if the edit went back to where they began; it stays
+    /// The number of iterations to go on from, if the edit went back to the rest shape; it stays
     /// otherwise, also where the edit has replaced the positions.
     pub(crate) iteration: Option<u32>,
-    /// The positions at which iterating began and their number of iterations, if the shape has collapsed
-    /// since and the edit may go back to them.
-    pub(crate) start: Option<(Rc<[Point]>, u32)>,
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::constraint::Set;
 
     #[test]
     fn data_of_several_states_counts_towards_the_limit_of_undo_once() {
         // The meshes of all surfaces that were tried stayed in memory.
         let mesh = || Mesh { positions: vec![[0.0; 3]; 1000], ..Mesh::default() };
-        let with = |document: Scene| SceneState {
-            document: Rc::new(document),
+        let with = |document: &Scene| SceneState {
+            document: Rc::new(document.clone()),
             handles: Rc::default(),
             positions: Rc::default(),
         };
-        let plain = with(Scene::default());
         let mut document = Scene::default();
-        let more = |document: &Scene, before: &SceneState| {
-            with(document.clone()).unshared_bytes(before) - bytes_of(document)
-        };
+        let plain = with(&document);
         document.closeness.target = Some(Target::Mesh(Rc::new(mesh())));
-        assert_eq!(more(&document, &plain), 24_000);
-        let before = with(document.clone());
+        let before = with(&document);
+        assert_eq!(before.unshared_bytes(&plain), 24_000);
         document.pose = Some(Pose::Positions(mesh().positions.into()));
-        assert_eq!(more(&document, &before), 24_000);
+        assert_eq!(with(&document).unshared_bytes(&before), 24_000);
         document.closeness.target = Some(Target::Mesh(Rc::new(mesh())));
-        assert_eq!(more(&document, &before), 48_000);
-        let before = with(document.clone());
-        let set = Set { vertices: (0..1000).collect(), ..Set::default() };
-        document.sets.insert(String::new(), set);
-        assert_eq!(more(&document, &before), 4000);
-        // A copy of the document shares all but itself.
-        assert_eq!(more(&document, &with(document.clone())), 0);
-        assert_eq!(before.unshared_bytes(&before.clone()), 0);
+        assert_eq!(with(&document).unshared_bytes(&before), 48_000);
+        // A copy of the document shares its meshes.
+        assert_eq!(with(&document).unshared_bytes(&with(&document)), 0);
     }
 }

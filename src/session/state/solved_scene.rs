@@ -222,8 +222,7 @@ impl SolvedScene {
         let before = &*self.document;
         let SceneState { handles, positions, .. } = self.state();
         let (document, mesh) = (before.clone(), rest.mesh());
-        let (iteration, start) = (None, None);
-        let mut draft = Draft { before, document, mesh, handles, positions, iteration, start };
+        let mut draft = Draft { before, document, mesh, handles, positions, iteration: None };
         let done = propose(&mut draft)?;
         let Draft { document, handles, positions, .. } = draft;
         Ok((done, SceneState { document: self.shared(document), handles, positions }))

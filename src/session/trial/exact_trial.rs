@@ -9,7 +9,7 @@ use crate::session::edit::check_lock;
 use crate::session::report::{Exactness, TrialNumbers, TrialWords};
 use crate::session::requirements::Required;
 use crate::session::run::{ExactReport, Met};
-use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
+use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage, exact_tolerance};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
@@ -96,17 +96,18 @@ impl Session {
         Ok(exact.map(|exact| self.trial(exact, rows, &exactly)))
     }
 
-    /// Searches for less energy with all requirements met; none if they are not met now.
+    /// Searches for less energy with all requirements met, and exactly if they are so now; none if they
+    /// are not met now.
     ///
     /// # Errors
     /// As [`Session::meeting`].
     pub fn improvement(&self) -> Result<Option<ExactTrial>, Error> {
-        if !self.exact().is_some_and(|report| report.met) {
-            return Ok(None);
-        }
-        let Some(mut exact) = self.meeting()? else { return Ok(None) };
+        let Some(report) = self.exact().filter(|report| report.met) else { return Ok(None) };
+        let is_exact = report.max_distance <= exact_tolerance(self.rest.mesh());
+        let required = if is_exact { exactly } else { Required::of };
+        let Some(mut exact) = self.meeting_with(&required)? else { return Ok(None) };
         exact.improve();
-        Ok(Some(self.trial(exact, Vec::new(), &Required::of)))
+        Ok(Some(self.trial(exact, Vec::new(), &required)))
     }
 
     fn trial(
@@ -126,9 +127,10 @@ impl Session {
         }
     }
 
-    /// Accepts the shape of a trial, `#V by 3`, and its requirements, as a step of undo or as a part
-    /// of the last one if that moved the shape. Returns false if the trial began at another shape or
-    /// with another problem, during a drag, or while a variation is shown.
+    /// Accepts the shape of a trial, `#V by 3`, and its requirements, as a step of undo. An `unasked` one
+    /// leaves the requirements as they are, and is a part of the last step if that moved the shape.
+    /// Returns false if the trial began at another shape or with another problem, during a drag, or while
+    /// a variation is shown.
     ///
     /// # Errors
     /// If the lesson locks the constraints and some become exact, or the system would be singular;
@@ -137,21 +139,22 @@ impl Session {
         &mut self,
         shape: ExactShape,
         positions: &[Point],
-        joins_last: bool,
+        unasked: bool,
     ) -> Result<bool, Error> {
         if !self.is_at(shape.generation) {
             return Ok(false);
         }
-        if !shape.rows.is_empty() {
+        let requires = !unasked && !shape.rows.is_empty();
+        if requires {
             check_lock(Lock::Constraints, self.document())?;
         }
         self.end_transaction();
         let before = self.state();
         // Renaming and the like may have come between.
-        let joins = joins_last && self.history.last_moved(&before);
+        let joins = unasked && self.history.last_moved(&before);
         let mut after = before.clone();
         after.scene.positions = positions.into();
-        if !shape.rows.is_empty() {
+        if requires {
             let document = Rc::make_mut(&mut after.scene.document);
             // What panels are judged by stays, though no constraint has it any more.
             if let Some(Require::Within(length)) = self.panel_requirement() {
@@ -170,7 +173,10 @@ impl Session {
             true => self.history.join(),
             false => self.add_step(name.to_owned(), before),
         }
-        self.met = Some(Met::new(&self.scene, shape.report));
+        // The trial may have had other requirements than the scene.
+        let required = self.hard_distance();
+        let tolerance = required.map_or(shape.report.tolerance, |(_, tolerance, _)| tolerance);
+        self.met = Some(Met::new(&self.scene, ExactReport { tolerance, ..shape.report }));
         Ok(true)
     }
 

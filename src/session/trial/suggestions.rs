@@ -1,12 +1,14 @@
 //! Edits to offer if a run has ended with unmet constraints. Each is tried on a copy of the
 //! session, so that only edits that reduce the worst distance are offered.
 
+use crate::mesh::Point;
 use crate::scene::ClosenessTo;
 use crate::session::Error;
 use crate::session::Session;
 use crate::session::edit::Edit;
 use serde::Serialize;
 use serde_json::{Value, json};
+use std::rc::Rc;
 
 /// Maximum number of iterations of a trial.
 const ITERATIONS: u32 = 200;
@@ -36,6 +38,8 @@ pub struct Suggestion {
 pub struct Suggestions {
     /// The copy on which edits are tried.
     session: Session,
+    /// The shape at which each trial begins, `#V by 3`.
+    start: Rc<[Point]>,
     before: f64,
     /// Edits still to be tried, the next one last.
     untried: Vec<(String, Value)>,
@@ -58,8 +62,8 @@ impl Suggestions {
         let mut untried = candidates(session);
         untried.reverse();
         let copy = Session::open(session.scene(), session.mesh().clone())?;
-        let before = worst(session);
-        Ok(Suggestions { session: copy, before, untried, current: None, found: Vec::new() })
+        let (start, before) = (Rc::clone(copy.scene.positions()), worst(session));
+        Ok(Suggestions { session: copy, start, before, untried, current: None, found: Vec::new() })
     }
 
     /// Runs one iteration; returns whether there is more to try.
@@ -98,8 +102,8 @@ impl Suggestions {
     fn end_current(&mut self) -> Result<(), Error> {
         let Some(Trial { label, edit, .. }) = self.current.take() else { return Ok(()) };
         let worst = worst(&self.session);
-        // Nor does an edit help whose run would be stopped.
-        let is_whole = self.session.collapse().is_none();
+        // Nor does an edit help whose run collapses the shape.
+        let is_whole = self.session.collapsed_since(&self.start, None).is_none();
         if worst < HELPS * self.before && is_whole && self.session.moved().max < self.far() {
             let place = self.found.partition_point(|other| other.worst <= worst);
             self.found.insert(place, Suggestion { label, edit, worst });

@@ -1,11 +1,10 @@
 //! The steps of undo and redo, and the state that each of them leads to.
 
-use crate::session::run::Start;
 use crate::session::state::{RestMesh, SceneState};
 use std::rc::Rc;
 
-/// Memory limit in bytes. Beyond it steps of undo are dropped before those of redo, in each list the one
-/// that is farthest from now first.
+/// Memory limit of positions and meshes, in bytes. Beyond it steps of undo are dropped before those of
+/// redo, in each list the one that is farthest from now first.
 const LIMIT_BYTES: usize = 64 << 20;
 
 /// A state of a session.
@@ -15,18 +14,13 @@ pub(crate) struct SessionState {
     pub(crate) scene: SceneState,
     /// Number of iterations up to the state.
     pub(crate) iteration: u32,
-    /// The shape at which these iterations began, after the last edit.
-    pub(crate) start: Option<Rc<Start>>,
 }
 
 impl SessionState {
-    /// Memory in bytes, without what is shared with `other`.
+    /// Memory in bytes of the positions and meshes that are not shared with `other`.
     fn unshared_bytes(&self, other: &SessionState) -> usize {
         let rest = if Rc::ptr_eq(&self.rest, &other.rest) { 0 } else { self.rest.bytes() };
-        let is_other =
-            |start: &&Rc<Start>| other.start.as_ref().is_none_or(|other| !Rc::ptr_eq(other, start));
-        let start = self.start.as_ref().filter(is_other).map_or(0, |start| start.bytes());
-        size_of::<SessionState>() + rest + start + self.scene.unshared_bytes(&other.scene)
+        rest + self.scene.unshared_bytes(&other.scene)
     }
 
     /// Sets the tolerance, if it is `before`; returns whether it was.
@@ -121,9 +115,8 @@ impl History {
     /// the next one, or the last one with the state `now`, does not count for it.
     fn trim(&mut self, now: &SessionState) {
         let bytes_of = |steps: &[NamedStep], place: usize| {
-            let (name, state) = &steps[place];
             let next = steps.get(place + 1).map_or(now, |(_, state)| state);
-            name.len() + state.unshared_bytes(next)
+            steps[place].1.unshared_bytes(next)
         };
         let all = |steps: &[NamedStep]| -> usize {
             (0..steps.len()).map(|place| bytes_of(steps, place)).sum()

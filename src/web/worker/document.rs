@@ -201,7 +201,7 @@ impl<'a> Document<'a> {
             pose: scene.pose.is_some(),
             smoothness: scene.smoothness.of,
             settings: settings_of(scene),
-            unused_closeness: UnusedCloseness::of(scene),
+            unused_closeness: UnusedCloseness::of(scene, session.topology()),
             preset: Preset::of(scene).map(|preset| preset.id),
             presets: PRESETS
                 .iter()

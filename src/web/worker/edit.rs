@@ -67,10 +67,10 @@ impl Solver {
         &mut self,
         shape: Js<ExactShape>,
         positions: &[f64],
-        joins: bool,
+        unasked: bool,
     ) -> Result<bool, JsValue> {
         let shape: ExactShape = read_back(shape)?;
-        self.open_mut()?.make_exact(shape, points(positions), joins).map_err(thrown)
+        self.open_mut()?.make_exact(shape, points(positions), unasked).map_err(thrown)
     }
 
     /// Shows `positions`, `#V by 3`, of a variation of the shape with this generation, with a report

@@ -6,7 +6,7 @@ use crate::mesh::Scheme;
 use crate::session::{
     ConstraintOffers, ExactWords, OfferedOperation, Refinement, Remeshing, RemeshingPreview,
     Report, RunVerdict, SelectRequest, Session, Shape, VariantRow, Verdict, VerdictReport,
-    VerdictWords, WorstRow,
+    VerdictWords, WorstElement,
 };
 use crate::web::thrown;
 use crate::web::values::{AsIs, Js, indices, plain, plains, read, refused, thrown_at};
@@ -126,8 +126,8 @@ impl Solver {
         measure: &str,
         count: usize,
         tolerance: Option<f64>,
-    ) -> Result<Vec<Js<WorstRow>>, JsValue> {
-        let worst = self.open_mut()?.worst_faces_in_words(measure, count, tolerance);
+    ) -> Result<Vec<Js<WorstElement>>, JsValue> {
+        let worst = self.open_mut()?.worst_faces(measure, count, tolerance);
         plains(&worst.ok_or_else(|| thrown(format!("unknown measure {measure:?}")))?)
     }
 
@@ -138,8 +138,8 @@ impl Solver {
         row: usize,
         count: usize,
         tolerance: Option<f64>,
-    ) -> Result<Vec<Js<WorstRow>>, JsValue> {
-        plains(&self.open_mut()?.worst_constraints_in_words(row, count, tolerance))
+    ) -> Result<Vec<Js<WorstElement>>, JsValue> {
+        plains(&self.open_mut()?.worst_constraints(row, count, tolerance))
     }
 
     /// Returns the vertices, edges and faces with a flaw, as a selection.

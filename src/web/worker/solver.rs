@@ -41,7 +41,7 @@ impl Solver {
     }
 
     /// Does one iteration as a run, without meeting hard constraints; returns whether there is
-    /// no reason to continue: it converged, or the shape collapsed.
+    /// no reason to continue: it converged.
     #[wasm_bindgen(js_name = singleStep)]
     pub fn single_step(&mut self) -> Result<bool, JsValue> {
         Ok(self.open_mut()?.single_step().map_err(thrown)?.ended)
@@ -61,8 +61,8 @@ impl Solver {
         Ok(())
     }
 
-    /// Ends a run; describes how the shape has collapsed, as the end of a sentence, unless that was to
-    /// be ignored.
+    /// Ends a run; describes how it has collapsed the shape, as the end of a sentence, or returns
+    /// undefined.
     #[wasm_bindgen(js_name = endRun)]
     pub fn end_run(&mut self) -> Result<Option<String>, JsValue> {
         Ok(self.open_mut()?.end_run().map(|collapse| collapse.to_string()))
@@ -80,14 +80,7 @@ impl Solver {
         Ok(self.open()?.is_meeting())
     }
 
-    /// Lets the current run continue although the shape has collapsed.
-    #[wasm_bindgen(js_name = ignoreCollapse)]
-    pub fn ignore_collapse(&mut self) -> Result<(), JsValue> {
-        self.open_mut()?.ignore_collapse();
-        Ok(())
-    }
-
-    /// Describes how the shape has collapsed, as the end of a sentence, or returns undefined.
+    /// Describes how the last run has collapsed the shape, as the end of a sentence, or returns undefined.
     pub fn collapse(&self) -> Result<Option<String>, JsValue> {
         Ok(self.open()?.collapse().map(|collapse| collapse.to_string()))
     }
