@@ -115,7 +115,7 @@ pub struct BuildReport {
     /// The gap between panels on the sheet.
     pub joint_mm: f64,
     /// The least joint on the sheet that keeps panels of this thickness from colliding, if they are
-    /// laid outside and inside of the surface; null if no edge closes, or it is not known.
+    /// laid outside and inside of the surface; null if none of 0.1 mm is needed, or it is not known.
     pub least_joint_mm: [Option<f64>; 2],
     /// Why the least joint of either side is not known; empty if it is.
     pub no_least_joint: [&'static str; 2],
@@ -153,6 +153,9 @@ pub struct BuildReport {
     #[serde(flatten)]
     pub card: BuildCard,
 }
+
+/// The accuracy of cutting, in mm: of joints and their differences, less is nothing.
+pub(super) const JOINT_STEP: f64 = 0.1;
 
 /// The tolerances at which types are counted, in mm of the building.
 const ALIKE_MM: [f64; 6] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
@@ -314,7 +317,8 @@ impl Build {
     }
 
     /// Panels of thickness `T` on one side collide at an edge of fold `theta` towards that side
-    /// unless the joint is at least `2 T sin(|theta|/2) / cos(theta/2)`. None if no edge closes.
+    /// unless the joint is at least `2 T sin(|theta|/2) / cos(theta/2)`. None if that is nothing at all
+    /// edges: folds between coplanar panels are rounding errors of either sign.
     ///
     /// # Errors
     /// Why it is not known.
@@ -325,14 +329,14 @@ impl Build {
         if self.surface.one_sided.is_some() {
             return Err("the surface has one side only");
         }
-        let closing = folds.iter().map(|fold| fold * side).filter(|fold| *fold < 0.0);
-        let steepest = closing.fold(0.0, f64::min);
-        let half_turns = -steepest / std::f64::consts::TAU * 0.5;
+        let steepest = folds.iter().map(|fold| -fold * side).fold(0.0, f64::max);
+        let half_turns = steepest / std::f64::consts::TAU * 0.5;
         let (sine, cosine) = (crate::math::sine(half_turns), crate::math::cosine(half_turns));
-        match cosine > 1e-6 {
-            true => Ok((steepest < 0.0).then(|| 2.0 * self.settings.thickness * sine / cosine)),
-            false => Err("panels lie on each other"),
+        if cosine <= 1e-6 {
+            return Err("panels lie on each other");
         }
+        let least = 2.0 * self.settings.thickness * sine / cosine;
+        Ok((least >= JOINT_STEP).then_some(least))
     }
 
     fn frame_report(&self) -> Option<FrameReport> {
