@@ -6,7 +6,7 @@ use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
 use super::panel::{FlatPanel, Stand, assembly_rows, lay_flat, panel_names, panel_types};
-use super::paper::PaperModel;
+use super::paper::{LEAST_TAB, PaperModel};
 use super::sheet::{CutPart, Layout};
 use super::surface::PanelSurface;
 use crate::math::plane::Point2;
@@ -237,9 +237,11 @@ impl Build {
         if self.pages() > MOST_PAGES_OF_ALL { Page::Sheet } else { self.settings.page }
     }
 
-    /// The height of tabs in mm of the sheet, which only creased paper has; 0 for none.
+    /// The height of tabs in mm of the sheet, which only creased paper has; 0 for none, and for lower
+    /// ones than are made.
     pub(super) fn tab(&self) -> f64 {
-        if self.settings.fold == Fold::Crease { self.settings.tab } else { 0.0 }
+        let BuildSettings { fold, tab, .. } = self.settings;
+        if fold == Fold::Crease && tab >= LEAST_TAB { tab } else { 0.0 }
     }
 
     /// Millimetres of the building per unit of the mesh.

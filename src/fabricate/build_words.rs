@@ -6,6 +6,7 @@ use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::Choice;
+use super::paper::LEAST_TAB;
 use super::report::{BuildReport, FrameReport};
 use super::tighten::PanelSuggestion;
 use crate::scene::{BuildSettings, Fold, OffsetKind, Product, panel_adjective};
@@ -201,6 +202,8 @@ impl BuildReport {
         let larger = self.larger_sheet_mm.map_or_else(String::new, |[width, height]| {
             format!(" A sheet of {width} x {height} mm has room for each of them.")
         });
+        let has_low_tabs =
+            settings.fold == Fold::Crease && settings.tab > 0.0 && settings.tab < LEAST_TAB;
         let without_prism = self.frame.as_ref().map_or(0, |frame| frame.without_prism);
         [
             named(
@@ -248,6 +251,8 @@ impl BuildReport {
                 words::count(without_prism, "beam has", "beams have")
                     + " no solid: the cuts at both ends leave nothing.",
             ),
+            (self.paper.is_some() && has_low_tabs)
+                .then(|| format!("Tabs lower than {LEAST_TAB} mm are not made.")),
             named(bare, format!("No tab between {}.", some(bare))),
             named(unpaired, format!("Not joined along their edges: {}.", some(unpaired))),
             named(

@@ -15,7 +15,7 @@ pub use drawn::{MissingNames, drawn, write_names};
 pub use facet::{Facet, FacetSide, FoldKind, Joint};
 pub use net::PaperNet;
 pub use plane::Motion;
-pub use tab::Tab;
+pub use tab::{LEAST_TAB, Tab};
 pub use thickness::{Card, Uneven};
 
 use crate::fabricate::boxes::Boxes;
