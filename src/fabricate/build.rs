@@ -7,7 +7,7 @@ use super::file::{Drawing, places};
 use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
 use super::panel::{FlatPanel, Stand, assembly_rows, lay_flat, panel_names, panel_types};
 use super::paper::{LEAST_TAB, PaperModel};
-use super::sheet::{CutPart, Layout};
+use super::sheet::{CutPart, Layout, in_capitals};
 use super::surface::PanelSurface;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
@@ -388,15 +388,13 @@ impl Build {
     fn title(&self, number: usize, count: usize) -> String {
         let scale = places(self.settings.scale, 6);
         let [width, height] = self.settings.sheet.map(|size| places(size, 3));
-        // Only characters that every program can read.
-        let is_plain = |c: &char| c.is_ascii_graphic() || *c == ' ';
-        let material: String = self.settings.material.chars().filter(is_plain).collect();
         let thickness = match self.settings.thickness > 0.0 {
             true => format!("{} MM ", places(self.settings.thickness, 3)),
             false => String::new(),
         };
-        let material = format!("{thickness}{material}").trim().to_ascii_uppercase();
-        let material = if material.is_empty() { material } else { format!(", {material}") };
+        let material = thickness + &in_capitals(&self.settings.material);
+        let material = material.trim();
+        let material = if material.is_empty() { String::new() } else { format!(", {material}") };
         format!(
             "SHEET {number}/{count}, SCALE 1:{scale}, MODEL IN {}, SHEET {width} X {height} MM{material}",
             self.unit.symbol.to_ascii_uppercase()
