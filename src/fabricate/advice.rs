@@ -27,7 +27,7 @@ const NARROWEST: f64 = 10.0;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Advice {
-    /// What is wrong, as a sentence.
+    /// What is wrong, or what helps, as a sentence.
     pub words: String,
     /// Each of them helps.
     pub choices: Vec<AdvisedValue>,
@@ -94,8 +94,8 @@ impl Build {
     }
 
     /// The joints that keep panels of this thickness apart outside and inside the surface, if each of
-    /// the sides that need one needs a wider one than there is: those that leave something of every
-    /// panel of which there is a part now.
+    /// the sides that need one needs a wider one than there is: only joints with which no further panel
+    /// is lost.
     fn advice_on_joint(&self, report: &BuildReport) -> Option<Advice> {
         let words = report.joint(self.settings.thickness);
         let needed = || report.least_joint_mm.into_iter().flatten();

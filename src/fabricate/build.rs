@@ -251,7 +251,12 @@ impl Build {
 
     /// Millimetres of the sheet per unit of the mesh.
     pub fn mm_of_sheet(&self) -> f64 {
-        self.mm_of_building() / self.settings.scale
+        self.mm_of_sheet_at(self.settings.scale)
+    }
+
+    /// As [`Build::mm_of_sheet`], at another scale.
+    pub(super) fn mm_of_sheet_at(&self, scale: f64) -> f64 {
+        self.mm_of_building() / scale
     }
 
     /// The distance of the offset and the depth of beams, in the unit of the mesh.

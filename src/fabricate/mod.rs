@@ -3,7 +3,7 @@
 //!
 //! Lengths of the building are in the unit of the mesh until they are on a sheet, where everything
 //! is in mm. Distances are positive outwards; outside is where the area vectors of the panels
-//! point. To avoid scaling twice, only `build` multiplies by the scale, once.
+//! point. To avoid scaling twice, the factor from one to the other is in `build` alone.
 //!
 //! ```text
 //! mesh -> surface -> panel -> sheet -> file
