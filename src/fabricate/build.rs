@@ -13,6 +13,7 @@ use crate::math::plane::Point2;
 use crate::mesh::Mesh;
 use crate::scene::{BuildSettings, Fold, OffsetKind, Page, Product, Tiling};
 use crate::words::{LengthUnit, UNITS};
+use serde::Serialize;
 use std::ops::Range;
 
 /// Numbers below this, in mm of the building or degrees, are rounding errors.
@@ -90,6 +91,22 @@ pub struct NotCut {
     pub is_part: bool,
 }
 
+/// Numbers of what is left out of parts, or written too small.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct LeftOut {
+    /// Neighbours' names without room, on parts that are on a sheet.
+    pub dropped_names: usize,
+    /// Parts on a sheet whose own name, or of one of whose panels, is lower than 2 mm.
+    pub small_names: usize,
+    /// Holes without room.
+    pub dropped_holes: usize,
+    /// Holes at edges where panels do not meet one to one: none lies opposite.
+    pub unpaired_holes: usize,
+    /// Inner corners that are cut without a relief for lack of room.
+    pub dropped_reliefs: usize,
+}
+
 /// A shape divided into parts.
 #[derive(Clone, Debug)]
 pub struct Build {
@@ -113,16 +130,8 @@ pub struct Build {
     pub not_cut: Vec<NotCut>,
     /// The parts to cut.
     pub parts: Vec<CutPart>,
-    /// Neighbours' names without room, on parts that are on a sheet.
-    pub dropped_names: usize,
-    /// Parts on a sheet whose own name, or of one of whose panels, is too small to be read well.
-    pub small_names: usize,
-    /// Holes without room.
-    pub dropped_holes: usize,
-    /// Holes left out at edges where panels do not meet one to one.
-    pub unpaired_holes: usize,
-    /// Inner corners without room for a relief.
-    pub dropped_reliefs: usize,
+    /// What is missing on them.
+    pub left_out: LeftOut,
     /// Where the parts are on the sheets.
     pub layout: Layout,
     /// Types of panels.
@@ -188,11 +197,7 @@ impl Build {
             splices: Vec::new(),
             not_cut: Vec::new(),
             parts: Vec::new(),
-            dropped_names: 0,
-            small_names: 0,
-            dropped_holes: 0,
-            unpaired_holes: 0,
-            dropped_reliefs: 0,
+            left_out: LeftOut::default(),
             layout: Layout::default(),
             types,
             frame: None,

@@ -204,6 +204,7 @@ impl BuildReport {
         });
         let has_low_tabs =
             settings.fold == Fold::Crease && settings.tab > 0.0 && settings.tab < LEAST_TAB;
+        let left = self.left_out;
         let without_prism = self.frame.as_ref().map_or(0, |frame| frame.without_prism);
         [
             named(
@@ -214,36 +215,36 @@ impl BuildReport {
             ),
             named(&self.not_cut, format!("Not cut: {uncut}.")),
             counted(
-                self.dropped_names,
-                format!("No room for {} of neighbours.", count(self.dropped_names, "name")),
+                left.dropped_names,
+                format!("No room for {} of neighbours.", count(left.dropped_names, "name")),
             ),
             named(
                 &self.unnamed,
                 format!("{unnamed} {has} no room for a name: {}.", some(&self.unnamed)),
             ),
             counted(
-                self.small_names,
-                words::count(self.small_names, "part has", "parts have")
+                left.small_names,
+                words::count(left.small_names, "part has", "parts have")
                     + " a name smaller than 2 mm.",
             ),
             counted(
-                self.dropped_holes,
+                left.dropped_holes,
                 match settings.hole > settings.kerf {
-                    true => format!("No room for {}.", count(self.dropped_holes, "hole")),
+                    true => format!("No room for {}.", count(left.dropped_holes, "hole")),
                     false => {
-                        let holes = words::count(self.dropped_holes, "hole is", "holes are");
+                        let holes = words::count(left.dropped_holes, "hole is", "holes are");
                         format!("{holes} left out: no wider than the kerf.")
                     }
                 },
             ),
             counted(
-                self.unpaired_holes,
-                words::count(self.unpaired_holes, "hole is", "holes are")
+                left.unpaired_holes,
+                words::count(left.unpaired_holes, "hole is", "holes are")
                     + " left out where panels do not meet one to one.",
             ),
             counted(
-                self.dropped_reliefs,
-                words::count(self.dropped_reliefs, "inner corner has", "inner corners have")
+                left.dropped_reliefs,
+                words::count(left.dropped_reliefs, "inner corner has", "inner corners have")
                     + " no room for a relief: the tool leaves material there.",
             ),
             counted(

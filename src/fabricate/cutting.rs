@@ -313,8 +313,8 @@ impl Build {
                 }
             };
             part.named = if missing.piece { NamePlace::Nowhere } else { NamePlace::OnPart };
-            self.dropped_names += missing.dropped;
-            self.small_names += usize::from(missing.small);
+            self.left_out.dropped_names += missing.dropped;
+            self.left_out.small_names += usize::from(missing.small);
         }
         self.parts = parts;
         self.write_on_waste();

@@ -78,7 +78,7 @@ mod view_axes;
 
 pub use advice::{Advice, AdvisedValue};
 pub use alike::Types;
-pub use build::{Build, CutDisc, CutPanel, NotCut, Splice, unit_of};
+pub use build::{Build, CutDisc, CutPanel, LeftOut, NotCut, Splice, unit_of};
 pub use build_words::{BuildWords, CardWords, CheckWords};
 pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};

@@ -2,7 +2,7 @@
 
 use super::alike::Types;
 use super::beam::{edge_types, node_types};
-use super::build::Build;
+use super::build::{Build, LeftOut};
 use super::card::BuildCard;
 use super::file::shared_length;
 use super::offset::{Choice, OffsetCheck};
@@ -119,20 +119,13 @@ pub struct BuildReport {
     pub least_joint_mm: [Option<f64>; 2],
     /// Why the least joint of either side is not known; empty if it is.
     pub no_least_joint: [&'static str; 2],
-    /// Neighbours' names without room on their part.
-    pub dropped_names: usize,
-    /// Parts whose own name, or of one of whose panels, is lower than 2 mm.
-    pub small_names: usize,
+    /// What is left out of parts, among the numbers of the report.
+    #[serde(flatten)]
+    pub left_out: LeftOut,
     /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
     /// Round holes in parts on sheets.
     pub holes: usize,
-    /// Holes left out for lack of room.
-    pub dropped_holes: usize,
-    /// Holes left out where panels do not meet one to one along an edge: none lies opposite.
-    pub unpaired_holes: usize,
-    /// Inner corners that are cut without a relief for lack of room.
-    pub dropped_reliefs: usize,
     /// Types of panels.
     pub types: usize,
     /// Pairs of a tolerance in mm of the building and the number of types of panels.
@@ -258,16 +251,12 @@ impl Build {
             joint_mm: self.settings.joint * self.mm_of_sheet(),
             least_joint_mm: least.map(|least| least.ok().flatten()),
             no_least_joint: least.map(|least| least.err().unwrap_or("")),
-            dropped_names: self.dropped_names,
-            small_names: self.small_names,
+            left_out: self.left_out,
             unnamed: (self.layout.places(self.parts.len()).iter().zip(&self.parts))
                 .filter(|(place, part)| place.is_some() && is_nameless(part))
                 .map(|(_, part)| part.name.clone())
                 .collect(),
             holes: holes().filter(|hole| hole.slot.is_none()).count(),
-            dropped_holes: self.dropped_holes,
-            unpaired_holes: self.unpaired_holes,
-            dropped_reliefs: self.dropped_reliefs,
             types: self.types.leaders.len(),
             types_curve: Vec::new(),
             edge_types: edge_types(&self.surface, self.settings.alike / building).leaders.len(),
