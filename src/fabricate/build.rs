@@ -19,8 +19,8 @@ use std::ops::Range;
 /// Numbers below this, in mm of the building or degrees, are rounding errors.
 const ROUNDING: f64 = 1e-6;
 
-/// Largest number of pages that sheets are tiled to.
-const MOST_PAGES_OF_ALL: u64 = 5000;
+/// Largest number of pages that all sheets are tiled to.
+const MOST_PAGES: u64 = 5000;
 
 /// What a limit allows: a limit of 0 is met by rounding errors, and by nothing else.
 pub(super) fn allowed(limit: f64) -> f64 {
@@ -239,7 +239,7 @@ impl Build {
 
     /// The page size of the PDF: that which was asked for, unless that makes too many pages.
     pub(super) fn printed_page(&self) -> Page {
-        if self.pages() > MOST_PAGES_OF_ALL { Page::Sheet } else { self.settings.page }
+        if self.pages() > MOST_PAGES { Page::Sheet } else { self.settings.page }
     }
 
     /// The height of tabs in mm of the sheet, which only creased paper has; 0 for none, and for lower
