@@ -4,7 +4,7 @@ use super::alike::Types;
 use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
-use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
+use super::offset::{Axes, OffsetCheck, axes_of, check};
 use super::panel::{FlatPanel, Stand, assembly_rows, lay_flat, panel_names, panel_types};
 use super::paper::{LEAST_TAB, PaperModel};
 use super::sheet::{CutPart, Layout, in_capitals};
@@ -146,8 +146,6 @@ pub struct Build {
     pub paper: Option<PaperModel>,
     /// The node axes of the offset and their check; none if the surface has no outside.
     pub offset: Option<(Axes, OffsetCheck)>,
-    /// The errors of each kind of offset that was tried.
-    pub(super) tried: Vec<Choice>,
     /// What is not available, or not as it seems, and why; first why there is no offset.
     pub faults: Vec<Fault>,
 }
@@ -205,7 +203,6 @@ impl Build {
             discs: Vec::new(),
             paper: None,
             offset: None,
-            tried: Vec::new(),
             faults: Vec::new(),
             unit,
         };
@@ -293,16 +290,13 @@ impl Build {
             Some(kind) => std::slice::from_ref(kind),
             None => &[OffsetKind::Face, OffsetKind::Corner],
         };
-        let tried = self.offsets_of(kinds);
-        let building = self.mm_of_building();
-        self.tried = tried.iter().map(|(axes, check)| Choice::of(axes, check, building)).collect();
         // Errors that count as exact are equal, or rounding would choose. In a tie the first one wins.
         let exact = self.exact_tolerance();
         let rank = |check: &OffsetCheck| {
-            let error = check.worst_error();
+            let error = check.warp.max(check.distance_error);
             (!self.meets_limits(check), if error <= exact { 0.0 } else { error })
         };
-        self.offset = tried.into_iter().min_by(|(_, a), (_, b)| {
+        self.offset = self.offsets_of(kinds).into_iter().min_by(|(_, a), (_, b)| {
             let ((misses, error), (misses_too, other)) = (rank(a), rank(b));
             misses.cmp(&misses_too).then(error.total_cmp(&other))
         });

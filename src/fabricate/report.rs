@@ -5,7 +5,7 @@ use super::beam::{edge_types, node_types};
 use super::build::{Build, LeftOut};
 use super::card::BuildCard;
 use super::file::shared_length;
-use super::offset::{Choice, OffsetCheck};
+use super::offset::Choice;
 use super::panel::{panel_types, perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, Hole, NamePlace, Place, Sheet};
@@ -163,13 +163,6 @@ fn curve(tolerances: &[f64], items: usize, types: impl Fn(f64) -> Types) -> Vec<
     tolerances.map(|&at| [at, types(at).leaders.len() as f64]).collect()
 }
 
-impl OffsetCheck {
-    /// The error by which kinds are compared.
-    pub(super) fn worst_error(&self) -> f64 {
-        self.warp.max(self.distance_error)
-    }
-}
-
 impl Build {
     /// All numbers.
     pub fn report(&self) -> BuildReport {
@@ -295,14 +288,9 @@ impl Build {
         if self.offset.is_none() {
             return Vec::new();
         }
-        let is_new = |kind: &OffsetKind| self.tried.iter().all(|choice| choice.kind != *kind);
-        let others: Vec<_> = OffsetKind::ALL.into_iter().filter(is_new).collect();
-        let others = self.offsets_of(&others);
         let building = self.mm_of_building();
-        let others = others.iter().map(|(axes, check)| Choice::of(axes, check, building));
-        let mut all: Vec<_> = self.tried.iter().cloned().chain(others).collect();
-        all.sort_by_key(|choice| OffsetKind::ALL.iter().position(|kind| *kind == choice.kind));
-        all
+        let all = self.offsets_of(&OffsetKind::ALL);
+        all.iter().map(|(axes, check)| Choice::of(axes, check, building)).collect()
     }
 
     /// Panels of thickness `T` on one side collide at an edge of fold `theta` towards that side
