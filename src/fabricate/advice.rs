@@ -161,18 +161,23 @@ impl Build {
     /// The number of panels, or of fins and node discs, of which there are parts at this scale and with
     /// this joint.
     fn made(&self, scale: f64, joint: f64) -> usize {
+        let is_now = [scale, joint] == [self.settings.scale, self.settings.joint];
         let settings = &BuildSettings { scale, joint, ..self.settings.clone() };
         match settings.product {
+            Product::Panels if is_now => self.cut.iter().flatten().count(),
             Product::Panels => {
                 let panels = 0..self.flat.len();
                 panels.filter(|&f| self.outline(f, settings).is_ok()).count()
             }
-            Product::Fins if scale == self.settings.scale => {
-                self.frame.as_ref().map_or(0, Frame::made)
-            }
+            Product::Fins if is_now => self.frame.as_ref().map_or(0, Frame::made),
             Product::Fins => self.frame_at(scale).map_or(0, |frame| frame.made()),
-            Product::Paper => PaperModel::made(&self.surface, &self.flat, self.paper_size(scale)),
+            Product::Paper => self.made_of_paper(scale).0,
         }
+    }
+
+    /// As [`PaperModel::made`], at this scale.
+    fn made_of_paper(&self, scale: f64) -> (usize, bool) {
+        PaperModel::made(&self.surface, &self.flat, self.paper_size(scale))
     }
 
     /// Whether every part has room on a sheet at this scale, except for discs, which are as large at
@@ -180,7 +185,7 @@ impl Build {
     fn fits_at(&self, scale: f64) -> bool {
         let BuildSettings { product, kerf, scale: now, .. } = self.settings;
         if product == Product::Paper {
-            return PaperModel::has_room(&self.surface, &self.flat, self.paper_size(scale));
+            return self.made_of_paper(scale).1;
         }
         let most = self.room();
         let mut parts = self.parts.iter().enumerate().filter(|(k, _)| self.disc_of(*k).is_none());
