@@ -289,8 +289,14 @@ impl Build {
             return Vec::new();
         }
         let building = self.mm_of_building();
-        let all = self.offsets_of(&OffsetKind::ALL);
-        all.iter().map(|(axes, check)| Choice::of(axes, check, building)).collect()
+        let all = self.offsets_of(&OffsetKind::ALL).into_iter();
+        let choice = all.map(|(axes, check)| Choice {
+            kind: axes.kind,
+            exact: axes.inexact.is_empty(),
+            warp_mm: check.warp * building,
+            distance_error_mm: check.distance_error * building,
+        });
+        choice.collect()
     }
 
     /// Panels of thickness `T` on one side collide at an edge of fold `theta` towards that side
