@@ -159,6 +159,7 @@ fn what_moved_by_rounding_errors_did_not_move() {
 #[test]
 fn angles_have_as_many_digits_as_they_are_read_with() {
     assert_eq!([3.64, 49.2, 9.96, 0.0].map(words::rough_degrees), ["3.6°", "49°", "10°", "0.0°"]);
+    assert_eq!([-1e-9, -0.06].map(words::rough_degrees), ["0.0°", "−0.1°"]);
     assert_eq!(words::rough_length(0.0142, "m"), "14 mm");
     assert_eq!([3.64, 49.2, 1e-9].map(words::degrees), ["3.64°", "49.2°", "0°"]);
 }

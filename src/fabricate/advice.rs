@@ -4,7 +4,7 @@ use super::beam::Frame;
 use super::build::Build;
 use super::panel::{distinct_corners, smallest_box_within};
 use super::paper::PaperModel;
-use super::report::BuildReport;
+use super::report::{BuildReport, JOINT_STEP};
 use crate::math::plane::{Point2, rotated};
 use crate::scene::{BuildSettings, Product};
 use crate::words;
@@ -22,14 +22,12 @@ const HANDY: f64 = 25.0;
 /// And the least one in mm, for hands and letters.
 const OF_THICKNESS: f64 = 20.0;
 const NARROWEST: f64 = 10.0;
-/// Smaller differences of joints, in mm, are less than the accuracy of cutting.
-const STEP: f64 = 0.1;
 
 /// A remark with the values of a setting that help.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Advice {
-    /// What is wrong, as a sentence.
+    /// What is wrong, or what helps, as a sentence.
     pub words: String,
     /// Each of them helps.
     pub choices: Vec<AdvisedValue>,
@@ -96,20 +94,20 @@ impl Build {
     }
 
     /// The joints that keep panels of this thickness apart outside and inside the surface, if each of
-    /// the sides that need one needs a wider one than there is: those that leave something of every
-    /// panel of which there is a part now.
+    /// the sides that need one needs a wider one than there is: only joints with which no further panel
+    /// is lost.
     fn advice_on_joint(&self, report: &BuildReport) -> Option<Advice> {
         let words = report.joint(self.settings.thickness);
         let needed = || report.least_joint_mm.into_iter().flatten();
         // Panels are laid on one side: a joint that is wide enough there is one that was chosen.
-        if words.is_empty() || needed().any(|least| least - report.joint_mm < STEP) {
+        if words.is_empty() || needed().any(|least| least - report.joint_mm < JOINT_STEP) {
             return None;
         }
         let BuildSettings { scale, joint, .. } = self.settings;
         let made = self.made(scale, joint);
         let mut choices: Vec<AdvisedValue> = Vec::new();
         for least in needed() {
-            let joint = (least / STEP - 1e-9).ceil() * STEP;
+            let joint = (least / JOINT_STEP - 1e-9).ceil() * JOINT_STEP;
             let value = words::rounded(joint / self.mm_of_sheet(), 6);
             let label = format!("Joint {}", self.as_entered(value));
             let is_new = choices.iter().all(|other| other.label != label);
@@ -163,18 +161,23 @@ impl Build {
     /// The number of panels, or of fins and node discs, of which there are parts at this scale and with
     /// this joint.
     fn made(&self, scale: f64, joint: f64) -> usize {
+        let is_now = [scale, joint] == [self.settings.scale, self.settings.joint];
         let settings = &BuildSettings { scale, joint, ..self.settings.clone() };
         match settings.product {
+            Product::Panels if is_now => self.cut.iter().flatten().count(),
             Product::Panels => {
                 let panels = 0..self.flat.len();
                 panels.filter(|&f| self.outline(f, settings).is_ok()).count()
             }
-            Product::Fins if scale == self.settings.scale => {
-                self.frame.as_ref().map_or(0, Frame::made)
-            }
+            Product::Fins if is_now => self.frame.as_ref().map_or(0, Frame::made),
             Product::Fins => self.frame_at(scale).map_or(0, |frame| frame.made()),
-            Product::Paper => PaperModel::made(&self.surface, &self.flat, self.paper_size(scale)),
+            Product::Paper => self.made_of_paper(scale).0,
         }
+    }
+
+    /// As [`PaperModel::made`], at this scale.
+    fn made_of_paper(&self, scale: f64) -> (usize, bool) {
+        PaperModel::made(&self.surface, &self.flat, self.paper_size(scale))
     }
 
     /// Whether every part has room on a sheet at this scale, except for discs, which are as large at
@@ -182,7 +185,7 @@ impl Build {
     fn fits_at(&self, scale: f64) -> bool {
         let BuildSettings { product, kerf, scale: now, .. } = self.settings;
         if product == Product::Paper {
-            return PaperModel::has_room(&self.surface, &self.flat, self.paper_size(scale));
+            return self.made_of_paper(scale).1;
         }
         let most = self.room();
         let mut parts = self.parts.iter().enumerate().filter(|(k, _)| self.disc_of(*k).is_none());
@@ -329,6 +332,26 @@ mod tests {
             assert_eq!(words.advice.len(), offers, "{words:?}");
             let said = words.advice.first().map_or(&words.joint, |advice| &advice.words);
             assert!(said.contains("joint on the sheet of at least 22.0 mm"), "{said}");
+        }
+    }
+
+    #[test]
+    fn folds_that_are_rounding_errors_ask_for_no_joint() {
+        let settings = BuildSettings { thickness: 3.0, ..BuildSettings::default() };
+        // The slopes of a roof in triangles, turned, with the six decimals of a file.
+        for degrees in [0.0, 30.0, 50.0, 70.0] {
+            let turn = cosine_and_sine_of_degrees(degrees);
+            let mut roof = ridge(5.0, 30.0);
+            roof.faces = [[0, 2, 3], [0, 3, 1], [4, 0, 1], [4, 1, 5]].into_iter().collect();
+            for at in &mut roof.positions {
+                let [x, y] = rotated([at[0], at[1]], turn);
+                *at = [x, y, at[2]].map(|x| (1e6 * x).round() * 1e-6);
+            }
+            let given = advice(&roof, &settings);
+            assert_eq!(given.len(), 1, "{degrees}");
+            assert!(given[0].words.contains("need no joint outside the surface"), "{given:?}");
+            // 2 T tan 30 degrees.
+            assert_eq!(given[0].choices[0].label, "Joint 0.175 m, on the sheet 3.5 mm");
         }
     }
 

@@ -4,22 +4,23 @@ use super::alike::Types;
 use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
-use super::offset::{Axes, Choice, OffsetCheck, axes_of, check};
+use super::offset::{Axes, OffsetCheck, axes_of, check};
 use super::panel::{FlatPanel, Stand, assembly_rows, lay_flat, panel_names, panel_types};
-use super::paper::PaperModel;
-use super::sheet::{CutPart, Layout};
+use super::paper::{LEAST_TAB, PaperModel};
+use super::sheet::{CutPart, Layout, in_capitals};
 use super::surface::PanelSurface;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
 use crate::scene::{BuildSettings, Fold, OffsetKind, Page, Product, Tiling};
 use crate::words::{LengthUnit, UNITS};
+use serde::Serialize;
 use std::ops::Range;
 
 /// Numbers below this, in mm of the building or degrees, are rounding errors.
 const ROUNDING: f64 = 1e-6;
 
-/// Largest number of pages that sheets are tiled to.
-const MOST_PAGES_OF_ALL: u64 = 5000;
+/// Largest number of pages that all sheets are tiled to.
+const MOST_PAGES: u64 = 5000;
 
 /// What a limit allows: a limit of 0 is met by rounding errors, and by nothing else.
 pub(super) fn allowed(limit: f64) -> f64 {
@@ -90,6 +91,22 @@ pub struct NotCut {
     pub is_part: bool,
 }
 
+/// Numbers of what is left out of parts, or written too small.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct LeftOut {
+    /// Neighbours' names without room, on parts that are on a sheet.
+    pub dropped_names: usize,
+    /// Parts on a sheet whose own name, or of one of whose panels, is lower than 2 mm.
+    pub small_names: usize,
+    /// Holes without room.
+    pub dropped_holes: usize,
+    /// Holes at edges where panels do not meet one to one: none lies opposite.
+    pub unpaired_holes: usize,
+    /// Inner corners that are cut without a relief for lack of room.
+    pub dropped_reliefs: usize,
+}
+
 /// A shape divided into parts.
 #[derive(Clone, Debug)]
 pub struct Build {
@@ -113,16 +130,8 @@ pub struct Build {
     pub not_cut: Vec<NotCut>,
     /// The parts to cut.
     pub parts: Vec<CutPart>,
-    /// Neighbours' names without room, on parts that are on a sheet.
-    pub dropped_names: usize,
-    /// Parts on a sheet whose own name, or of one of whose panels, is too small to be read well.
-    pub small_names: usize,
-    /// Holes without room.
-    pub dropped_holes: usize,
-    /// Holes left out at edges where panels do not meet one to one.
-    pub unpaired_holes: usize,
-    /// Inner corners without room for a relief.
-    pub dropped_reliefs: usize,
+    /// What is missing on them.
+    pub left_out: LeftOut,
     /// Where the parts are on the sheets.
     pub layout: Layout,
     /// Types of panels.
@@ -137,8 +146,6 @@ pub struct Build {
     pub paper: Option<PaperModel>,
     /// The node axes of the offset and their check; none if the surface has no outside.
     pub offset: Option<(Axes, OffsetCheck)>,
-    /// The errors of each kind of offset that was tried.
-    pub(super) tried: Vec<Choice>,
     /// What is not available, or not as it seems, and why; first why there is no offset.
     pub faults: Vec<Fault>,
 }
@@ -188,11 +195,7 @@ impl Build {
             splices: Vec::new(),
             not_cut: Vec::new(),
             parts: Vec::new(),
-            dropped_names: 0,
-            small_names: 0,
-            dropped_holes: 0,
-            unpaired_holes: 0,
-            dropped_reliefs: 0,
+            left_out: LeftOut::default(),
             layout: Layout::default(),
             types,
             frame: None,
@@ -200,7 +203,6 @@ impl Build {
             discs: Vec::new(),
             paper: None,
             offset: None,
-            tried: Vec::new(),
             faults: Vec::new(),
             unit,
         };
@@ -234,12 +236,14 @@ impl Build {
 
     /// The page size of the PDF: that which was asked for, unless that makes too many pages.
     pub(super) fn printed_page(&self) -> Page {
-        if self.pages() > MOST_PAGES_OF_ALL { Page::Sheet } else { self.settings.page }
+        if self.pages() > MOST_PAGES { Page::Sheet } else { self.settings.page }
     }
 
-    /// The height of tabs in mm of the sheet, which only creased paper has; 0 for none.
+    /// The height of tabs in mm of the sheet, which only creased paper has; 0 for none, and for lower
+    /// ones than are made.
     pub(super) fn tab(&self) -> f64 {
-        if self.settings.fold == Fold::Crease { self.settings.tab } else { 0.0 }
+        let BuildSettings { fold, tab, .. } = self.settings;
+        if fold == Fold::Crease && tab >= LEAST_TAB { tab } else { 0.0 }
     }
 
     /// Millimetres of the building per unit of the mesh.
@@ -249,7 +253,12 @@ impl Build {
 
     /// Millimetres of the sheet per unit of the mesh.
     pub fn mm_of_sheet(&self) -> f64 {
-        self.mm_of_building() / self.settings.scale
+        self.mm_of_sheet_at(self.settings.scale)
+    }
+
+    /// As [`Build::mm_of_sheet`], at another scale.
+    pub(super) fn mm_of_sheet_at(&self, scale: f64) -> f64 {
+        self.mm_of_building() / scale
     }
 
     /// The distance of the offset and the depth of beams, in the unit of the mesh.
@@ -281,16 +290,13 @@ impl Build {
             Some(kind) => std::slice::from_ref(kind),
             None => &[OffsetKind::Face, OffsetKind::Corner],
         };
-        let tried = self.offsets_of(kinds);
-        let building = self.mm_of_building();
-        self.tried = tried.iter().map(|(axes, check)| Choice::of(axes, check, building)).collect();
         // Errors that count as exact are equal, or rounding would choose. In a tie the first one wins.
         let exact = self.exact_tolerance();
         let rank = |check: &OffsetCheck| {
-            let error = check.worst_error();
+            let error = check.warp.max(check.distance_error);
             (!self.meets_limits(check), if error <= exact { 0.0 } else { error })
         };
-        self.offset = tried.into_iter().min_by(|(_, a), (_, b)| {
+        self.offset = self.offsets_of(kinds).into_iter().min_by(|(_, a), (_, b)| {
             let ((misses, error), (misses_too, other)) = (rank(a), rank(b));
             misses.cmp(&misses_too).then(error.total_cmp(&other))
         });
@@ -386,15 +392,13 @@ impl Build {
     fn title(&self, number: usize, count: usize) -> String {
         let scale = places(self.settings.scale, 6);
         let [width, height] = self.settings.sheet.map(|size| places(size, 3));
-        // Only characters that every program can read.
-        let is_plain = |c: &char| c.is_ascii_graphic() || *c == ' ';
-        let material: String = self.settings.material.chars().filter(is_plain).collect();
         let thickness = match self.settings.thickness > 0.0 {
             true => format!("{} MM ", places(self.settings.thickness, 3)),
             false => String::new(),
         };
-        let material = format!("{thickness}{material}").trim().to_ascii_uppercase();
-        let material = if material.is_empty() { material } else { format!(", {material}") };
+        let material = thickness + &in_capitals(&self.settings.material);
+        let material = material.trim();
+        let material = if material.is_empty() { String::new() } else { format!(", {material}") };
         format!(
             "SHEET {number}/{count}, SCALE 1:{scale}, MODEL IN {}, SHEET {width} X {height} MM{material}",
             self.unit.symbol.to_ascii_uppercase()

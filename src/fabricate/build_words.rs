@@ -6,6 +6,7 @@ use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::Choice;
+use super::paper::LEAST_TAB;
 use super::report::{BuildReport, FrameReport};
 use super::tighten::PanelSuggestion;
 use crate::scene::{BuildSettings, Fold, OffsetKind, Product, panel_adjective};
@@ -201,6 +202,9 @@ impl BuildReport {
         let larger = self.larger_sheet_mm.map_or_else(String::new, |[width, height]| {
             format!(" A sheet of {width} x {height} mm has room for each of them.")
         });
+        let has_low_tabs =
+            settings.fold == Fold::Crease && settings.tab > 0.0 && settings.tab < LEAST_TAB;
+        let left = self.left_out;
         let without_prism = self.frame.as_ref().map_or(0, |frame| frame.without_prism);
         [
             named(
@@ -211,36 +215,36 @@ impl BuildReport {
             ),
             named(&self.not_cut, format!("Not cut: {uncut}.")),
             counted(
-                self.dropped_names,
-                format!("No room for {} of neighbours.", count(self.dropped_names, "name")),
+                left.dropped_names,
+                format!("No room for {} of neighbours.", count(left.dropped_names, "name")),
             ),
             named(
                 &self.unnamed,
                 format!("{unnamed} {has} no room for a name: {}.", some(&self.unnamed)),
             ),
             counted(
-                self.small_names,
-                words::count(self.small_names, "part has", "parts have")
+                left.small_names,
+                words::count(left.small_names, "part has", "parts have")
                     + " a name smaller than 2 mm.",
             ),
             counted(
-                self.dropped_holes,
+                left.dropped_holes,
                 match settings.hole > settings.kerf {
-                    true => format!("No room for {}.", count(self.dropped_holes, "hole")),
+                    true => format!("No room for {}.", count(left.dropped_holes, "hole")),
                     false => {
-                        let holes = words::count(self.dropped_holes, "hole is", "holes are");
+                        let holes = words::count(left.dropped_holes, "hole is", "holes are");
                         format!("{holes} left out: no wider than the kerf.")
                     }
                 },
             ),
             counted(
-                self.unpaired_holes,
-                words::count(self.unpaired_holes, "hole is", "holes are")
+                left.unpaired_holes,
+                words::count(left.unpaired_holes, "hole is", "holes are")
                     + " left out where panels do not meet one to one.",
             ),
             counted(
-                self.dropped_reliefs,
-                words::count(self.dropped_reliefs, "inner corner has", "inner corners have")
+                left.dropped_reliefs,
+                words::count(left.dropped_reliefs, "inner corner has", "inner corners have")
                     + " no room for a relief: the tool leaves material there.",
             ),
             counted(
@@ -248,6 +252,8 @@ impl BuildReport {
                 words::count(without_prism, "beam has", "beams have")
                     + " no solid: the cuts at both ends leave nothing.",
             ),
+            (self.paper.is_some() && has_low_tabs)
+                .then(|| format!("Tabs lower than {LEAST_TAB} mm are not made.")),
             named(bare, format!("No tab between {}.", some(bare))),
             named(unpaired, format!("Not joined along their edges: {}.", some(unpaired))),
             named(

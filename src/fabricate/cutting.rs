@@ -66,7 +66,7 @@ impl Build {
         f: usize,
         settings: &BuildSettings,
     ) -> Result<[Vec<Point2>; 2], &'static str> {
-        let model = self.mm_of_building() / settings.scale;
+        let model = self.mm_of_sheet_at(settings.scale);
         let by = 0.5 * (settings.joint * model - settings.kerf);
         let flat = self.flat[f].as_ref().ok_or("it has no area")?;
         let scaled: Vec<Point2> =
@@ -193,7 +193,7 @@ impl Build {
     pub(super) fn frame_at(&self, scale: f64) -> Option<Frame> {
         let BuildSettings { product, thickness, alike_deg, mirror, .. } = self.settings;
         let (axes, _) = self.offset.as_ref().filter(|_| product == Product::Fins)?;
-        let model = self.mm_of_building() / scale;
+        let model = self.mm_of_sheet_at(scale);
         let size = FrameSize {
             height: self.distance(),
             width: self.beam_width(),
@@ -250,7 +250,7 @@ impl Build {
         let BuildSettings { sheet, margin, fold, thickness, .. } = self.settings;
         let room = sheet.map(|side| side - 2.0 * margin);
         let card = Card { fold, thickness };
-        PaperSize { model: self.mm_of_building() / scale, room, tab: self.tab(), card }
+        PaperSize { model: self.mm_of_sheet_at(scale), room, tab: self.tab(), card }
     }
 
     /// Cuts the pieces of a paper model; `write_names` finds neighbours, which depend on the tabs.
@@ -313,8 +313,8 @@ impl Build {
                 }
             };
             part.named = if missing.piece { NamePlace::Nowhere } else { NamePlace::OnPart };
-            self.dropped_names += missing.dropped;
-            self.small_names += usize::from(missing.small);
+            self.left_out.dropped_names += missing.dropped;
+            self.left_out.small_names += usize::from(missing.small);
         }
         self.parts = parts;
         self.write_on_waste();

@@ -108,7 +108,7 @@ impl Fault {
             false => "its thickness is 0",
         };
         Fault(format!(
-            "the slots of node discs cannot be cut of this material: {why}, so there are no discs"
+            "the slots of node discs cannot be cut from this material: {why}, so there are no discs"
         ))
     }
 

@@ -40,7 +40,7 @@ impl Build {
         let unpaired = self.surface.unpaired();
         let unpaired = unpaired.flat_map(|(e, _)| self.surface.panels.row(e as usize));
         let cut = unpaired.filter(|&&f| self.cut[f as usize].is_some());
-        self.unpaired_holes += ALONG.len() * cut.count();
+        self.left_out.unpaired_holes += ALONG.len() * cut.count();
         for (edge, e) in self.surface.edges.iter().zip(0..) {
             let [Some(f), Some(g)] = edge.panels else { continue };
             let cut = [f, g].map(|f| self.cut[f as usize].as_ref().map(|cut| (f, cut)));
@@ -48,7 +48,7 @@ impl Build {
             match self.surface.length(edge) * self.mm_of_sheet() {
                 0.0 => continue,
                 short if short < diameter => {
-                    self.dropped_holes += 2 * ALONG.len();
+                    self.left_out.dropped_holes += 2 * ALONG.len();
                     continue;
                 }
                 _ => {}
@@ -82,7 +82,7 @@ impl Build {
                     true => both.iter().for_each(|&(part, centre)| {
                         self.parts[part].holes.push(Hole::round(centre, radius));
                     }),
-                    false => self.dropped_holes += 2,
+                    false => self.left_out.dropped_holes += 2,
                 }
             }
         }
@@ -104,7 +104,7 @@ impl Build {
                         true => [part, piece].into_iter().for_each(|part| {
                             self.parts[*part].holes.push(Hole::round(centre, radius));
                         }),
-                        false => self.dropped_holes += 2,
+                        false => self.left_out.dropped_holes += 2,
                     }
                 }
             }
@@ -122,7 +122,7 @@ impl Build {
                 let centre = beside(ends, 0.5, FROM_EDGE * diameter + outside);
                 match radius > 0.0 && has_room(part, centre, (diameter, outside)) {
                     true => part.holes.push(Hole::round(centre, radius)),
-                    false => self.dropped_holes += 1,
+                    false => self.left_out.dropped_holes += 1,
                 }
             }
         }

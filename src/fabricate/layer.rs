@@ -22,7 +22,6 @@ impl Build {
     /// the next build computes them anew.
     pub fn move_layer(&mut self, distance: f64) {
         self.settings.distance = Some(distance);
-        self.tried.clear();
         if let Some((axes, found)) = &mut self.offset {
             *found = check(&self.surface, &axes.axes, axes.kind, distance);
         }

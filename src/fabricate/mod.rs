@@ -3,7 +3,7 @@
 //!
 //! Lengths of the building are in the unit of the mesh until they are on a sheet, where everything
 //! is in mm. Distances are positive outwards; outside is where the area vectors of the panels
-//! point. To avoid scaling twice, only `build` multiplies by the scale, once.
+//! point. To avoid scaling twice, the factor from one to the other is in `build` alone.
 //!
 //! ```text
 //! mesh -> surface -> panel -> sheet -> file
@@ -78,7 +78,7 @@ mod view_axes;
 
 pub use advice::{Advice, AdvisedValue};
 pub use alike::Types;
-pub use build::{Build, CutDisc, CutPanel, NotCut, Splice, unit_of};
+pub use build::{Build, CutDisc, CutPanel, LeftOut, NotCut, Splice, unit_of};
 pub use build_words::{BuildWords, CardWords, CheckWords};
 pub use card::{BuildCard, OffsetReport};
 pub use check_card::{CheckRow, Failed, Worst};

@@ -125,14 +125,14 @@ impl Build {
         let half = 0.5 * self.settings.kerf;
         for part in &mut self.parts {
             let Relieved { outline, sides, dropped } = relieved(&part.outline, false, radius, half);
-            self.dropped_reliefs += dropped;
+            self.left_out.dropped_reliefs += dropped;
             part.outline = outline;
             let name = |side: &Option<usize>| side.and_then(|k| part.neighbours.get(k)?.clone());
             part.neighbours = sides.iter().map(name).collect();
             for hole in &mut part.holes {
                 let Some(slot) = &hole.slot else { continue };
                 let Relieved { outline, dropped, .. } = relieved(slot, true, radius, half);
-                self.dropped_reliefs += dropped;
+                self.left_out.dropped_reliefs += dropped;
                 *hole = Hole::slot(outline);
             }
         }

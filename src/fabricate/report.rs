@@ -2,10 +2,10 @@
 
 use super::alike::Types;
 use super::beam::{edge_types, node_types};
-use super::build::Build;
+use super::build::{Build, LeftOut};
 use super::card::BuildCard;
 use super::file::shared_length;
-use super::offset::{Choice, OffsetCheck};
+use super::offset::Choice;
 use super::panel::{panel_types, perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, Hole, NamePlace, Place, Sheet};
@@ -115,24 +115,17 @@ pub struct BuildReport {
     /// The gap between panels on the sheet.
     pub joint_mm: f64,
     /// The least joint on the sheet that keeps panels of this thickness from colliding, if they are
-    /// laid outside and inside of the surface; null if no edge closes, or it is not known.
+    /// laid outside and inside of the surface; null if none of 0.1 mm is needed, or it is not known.
     pub least_joint_mm: [Option<f64>; 2],
     /// Why the least joint of either side is not known; empty if it is.
     pub no_least_joint: [&'static str; 2],
-    /// Neighbours' names without room on their part.
-    pub dropped_names: usize,
-    /// Parts whose own name, or of one of whose panels, is lower than 2 mm.
-    pub small_names: usize,
+    /// What is left out of parts, among the numbers of the report.
+    #[serde(flatten)]
+    pub left_out: LeftOut,
     /// The names of parts on sheets that have no room for their name, on the part or beside it.
     pub unnamed: Vec<String>,
     /// Round holes in parts on sheets.
     pub holes: usize,
-    /// Holes left out for lack of room.
-    pub dropped_holes: usize,
-    /// Holes left out where panels do not meet one to one along an edge: none lies opposite.
-    pub unpaired_holes: usize,
-    /// Inner corners that are cut without a relief for lack of room.
-    pub dropped_reliefs: usize,
     /// Types of panels.
     pub types: usize,
     /// Pairs of a tolerance in mm of the building and the number of types of panels.
@@ -154,6 +147,9 @@ pub struct BuildReport {
     pub card: BuildCard,
 }
 
+/// The accuracy of cutting, in mm: of joints and their differences, less is nothing.
+pub(super) const JOINT_STEP: f64 = 0.1;
+
 /// The tolerances at which types are counted, in mm of the building.
 const ALIKE_MM: [f64; 6] = [0.1, 0.3, 1.0, 3.0, 10.0, 30.0];
 /// The tolerances of angles, in degrees.
@@ -165,13 +161,6 @@ fn curve(tolerances: &[f64], items: usize, types: impl Fn(f64) -> Types) -> Vec<
     const MOST: usize = 5000;
     let tolerances = tolerances.iter().take(if items > MOST { 0 } else { tolerances.len() });
     tolerances.map(|&at| [at, types(at).leaders.len() as f64]).collect()
-}
-
-impl OffsetCheck {
-    /// The error by which kinds are compared.
-    pub(super) fn worst_error(&self) -> f64 {
-        self.warp.max(self.distance_error)
-    }
 }
 
 impl Build {
@@ -255,16 +244,12 @@ impl Build {
             joint_mm: self.settings.joint * self.mm_of_sheet(),
             least_joint_mm: least.map(|least| least.ok().flatten()),
             no_least_joint: least.map(|least| least.err().unwrap_or("")),
-            dropped_names: self.dropped_names,
-            small_names: self.small_names,
+            left_out: self.left_out,
             unnamed: (self.layout.places(self.parts.len()).iter().zip(&self.parts))
                 .filter(|(place, part)| place.is_some() && is_nameless(part))
                 .map(|(_, part)| part.name.clone())
                 .collect(),
             holes: holes().filter(|hole| hole.slot.is_none()).count(),
-            dropped_holes: self.dropped_holes,
-            unpaired_holes: self.unpaired_holes,
-            dropped_reliefs: self.dropped_reliefs,
             types: self.types.leaders.len(),
             types_curve: Vec::new(),
             edge_types: edge_types(&self.surface, self.settings.alike / building).leaders.len(),
@@ -303,18 +288,20 @@ impl Build {
         if self.offset.is_none() {
             return Vec::new();
         }
-        let is_new = |kind: &OffsetKind| self.tried.iter().all(|choice| choice.kind != *kind);
-        let others: Vec<_> = OffsetKind::ALL.into_iter().filter(is_new).collect();
-        let others = self.offsets_of(&others);
         let building = self.mm_of_building();
-        let others = others.iter().map(|(axes, check)| Choice::of(axes, check, building));
-        let mut all: Vec<_> = self.tried.iter().cloned().chain(others).collect();
-        all.sort_by_key(|choice| OffsetKind::ALL.iter().position(|kind| *kind == choice.kind));
-        all
+        let all = self.offsets_of(&OffsetKind::ALL).into_iter();
+        let choice = all.map(|(axes, check)| Choice {
+            kind: axes.kind,
+            exact: axes.inexact.is_empty(),
+            warp_mm: check.warp * building,
+            distance_error_mm: check.distance_error * building,
+        });
+        choice.collect()
     }
 
     /// Panels of thickness `T` on one side collide at an edge of fold `theta` towards that side
-    /// unless the joint is at least `2 T sin(|theta|/2) / cos(theta/2)`. None if no edge closes.
+    /// unless the joint is at least `2 T sin(|theta|/2) / cos(theta/2)`. None if that is nothing at all
+    /// edges: folds between coplanar panels are rounding errors of either sign.
     ///
     /// # Errors
     /// Why it is not known.
@@ -325,14 +312,14 @@ impl Build {
         if self.surface.one_sided.is_some() {
             return Err("the surface has one side only");
         }
-        let closing = folds.iter().map(|fold| fold * side).filter(|fold| *fold < 0.0);
-        let steepest = closing.fold(0.0, f64::min);
-        let half_turns = -steepest / std::f64::consts::TAU * 0.5;
+        let steepest = folds.iter().map(|fold| -fold * side).fold(0.0, f64::max);
+        let half_turns = steepest / std::f64::consts::TAU * 0.5;
         let (sine, cosine) = (crate::math::sine(half_turns), crate::math::cosine(half_turns));
-        match cosine > 1e-6 {
-            true => Ok((steepest < 0.0).then(|| 2.0 * self.settings.thickness * sine / cosine)),
-            false => Err("panels lie on each other"),
+        if cosine <= 1e-6 {
+            return Err("panels lie on each other");
         }
+        let least = 2.0 * self.settings.thickness * sine / cosine;
+        Ok((least >= JOINT_STEP).then_some(least))
     }
 
     fn frame_report(&self) -> Option<FrameReport> {

@@ -1,7 +1,7 @@
 //! A build in space: everything as objects on layers, for CAD programs (panels, offset, beams, node
-//! axes, and the sheets at their real size beside the shape); the shape with its offset and beams
-//! as one file for presentations; and as groups of one mesh in the unit and the coordinates of the
-//! model.
+//! axes, and the sheets at their real size beside the shape); the shape with its offset, and its fins and
+//! node discs or else its beams, as one file for presentations; and as groups of one mesh in the unit and
+//! the coordinates of the model.
 
 use crate::fabricate::beam::Prism;
 use crate::fabricate::build::Build;
@@ -206,9 +206,9 @@ const LIGHT: [f32; 4] = [0.70, 0.55, 0.36, 1.0];
 const NAMED_PANELS: usize = 2000;
 
 impl Build {
-    /// Writes panels, offset panels and flat beams between them as binary glTF, in metres about the
-    /// centre of the bounding box: panels and beams by their names, up to a number. `z_up` is whether z
-    /// is up in the mesh; else y is.
+    /// Writes panels, offset panels and, between them, fins and node discs or else flat beams as binary
+    /// glTF, in metres about the centre of the bounding box: by name unless there are more than
+    /// `NAMED_PANELS` panels. `z_up` is whether z is up in the mesh; else y is.
     pub fn presentation(&self, z_up: bool) -> Vec<u8> {
         let is_named = self.names.len() <= NAMED_PANELS;
         let metres = self.unit.metres;

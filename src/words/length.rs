@@ -1,6 +1,8 @@
 //! Lengths with their units.
 
-use super::number::{DIGITS, brief, decimal, leading_exponent, number, rounded, signed};
+use super::number::{
+    DIGITS, brief, decimal, is_zero, leading_exponent, number, rounded, signed, with_plus,
+};
 use super::units::LengthUnit;
 
 /// Lengths below this many mm are 0: they are irrelevant for buildings.
@@ -77,8 +79,8 @@ pub fn compared_lengths(lengths: &[f64], units: &str) -> ComparedLengths {
     let longest = lengths.iter().fold(0.0_f64, |longest, length| longest.max(length.abs()));
     let (unit, factor) = unit_of(longest, units);
     let decimals = decimals_of(longest * factor, COMPARED_DIGITS);
-    let lengths = lengths.iter().map(|length| fixed(length * factor, decimals, "−")).collect();
-    ComparedLengths { lengths, unit: unit.to_owned() }
+    let in_words = |length: &f64| signed(*length, &decimal(length.abs() * factor, decimals));
+    ComparedLengths { lengths: lengths.iter().map(in_words).collect(), unit: unit.to_owned() }
 }
 
 /// The decimals with which a size has this many significant digits, at most twelve.
@@ -95,11 +97,9 @@ pub fn displacement(by: [f64; 3], units: &str, size: f64) -> String {
     let is_nothing = in_mm(longest, units).map_or(longest <= ROUNDING * size, |mm| mm < LEAST_MM);
     let parts: Vec<String> = ["x", "y", "z"]
         .into_iter()
-        .zip(by.map(|part| fixed(part * factor, decimals, "−")))
+        .zip(by.map(|part| with_plus(part, &decimal(part.abs() * factor, decimals))))
         .filter(|(_, part)| !is_nothing && !is_zero(part))
-        .map(|(axis, part)| {
-            format!("{axis} {}{part}", if part.starts_with('−') { "" } else { "+" })
-        })
+        .map(|(axis, part)| format!("{axis} {part}"))
         .collect();
     with_unit(if parts.is_empty() { "0".to_owned() } else { parts.join("  ") }.as_str(), unit)
 }
@@ -120,18 +120,7 @@ pub fn decimals_for(size: f64) -> usize {
 /// Formats a coordinate, which may be edited: with a hyphen for a minus sign, and no negative zero.
 #[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn coordinate(value: f64, decimals: usize) -> String {
-    fixed(value, decimals, "-")
-}
-
-/// Formats a number with this many decimals, zero without its sign.
-fn fixed(value: f64, decimals: usize, minus: &str) -> String {
-    let size = decimal(value.abs(), decimals);
-    if value < 0.0 && !is_zero(&size) { format!("{minus}{size}") } else { size }
-}
-
-/// Whether a number in words is zero.
-fn is_zero(number: &str) -> bool {
-    !number.contains(|digit: char| ('1'..='9').contains(&digit))
+    signed(value, &decimal(value.abs(), decimals)).replace('−', "-")
 }
 
 /// Formats a measured length of a building in mm; in metres from 10 m on.

@@ -53,11 +53,7 @@ pub fn part(share: f64) -> String {
     wasm_bindgen::prelude::wasm_bindgen(js_name = signedPart)
 )]
 pub fn signed_part(share: f64) -> String {
-    let size = decimal(100.0 * share.abs(), 1);
-    // What is written as zero has no sign.
-    let share = if size.bytes().all(|digit| b"0.".contains(&digit)) { 0.0 } else { share };
-    let sign = if share > 0.0 { "+" } else { "" };
-    format!("{sign}{} %", signed(share, &size))
+    with_plus(share, &decimal(100.0 * share.abs(), 1)) + " %"
 }
 
 /// Formats a time in milliseconds: `0.50 ms`, `12 ms`, `1234 ms`.
@@ -121,10 +117,21 @@ pub fn decimal(size: f64, decimals: usize) -> String {
     format!("{:.decimals$}", half_up(size))
 }
 
-/// Adds the sign of `value` to its size in words.
+/// Adds the sign of `value` to its size in words; what is written as zero has none.
 pub(super) fn signed(value: f64, size: &str) -> String {
-    let sign = if value < 0.0 { "−" } else { "" };
+    let sign = if value < 0.0 && !is_zero(size) { "−" } else { "" };
     format!("{sign}{}", size.replace('-', "−"))
+}
+
+/// As [`signed`], with a plus sign.
+pub(super) fn with_plus(value: f64, size: &str) -> String {
+    let sign = if value > 0.0 && !is_zero(size) { "+" } else { "" };
+    sign.to_owned() + &signed(value, size)
+}
+
+/// Whether a number in words is zero.
+pub(super) fn is_zero(number: &str) -> bool {
+    !number.contains(|digit: char| ('1'..='9').contains(&digit))
 }
 
 /// Moves a size that lies in the middle of two decimal numbers up, as people round: the standard

@@ -277,7 +277,6 @@ fn what_cannot_be_built_or_asked_is_refused_in_one_line() {
         (r#"{ "sheet": [1e300, 1e300] }"#, ["build.sheet[0]", "expected at most 100000"]),
         (r#"{ "joint": 1e300 }"#, ["build.joint", "expected at most"]),
         (r#"{ "distance": -1e300 }"#, ["build.distance", "at most"]),
-        (r#"{ "sheet": [1e5, 1e5], "page": "a4" }"#, ["build.page", "at most 1000 pages"]),
     ] {
         folder.write("s.shapeup.json", scene(build));
         folder.run(&["build", "s.shapeup.json"]).refused(&words);

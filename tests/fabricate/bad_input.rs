@@ -244,7 +244,7 @@ fn an_edge_of_three_panels_has_the_names_of_the_others_and_is_mentioned() {
     let made = build(&mesh, &settings);
     let engraved = |build: &Build, k: usize| build.parts[k].engraved.len();
     // The name of each panel, and those of the two others.
-    assert_eq!((made.dropped_names, made.dropped_holes), (0, 0));
+    assert_eq!((made.left_out.dropped_names, made.left_out.dropped_holes), (0, 0));
     // However long the edge, no two of them lie opposite each other.
     let words = made.words(&made.report()).warnings;
     assert_eq!(words, ["6 holes are left out where panels do not meet one to one."]);
@@ -288,7 +288,7 @@ fn an_edge_without_length_has_no_holes() {
     let made = build(&mesh, &BuildSettings { hole: 3.0, ..BuildSettings::default() });
     assert_eq!(made.not_cut, []);
     assert!(made.parts.iter().all(|part| part.holes.is_empty()), "{:?}", made.parts[0].holes);
-    assert_eq!(made.dropped_holes, 0);
+    assert_eq!(made.left_out.dropped_holes, 0);
 }
 
 #[test]

@@ -259,7 +259,7 @@ fn without_an_outside_there_are_no_fins_and_it_says_so() {
 fn fins_have_a_hole_at_each_end_where_there_is_room() {
     let made = build(&cube(), &BuildSettings { hole: 5.0, ..settings() });
     let report = made.report();
-    assert_eq!((report.holes, report.dropped_holes), (24, 0));
+    assert_eq!((report.holes, report.left_out.dropped_holes), (24, 0));
     for part in &made.parts {
         let [p, q] = [part.holes[0].centre, part.holes[1].centre];
         // More than half a metre apart at 1:10, on the middle line of the fin.
@@ -278,7 +278,7 @@ fn fins_have_a_hole_at_each_end_where_there_is_room() {
         }
     }
     let none = build(&cube(), &BuildSettings { hole: 15.0, ..settings() }).report();
-    assert_eq!((none.holes, none.dropped_holes), (0, 24));
+    assert_eq!((none.holes, none.left_out.dropped_holes), (0, 24));
 }
 
 #[test]
@@ -288,7 +288,7 @@ fn the_nodes_of_a_fin_are_named_beyond_the_holes_at_its_ends() {
     };
     let [plain, drilled] = [0.0, 2.0].map(of);
     assert!(drilled.parts.iter().all(|part| part.holes.len() == 2));
-    assert_eq!([plain.small_names, drilled.small_names], [0, 0]);
+    assert_eq!([plain.left_out.small_names, drilled.left_out.small_names], [0, 0]);
     let letters = |name: &str| strokes(name, 1.0, [0.0; 2], [1.0, 0.0]).len();
     for part in plain.parts.iter().chain(&drilled.parts) {
         let nodes = part.name[1..].split('-').map(|node| letters(&format!("N{node}")));
@@ -363,7 +363,7 @@ fn the_name_of_a_fin_says_how_it_lies_and_what_it_makes_needless_is_not_missed()
         &BuildSettings { scale: 60.0, thickness: 0.5, distance: Some(0.12), ..settings() },
     );
     assert!(made.parts.len() > 100 && made.not_cut.is_empty());
-    assert_eq!(made.dropped_names, 0);
+    assert_eq!(made.left_out.dropped_names, 0);
     for part in made.parts.iter().filter(|part| part.named == NamePlace::OnPart) {
         let letters = strokes(&part.name, 1.0, [0.0; 2], [1.0, 0.0]);
         let [p, q] = [&part.engraved, &letters].map(|lines| {

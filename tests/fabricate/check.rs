@@ -191,7 +191,7 @@ fn circles_are_suggested_unless_another_part_cannot_be_exact_either_way() {
     for mesh in [beside(&wavy, &curved), beside(&curved, &wavy)] {
         let limits = CheckLimits { flatness: 1e9, ..CheckLimits::default() };
         let words = otherwise(&mesh, &BuildSettings { limits, ..own.clone() });
-        assert!(words.contains("with an odd number of edges"), "{words}");
+        assert!(words.contains("that have an odd number of edges"), "{words}");
     }
     // Axes close around triangles in one plane.
     for mesh in [beside(&wavy, &flat), beside(&flat, &wavy)] {

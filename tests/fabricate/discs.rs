@@ -184,11 +184,11 @@ fn a_disc_that_would_meet_something_of_another_part_of_the_surface_is_refused() 
 fn holes_at_the_ends_and_names_of_nodes_stay_beside_seats() {
     let own = BuildSettings { hole: 2.0, scale: 8.0, ..settings() };
     let report = build(&revolution(5, 4), &own).report();
-    assert_eq!((report.holes, report.dropped_holes), (2 * 49, 0));
+    assert_eq!((report.holes, report.left_out.dropped_holes), (2 * 49, 0));
     // With reliefs for the tool too, each fin names its nodes.
     let milled = BuildSettings { tool: 1.5, kerf: 1.5, gap: 5.0, ..own };
     let made = build(&revolution(5, 4), &milled);
-    assert_eq!(made.dropped_reliefs, 0);
+    assert_eq!(made.left_out.dropped_reliefs, 0);
     for part in made.parts.iter().filter(|part| part.name.starts_with('B')) {
         assert!(part.outline.len() > 12, "{}", part.name);
     }

@@ -197,7 +197,7 @@ fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides
     // Panels with room for all names.
     let mesh = grid(4, 3, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
     let made = build(&mesh, &BuildSettings { sheet: [900.0, 900.0], scale: 10.0, ..settings() });
-    assert_eq!((made.dropped_names, made.small_names), (0, 0));
+    assert_eq!((made.left_out.dropped_names, made.left_out.small_names), (0, 0));
     let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
     let mut named = 0;
     for (f, name) in made.names.iter().enumerate() {
@@ -398,7 +398,7 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
     let made = build(&mesh, &own);
     let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
     let report = made.report();
-    assert_eq!((report.holes, report.dropped_holes), (4 * inner, 0));
+    assert_eq!((report.holes, report.left_out.dropped_holes), (4 * inner, 0));
     for part in &made.parts {
         for hole in &part.holes {
             let outline = hole.outline();
@@ -438,7 +438,7 @@ fn holes_lie_opposite_each_other_and_nothing_is_written_over_them() {
     assert_eq!(closed.iter().filter(|(layer, _)| layer == "HOLE").count(), 4 * inner);
     // Panels that are too small have no holes, and the number of missing holes is reported.
     let small = build(&mesh, &BuildSettings { scale: 100.0, ..own }).report();
-    assert_eq!((small.holes, small.dropped_holes), (0, 4 * inner));
+    assert_eq!((small.holes, small.left_out.dropped_holes), (0, 4 * inner));
 }
 
 #[test]
@@ -474,7 +474,7 @@ fn a_part_on_no_sheet_is_neither_named_nor_drilled() {
     let made = build(&mesh, &BuildSettings { joint: 0.0, ..own });
     let report = made.report();
     assert_eq!((report.too_large, report.holes), (vec!["P0".to_owned(), "P2".to_owned()], 4));
-    assert_eq!((report.dropped_names, report.small_names), (0, 0));
+    assert_eq!((report.left_out.dropped_names, report.left_out.small_names), (0, 0));
     let table =
         texts(&made, ".csv").into_iter().find(|text| text.starts_with("name,type")).unwrap();
     let at = table.lines().next().unwrap().split(',').position(|name| name == "name_written");

@@ -289,9 +289,14 @@ fn folds_of_rounding_are_neither_ridges_nor_valleys() {
 
 #[test]
 fn without_tabs_none_is_missing() {
-    let own = BuildSettings { tab: 0.0, ..settings(Pieces::Strips) };
-    let report = build(&revolution(9, 7), &own).report().paper.unwrap();
-    assert_eq!((report.tabs, report.without_tab), (0, Vec::new()));
+    for (tab, are_low) in [(0.0, false), (1.9, true)] {
+        let made = build(&revolution(9, 7), &BuildSettings { tab, ..settings(Pieces::Strips) });
+        let report = made.report();
+        let warnings = made.words(&report).warnings;
+        let are_said_low = warnings.iter().any(|own| own == "Tabs lower than 2 mm are not made.");
+        let paper = report.paper.unwrap();
+        assert_eq!((paper.tabs, paper.without_tab, are_said_low), (0, Vec::new(), are_low));
+    }
 }
 
 #[test]

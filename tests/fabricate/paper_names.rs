@@ -46,7 +46,7 @@ fn names_lie_on_their_panels_and_their_tabs() {
     for print_inside in [false, true] {
         let made =
             build(&revolution(6, 4), &BuildSettings { print_inside, ..settings(Pieces::Nets) });
-        assert_eq!((made.dropped_names, made.small_names), (0, 0));
+        assert_eq!((made.left_out.dropped_names, made.left_out.small_names), (0, 0));
         for part in &made.parts {
             for &point in part.engraved.iter().flatten() {
                 assert!(contains(&part.outline, point), "{}", part.name);
@@ -59,7 +59,11 @@ fn names_lie_on_their_panels_and_their_tabs() {
 fn pieces_with_small_names_are_counted_and_not_their_panels() {
     let own = BuildSettings { scale: 80.0, ..settings(Pieces::Nets) };
     let made = build(&revolution(9, 7), &own);
-    assert!(made.small_names > 0 && made.small_names <= made.parts.len(), "{}", made.small_names);
+    assert!(
+        made.left_out.small_names > 0 && made.left_out.small_names <= made.parts.len(),
+        "{}",
+        made.left_out.small_names
+    );
 }
 
 #[test]

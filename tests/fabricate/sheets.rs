@@ -72,7 +72,7 @@ fn holes_are_narrower_by_the_kerf_and_are_cuts_too() {
     // Holes narrower than the kerf cannot be cut.
     let narrow = build(&mesh, &BuildSettings { hole: 0.5, ..plain });
     let report = narrow.report();
-    assert_eq!((report.holes, report.dropped_holes), (0, 4));
+    assert_eq!((report.holes, report.left_out.dropped_holes), (0, 4));
     let words = narrow.words(&report).warnings;
     assert!(
         words.contains(&"4 holes are left out: no wider than the kerf.".to_owned()),
@@ -134,7 +134,7 @@ fn a_panel_with_an_edge_shorter_than_the_joint_is_cut_without_it() {
     let found = area(outline);
     assert!((found - 990.0 * 990.0).abs() < 1e-6, "{found}");
     // The name of the neighbour is written, and holes are opposite each other.
-    assert_eq!(made.dropped_names, 0);
+    assert_eq!(made.left_out.dropped_names, 0);
     let with_holes = build(&mesh, &BuildSettings { hole: 8.0, ..own });
     assert!(with_holes.parts.iter().all(|part| part.holes.len() == 2));
 }
@@ -262,7 +262,7 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
     let made = build(&mesh, &BuildSettings { splice, ..own });
     let report = made.report();
     assert_eq!((report.too_large.len(), report.spliced, report.plates), (0, 1, 2));
-    assert_eq!((report.parts, report.placed, report.dropped_holes), (6, 6, 0));
+    assert_eq!((report.parts, report.placed, report.left_out.dropped_holes), (6, 6, 0));
     let words = made.words(&report);
     assert!(words.sheets.starts_with("6 parts on ") && words.sheets.ends_with("1 panel in pieces"));
     assert_eq!(words.advice, []);

@@ -221,8 +221,8 @@ fn a_name_beside_a_part_or_nowhere_is_not_a_small_name_on_it() {
     let own = BuildSettings { scale: 50.0, ..BuildSettings::default() };
     let made = build(&sliver, &own);
     let report = made.report();
-    assert_eq!((report.placed, report.small_names), (3, 0));
-    assert_eq!(report.dropped_names, 4);
+    assert_eq!((report.placed, report.left_out.small_names), (3, 0));
+    assert_eq!(report.left_out.dropped_names, 4);
 }
 
 #[test]

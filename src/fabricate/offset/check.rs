@@ -167,8 +167,8 @@ pub enum Inexact {
     Lean,
 }
 
-/// The distance errors, then the beam warps, of these axes (`#V`) above `tolerance`; of a vertex with several
-/// elements it may be there several times.
+/// The distance errors, then the beam warps, of these axes (`#V`) above `tolerance`; a vertex can occur once
+/// for each of its elements.
 pub(super) fn errors(
     surface: &PanelSurface,
     axes: &[Vec3<f64>],

@@ -118,15 +118,3 @@ pub struct Choice {
     /// The distance error in mm of the building.
     pub distance_error_mm: f64,
 }
-
-impl Choice {
-    /// The errors of these axes; `building` is in mm of the building per unit of the mesh.
-    pub(in crate::fabricate) fn of(axes: &Axes, check: &OffsetCheck, building: f64) -> Choice {
-        Choice {
-            kind: axes.kind,
-            exact: axes.inexact.is_empty(),
-            warp_mm: check.warp * building,
-            distance_error_mm: check.distance_error * building,
-        }
-    }
-}

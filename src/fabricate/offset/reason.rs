@@ -103,7 +103,7 @@ impl Reason {
             Reason::OddPanels(panels) => {
                 let panels = words::count(panels, "panel", "panels");
                 return format!(
-                    "the axes do not close around {panels}, with an odd number of edges"
+                    "the axes do not close around {panels} that have an odd number of edges"
                 );
             }
             Reason::PanelTurn(panel, turn) => {

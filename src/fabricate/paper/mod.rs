@@ -15,7 +15,7 @@ pub use drawn::{MissingNames, drawn, write_names};
 pub use facet::{Facet, FacetSide, FoldKind, Joint};
 pub use net::PaperNet;
 pub use plane::Motion;
-pub use tab::Tab;
+pub use tab::{LEAST_TAB, Tab};
 pub use thickness::{Card, Uneven};
 
 use crate::fabricate::boxes::Boxes;
@@ -123,21 +123,20 @@ impl PaperModel {
         }
     }
 
-    /// Whether each facet of a model of this size has room on a sheet, as then every piece has: a piece
-    /// that has none is a single facet.
-    pub fn has_room(surface: &PanelSurface, flat: &[Option<FlatPanel>], size: PaperSize) -> bool {
-        let (mut facets, mut joints, _) = facets(surface, flat, size.model);
-        size.card.cut_back(surface, &mut facets, &mut joints);
-        facets.iter().all(|facet| lies_on(&facet.corners, size.room))
-    }
-
-    /// The number of panels with facets of all of which the folds of a model of this size leave something.
-    pub fn made(surface: &PanelSurface, flat: &[Option<FlatPanel>], size: PaperSize) -> usize {
+    /// The number of panels of which the folds of a model of this size leave an inner face of every facet,
+    /// and whether each facet has room on a sheet. Then every piece has: facets are joined only where they
+    /// have room together.
+    pub fn made(
+        surface: &PanelSurface,
+        flat: &[Option<FlatPanel>],
+        size: PaperSize,
+    ) -> (usize, bool) {
         let (mut facets, mut joints, _) = facets(surface, flat, size.model);
         let too_thick = size.card.cut_back(surface, &mut facets, &mut joints).too_thick;
         let panels = |own: &mut dyn Iterator<Item = &Facet>| distinct(own.map(|f| f.panel)).len();
         let lost = panels(&mut too_thick.iter().map(|&f| &facets[f as usize]));
-        panels(&mut facets.iter()) - lost
+        let has_room = facets.iter().all(|facet| lies_on(&facet.corners, size.room));
+        (panels(&mut facets.iter()) - lost, has_room)
     }
 
     /// The tab on a side.

@@ -10,7 +10,7 @@ use crate::math::cosine_and_sine_of_degrees;
 use crate::math::plane::{Point2, bounds, distance, is_inside};
 
 /// Smallest useful height of a tab, in mm.
-const LEAST: f64 = 2.0;
+pub const LEAST_TAB: f64 = 2.0;
 /// Largest angle at its base, in degrees.
 const STEEPEST: f64 = 45.0;
 /// Shortest side away from the piece, as a fraction of the edge.
@@ -32,7 +32,7 @@ pub struct Tab {
 
 /// The highest tab of at most `most` mm on a side of an outline that keeps clear of the convex
 /// counterclockwise polygons `taken`, and of all of its piece. None at the rim, or if it would be lower
-/// than [`LEAST`].
+/// than [`LEAST_TAB`].
 pub(super) fn tab(
     net: &PaperNet,
     side: FacetSide,
@@ -72,7 +72,7 @@ pub(super) fn tab(
     });
     let of_piece = net.near(net.piece_of[side.0 as usize], around(net, side, most));
     let mut height = most.min((1.0 - TOP) * length / (slopes[0] + slopes[1]));
-    while height >= LEAST {
+    while height >= LEAST_TAB {
         let top = |from: Point2, shift: f64| {
             [0, 1].map(|x| from[x] + shift * along[x] + height * outwards[x])
         };

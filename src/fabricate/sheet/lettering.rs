@@ -56,8 +56,40 @@ fn glyph(letter: char) -> &'static [&'static str] {
         ':' => &["2122", "2425"],
         '/' => &["0046"],
         '%' => &["0046", "0616150506", "3141403031"],
+        '(' => &["36252130"],
+        ')' => &["16252110"],
+        '[' => &["36161030"],
+        ']' => &["16363010"],
+        '_' => &["0040"],
+        '#' => &["1016", "3036", "0242", "0444"],
+        '&' => &["4014152635340201102042"],
+        '\'' => &["2624"],
+        '"' => &["1614", "3634"],
+        '!' => &["2622", "2021"],
+        '?' => &["05163645442322", "2021"],
         _ => &[],
     }
+}
+
+/// Letters with strokes, each before those instead of which it is written.
+const INSTEAD: &str = "A:ÀÁÂÃÄÅĀĂĄ C:ÇĆĈĊČ D:ÐĎĐ E:ÈÉÊËĒĔĖĘĚ G:ĜĞĠĢ H:ĤĦ I:ÌÍÎÏĨĪĬĮİ J:Ĵ K:Ķ L:ĹĻĽĿŁ \
+    N:ÑŃŅŇŊ O:ÒÓÔÕÖØŌŎŐ R:ŔŖŘ S:ŚŜŞŠȘ T:ŢŤŦȚ U:ÙÚÛÜŨŪŬŮŰŲ W:Ŵ Y:ÝŶŸ Z:ŹŻŽ AE:Æ OE:Œ TH:Þ X:× -:–—";
+
+/// A text in capitals that have strokes: base letters instead of accented ones, and `?` instead of what
+/// has neither.
+pub fn in_capitals(text: &str) -> String {
+    let mut written = String::new();
+    let instead = || INSTEAD.split(' ').filter_map(|own| own.split_once(':'));
+    for letter in text.chars().flat_map(char::to_uppercase) {
+        match instead().find(|(_, others)| others.contains(letter)) {
+            Some((base, _)) => written += base,
+            None if letter.is_whitespace() => written.push(' '),
+            // An accent after its letter.
+            None if ('\u{300}'..='\u{36f}').contains(&letter) => {}
+            None => written.push(if glyph(letter).is_empty() { '?' } else { letter }),
+        }
+    }
+    written
 }
 
 /// The width of a line of text of this height.
@@ -97,7 +129,7 @@ mod tests {
 
     #[test]
     fn every_letter_has_strokes_of_two_points_inside_its_cell_and_its_own_shape() {
-        let letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+.,:/%";
+        let letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+.,:/%()[]_#&'\"!?";
         for letter in letters.chars() {
             let found = strokes(&letter.to_string(), 6.0, [2.0, 3.0], [1.0, 0.0]);
             assert!(!found.is_empty(), "{letter}");
@@ -110,6 +142,16 @@ mod tests {
             let twin =
                 letters.chars().find(|&other| other != letter && glyph(other) == glyph(letter));
             assert_eq!(twin, None, "{letter}");
+        }
+    }
+
+    #[test]
+    fn no_letter_of_a_text_is_left_out() {
+        let written = ["Sperrholz für Möbel, groß", "Łódź [2] – A\u{30a}", "Χαρτί\t3 × 4"];
+        let expected = ["SPERRHOLZ FUR MOBEL, GROSS", "LODZ [2] - A", "????? 3 X 4"];
+        assert_eq!(written.map(in_capitals), expected);
+        for (base, _) in INSTEAD.split(' ').filter_map(|own| own.split_once(':')) {
+            assert_eq!(in_capitals(base), base);
         }
     }
 

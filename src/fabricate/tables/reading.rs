@@ -1,7 +1,7 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 26] = [
+const READING: [(&str, &str); 28] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -9,6 +9,7 @@ const READING: [(&str, &str); 26] = [
         "each side moved inwards by half the joint, outwards by half the kerf; reliefs for the tool added",
     ),
     ("panels.csv nodes", "counterclockwise seen from outside, from the edge at the arrow"),
+    ("panels.csv order", "of assembly, from the supports upwards"),
     ("panels.csv corners", "of the whole panel, also for a piece; nodes too"),
     (
         "panels.csv x_sheet_mm",
@@ -35,6 +36,7 @@ const READING: [(&str, &str); 26] = [
     ("names at slots of discs", "the node that the fin leads to"),
     ("discs.csv x_sheet_mm", "of the axis of its node; with y_sheet_mm"),
     ("discs.csv turn_deg", "direction of the first beam in node-beams.csv, on the sheet"),
+    ("pieces.csv order", "of assembly, from the supports upwards: of the first of its panels"),
     ("pieces.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
     ("joins.csv fold", "seen from outside; a tab is folded as its edge is"),
     (

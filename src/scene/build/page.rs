@@ -17,15 +17,6 @@ pub enum Page {
 }
 
 impl Page {
-    /// Its identifier in files and on the command line.
-    pub fn id(self) -> &'static str {
-        match self {
-            Page::Sheet => "sheet",
-            Page::A4 => "a4",
-            Page::A3 => "a3",
-        }
-    }
-
     /// Its shorter and its longer side in mm; none for the size of the sheet.
     pub fn size(self) -> Option<[f64; 2]> {
         match self {

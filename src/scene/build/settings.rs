@@ -1,7 +1,7 @@
 //! The settings of a build: scale, sheet, joint, distance.
 
 use super::choice::{Dxf, Fold, Names, OffsetKind, Order, Pieces, Product};
-use super::page::{Page, Tiling};
+use super::page::Page;
 use crate::json::{fixed, object, word, word_or_null};
 use serde::{Deserialize, Serialize};
 
@@ -151,9 +151,6 @@ impl Default for BuildSettings {
     }
 }
 
-/// Largest number of pages that a sheet is tiled to.
-const MOST_PAGES: u64 = 1000;
-
 impl BuildSettings {
     /// Checks that every number is finite and in its range.
     ///
@@ -168,15 +165,6 @@ impl BuildSettings {
                 "found {margin}, expected less than half of each side of the sheet ({width} x {height} mm)"
             );
             return Err(("margin", message));
-        }
-        let pages = Tiling::of(self.sheet, self.page.size()).count();
-        if pages > MOST_PAGES {
-            let [width, height] = self.sheet;
-            let message = format!(
-                "found {:?}, on {pages} of which a sheet of {width} x {height} mm is printed, expected at most {MOST_PAGES} pages for a sheet",
-                self.page.id()
-            );
-            return Err(("page", message));
         }
         Ok(())
     }
