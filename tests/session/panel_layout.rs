@@ -339,6 +339,28 @@ fn selected_faces_stay_as_they_are() {
     assert!(session.panel_layouts(&[1000]).is_err());
 }
 
+/// The copy that the staying face keeps lost them.
+#[test]
+fn where_faces_that_stay_meet_the_boundary_both_vertices_keep_handle_and_set() {
+    let scene = r#"
+        "sets": { "eave": { "vertices": [0, 11, 22] } },
+        "handles": [ { "vertices": [11], "fixed": true } ]"#;
+    let mut session = open(scene, vault(10, false));
+    let at = session.positions()[11];
+    let kept: Vec<u32> = (0..20).collect();
+    let mut layouts = session.panel_layouts(&kept).expect("a surface");
+    let settings = LayoutSettings { count: Some(80), ..USUAL };
+    let layout = layouts.lay_out(&settings, &mut |_, _| true).expect("the others are covered");
+    assert!(session.take_panels(session.generation(), &layout.mesh).expect("it can be solved"));
+    let positions = session.positions();
+    let there = (0..).zip(positions).filter(|(_, position)| *position == at);
+    let there: Vec<u32> = there.map(|(v, _)| v).collect();
+    let held: Vec<u32> = session.solver().handles().iter().map(|handle| handle.vertex).collect();
+    assert_eq!((there.len(), &held), (2, &there));
+    let eave = &session.document().sets["eave"].vertices;
+    assert!(there.iter().all(|v| eave.contains(v)), "{eave:?}");
+}
+
 /// The corners of all faces.
 fn corners(mesh: &Mesh) -> Vec<Vec<Point>> {
     let of = |face: &[u32]| face.iter().map(|&v| mesh.positions[v as usize]).collect();
