@@ -137,16 +137,15 @@ impl Remesher {
             }
             let asked = Asked { mesh, options, wanted: surface.area() / (size * size) };
             let mut cover = |place: &mut Option<GridMapper>, longest_loop: f64| {
-                let mut mapper = match place.take() {
+                let mapper = match place {
                     Some(mapper) => mapper,
-                    None => GridMapper::new(surface.prepare(longest_loop, size, options)?),
+                    none => none.insert(GridMapper::new(surface.prepare(
+                        longest_loop,
+                        size,
+                        options,
+                    )?)),
                 };
-                let part = asked.part(&mut mapper, &mut of_part);
-                // After other errors it may be unfinished.
-                if matches!(part, Ok(_) | Err(RemeshError::NotFollowed { .. })) {
-                    *place = Some(mapper);
-                }
-                part
+                asked.part(mapper, &mut of_part)
             };
             let mut found = cover(first, SHORTEST_LOOP);
             if let Err(RemeshError::NotFollowed { .. } | RemeshError::TooManyOpenings) = found
