@@ -1,6 +1,6 @@
 //! The whole way from a prepared surface to an integer-grid map, with retries (sections 4.3 to 4.8 of
-//! `reference/quads.md`): creases nearer to each other than a panel are dropped, and when triangles stay flipped
-//! at all scales, the field follows less of the curvature.
+//! `reference/quads.md`): creases nearer to each other than a panel are dropped, and when triangles
+//! stay flipped at all scales, the field follows less of the curvature.
 
 use super::relaxed::{Attempt, Field, Found, Relaxed};
 use super::snap::snap;

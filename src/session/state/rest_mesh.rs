@@ -122,7 +122,8 @@ impl RestMesh {
     }
 
     /// Returns the surface of `target` if the rest mesh is made of panels on it: all vertices of its
-    /// edges lie there, but those of curves beside its faces. Such a mesh is judged by that surface, not by its own.
+    /// edges lie there, but those of curves beside its faces. Such a mesh is judged by that surface, not
+    /// by its own.
     pub(crate) fn original(&self, target: Option<&Rc<Mesh>>) -> Option<Rc<Surface>> {
         let target = target?;
         let mut known = self.original.borrow_mut();
