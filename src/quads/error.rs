@@ -71,8 +71,6 @@ pub enum RemeshError {
         /// What was wrong with the first attempt.
         fault: ResultFault,
     },
-    /// The observer asked to stop.
-    Cancelled,
 }
 
 impl RemeshError {
@@ -99,7 +97,6 @@ impl RemeshError {
                 | RemeshError::Unplaced
                 | RemeshError::Tetrahedra
                 | RemeshError::SizeTooSmall { .. }
-                | RemeshError::Cancelled
         )
     }
 }
@@ -170,7 +167,6 @@ impl RemeshError {
                     "panels of this size cannot follow the surface ({fault}): expected smaller panels"
                 )
             }
-            RemeshError::Cancelled => "cancelled".to_owned(),
         }
     }
 }

@@ -126,15 +126,10 @@ impl Remesher {
             boundary: options.boundary,
             mappers: surfaces.iter().map(|_| [None, None]).collect(),
         });
-        let count = surfaces.len() as f64;
         let mut parts = Vec::new();
         let mut staying_parts = self.staying_parts.clone();
-        for (k, (surface, [first, longer])) in surfaces.iter().zip(&mut kept.mappers).enumerate() {
-            let mut of_part =
-                |stage: RemeshStage, share: f64| observer(stage, (k as f64 + share) / count);
-            if !of_part(RemeshStage::Prepare, 0.0) {
-                return Err(RemeshError::Cancelled);
-            }
+        for (surface, [first, longer]) in surfaces.iter().zip(&mut kept.mappers) {
+            observer(RemeshStage::Prepare);
             let asked = Asked { mesh, options, wanted: surface.area() / (size * size) };
             let mut cover = |place: &mut Option<GridMapper>, longest_loop: f64| {
                 let mapper = match place {
@@ -145,16 +140,13 @@ impl Remesher {
                         options,
                     )?)),
                 };
-                asked.part(mapper, &mut of_part)
+                asked.part(mapper, observer)
             };
             let mut found = cover(first, SHORTEST_LOOP);
             if let Err(RemeshError::NotFollowed { .. } | RemeshError::TooManyOpenings) = found
                 && surface.covers_more([SHORTEST_LOOP, LONGER_LOOP].map(|panels| panels * size))
             {
-                let over = cover(longer, LONGER_LOOP);
-                if matches!(over, Ok(_) | Err(RemeshError::Cancelled)) {
-                    found = over;
-                }
+                found = cover(longer, LONGER_LOOP).or(found);
             }
             match found {
                 Ok(part) => parts.push(part),
@@ -169,9 +161,7 @@ impl Remesher {
         {
             return Err(worst.error.clone());
         }
-        if !observer(RemeshStage::Verify, 1.0) {
-            return Err(RemeshError::Cancelled);
-        }
+        observer(RemeshStage::Verify);
         // Of a face that touches itself, triangles can be in two parts.
         let mut stays = vec![false; mesh.faces.len()];
         let all = staying_parts.iter().flat_map(|part| &part.faces).chain(&self.stay).copied();

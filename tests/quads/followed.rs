@@ -168,7 +168,7 @@ fn what_was_asked_before_changes_nothing() {
     ];
     let mut remesher = Remesher::new(&mesh).unwrap();
     for options in asked {
-        let found = remesher.remesh(&options, "m", &mut |_, _| true).unwrap();
+        let found = remesher.remesh(&options, "m", &mut |_| ()).unwrap();
         assert_eq!(found.mesh, with(&mesh, options).unwrap().mesh, "{options:?}");
     }
 }

@@ -96,7 +96,7 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
     output::check(asked.out.iter().chain(&asked.report))?;
     scene.validate(&mesh).map_err(|error| input::at(&asked.input)(error.into()))?;
     let load = clock::now() - started;
-    let found = remesh(&mesh, &asked.options, &scene.units, &mut |_, _| true);
+    let found = remesh(&mesh, &asked.options, &scene.units, &mut |_| ());
     let found = found
         .map_err(|error| Failure::Input(format!("{path}: {}", refusal(&error, &scene.units))))?;
     let seconds = Seconds { load, total: clock::now() - started };
