@@ -8,6 +8,7 @@ use super::surface::{Opening, StayingPart};
 use crate::math::{Vec3, mean};
 use crate::mesh::{Mesh, Point, Surface};
 use crate::words;
+use serde::Serialize;
 
 /// A mesh of quads along the lines of curvature of another mesh.
 #[derive(Clone, Debug)]
@@ -26,12 +27,18 @@ pub struct Remeshed {
 }
 
 /// A sentence about a result, with the places that it names.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RemeshNote {
     /// The sentence.
     pub words: String,
     /// In the unit of the mesh; empty if it concerns the whole.
-    pub places: Vec<Vec3<f64>>,
+    pub places: Vec<Point>,
+}
+
+impl RemeshNote {
+    fn new(words: String, places: impl IntoIterator<Item = Vec3<f64>>) -> RemeshNote {
+        RemeshNote { words, places: places.into_iter().map(Point::from).collect() }
+    }
 }
 
 /// Input vertices farther than this many panels from the result are not followed.
@@ -123,7 +130,7 @@ pub(super) fn notes_on(staying: &[StayingPart], units: &str) -> Vec<RemeshNote> 
         let small = if why.is_empty() { "small " } else { "" };
         let parts = words::count(count, &format!("{small}part"), &format!("{small}parts"));
         let stay = if count == 1 { "stays as it is" } else { "stay as they are" };
-        RemeshNote { words: format!("{parts} {stay}{why}"), places }
+        RemeshNote::new(format!("{parts} {stay}{why}"), places)
     };
     notes.into_iter().map(note).collect()
 }
@@ -142,7 +149,7 @@ pub(super) fn note_on_left_out(input: &Mesh, faces: &[u32], size: f64) -> Option
         count => format!("{} faces are left out, since they have", words::group_digits(count)),
     };
     let words = format!("{has} a vertex with a coordinate in the file that is not a number");
-    Some(RemeshNote { words, places: places(&middles, NEAR * size) })
+    Some(RemeshNote::new(words, places(&middles, NEAR * size)))
 }
 
 /// Names the places that the panels cannot follow, and the size of panels that would, unless it is below
@@ -171,7 +178,7 @@ fn not_followed(
     };
     let takes = takes(follows, least, units);
     let words = format!("{count} smaller than a panel: to follow {them} {takes}");
-    Some(RemeshNote { words, places })
+    Some(RemeshNote::new(words, places))
 }
 
 /// Says what panels of the side `size` take, unless it is below `least`.
@@ -198,7 +205,7 @@ fn covered(parts: &[Part], least: f64, units: &str) -> Option<RemeshNote> {
             )
         }
     };
-    Some(RemeshNote { words, places: openings.iter().map(|opening| opening.at).collect() })
+    Some(RemeshNote::new(words, openings.iter().map(|opening| opening.at)))
 }
 
 /// Names the places with creases that are not followed.
@@ -214,7 +221,7 @@ fn dropped(parts: &[Part]) -> Option<RemeshNote> {
             words::group_digits(count)
         ),
     };
-    Some(RemeshNote { words, places })
+    Some(RemeshNote::new(words, places))
 }
 
 /// The size of panels along which the surface turns by [`TURN`], at that of some places where it turns

@@ -91,7 +91,7 @@ fn panels_run_over_openings_that_are_too_short_for_them() {
             let note =
                 found.notes.iter().find(covered).unwrap_or_else(|| panic!("{:?}", found.notes));
             let centre = mesh.positions[220];
-            let off = (note.places[0] - Vec3::from(centre)).length();
+            let off = (Vec3::from(note.places[0]) - Vec3::from(centre)).length();
             assert!(off < 0.3, "{name}: {off}");
         }
     }

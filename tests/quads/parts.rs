@@ -204,7 +204,7 @@ fn a_part_that_cannot_be_covered_stays_as_it_is_and_is_named() {
     assert!(words.contains(&"2 small parts stay as they are"), "{words:?}");
     let large = words.iter().find(|words| words.starts_with("1 part stays as it is: "));
     assert!(large.is_some_and(|words| words.contains("too large")), "{words:?}");
-    let far = |point: &Vec3<f64>| point.x > 30.0;
+    let far = |point: &Point| point[0] > 30.0;
     assert!(found.notes.iter().all(|note| note.places.iter().all(far)));
 
     // A face whose two halves touch in one place: it was there twice.
@@ -313,7 +313,7 @@ fn faces_at_a_vertex_without_a_position_are_left_out_and_said() {
     let note = found.notes.iter().find(|note| note.words.contains("not a number")).unwrap();
     let said = format!("{} faces are left out, since they have a vertex", stay.len());
     assert!(note.words.starts_with(&said), "{}", note.words);
-    assert!((note.places[0] - Vec3::from(at)).length() < 1.0, "{:?}", note.places);
+    assert!((Vec3::from(note.places[0]) - Vec3::from(at)).length() < 1.0, "{:?}", note.places);
     // Asked to stay, they do.
     let mut remesher = Remesher::beside(&mesh, &stay).unwrap();
     let options = MapOptions::of_size(PanelSize::Length(2.0));
@@ -344,7 +344,10 @@ fn creases_that_are_dropped_are_named() {
     let note = found.notes.iter().find(dropped).expect("some are");
     let surface = Surface::new(&mesh.positions, &mesh);
     for &place in &note.places {
-        let foot = surface.closest(place.into(), &mut Surface::NO_HINT.clone());
-        assert!((place - Vec3::from(foot)).length() < found.measures.edge.mean, "{place:?}");
+        let foot = surface.closest(place, &mut Surface::NO_HINT.clone());
+        assert!(
+            (Vec3::from(place) - Vec3::from(foot)).length() < found.measures.edge.mean,
+            "{place:?}"
+        );
     }
 }
