@@ -32,23 +32,8 @@ pub struct Remesher {
     left_out: Vec<u32>,
     /// The last of each choice at the boundary: both are asked for in turn.
     kept: Vec<Kept>,
-    /// What the last result was measured against.
-    measured: Option<Measured>,
-}
-
-/// The input without the faces that stay or are left out.
-struct Measured {
-    staying: Vec<u32>,
-    mesh: Mesh,
-    surface: Surface,
-}
-
-impl Measured {
-    fn new(input: &Mesh, staying: &[u32], left_out: &[u32]) -> Measured {
-        let mesh = input.without_faces(&[staying, left_out].concat());
-        let surface = Surface::of_polygons(&mesh.positions, &mesh);
-        Measured { staying: staying.to_vec(), mesh, surface }
-    }
+    /// The mesh without the faces that are left out, with its surface: what results are measured against.
+    measured: (Mesh, Surface),
 }
 
 /// The maps of all parts for panels of one size.
@@ -91,7 +76,9 @@ impl Remesher {
         let area = surfaces.iter().map(InputSurface::area).sum();
         // Curves are not covered.
         let mesh = Mesh { unplaced: mesh.unplaced.clone(), ..mesh.without_faces(&[]) };
-        let (kept, measured) = (Vec::new(), None);
+        let input = mesh.without_faces(&left_out);
+        let surface = Surface::of_polygons(&input.positions, &input);
+        let (kept, measured) = (Vec::new(), (input, surface));
         Ok(Remesher { mesh, surfaces, area, staying_parts, stay, left_out, kept, measured })
     }
 
@@ -168,12 +155,8 @@ impl Remesher {
         let staying: Vec<u32> =
             all.filter(|&face| !std::mem::replace(&mut stays[face as usize], true)).collect();
         let cuts = options.boundary == Boundary::Cut;
-        let last = self.measured.take().filter(|measured| measured.staying == staying);
-        let measured = last.unwrap_or_else(|| Measured::new(mesh, &staying, &self.left_out));
-        let input = (&measured.mesh, &measured.surface);
-        let mut found = together(input, parts, cuts, SUGGESTED * least, units);
-        self.measured = Some(measured);
-        found.append(mesh, &staying);
+        let staying = (&*mesh, &staying[..]);
+        let mut found = together(&self.measured, parts, staying, cuts, SUGGESTED * least, units);
         found.notes.extend(notes_on(&staying_parts, units));
         found.notes.extend(note_on_left_out(mesh, &self.left_out, size));
         self.kept.push(kept);

@@ -51,11 +51,12 @@ const TURN: f64 = 1.0;
 /// quarter by more than rounding takes.
 const SHORT: f64 = 0.2;
 
-/// One mesh of all parts, measured and described; the input is given with its surface. No size of
-/// panels below `least` is suggested.
+/// One mesh of all parts and of faces of a mesh that stay, measured and described; the input is given
+/// with its surface. No size of panels below `least` is suggested.
 pub(super) fn together(
-    (input, surface): (&Mesh, &Surface),
+    (input, surface): &(Mesh, Surface),
     parts: Vec<Part>,
+    (with_staying, staying): (&Mesh, &[u32]),
     cuts: bool,
     least: f64,
     units: &str,
@@ -71,6 +72,7 @@ pub(super) fn together(
         }
         tally.add(&part.positions, &part.faces, &part.samples, part.size, cuts);
     }
+    append(&mut mesh, with_staying, staying);
     let distances = Distances::between(&mesh, input, surface);
     let mut notes = Vec::new();
     notes.extend(not_followed(&parts, input, &distances, least, units));
@@ -82,30 +84,23 @@ pub(super) fn together(
         parts.iter().map(|part| part.shape.euler).sum(),
     );
     let level = parts.iter().map(|part| part.level).max().unwrap_or(0);
-    Remeshed { mesh, staying: 0, measures, level, notes }
+    Remeshed { mesh, staying: staying.len(), measures, level, notes }
 }
 
-impl Remeshed {
-    /// Appends faces of the input as they are.
-    pub(super) fn append(&mut self, input: &Mesh, faces: &[u32]) {
-        let mut name = vec![u32::MAX; input.positions.len()];
-        for &face in faces {
-            let corners: Vec<u32> = input
-                .faces
-                .row(face as usize)
-                .iter()
-                .map(|&v| {
-                    let own = &mut name[v as usize];
-                    if *own == u32::MAX {
-                        *own = self.mesh.positions.len() as u32;
-                        self.mesh.positions.push(input.positions[v as usize]);
-                    }
-                    *own
-                })
-                .collect();
-            self.mesh.faces.push(&corners);
-        }
-        self.staying = faces.len();
+/// Appends faces of the input as they are.
+fn append(mesh: &mut Mesh, input: &Mesh, faces: &[u32]) {
+    let mut name = vec![u32::MAX; input.positions.len()];
+    for &face in faces {
+        let corner = |&v: &u32| {
+            let own = &mut name[v as usize];
+            if *own == u32::MAX {
+                *own = mesh.positions.len() as u32;
+                mesh.positions.push(input.positions[v as usize]);
+            }
+            *own
+        };
+        let corners: Vec<u32> = input.faces.row(face as usize).iter().map(corner).collect();
+        mesh.faces.push(&corners);
     }
 }
 
