@@ -63,7 +63,7 @@ pub use lane::{LANES, Lane, Lanes, Pair};
 pub use limited_memory::{LimitedMemory, add_scaled, inner_product};
 pub use nearest_points::{Cells, NearestPoints};
 pub use orthogonal_pair::OrthogonalPair;
-pub use polygon::{plane_frame, polygon_corners, polygon_sides, twice_vector_area};
+pub use polygon::{plane_frame, polygon_corners, polygon_sides, twice_vector_area, visits_twice};
 pub use principal::PrincipalAxes;
 pub use product::{
     pair_with_product, pair_with_product_robust, triple_with_product, triple_with_product_robust,

@@ -15,6 +15,19 @@ pub fn polygon_corners<T: Copy>(corners: &[T]) -> impl Iterator<Item = [T; 3]> +
     (0..n).map(move |k| [corners[(k + n - 1) % n], corners[k], corners[(k + 1) % n]])
 }
 
+/// Corners of polygons with at most this many are compared with each other.
+const FEW_CORNERS: usize = 32;
+
+/// Whether a polygon visits a corner twice.
+pub fn visits_twice<T: Copy + Ord>(corners: &[T]) -> bool {
+    if corners.len() <= FEW_CORNERS {
+        return (1..corners.len()).any(|k| corners[..k].contains(&corners[k]));
+    }
+    let mut sorted = corners.to_vec();
+    sorted.sort_unstable();
+    sorted.windows(2).any(|pair| pair[0] == pair[1])
+}
+
 /// Twice the vector area of a polygon, flat or not: the sum over the triangles `(p0, pk, pk+1)`.
 /// For a flat polygon it is normal to the plane, and its length is twice the area.
 pub fn twice_vector_area(corners: impl IntoIterator<Item = Vec3<f64>>) -> Vec3<f64> {

@@ -40,7 +40,8 @@ pub use crate::math::Ragged;
 pub(crate) use body::{Body, at_vertices};
 pub use bounds::{BoundingSphere, LARGEST_COORDINATE, diagonal, first_out_of_range};
 pub use closest::{
-    BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, Polyline, Surface,
+    BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, FaceTriangle, Polyline,
+    Surface,
 };
 pub(crate) use coincident::first_of_group;
 pub use curvature::{

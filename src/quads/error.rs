@@ -71,8 +71,6 @@ pub enum RemeshError {
         /// What was wrong with the first attempt.
         fault: ResultFault,
     },
-    /// The observer asked to stop.
-    Cancelled,
 }
 
 impl RemeshError {
@@ -99,7 +97,6 @@ impl RemeshError {
                 | RemeshError::Unplaced
                 | RemeshError::Tetrahedra
                 | RemeshError::SizeTooSmall { .. }
-                | RemeshError::Cancelled
         )
     }
 }
@@ -116,7 +113,7 @@ impl RemeshError {
             RemeshError::Empty => "there are no faces with an area".to_owned(),
             RemeshError::AllStay => "all faces with an area are to stay as they are".to_owned(),
             RemeshError::Unplaced => {
-                "no face to be covered has an area and numbers for all its coordinates in the file"
+                "all faces to be covered have no area, or a vertex with a coordinate in the file that is not a number"
                     .to_owned()
             }
             RemeshError::Tetrahedra => "the mesh has tetrahedra, expected a surface".to_owned(),
@@ -170,7 +167,6 @@ impl RemeshError {
                     "panels of this size cannot follow the surface ({fault}): expected smaller panels"
                 )
             }
-            RemeshError::Cancelled => "cancelled".to_owned(),
         }
     }
 }

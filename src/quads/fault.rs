@@ -60,7 +60,7 @@ impl fmt::Display for ResultFault {
             }
             ResultFault::Loops { expected, found } => {
                 let [found, expected] = [found, expected].map(|count| group_digits(*count));
-                write!(f, "there are {found} boundary loops instead of {expected}")
+                write!(f, "the new mesh would have {found} boundary loops instead of {expected}")
             }
             // The numbers would mean nothing to most readers.
             ResultFault::Euler { .. } | ResultFault::Parts { .. } => {

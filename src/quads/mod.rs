@@ -4,7 +4,7 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `grid_map` | the triangulated surface and the integer-grid map, in fixed point |
-//! | `options` | settings, stages, observer |
+//! | `options` | settings, stages |
 //! | `error`, `fault` | why a surface cannot be remeshed, and what is wrong with a result |
 //! | `system` | sparse systems with some unknowns given |
 //! | `surface` | the input prepared: refined, with features |

@@ -96,5 +96,5 @@ impl RemeshStage {
     }
 }
 
-/// Told the stage and the fraction of it that is done; returns whether to go on.
-pub type RemeshObserver<'a> = dyn FnMut(RemeshStage, f64) -> bool + 'a;
+/// Told each stage as it begins, perhaps several times.
+pub type RemeshObserver<'a> = dyn FnMut(RemeshStage) + 'a;

@@ -8,7 +8,7 @@ use super::map::{GridMapper, MapNotes};
 use super::repair::{Repaired, repair, trim};
 use super::result::{Samples, Shape, verify};
 use super::surface::{PrepareNotes, Prepared};
-use super::{Boundary, MapOptions, RemeshError, RemeshObserver, RemeshStage};
+use super::{Boundary, MapOptions, RemeshError, RemeshObserver};
 use crate::math::{Vec3, mean, twice_vector_area};
 use crate::mesh::{Measures, Mesh, Point, Ragged};
 use std::collections::BTreeMap;
@@ -63,13 +63,8 @@ impl Asked<'_> {
         let MapOptions { follow, direction, .. } = *self.options;
         let mut best: Option<(Part, MapNotes)> = None;
         let mut fault: Option<ResultFault> = None;
-        let mapped = mapper.maps(
-            [follow, direction, self.wanted],
-            observer,
-            &mut |prepared, map, notes, observer| {
-                if !observer(RemeshStage::Extract, 0.0) {
-                    return Err(RemeshError::Cancelled);
-                }
+        let mapped =
+            mapper.maps([follow, direction, self.wanted], observer, &mut |prepared, map, notes| {
                 let level = notes.level;
                 let mut is_whole = false;
                 match self.result(prepared, &map, &notes) {
@@ -84,14 +79,11 @@ impl Asked<'_> {
                     Err(first) => fault = fault.or(Some(first)),
                 }
                 let is_late = best.is_some() && level >= LAST_RETRY;
-                Ok(!is_whole && !is_late)
-            },
-        );
+                !is_whole && !is_late
+            });
         // What a later level fails at takes nothing from what was found.
-        if let Err(error) = mapped
-            && (best.is_none() || error == RemeshError::Cancelled)
-        {
-            return Err(error);
+        if best.is_none() {
+            mapped?;
         }
         let Some((mut best, notes)) = best else {
             return Err(RemeshError::NotFollowed { fault: fault.expect("a map failed") });
@@ -99,11 +91,10 @@ impl Asked<'_> {
         let dropped = notes.dropped_creases;
         let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS_VARIED;
         if notes.level == 0 && notes.flipped.is_empty() && is_small {
-            for (k, factor) in NUMBERS.into_iter().enumerate() {
+            for factor in NUMBERS {
                 let weights = [follow, direction, self.wanted * factor];
-                let share = (1 + k) as f64 / (1 + NUMBERS.len()) as f64;
-                let mut observed = |_, _| observer(RemeshStage::Extract, share);
-                let mapped = mapper.maps(weights, &mut observed, &mut |prepared, map, notes, _| {
+                // Nor does what another number fails at.
+                let _ = mapper.maps(weights, &mut |_| (), &mut |prepared, map, notes| {
                     if let Ok(found) = self.result(prepared, &map, &notes) {
                         let count = found.faces.len() as f64 / self.wanted;
                         let is_near = count.max(1.0 / count) < MOST_CHANGED;
@@ -117,11 +108,8 @@ impl Asked<'_> {
                         }
                     }
                     // The first map of each number.
-                    Ok(false)
+                    false
                 });
-                if let Err(RemeshError::Cancelled) = mapped {
-                    return Err(RemeshError::Cancelled);
-                }
             }
         }
         Ok(best)

@@ -32,23 +32,8 @@ pub struct Remesher {
     left_out: Vec<u32>,
     /// The last of each choice at the boundary: both are asked for in turn.
     kept: Vec<Kept>,
-    /// What the last result was measured against.
-    measured: Option<Measured>,
-}
-
-/// The input without the faces that stay or are left out.
-struct Measured {
-    staying: Vec<u32>,
-    mesh: Mesh,
-    surface: Surface,
-}
-
-impl Measured {
-    fn new(input: &Mesh, staying: &[u32], left_out: &[u32]) -> Measured {
-        let mesh = input.without_faces(&[staying, left_out].concat());
-        let surface = Surface::of_polygons(&mesh.positions, &mesh);
-        Measured { staying: staying.to_vec(), mesh, surface }
-    }
+    /// The mesh without the faces that are left out, with its surface: what results are measured against.
+    measured: (Mesh, Surface),
 }
 
 /// The maps of all parts for panels of one size.
@@ -91,7 +76,9 @@ impl Remesher {
         let area = surfaces.iter().map(InputSurface::area).sum();
         // Curves are not covered.
         let mesh = Mesh { unplaced: mesh.unplaced.clone(), ..mesh.without_faces(&[]) };
-        let (kept, measured) = (Vec::new(), None);
+        let input = mesh.without_faces(&left_out);
+        let surface = Surface::of_polygons(&input.positions, &input);
+        let (kept, measured) = (Vec::new(), (input, surface));
         Ok(Remesher { mesh, surfaces, area, staying_parts, stay, left_out, kept, measured })
     }
 
@@ -126,36 +113,27 @@ impl Remesher {
             boundary: options.boundary,
             mappers: surfaces.iter().map(|_| [None, None]).collect(),
         });
-        let count = surfaces.len() as f64;
         let mut parts = Vec::new();
         let mut staying_parts = self.staying_parts.clone();
-        for (k, (surface, [first, longer])) in surfaces.iter().zip(&mut kept.mappers).enumerate() {
-            let mut of_part =
-                |stage: RemeshStage, share: f64| observer(stage, (k as f64 + share) / count);
-            if !of_part(RemeshStage::Prepare, 0.0) {
-                return Err(RemeshError::Cancelled);
-            }
+        for (surface, [first, longer]) in surfaces.iter().zip(&mut kept.mappers) {
+            observer(RemeshStage::Prepare);
             let asked = Asked { mesh, options, wanted: surface.area() / (size * size) };
             let mut cover = |place: &mut Option<GridMapper>, longest_loop: f64| {
-                let mut mapper = match place.take() {
+                let mapper = match place {
                     Some(mapper) => mapper,
-                    None => GridMapper::new(surface.prepare(longest_loop, size, options)?),
+                    none => none.insert(GridMapper::new(surface.prepare(
+                        longest_loop,
+                        size,
+                        options,
+                    )?)),
                 };
-                let part = asked.part(&mut mapper, &mut of_part);
-                // After other errors it may be unfinished.
-                if matches!(part, Ok(_) | Err(RemeshError::NotFollowed { .. })) {
-                    *place = Some(mapper);
-                }
-                part
+                asked.part(mapper, observer)
             };
             let mut found = cover(first, SHORTEST_LOOP);
             if let Err(RemeshError::NotFollowed { .. } | RemeshError::TooManyOpenings) = found
                 && surface.covers_more([SHORTEST_LOOP, LONGER_LOOP].map(|panels| panels * size))
             {
-                let over = cover(longer, LONGER_LOOP);
-                if matches!(over, Ok(_) | Err(RemeshError::Cancelled)) {
-                    found = over;
-                }
+                found = cover(longer, LONGER_LOOP).or(found);
             }
             match found {
                 Ok(part) => parts.push(part),
@@ -170,21 +148,15 @@ impl Remesher {
         {
             return Err(worst.error.clone());
         }
-        if !observer(RemeshStage::Verify, 1.0) {
-            return Err(RemeshError::Cancelled);
-        }
+        observer(RemeshStage::Verify);
         // Of a face that touches itself, triangles can be in two parts.
         let mut stays = vec![false; mesh.faces.len()];
         let all = staying_parts.iter().flat_map(|part| &part.faces).chain(&self.stay).copied();
         let staying: Vec<u32> =
             all.filter(|&face| !std::mem::replace(&mut stays[face as usize], true)).collect();
         let cuts = options.boundary == Boundary::Cut;
-        let last = self.measured.take().filter(|measured| measured.staying == staying);
-        let measured = last.unwrap_or_else(|| Measured::new(mesh, &staying, &self.left_out));
-        let input = (&measured.mesh, &measured.surface);
-        let mut found = together(input, parts, cuts, SUGGESTED * least, units);
-        self.measured = Some(measured);
-        found.append(mesh, &staying);
+        let staying = (&*mesh, &staying[..]);
+        let mut found = together(&self.measured, parts, staying, cuts, SUGGESTED * least, units);
         found.notes.extend(notes_on(&staying_parts, units));
         found.notes.extend(note_on_left_out(mesh, &self.left_out, size));
         self.kept.push(kept);

@@ -8,6 +8,7 @@ use super::surface::{Opening, StayingPart};
 use crate::math::{Vec3, mean};
 use crate::mesh::{Mesh, Point, Surface};
 use crate::words;
+use serde::Serialize;
 
 /// A mesh of quads along the lines of curvature of another mesh.
 #[derive(Clone, Debug)]
@@ -26,12 +27,18 @@ pub struct Remeshed {
 }
 
 /// A sentence about a result, with the places that it names.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RemeshNote {
     /// The sentence.
     pub words: String,
     /// In the unit of the mesh; empty if it concerns the whole.
-    pub places: Vec<Vec3<f64>>,
+    pub places: Vec<Point>,
+}
+
+impl RemeshNote {
+    fn new(words: String, places: impl IntoIterator<Item = Vec3<f64>>) -> RemeshNote {
+        RemeshNote { words, places: places.into_iter().map(Point::from).collect() }
+    }
 }
 
 /// Input vertices farther than this many panels from the result are not followed.
@@ -44,11 +51,12 @@ const TURN: f64 = 1.0;
 /// quarter by more than rounding takes.
 const SHORT: f64 = 0.2;
 
-/// One mesh of all parts, measured and described; the input is given with its surface. No size of
-/// panels below `least` is suggested.
+/// One mesh of all parts and of faces of a mesh that stay, measured and described; the input is given
+/// with its surface. No size of panels below `least` is suggested.
 pub(super) fn together(
-    (input, surface): (&Mesh, &Surface),
+    (input, surface): &(Mesh, Surface),
     parts: Vec<Part>,
+    (with_staying, staying): (&Mesh, &[u32]),
     cuts: bool,
     least: f64,
     units: &str,
@@ -64,6 +72,7 @@ pub(super) fn together(
         }
         tally.add(&part.positions, &part.faces, &part.samples, part.size, cuts);
     }
+    append(&mut mesh, with_staying, staying);
     let distances = Distances::between(&mesh, input, surface);
     let mut notes = Vec::new();
     notes.extend(not_followed(&parts, input, &distances, least, units));
@@ -75,30 +84,23 @@ pub(super) fn together(
         parts.iter().map(|part| part.shape.euler).sum(),
     );
     let level = parts.iter().map(|part| part.level).max().unwrap_or(0);
-    Remeshed { mesh, staying: 0, measures, level, notes }
+    Remeshed { mesh, staying: staying.len(), measures, level, notes }
 }
 
-impl Remeshed {
-    /// Appends faces of the input as they are.
-    pub(super) fn append(&mut self, input: &Mesh, faces: &[u32]) {
-        let mut name = vec![u32::MAX; input.positions.len()];
-        for &face in faces {
-            let corners: Vec<u32> = input
-                .faces
-                .row(face as usize)
-                .iter()
-                .map(|&v| {
-                    let own = &mut name[v as usize];
-                    if *own == u32::MAX {
-                        *own = self.mesh.positions.len() as u32;
-                        self.mesh.positions.push(input.positions[v as usize]);
-                    }
-                    *own
-                })
-                .collect();
-            self.mesh.faces.push(&corners);
-        }
-        self.staying = faces.len();
+/// Appends faces of the input as they are.
+fn append(mesh: &mut Mesh, input: &Mesh, faces: &[u32]) {
+    let mut name = vec![u32::MAX; input.positions.len()];
+    for &face in faces {
+        let corner = |&v: &u32| {
+            let own = &mut name[v as usize];
+            if *own == u32::MAX {
+                *own = mesh.positions.len() as u32;
+                mesh.positions.push(input.positions[v as usize]);
+            }
+            *own
+        };
+        let corners: Vec<u32> = input.faces.row(face as usize).iter().map(corner).collect();
+        mesh.faces.push(&corners);
     }
 }
 
@@ -123,7 +125,7 @@ pub(super) fn notes_on(staying: &[StayingPart], units: &str) -> Vec<RemeshNote> 
         let small = if why.is_empty() { "small " } else { "" };
         let parts = words::count(count, &format!("{small}part"), &format!("{small}parts"));
         let stay = if count == 1 { "stays as it is" } else { "stay as they are" };
-        RemeshNote { words: format!("{parts} {stay}{why}"), places }
+        RemeshNote::new(format!("{parts} {stay}{why}"), places)
     };
     notes.into_iter().map(note).collect()
 }
@@ -142,7 +144,7 @@ pub(super) fn note_on_left_out(input: &Mesh, faces: &[u32], size: f64) -> Option
         count => format!("{} faces are left out, since they have", words::group_digits(count)),
     };
     let words = format!("{has} a vertex with a coordinate in the file that is not a number");
-    Some(RemeshNote { words, places: places(&middles, NEAR * size) })
+    Some(RemeshNote::new(words, places(&middles, NEAR * size)))
 }
 
 /// Names the places that the panels cannot follow, and the size of panels that would, unless it is below
@@ -171,7 +173,7 @@ fn not_followed(
     };
     let takes = takes(follows, least, units);
     let words = format!("{count} smaller than a panel: to follow {them} {takes}");
-    Some(RemeshNote { words, places })
+    Some(RemeshNote::new(words, places))
 }
 
 /// Says what panels of the side `size` take, unless it is below `least`.
@@ -198,7 +200,7 @@ fn covered(parts: &[Part], least: f64, units: &str) -> Option<RemeshNote> {
             )
         }
     };
-    Some(RemeshNote { words, places: openings.iter().map(|opening| opening.at).collect() })
+    Some(RemeshNote::new(words, openings.iter().map(|opening| opening.at)))
 }
 
 /// Names the places with creases that are not followed.
@@ -214,7 +216,7 @@ fn dropped(parts: &[Part]) -> Option<RemeshNote> {
             words::group_digits(count)
         ),
     };
-    Some(RemeshNote { words, places })
+    Some(RemeshNote::new(words, places))
 }
 
 /// The size of panels along which the surface turns by [`TURN`], at that of some places where it turns

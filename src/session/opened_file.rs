@@ -80,7 +80,7 @@ impl FileReader {
         let (mut source, own) =
             match std::mem::replace(&mut scene.mesh, MeshSource::File(String::new())) {
                 MeshSource::Inline(mesh) => {
-                    let read = Read { mesh: *mesh, problems: Vec::new(), notes: Vec::new() };
+                    let read = Read { mesh: *mesh, ..Read::default() };
                     (read, UnitsAndUp::default())
                 }
                 MeshSource::File(path) => {

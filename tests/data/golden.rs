@@ -191,7 +191,7 @@ fn layout_digest(boundary: Boundary) -> u64 {
     let settings =
         LayoutSettings { count: Some(60), size: None, follow, even, boundary: Some(boundary) };
     let mut layouts = session.panel_layouts(&[]).expect("no face is kept");
-    let layout = layouts.lay_out(&settings, &mut |_, _| true);
+    let layout = layouts.lay_out(&settings, &mut |_| ());
     digest(&layout.expect("the surface can be covered").mesh.positions)
 }
 

@@ -170,7 +170,7 @@ fn panels_along_the_lines_of_curvature_stay_on_a_surface_that_those_across_leave
     let mut along = opened(id);
     let wished = LayoutSettings { count: None, size: None, follow: 0.5, even: 0.5, boundary: None };
     let mut layouts = along.panel_layouts(&[]).expect("no face is kept");
-    let layout = layouts.lay_out(&wished, &mut |_, _| true).expect("it is a surface");
+    let layout = layouts.lay_out(&wished, &mut |_| ()).expect("it is a surface");
     assert!(along.take_panels(along.generation(), &layout.mesh).expect("nothing is locked"));
     along.solve_as_pressed(Some("circle"), along.tolerance(), false).expect("there are quads");
     assert_eq!(met(&mut along), [true, true]);

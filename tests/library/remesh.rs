@@ -15,8 +15,8 @@ pub(crate) fn panels(
 ) -> Result<(String, String), Box<dyn Error>> {
     let mesh = read(name, bytes)?.mesh;
     let options = MapOptions::of_size(PanelSize::Count(count));
-    // The observer may stop it.
-    let found = remesh(&mesh, &options, "m", &mut |_stage, _part| true)?;
+    // The observer is told what is being done.
+    let found = remesh(&mesh, &options, "m", &mut |_stage| ())?;
     let notes: Vec<&str> = found.notes.iter().map(|note| note.words.as_str()).collect();
     Ok((write_obj(&found.mesh, &found.mesh.positions), notes.join(" ")))
 }

@@ -30,7 +30,7 @@ const PLY: &str = "ply\nformat ascii 1.0\ncomment units: mm\nobj_info made by ha
 
 #[test]
 fn ply_as_text_has_its_vertices_faces_and_edges() {
-    let Read { mesh, problems, notes } = ok("a.ply", PLY);
+    let Read { mesh, problems, notes, .. } = ok("a.ply", PLY);
     assert_eq!(
         mesh.positions,
         [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.5], [0.0, 1.0, 0.0]]
@@ -180,7 +180,7 @@ const STL: &str = "solid left\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nver
 
 #[test]
 fn corners_of_stl_at_one_place_are_one_vertex() {
-    let Read { mesh, problems, notes } = ok("a.stl", STL);
+    let Read { mesh, problems, notes, .. } = ok("a.stl", STL);
     assert_eq!(
         mesh.positions,
         [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]

@@ -7,8 +7,8 @@ use crate::support::shared;
 use shape_up::math::{Vec3, angle, cosine, sine};
 use shape_up::mesh::Mesh;
 use shape_up::quads::{
-    Boundary, GridMap, GridMapper, InputSurface, MapNotes, MapOptions, PanelSize, Prepared,
-    RemeshError, Side, UNIT,
+    Boundary, GridMap, GridMapper, InputSurface, MapNotes, MapOptions, PanelSize, Prepared, Side,
+    UNIT,
 };
 
 /// A map with its surface.
@@ -20,9 +20,9 @@ struct Mapped {
 
 /// The first map without flipped triangles, else that with the fewest; with weights of curvature and of
 /// directions, and the number of quads.
-fn best(mapper: &mut GridMapper, asked: [f64; 3], go_on: bool) -> Result<Mapped, RemeshError> {
+fn best(mapper: &mut GridMapper, asked: [f64; 3]) -> Mapped {
     let mut best: Option<Mapped> = None;
-    mapper.maps(asked, &mut |_, _| go_on, &mut |prepared, map, notes, _| {
+    let mapped = mapper.maps(asked, &mut |_| (), &mut |prepared, map, notes| {
         let is_whole = notes.flipped.is_empty();
         // Maps that follow more creases than the last one are of another surface.
         let is_better = best.as_ref().is_none_or(|Mapped { notes: best, .. }| {
@@ -31,9 +31,10 @@ fn best(mapper: &mut GridMapper, asked: [f64; 3], go_on: bool) -> Result<Mapped,
         if is_better {
             best = Some(Mapped { prepared: prepared.clone(), map, notes });
         }
-        Ok(!is_whole)
-    })?;
-    Ok(best.expect("the last level finds a map"))
+        !is_whole
+    });
+    mapped.unwrap();
+    best.expect("the last level finds a map")
 }
 
 fn mapped(mesh: &Mesh, options: &MapOptions) -> Vec<Mapped> {
@@ -44,7 +45,7 @@ fn mapped(mesh: &Mesh, options: &MapOptions) -> Vec<Mapped> {
         let prepared = part.prepare(2.0, (whole / count as f64).sqrt(), options).unwrap();
         let wanted = count as f64 * part.area() / whole;
         let asked = [options.follow, options.direction, wanted];
-        best(&mut GridMapper::new(prepared), asked, true).unwrap()
+        best(&mut GridMapper::new(prepared), asked)
     };
     parts.iter().map(of_part).collect()
 }
@@ -260,11 +261,10 @@ fn another_size_or_evenness_goes_on_from_what_is_kept() {
     let part = &InputSurface::parts(&bumpy(), &[]).unwrap().surfaces[0];
     let prepared = part.prepare(2.0, (part.area() / 300.0).sqrt(), &options).unwrap();
     let mut kept = GridMapper::new(prepared.clone());
-    best(&mut kept, [20.0, 30.0, 300.0], true).unwrap();
+    best(&mut kept, [20.0, 30.0, 300.0]);
     for asked in [[20.0, 30.0, 250.0], [20.0, 5.0, 250.0], [5.0, 5.0, 330.0]] {
-        let again = best(&mut kept, asked, true).unwrap();
-        let new = best(&mut GridMapper::new(prepared.clone()), asked, true).unwrap();
+        let again = best(&mut kept, asked);
+        let new = best(&mut GridMapper::new(prepared.clone()), asked);
         assert_eq!((again.map, again.notes), (new.map, new.notes));
     }
-    assert!(best(&mut kept, [80.0, 5.0, 330.0], false).is_err(), "it can be cancelled");
 }

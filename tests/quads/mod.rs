@@ -22,7 +22,7 @@ fn panels(mesh: &Mesh, count: usize) -> Result<Remeshed, RemeshError> {
 }
 
 fn with(mesh: &Mesh, options: MapOptions) -> Result<Remeshed, RemeshError> {
-    remesh(mesh, &options, "m", &mut |_, _| true)
+    remesh(mesh, &options, "m", &mut |_| ())
 }
 
 /// The Euler characteristic and the number of boundary loops, by another way than that of the crate.

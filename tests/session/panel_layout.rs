@@ -39,16 +39,12 @@ fn opened(mesh: Mesh) -> Session {
 }
 
 fn laid_out(session: &Session, settings: &LayoutSettings) -> PanelLayout {
-    lay_out(session, settings, true).expect("the surface can be covered")
+    lay_out(session, settings).expect("the surface can be covered")
 }
 
-fn lay_out(
-    session: &Session,
-    settings: &LayoutSettings,
-    goes_on: bool,
-) -> Result<PanelLayout, SceneError> {
+fn lay_out(session: &Session, settings: &LayoutSettings) -> Result<PanelLayout, SceneError> {
     let mut layouts = session.panel_layouts(&[]).expect("no face is kept");
-    layouts.lay_out(settings, &mut |_, _| goes_on)
+    layouts.lay_out(settings, &mut |_| ())
 }
 
 /// Sets, constraints, and handles at a corner and inside.
@@ -212,10 +208,7 @@ fn what_a_changed_wish_leaves_as_it_was_is_not_computed_again() {
     let mut layouts = session.panel_layouts(&[]).expect("a surface");
     let mut stages_of = |settings: &LayoutSettings| {
         let mut stages: Vec<RemeshStage> = Vec::new();
-        let layout = layouts.lay_out(settings, &mut |stage, _| {
-            stages.push(stage);
-            true
-        });
+        let layout = layouts.lay_out(settings, &mut |stage| stages.push(stage));
         let fresh = laid_out(&session, settings);
         let layout = layout.expect("the surface can be covered");
         assert_eq!((layout.mesh, layout.boundary), (fresh.mesh, fresh.boundary));
@@ -237,16 +230,14 @@ fn both_choices_at_the_boundary_are_forecast() {
     let session = opened(vault(12, true));
     let mut layouts = session.panel_layouts(&[]).expect("a surface");
     let settings = LayoutSettings { count: Some(100), ..USUAL };
-    let found = layouts.at_boundaries(&settings, &mut |_, _| true).expect("not cancelled");
+    let found = layouts.at_boundaries(&settings, &mut |_| ());
     let choices: Vec<Boundary> = found.iter().map(|one| one.boundary).collect();
     assert_eq!(choices, [Boundary::Followed, Boundary::Cut]);
     let pattern = |words: &str| words.contains(" panels, will move about ");
     assert!(found.iter().all(|one| pattern(&one.words)), "{found:?}");
     let large = LayoutSettings { size: Some(100.0), ..USUAL };
-    let found = layouts.at_boundaries(&large, &mut |_, _| true).expect("not cancelled");
+    let found = layouts.at_boundaries(&large, &mut |_| ());
     assert!(found.iter().all(|one| one.words == "not possible"), "{found:?}");
-    let others = LayoutSettings { count: Some(70), ..USUAL };
-    assert!(layouts.at_boundaries(&others, &mut |_, _| false).is_err());
 }
 
 #[test]
@@ -266,10 +257,10 @@ fn places_that_are_named_are_marked_and_framed() {
 
     let mut layouts = session.panel_layouts(&[]).expect("a surface");
     let large = LayoutSettings { size: Some(100.0), ..USUAL };
-    layouts.lay_out(&large, &mut |_, _| true).expect_err("too large");
+    layouts.lay_out(&large, &mut |_| ()).expect_err("too large");
     let place = layouts.refused_at().expect("at the boundary");
     assert!(!place.around.is_empty() && place.ring.iter().all(|point| point[0] < 10.0));
-    layouts.lay_out(&USUAL, &mut |_, _| true).expect("it is possible");
+    layouts.lay_out(&USUAL, &mut |_| ()).expect("it is possible");
     assert_eq!(layouts.refused_at(), None);
 }
 
@@ -297,7 +288,7 @@ fn faces_that_are_left_out_are_no_part_of_the_surface() {
 
     // Asked to stay, they do, and are a part of it.
     let mut layouts = session.panel_layouts(&spike).expect("a surface");
-    let layout = layouts.lay_out(&USUAL, &mut |_, _| true).expect("the others are covered");
+    let layout = layouts.lay_out(&USUAL, &mut |_| ()).expect("the others are covered");
     assert!(session.take_panels(session.generation(), &layout.mesh).expect("it can be solved"));
     let target = session.document().closeness.target_mesh().expect("closeness to that surface");
     assert_eq!(target.faces.len(), faces);
@@ -315,8 +306,7 @@ fn a_closed_surface_beside_a_vertex_without_a_position_has_no_choice_at_the_boun
     mesh.unplaced = vec![8];
     let session = opened(mesh);
     let mut layouts = session.panel_layouts(&[]).expect("a surface");
-    let found = layouts.at_boundaries(&USUAL, &mut |_, _| true).expect("not cancelled");
-    assert_eq!(found, []);
+    assert_eq!(layouts.at_boundaries(&USUAL, &mut |_| ()), []);
 }
 
 #[test]
@@ -325,7 +315,7 @@ fn selected_faces_stay_as_they_are() {
     let kept: Vec<u32> = (0..20).collect();
     let mut layouts = session.panel_layouts(&kept).expect("a surface");
     let settings = LayoutSettings { count: Some(80), ..USUAL };
-    let layout = layouts.lay_out(&settings, &mut |_, _| true).expect("the others are covered");
+    let layout = layouts.lay_out(&settings, &mut |_| ()).expect("the others are covered");
     let note = layout.notes.last().expect("it is said");
     assert!(note.words.starts_with("20 selected faces stay, "), "{note:?}");
     let before: Vec<Vec<Point>> = corners(session.mesh()).drain(..20).collect();
@@ -337,6 +327,28 @@ fn selected_faces_stay_as_they_are() {
     let name = format!("Lay out {} panels", layout.count);
     assert_eq!(session.undo_and_redo()[0], Some(&*name));
     assert!(session.panel_layouts(&[1000]).is_err());
+}
+
+/// The copy that the staying face keeps lost them.
+#[test]
+fn where_faces_that_stay_meet_the_boundary_both_vertices_keep_handle_and_set() {
+    let scene = r#"
+        "sets": { "eave": { "vertices": [0, 11, 22] } },
+        "handles": [ { "vertices": [11], "fixed": true } ]"#;
+    let mut session = open(scene, vault(10, false));
+    let at = session.positions()[11];
+    let kept: Vec<u32> = (0..20).collect();
+    let mut layouts = session.panel_layouts(&kept).expect("a surface");
+    let settings = LayoutSettings { count: Some(80), ..USUAL };
+    let layout = layouts.lay_out(&settings, &mut |_| ()).expect("the others are covered");
+    assert!(session.take_panels(session.generation(), &layout.mesh).expect("it can be solved"));
+    let positions = session.positions();
+    let there = (0..).zip(positions).filter(|(_, position)| *position == at);
+    let there: Vec<u32> = there.map(|(v, _)| v).collect();
+    let held: Vec<u32> = session.solver().handles().iter().map(|handle| handle.vertex).collect();
+    assert_eq!((there.len(), &held), (2, &there));
+    let eave = &session.document().sets["eave"].vertices;
+    assert!(there.iter().all(|v| eave.contains(v)), "{eave:?}");
 }
 
 /// The corners of all faces.
@@ -365,10 +377,8 @@ fn lines_lie_on_the_surface_and_those_at_irregular_points_come_first() {
 fn what_cannot_be_covered_is_refused_with_the_reason() {
     let session = opened(vault(8, false));
     let settings = LayoutSettings { size: Some(100.0), ..USUAL };
-    let refused = lay_out(&session, &settings, true).expect_err("too large");
+    let refused = lay_out(&session, &settings).expect_err("too large");
     assert!(refused.to_string().contains("too large for the surface"), "{refused}");
-    let cancelled = lay_out(&session, &USUAL, false).expect_err("cancelled");
-    assert!(cancelled.to_string().contains("cancelled"), "{cancelled}");
 }
 
 #[test]

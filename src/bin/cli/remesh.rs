@@ -6,8 +6,8 @@ use crate::cli::{Failure, input, output};
 use serde::Serialize;
 use shape_up::mesh::Edited;
 use shape_up::quads::{
-    Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, Remeshed, direction_weight,
-    follow_weight, remesh,
+    Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, RemeshNote, Remeshed,
+    direction_weight, follow_weight, remesh,
 };
 use shape_up::solve::clock;
 use shape_up::words;
@@ -34,15 +34,8 @@ struct Report {
     measures: RemeshMeasures,
     /// The level of retry: 0 follows the curvature as asked, 3 not at all.
     level: u32,
-    notes: Vec<Note>,
+    notes: Vec<RemeshNote>,
     seconds: Seconds,
-}
-
-/// A sentence with the places that it names.
-#[derive(Serialize)]
-struct Note {
-    words: String,
-    places: Vec<[f64; 3]>,
 }
 
 #[derive(Serialize)]
@@ -96,7 +89,7 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
     output::check(asked.out.iter().chain(&asked.report))?;
     scene.validate(&mesh).map_err(|error| input::at(&asked.input)(error.into()))?;
     let load = clock::now() - started;
-    let found = remesh(&mesh, &asked.options, &scene.units, &mut |_, _| true);
+    let found = remesh(&mesh, &asked.options, &scene.units, &mut |_| ());
     let found = found
         .map_err(|error| Failure::Input(format!("{path}: {}", refusal(&error, &scene.units))))?;
     let seconds = Seconds { load, total: clock::now() - started };
@@ -113,12 +106,7 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
     found.notes.iter().for_each(|note| text += &format!("note: {}\n", note.words));
     text += &output::notes(&remarks);
     if let Some(to) = &asked.report {
-        let note = |note: &shape_up::quads::RemeshNote| Note {
-            words: note.words.clone(),
-            places: note.places.iter().map(|&place| place.into()).collect(),
-        };
-        let notes = found.notes.iter().map(note).collect();
-        let Remeshed { measures, level, .. } = found;
+        let Remeshed { measures, level, notes, .. } = found;
         let report = Report { measures, level, notes, seconds };
         files.push((to, output::json(&report).into_bytes()));
     }

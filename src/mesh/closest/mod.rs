@@ -28,13 +28,22 @@ use triangle::{Corners, Hit, Planes, is_sliver, splat};
 pub struct Surface {
     /// Origin of the coordinates below, so that coordinates far from zero do not lose digits.
     centre: Vec3<f64>,
-    /// The face of each triangle; empty without faces.
-    faces: Vec<u32>,
+    /// The triangles as parts of faces; empty without faces.
+    of_faces: Vec<FaceTriangle>,
     /// In the order of the hierarchy, so that neighbours in space are neighbours in memory.
     planes: Vec<Planes>,
     corners: Vec<Corners>,
     neighbourhoods: Option<TriangleNeighbourhoods>,
     bvh: Bvh,
+}
+
+/// A triangle of a face, as triangulated for a [`Surface`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FaceTriangle {
+    /// The face.
+    pub face: u32,
+    /// The corners as vertices of the mesh. The last two are the same for a side of a thin triangle.
+    pub corners: [u32; 3],
 }
 
 impl Surface {
@@ -59,32 +68,29 @@ impl Surface {
         mesh: &Mesh,
         triangles_of: impl Fn(&[Vec3<f64>]) -> I,
     ) -> Surface {
-        let at = |v: &u32| positions[*v as usize];
-        let fans = mesh.faces.iter().map(|face| face.len().saturating_sub(2)).sum();
-        let mut triangles: Vec<[Point; 3]> = Vec::with_capacity(fans);
-        let mut faces = Vec::with_capacity(fans);
+        let at = |v: u32| positions[v as usize];
+        let mut of_faces = Vec::with_capacity(mesh.faces.indices().len());
         let mut corners: Vec<Vec3<f64>> = Vec::new();
-        for (index, face) in (0..).zip(mesh.faces.iter()) {
+        for (face, vertices) in (0..).zip(mesh.faces.iter()) {
             corners.clear();
-            corners.extend(face.iter().map(|v| Vec3::from(at(v))));
-            for own in triangles_of(&corners) {
-                let [a, b, c] = own.map(|k| Point::from(corners[k]));
-                if is_sliver([a, b, c]) {
-                    triangles.extend([[a, b, b], [b, c, c], [c, a, a]]);
-                } else {
-                    triangles.push([a, b, c]);
-                }
+            corners.extend(vertices.iter().map(|&v| Vec3::from(at(v))));
+            for triangle in triangles_of(&corners) {
+                let [a, b, c] = triangle.map(|k| vertices[k]);
+                let sides = [[a, b, b], [b, c, c], [c, a, a]];
+                let own = if is_sliver([a, b, c].map(at)) { &sides[..] } else { &[[a, b, c]] };
+                of_faces.extend(own.iter().map(|&corners| FaceTriangle { face, corners }));
             }
-            faces.resize(triangles.len(), index);
         }
+        let mut triangles: Vec<[Point; 3]> =
+            of_faces.iter().map(|triangle| triangle.corners.map(at)).collect();
         if mesh.faces.is_empty() {
             let segments = mesh.curves.iter().flat_map(|curve| curve.windows(2));
-            triangles.extend(segments.map(|ends| [at(&ends[0]), at(&ends[1]), at(&ends[1])]));
+            triangles.extend(segments.map(|ends| [ends[0], ends[1], ends[1]].map(at)));
         }
         if triangles.is_empty() {
             triangles.extend(positions.iter().map(|&p| [p; 3]));
         }
-        Surface::of_triangles(triangles, &faces)
+        Surface::of_triangles(triangles, &of_faces)
     }
 
     /// Returns the same surface as [`Surface::new`], prepared for searches that are repeated for points
@@ -96,8 +102,8 @@ impl Surface {
         surface
     }
 
-    /// `faces` are those of the triangles, or none.
-    fn of_triangles(triangles: Vec<[Point; 3]>, faces: &[u32]) -> Surface {
+    /// `of_faces` are the same triangles, or none.
+    fn of_triangles(triangles: Vec<[Point; 3]>, of_faces: &[FaceTriangle]) -> Surface {
         let centre = Box3::around(triangles.as_flattened()).centre();
         let triangles: Vec<[Vec3<f64>; 3]> =
             triangles.into_iter().map(|corners| corners.map(|p| Vec3::from(p) - centre)).collect();
@@ -107,11 +113,8 @@ impl Surface {
         let ordered = || order.iter().map(|&t| t as usize);
         let planes: Vec<Planes> = ordered().map(|t| Planes::new(triangles[t])).collect();
         let corners: Vec<Corners> = ordered().map(|t| Corners::new(triangles[t])).collect();
-        let faces = match faces {
-            [] => Vec::new(),
-            faces => ordered().map(|t| faces[t]).collect(),
-        };
-        Surface { centre, faces, planes, corners, neighbourhoods: None, bvh }
+        let of_faces = ordered().filter_map(|t| of_faces.get(t).copied()).collect();
+        Surface { centre, of_faces, planes, corners, neighbourhoods: None, bvh }
     }
 
     /// Returns the point of the surface closest to `p`; `p` itself if the surface is empty.
@@ -134,28 +137,28 @@ impl Surface {
     /// Returns the face closest to `p`; none if the surface has no faces. If several are equally close,
     /// it returns one of them.
     pub fn closest_face(&self, p: Point) -> Option<u32> {
-        self.closest_face_of(p, f64::INFINITY, |_| true)
+        self.closest_triangle_of(p, f64::INFINITY, |_| true).map(|triangle| triangle.face)
     }
 
-    /// Returns the face closest to `p`, nearer than `within`, of those that `is_meant`; none if there is
-    /// no such face.
-    pub fn closest_face_of(
+    /// Returns the triangle closest to `p`, nearer than `within`, of the faces that `is_meant`; none if
+    /// there is no such triangle.
+    pub fn closest_triangle_of(
         &self,
         p: Point,
         within: f64,
         is_meant: impl Fn(u32) -> bool,
-    ) -> Option<u32> {
+    ) -> Option<FaceTriangle> {
         let p = Vec3::from(p) - self.centre;
         let lanes = splat(p);
         let mut best = Hit { point: p, distance_squared: within * within };
         let mut found = Surface::NO_HINT;
         self.bvh.search(lanes, best.distance_squared, |leaf, _| {
-            for t in leaf.filter(|&t| self.faces.get(t).is_some_and(|&face| is_meant(face))) {
+            for t in leaf.filter(|&t| self.of_faces.get(t).is_some_and(|own| is_meant(own.face))) {
                 self.consider(t, p, lanes, &mut best, &mut found);
             }
             best.distance_squared
         });
-        self.faces.get(found as usize).copied()
+        self.of_faces.get(found as usize).copied()
     }
 
     /// Returns the same as [`Surface::closest`]. `cache` also comes from the last search for this

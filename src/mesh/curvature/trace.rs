@@ -67,8 +67,6 @@ const MOST_STEPS: usize = 20_000;
 /// A line of curvature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvatureLine {
-    /// The family of the line.
-    pub family: Family,
     /// The points along the line; a closed line repeats its first point at the end.
     pub points: Vec<SurfacePoint>,
     /// Whether the line is closed.
@@ -95,13 +93,13 @@ impl CurvatureField {
         let direction = self.direction(point, family, super::edges::UMBILIC)?;
         let (ahead, closed) = self.half(Heading { point, direction }, family, &mut is_end);
         if closed {
-            return Some(CurvatureLine { family, points: ahead, closed });
+            return Some(CurvatureLine { points: ahead, closed });
         }
         let (mut points, _) =
             self.half(Heading { point, direction: -direction }, family, &mut is_end);
         points.reverse();
         points.extend(&ahead[1..]);
-        Some(CurvatureLine { family, points, closed })
+        Some(CurvatureLine { points, closed })
     }
 
     /// Traces one side of a line; returns its points and whether it is closed.

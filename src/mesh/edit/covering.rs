@@ -4,8 +4,10 @@
 use super::origins::{Combinations, Edited, Origins};
 use super::rebuild::regrouped;
 use crate::math::{Vec3, marked, mean, twice_vector_area};
-use crate::mesh::{Mesh, Point, Ragged, Surface, Topology, Weld, components, orientation};
-use std::collections::HashMap;
+use crate::mesh::{
+    FaceTriangle, Mesh, Point, Ragged, Surface, Topology, Weld, components, orientation,
+};
+use std::collections::{BTreeMap, HashMap};
 
 /// A new vertex whose weight on a corner is at most this does not depend on it.
 const NEGLIGIBLE: f64 = 1e-9;
@@ -15,25 +17,40 @@ const ROUNDED: f64 = 8.0;
 /// A face lies on no other one than those whose normals, of length one, have at least this inner product
 /// with the mean of those at its corners: not on the other wall of a shell.
 const FACING: f64 = -0.5;
+/// A vertex lies on all faces that are nearer than this, relative to the size of the mesh.
+const ON: f64 = 1e-6;
 
 impl Edited {
-    /// Returns `cover`, whose vertices are on the faces of `mesh`, as made from it. A new face comes
-    /// from [the same one](Mesh::same_faces), else from the old face at its centre that is connected
-    /// over edges to those at its corners and faces the same way; sets and groups follow that. Nothing else comes
-    /// from faces with a vertex whose position is not in the file. Curves stay, and so do vertices of no face
-    /// and of faces that are left as they are.
+    /// Returns `cover`, each connected part of which lies on one part of `mesh` that is connected over
+    /// edges, as made from it. A new face comes from [the same one](Mesh::same_faces), else from the old
+    /// face at its centre in that part that faces as those at its corners; sets and groups follow that.
+    /// Nothing else comes from faces with a vertex whose position is not in the file. Curves stay, and so
+    /// do vertices of no face and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::of_polygons(&mesh.positions, mesh);
         let is_out = marked(mesh.faces.len(), mesh.faces_left_out(&[]));
-        let face_at = |point: Point| {
-            let found = surface.closest_face_of(point, f64::INFINITY, |old| !is_out[old as usize]);
-            found.unwrap_or(0)
+        // Panels are laid out on faces that are welded if they share no vertices.
+        let mut welded = mesh.clone();
+        Weld::apply(&mut welded);
+        let topology = Topology::new(&welded);
+        let old_parts = components(welded.faces.len(), topology.edge_faces().iter());
+        let new_parts = components(cover.positions.len(), cover.faces.iter());
+        let part_of = |old: u32| (!is_out[old as usize]).then(|| old_parts[old as usize]);
+        let under = parts_under(cover, &new_parts, &surface, ON * mesh.size(), part_of);
+        let is_under = |v: u32, old: u32| {
+            let under = under[new_parts[v as usize] as usize];
+            part_of(old).is_some_and(|part| under.is_none_or(|under| part == under))
+        };
+        let closest = |v: u32, point: Point| {
+            let found = surface.closest_triangle_of(point, f64::INFINITY, |old| is_under(v, old));
+            found.unwrap_or_default()
         };
         let same = cover.same_faces(mesh);
-        let at_vertices: Vec<u32> = cover.positions.iter().map(|&point| face_at(point)).collect();
+        let at_vertices: Vec<FaceTriangle> =
+            (0..).zip(&cover.positions).map(|(v, &point)| closest(v, point)).collect();
         let on_faces = cover.positions.iter().zip(&at_vertices);
         let mut vertices: Vec<(Point, Vec<(u32, f64)>)> =
-            on_faces.map(|(&point, &face)| (point, weights(mesh, face, point))).collect();
+            on_faces.map(|(&point, &triangle)| (point, weights(mesh, triangle, point))).collect();
         for (face, same) in cover.faces.iter().zip(&same) {
             let olds = same.map_or(&[][..], |same| mesh.faces.row(same as usize));
             face.iter().zip(olds).for_each(|(&v, &old)| vertices[v as usize].1 = vec![(old, 1.0)]);
@@ -75,28 +92,19 @@ impl Edited {
         let places: Vec<u32> = now.iter().map(|new| new.unwrap_or(u32::MAX)).collect();
         made.curves = mesh.curves.clone();
         made.curves.rename(&places);
-        // Panels are laid out on faces that are welded if they share no vertices.
-        let mut welded = mesh.clone();
-        Weld::apply(&mut welded);
-        let topology = Topology::new(&welded);
-        let part_of = components(welded.faces.len(), topology.edge_faces().iter());
         let normals = normals(&welded, &topology);
         // The centre of a panel is inside a curved shell, and can be nearer to its other wall, or to another
         // layer.
         let at_centre = |face: &[u32]| {
             let corners = || face.iter().map(|&v| Vec3::from(cover.positions[v as usize]));
-            let olds = || face.iter().map(|&v| at_vertices[v as usize] as usize);
-            let facing = mean(olds().map(|old| normals[old]));
+            let olds = face.iter().map(|&v| at_vertices[v as usize].face as usize);
+            let facing = mean(olds.map(|old| normals[old]));
             let centre = mean(corners());
             let reach = corners().map(|corner| (corner - centre).length()).fold(0.0, f64::max);
-            let is_own = |old: u32| {
-                let old = old as usize;
-                !is_out[old]
-                    && normals[old].dot(facing) >= FACING
-                    && olds().any(|other| part_of[other] == part_of[old])
-            };
-            let found = surface.closest_face_of(centre.into(), reach, is_own);
-            found.unwrap_or_else(|| face_at(centre.into()))
+            let is_own =
+                |old: u32| is_under(face[0], old) && normals[old as usize].dot(facing) >= FACING;
+            let found = surface.closest_triangle_of(centre.into(), reach, is_own);
+            found.unwrap_or_else(|| closest(face[0], centre.into())).face
         };
         let origin =
             |(face, same): (&[u32], Option<u32>)| [same.unwrap_or_else(|| at_centre(face))];
@@ -122,6 +130,37 @@ impl Mesh {
     }
 }
 
+/// The part of the old faces, as of `part_of`, under each part of `cover`: that which is `near` most of
+/// its vertices. Those at a seam that is not joined are on both sides of it.
+fn parts_under(
+    cover: &Mesh,
+    new_parts: &[u32],
+    surface: &Surface,
+    near: f64,
+    part_of: impl Fn(u32) -> Option<u32>,
+) -> Vec<Option<u32>> {
+    let mut counts: BTreeMap<[u32; 2], usize> = BTreeMap::new();
+    for (&point, &new) in cover.positions.iter().zip(new_parts) {
+        let mut found = vec![None];
+        let closest = |found: &[Option<u32>]| {
+            let is_other = |old: u32| !found.contains(&part_of(old));
+            part_of(surface.closest_triangle_of(point, near, is_other)?.face)
+        };
+        while let Some(old) = closest(&found) {
+            *counts.entry([new, old]).or_default() += 1;
+            found.push(Some(old));
+        }
+    }
+    let mut most = vec![(0, None); new_parts.iter().max().map_or(0, |&last| last as usize + 1)];
+    for ([new, old], count) in counts {
+        let best = &mut most[new as usize];
+        if count > best.0 {
+            *best = (count, Some(old));
+        }
+    }
+    most.into_iter().map(|(_, old)| old).collect()
+}
+
 /// The normals of all faces, of length one, as if neighbours agreed; zero of faces without area.
 fn normals(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
     let (turned, _) = orientation(&mesh.faces, topology);
@@ -141,44 +180,33 @@ fn at_old(mesh: &Mesh, point: Point, terms: &[(u32, f64)]) -> Option<u32> {
     }
 }
 
-/// A point as an affine combination of the corners of a face: of those of the triangle of its fan
-/// `(f0, fk, fk+1)` in which the point lies, or of which it is least outside.
-fn weights(mesh: &Mesh, face: u32, point: Point) -> Vec<(u32, f64)> {
-    let corners = mesh.faces.row(face as usize);
-    let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
-    let first = corners[0];
-    let inside = |weights: &[(u32, f64); 3]| {
-        weights.iter().map(|(_, weight)| *weight).fold(f64::INFINITY, f64::min)
+/// A point as an affine combination of the corners of a triangle, or of the ends of a side.
+fn weights(mesh: &Mesh, triangle: FaceTriangle, point: Point) -> Vec<(u32, f64)> {
+    let [a, b, c] = triangle.corners.map(|v| Vec3::from(mesh.positions[v as usize]));
+    let (ab, ac, ap) = (b - a, c - a, Vec3::from(point) - a);
+    let normal = ab.cross(ac);
+    let squared = normal.length_squared();
+    let [u, v] = if squared > 0.0 {
+        [ap.cross(ac), ab.cross(ap)].map(|part| part.dot(normal) / squared)
+    } else {
+        [if ab == Vec3::zero() { 0.0 } else { ap.dot(ab) / ab.length_squared() }, 0.0]
     };
-    let coordinates = corners.iter().flat_map(|&v| mesh.positions[v as usize]);
-    let largest = coordinates.fold(0.0, |largest: f64, x| largest.max(x.abs()));
-    let mut best = [(first, 1.0), (first, 0.0), (first, 0.0)];
-    let mut heights = [f64::INFINITY; 3];
-    let mut most = f64::NEG_INFINITY;
-    for sides in corners[1..].windows(2) {
-        let [b, c] = [sides[0], sides[1]];
-        let (ab, ac, ap) = (at(b) - at(first), at(c) - at(first), Vec3::from(point) - at(first));
-        let normal = ab.cross(ac);
-        let area = normal.length_squared();
-        if area == 0.0 {
-            continue;
-        }
-        let [u, v] = [ap.cross(ac).dot(normal) / area, ab.cross(ap).dot(normal) / area];
-        let found = [(first, 1.0 - u - v), (b, u), (c, v)];
-        if inside(&found) > most {
-            most = inside(&found);
-            best = found;
-            heights = [ac - ab, ac, ab].map(|opposite| normal.length() / opposite.length());
-        }
-    }
+    let weights = [1.0 - u - v, u, v];
+    let heights = match squared > 0.0 {
+        true => [ac - ab, ac, ab].map(|opposite| normal.length() / opposite.length()),
+        false => [ab.length(); 3],
+    };
+    let coordinates = [a, b, c].map(Point::from);
+    let largest = coordinates.as_flattened().iter().fold(0.0, |most: f64, x| most.max(x.abs()));
     // Of a triangle as small as that, the corner of the greatest weight.
-    let greatest = (0..3).max_by(|&i, &j| best[i].1.total_cmp(&best[j].1));
+    let greatest = (0..3).max_by(|&i, &j| weights[i].total_cmp(&weights[j]));
     let depends = |&k: &usize| {
-        let weight = best[k].1.abs();
+        let weight = weights[k].abs();
         Some(k) == greatest
             || (weight > NEGLIGIBLE && weight * heights[k] > ROUNDED * f64::EPSILON * largest)
     };
-    let kept: Vec<(u32, f64)> = (0..3).filter(depends).map(|k| best[k]).collect();
+    let kept: Vec<(u32, f64)> =
+        (0..3).filter(depends).map(|k| (triangle.corners[k], weights[k])).collect();
     match kept[..] {
         [(corner, _)] => vec![(corner, 1.0)],
         _ => kept,
@@ -188,6 +216,7 @@ fn weights(mesh: &Mesh, face: u32, point: Point) -> Vec<(u32, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::{cosine, polygon_sides, sine};
     use crate::mesh::{Group, GroupKeyword};
 
     /// A square of two triangles, and a cover of it by two quads side by side.
@@ -265,6 +294,13 @@ mod tests {
         assert_eq!(groups, [[1]]);
     }
 
+    fn corners_of(mesh: &Mesh, face: u32) -> FaceTriangle {
+        FaceTriangle {
+            face,
+            corners: mesh.faces.row(face as usize).try_into().expect("a triangle"),
+        }
+    }
+
     /// The vertices of a curved eave far from the origin were inside triangles.
     #[test]
     fn a_vertex_on_a_side_is_between_its_ends_at_coordinates_of_a_site() {
@@ -288,7 +324,8 @@ mod tests {
         };
         for k in 0..99 {
             let point = on_eave(k);
-            let of: Vec<u32> = weights(&mesh, 2 * k, point).iter().map(|term| term.0).collect();
+            let triangle = corners_of(&mesh, 2 * k);
+            let of: Vec<u32> = weights(&mesh, triangle, point).iter().map(|term| term.0).collect();
             assert_eq!(of, [2 * k, 2 * k + 2]);
         }
     }
@@ -302,7 +339,7 @@ mod tests {
             faces: [[0, 1, 2]].iter().collect(),
             ..Mesh::default()
         };
-        let found = weights(&mesh, 0, [far + 2.0 * step, 2.0 * step, 0.0]);
+        let found = weights(&mesh, corners_of(&mesh, 0), [far + 2.0 * step, 2.0 * step, 0.0]);
         assert!(found == [(1, 1.0)] || found == [(2, 1.0)], "{found:?}");
     }
 
@@ -384,5 +421,58 @@ mod tests {
             };
             assert_eq!([with("wall"), with("window")], [1, 4]);
         }
+    }
+
+    /// Corners of a concave face were inside a triangle of its fan.
+    #[test]
+    fn corners_and_sides_of_a_concave_face_stay_such() {
+        let round = |k: u32| {
+            let turn = 0.25 * f64::from(k) / 9.0;
+            [2.0 - 2.0 * cosine(turn), 0.5 - 0.5 * sine(turn), 0.0]
+        };
+        let mut mesh = Mesh {
+            positions: vec![[2.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 0.0], [0.0, 2.0, 0.0]],
+            ..Mesh::default()
+        };
+        mesh.positions.extend((0..10).map(round));
+        let outline: Vec<u32> = (0..14).collect();
+        mesh.faces.push(&outline);
+        let mut cover = Mesh { positions: mesh.positions.clone(), ..Mesh::default() };
+        let mut corners = Vec::new();
+        for [a, b] in polygon_sides(&outline) {
+            let ends = [a, b].map(|v| Vec3::from(mesh.positions[v as usize]));
+            corners.extend([a, cover.positions.len() as u32]);
+            cover.positions.push(mean(ends).into());
+        }
+        cover.faces.push(&corners);
+        let Origins { vertices, between, .. } = Edited::covering(&mesh, &cover).origins;
+        assert!((0..14).map(Some).eq(vertices), "each corner is itself");
+        for (k, [a, b]) in polygon_sides(&outline).enumerate() {
+            assert_eq!(between.row(14 + k), [a.min(b), a.max(b)]);
+        }
+    }
+
+    /// Those of the second one came from the first one.
+    #[test]
+    fn vertices_at_a_seam_that_is_not_joined_come_from_their_own_patch() {
+        // Patches side by side, with rows of faces to 1 and 2; panels with rows to 0.5 and 2.
+        let patches = |rows: [f64; 3]| {
+            let mut mesh = Mesh::default();
+            for k in 0..3_u32 {
+                let ends = [k, k + 1].map(f64::from);
+                mesh.positions.extend(rows.iter().flat_map(|&y| ends.map(|x| [x, y, 0.0])));
+                let first = 6 * k;
+                for a in [first, first + 2] {
+                    mesh.faces.push(&[a, a + 1, a + 3, a + 2]);
+                }
+            }
+            mesh
+        };
+        let edited = Edited::covering(&patches([0.0, 1.0, 2.0]), &patches([0.0, 0.5, 2.0]));
+        let Origins { vertices, between, .. } = edited.origins;
+        let stay = (0..18).filter(|&v: &usize| vertices[v].is_some());
+        assert!(stay.eq((0..18).filter(|v| ![2, 3].contains(&(v % 6)))), "{vertices:?}");
+        let sides: Vec<&[u32]> = between.iter().filter(|olds| olds.len() > 1).collect();
+        assert_eq!(sides, [[0, 2], [1, 3], [6, 8], [7, 9], [12, 14], [13, 15]]);
     }
 }

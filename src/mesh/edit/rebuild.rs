@@ -1,7 +1,7 @@
 //! Builder of a mesh made from another one, with the origins of its elements.
 
 use super::origins::{Combinations, Edited, Origins};
-use crate::math::polygon_sides;
+use crate::math::{polygon_sides, visits_twice};
 use crate::mesh::{Group, Mesh, Point, Ragged, Topology};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -101,7 +101,7 @@ impl<'a> Rebuild<'a> {
                 continue;
             }
             // Faces that already visited a vertex twice are accepted.
-            if has_twice(&corners) && !has_twice(old) {
+            if visits_twice(&corners) && !visits_twice(old) {
                 return Err(Touching(face));
             }
             self.face(&corners, &[face]);
@@ -204,19 +204,6 @@ fn mean(mesh: &Mesh, vertices: &[u32]) -> Vertex {
     combination.push(&of);
     Vertex { position: combination.apply(&mesh.positions)[0], of }
 }
-
-/// Whether a face visits a vertex twice.
-pub(super) fn has_twice(face: &[u32]) -> bool {
-    if face.len() <= FEW_CORNERS {
-        return (1..face.len()).any(|k| face[..k].contains(&face[k]));
-    }
-    let mut corners = face.to_vec();
-    corners.sort_unstable();
-    corners.windows(2).any(|pair| pair[0] == pair[1])
-}
-
-/// In faces of at most this many corners a corner is looked for one by one.
-const FEW_CORNERS: usize = 32;
 
 /// Returns the faces around a vertex in cyclic order; `None` if they are not a single fan of
 /// consistently oriented faces.

@@ -5,7 +5,7 @@
 
 use super::origins::{Combinations, Edited, Origins, Sum};
 use super::sharp::Sharp;
-use crate::math::polygon_corners;
+use crate::math::{polygon_corners, visits_twice};
 use crate::mesh::{Group, Mesh, Ragged, Topology};
 use crate::words;
 use std::fmt;
@@ -147,11 +147,8 @@ impl Subdivision {
         if self.scheme == Scheme::Loop && others > 0 {
             return Err(SubdivideError::NotTriangles(others));
         }
-        let mut corners_seen = vec![u32::MAX; mesh.positions.len()];
-        for (f, face) in (0..).zip(mesh.faces.iter()) {
-            if face.iter().any(|&v| std::mem::replace(&mut corners_seen[v as usize], f) == f) {
-                return Err(SubdivideError::Repeated(f));
-            }
+        if let Some(face) = mesh.faces.iter().position(visits_twice) {
+            return Err(SubdivideError::Repeated(face as u32));
         }
         let splits_triangles = self.splits_triangles(mesh);
         // One level of means couples no more than the ends of each edge.

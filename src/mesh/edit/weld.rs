@@ -2,7 +2,6 @@
 //! common edges, and constraints on them would tear it apart.
 
 use crate::mesh::coincident::{first_of_group, tolerance, within_face};
-use crate::mesh::io::COINCIDENT;
 use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
 use crate::words;
 use std::collections::BTreeSet;
@@ -30,7 +29,9 @@ impl Read {
         let of_mesh = diagnose(&weld.original);
         self.problems.retain(|problem| of_mesh.iter().all(|other| other.kind != problem.kind));
         self.problems.extend(diagnose(&self.mesh));
-        self.notes.retain(|note| !note.contains(COINCIDENT));
+        if let Some(outdated) = self.on_coincident.take() {
+            self.notes.remove(outdated);
+        }
         let left = self.mesh.positions.len();
         let [welded, left] = [weld.original.positions.len() - left, left].map(words::group_digits);
         self.notes.push(format!(

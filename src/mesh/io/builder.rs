@@ -202,19 +202,17 @@ impl MeshBuilder {
                 marked(self.mesh.positions.len(), seams(&self.mesh).iter().map(|[v, _]| v));
             coincident.retain(|&v| !at_seams[v]);
         }
-        if let Some(&first) = coincident.iter().min() {
+        let on_coincident = coincident.iter().min().map(|&first| {
             let vertices = words::count(coincident.len(), "vertex lies", "vertices lie");
             let line = self.vertex_lines.get(first);
             let place = line.map_or_else(String::new, |line| format!(", first at line {line}"));
-            self.notes.push(format!("{vertices} {COINCIDENT}{place}"));
-        }
+            self.notes.push(format!("{vertices} exactly on an earlier one{place}"));
+            self.notes.len() - 1
+        });
         let problems = self.counts.problems(|line| excerpt(text, line));
-        Ok(Read { mesh: self.mesh, problems, notes: self.notes })
+        Ok(Read { mesh: self.mesh, problems, notes: self.notes, on_coincident })
     }
 }
-
-/// Of the note on coincident vertices, which is out of date once they are welded.
-pub(crate) const COINCIDENT: &str = "exactly on an earlier one";
 
 /// Returns the number of the last line if no line end follows it.
 fn unfinished_line(text: &str) -> Option<usize> {
@@ -237,7 +235,7 @@ fn fill_in(positions: &mut [Point]) {
 }
 
 /// A mesh read from a file, with problems and notes.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Read {
     /// The mesh.
     pub mesh: Mesh,
@@ -245,6 +243,8 @@ pub struct Read {
     pub problems: Vec<MeshProblem>,
     /// Notes, a sentence each, such as ignored statements and assumptions made.
     pub notes: Vec<String>,
+    /// The place in the notes of that on coincident vertices, which is out of date once they are welded.
+    pub(crate) on_coincident: Option<usize>,
 }
 
 /// Reason why a file is refused; `read` adds the name of the file and the text of the line.

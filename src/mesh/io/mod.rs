@@ -12,7 +12,6 @@ mod ply;
 mod stl;
 mod stream;
 
-pub(super) use builder::COINCIDENT;
 pub use builder::{Read, ReadError};
 pub use formats::{FILE_FORMATS, FileFormat, MeshPart};
 pub(crate) use lines::{decode, lines};

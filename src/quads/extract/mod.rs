@@ -39,7 +39,8 @@ pub(super) struct Extraction {
 }
 
 /// Extracts the grid. Where triangles are flipped, lines can be lost: their walk does not end at a
-/// node, or at one that leads back elsewhere. The faces around them are then larger, but every edge still has a face, or the outside, on either side.
+/// node, or at one that leads back elsewhere. The faces around them are then larger, but every edge
+/// still has a face, or the outside, on either side.
 ///
 /// With `careful`, lines through flipped triangles count as lost, so that nothing wrong is linked.
 pub(super) fn extract(surface: &Triangulation, map: &GridMap, careful: bool) -> Extraction {

@@ -109,22 +109,19 @@ pub(crate) struct Cross {
     pub anisotropy: Vec<Complex>,
 }
 
-/// Computes the field; `proceed` is asked between factorisations.
+/// Computes the field.
 ///
 /// # Errors
-/// If `proceed` says no, or a matrix is singular.
+/// If a matrix is singular.
 pub(crate) fn cross_field(
     prepared: &Prepared,
     frames: &Frames,
     steering: Steering,
-    proceed: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Cross, RemeshError> {
     let surface = &prepared.surface;
     let h = prepared.size;
     let n = surface.triangles.len();
-    let mut go_on = |part: f64| if proceed(part) { Ok(()) } else { Err(RemeshError::Cancelled) };
     let mut connection = Connection::new(surface, frames);
-    go_on(0.25)?;
     // Details below a panel do not steer: one implicit step of diffusion.
     let time = steering.smoothing * steering.smoothing * h * h;
     let mut anisotropy = frames.anisotropy(prepared);
@@ -134,7 +131,6 @@ pub(crate) fn cross_field(
         *z *= *area;
     }
     connection.solve(&mut anisotropy);
-    go_on(0.5)?;
     let given = given(prepared, frames);
     let is_given: Vec<bool> = given.iter().map(Option::is_some).collect();
     let weight: Vec<f64> = anisotropy
@@ -171,7 +167,6 @@ pub(crate) fn cross_field(
             connection.solve(&mut crosses);
         }
     }
-    go_on(0.75)?;
     let mut before = vec![Complex::new(1.0, 0.0); n];
     normalise(&mut crosses, &before);
     let rate = 1.0 / (steering.step * h * h);
@@ -186,7 +181,6 @@ pub(crate) fn cross_field(
         connection.solve(&mut crosses);
         normalise(&mut crosses, &before);
     }
-    go_on(1.0)?;
     Ok(Cross { crosses, anisotropy })
 }
 
@@ -238,7 +232,7 @@ mod tests {
     fn largest_difference(prepared: &Prepared, follow: f64, direction: Vec3<f64>) -> f64 {
         let frames = Frames::new(&prepared.surface);
         let steering = Steering { follow, smoothing: 0.5, step: 1.0 };
-        let found = cross_field(prepared, &frames, steering, &mut |_| true).unwrap();
+        let found = cross_field(prepared, &frames, steering).unwrap();
         let difference = |(t, &cross): (usize, &Complex)| {
             let along = unit(frames.of(t, direction)).unwrap();
             (cross - along * along * along * along).norm_sqr().sqrt()

@@ -53,12 +53,11 @@ impl Integers {
     /// factored with the weights of the seamless map.
     ///
     /// # Errors
-    /// If there are too many unknowns, `proceed` says no, or it is not positive definite.
+    /// If there are too many unknowns, or it is not positive definite.
     pub(super) fn new(
         seams: &Seams,
         energy: &mut Energy,
         seamless: &Seamless,
-        proceed: &mut dyn FnMut(f64) -> bool,
     ) -> Result<Integers, RemeshError> {
         let integers = (0..seams.is_integer.len()).filter(|&k| seams.is_integer[k]);
         let unknowns: Vec<(usize, usize)> =
@@ -70,9 +69,6 @@ impl Integers {
         let right = energy.right(seams, &seamless.weights);
         let mut matrix = DMatrix::zeros(m, m);
         for first in (0..m).step_by(RIGHT_SIDES) {
-            if !proceed(1.0) {
-                return Err(RemeshError::Cancelled);
-            }
             let together = RIGHT_SIDES.min(m - first);
             let mut x = vec![[0.0; RIGHT_SIDES]; right.len()];
             (0..together).for_each(|r| x[unknowns[first + r].1][r] = 1.0);

@@ -1,6 +1,6 @@
 //! The whole way from a prepared surface to an integer-grid map, with retries (sections 4.3 to 4.8 of
-//! `reference/quads.md`): creases nearer to each other than a panel are dropped, and when triangles stay flipped
-//! at all scales, the field follows less of the curvature.
+//! `reference/quads.md`): creases nearer to each other than a panel are dropped, and when triangles
+//! stay flipped at all scales, the field follows less of the curvature.
 
 use super::relaxed::{Attempt, Field, Found, Relaxed};
 use super::snap::snap;
@@ -56,8 +56,7 @@ struct CreaseSet {
 
 /// Is shown each map with its surface, whose features are those that the map follows. Returns whether
 /// to go on to the next one.
-pub type MapVisitor<'a> = dyn FnMut(&Prepared, GridMap, MapNotes, &mut RemeshObserver<'_>) -> Result<bool, RemeshError>
-    + 'a;
+pub type MapVisitor<'a> = dyn FnMut(&Prepared, GridMap, MapNotes) -> bool + 'a;
 
 /// How the roundings of a level end.
 enum Rounds {
@@ -81,7 +80,7 @@ impl GridMapper {
     /// another, as long as the visitor wants to see more. What was asked before changes nothing.
     ///
     /// # Errors
-    /// Those of the visitor; if the observer says no, or numbers are out of proportion.
+    /// If there are too many integer unknowns, or numbers are out of proportion.
     pub fn maps(
         &mut self,
         [follow, direction, wanted]: [f64; 3],
@@ -131,12 +130,13 @@ impl CreaseSet {
         if fields.get(level).is_none_or(|field| field.steering != steering) {
             fields.truncate(level);
             relaxed.truncate(level);
-            fields.push(Field::new(prepared, frames, steering, observer)?);
+            observer(RemeshStage::Field);
+            fields.push(Field::new(prepared, frames, steering)?);
         }
         if relaxed.get(level).is_none_or(|relaxed| relaxed.direction != direction) {
             relaxed.truncate(level);
-            let field = &fields[level];
-            relaxed.push(Relaxed::new(prepared, frames, field, direction, observer)?);
+            observer(RemeshStage::Map);
+            relaxed.push(Relaxed::new(prepared, frames, &fields[level], direction)?);
         }
         Ok(())
     }
@@ -153,13 +153,11 @@ impl CreaseSet {
     ) -> Result<Rounds, RemeshError> {
         let CreaseSet { prepared, fields, relaxed, .. } = self;
         let (field, relaxed) = (&fields[level], &mut relaxed[level]);
-        for (k, factor) in SCALES.into_iter().enumerate() {
-            let mut at = |factor: f64, part: f64| {
-                let mut proceed = || observer(RemeshStage::Round, part);
-                let asked = [wanted, factor];
-                relaxed.round(prepared, frames, field, asked, may_drop, &mut proceed)
-            };
-            let mut best = match at(factor, k as f64 / SCALES.len() as f64)? {
+        for factor in SCALES {
+            observer(RemeshStage::Round);
+            let mut at =
+                |factor| relaxed.round(prepared, frames, field, [wanted, factor], may_drop);
+            let mut best = match at(factor) {
                 Attempt::Map(found) => found,
                 Attempt::Creases(sides) => return Ok(Rounds::Creases(sides)),
             };
@@ -170,7 +168,7 @@ impl CreaseSet {
                     break;
                 }
                 factor *= (wanted / best.quads).sqrt();
-                let Attempt::Map(found) = at(factor, 1.0)? else { break };
+                let Attempt::Map(found) = at(factor) else { break };
                 if !found.flipped.is_empty() || off(&found) >= off(&best) {
                     break;
                 }
@@ -183,7 +181,8 @@ impl CreaseSet {
                 integers: relaxed.integers.count(),
                 dropped_creases: prepared.notes.dropped.len(),
             };
-            if !visit(prepared, map, notes, observer)? {
+            observer(RemeshStage::Extract);
+            if !visit(prepared, map, notes) {
                 return Ok(Rounds::Enough);
             }
         }

@@ -9,7 +9,7 @@ use super::separation::{Separation, separations};
 use super::untangle::Untangling;
 use crate::quads::field::{Combed, Cross, Frames, Steering, cross_field, cut_sides};
 use crate::quads::surface::Prepared;
-use crate::quads::{RemeshError, RemeshObserver, RemeshStage, Side};
+use crate::quads::{RemeshError, Side};
 
 /// Most roundings at one scale, each with more separations.
 const ROUNDINGS: usize = 8;
@@ -29,15 +29,13 @@ impl Field {
     /// Computes the field and its cut.
     ///
     /// # Errors
-    /// If the observer says no, or a matrix is singular.
+    /// If a matrix is singular.
     pub(super) fn new(
         prepared: &Prepared,
         frames: &Frames,
         steering: Steering,
-        observer: &mut RemeshObserver<'_>,
     ) -> Result<Field, RemeshError> {
-        let mut proceed = |part| observer(RemeshStage::Field, part);
-        let cross = cross_field(prepared, frames, steering, &mut proceed)?;
+        let cross = cross_field(prepared, frames, steering)?;
         let combed = Combed::new(&prepared.surface, frames, &cross.crosses);
         let cut = cut_sides(&prepared.surface, &combed);
         let seams = Seams::new(prepared, frames, &combed, cut);
@@ -78,32 +76,27 @@ impl Relaxed {
     /// Computes the map without integers.
     ///
     /// # Errors
-    /// If the observer says no, or a matrix is singular.
+    /// If there are too many integer unknowns, or numbers are out of proportion.
     pub(super) fn new(
         prepared: &Prepared,
         frames: &Frames,
         field: &Field,
         direction: f64,
-        observer: &mut RemeshObserver<'_>,
     ) -> Result<Relaxed, RemeshError> {
         let Field { cross, combed, seams, .. } = field;
         let mut energy = Energy::new(prepared, frames, combed, cross, seams, direction);
-        let mut proceed = |part| observer(RemeshStage::Map, part);
-        let seamless = seamless_map(prepared, seams, &mut energy, &frames.area, &mut proceed)?;
+        let seamless = seamless_map(prepared, seams, &mut energy, &frames.area)?;
         let predicted = 0.5 * doubled_areas(seams, &seamless.values).iter().sum::<f64>();
         if !(predicted > 0.0 && predicted.is_finite()) {
             return Err(RemeshError::Numerical);
         }
-        let integers = Integers::new(seams, &mut energy, &seamless, &mut proceed)?;
+        let integers = Integers::new(seams, &mut energy, &seamless)?;
         Ok(Relaxed { direction, energy, seamless, integers, predicted })
     }
 
     /// Rounds at the scale for `wanted` quads times `factor`; anew with separations as long as points
     /// or lines are rounded onto each other, then untangled. If creases are in the way, and may be dropped,
     /// these are returned.
-    ///
-    /// # Errors
-    /// If `proceed`, asked before each rounding, says no.
     pub(super) fn round(
         &mut self,
         prepared: &Prepared,
@@ -111,23 +104,19 @@ impl Relaxed {
         field: &Field,
         [wanted, factor]: [f64; 2],
         may_drop: bool,
-        proceed: &mut dyn FnMut() -> bool,
-    ) -> Result<Attempt, RemeshError> {
+    ) -> Attempt {
         let seams = &field.seams;
         let scale = factor * (wanted / self.predicted).sqrt();
         let free: Vec<f64> = self.seamless.values.iter().map(|value| scale * value).collect();
         let mut given: Vec<Separation> = Vec::new();
         let mut stuck = 0;
         for rounding in 1.. {
-            if !proceed() {
-                return Err(RemeshError::Cancelled);
-            }
             let integers = self.integers.round(scale, &given);
             let mut rounded = self.integers.solve(seams, &mut self.energy, scale, &integers);
             let more = separations(prepared, seams, &rounded.flipped(), &free, &rounded.values);
             let creases: Vec<Side> = more.iter().flat_map(|one| one.creases.clone()).collect();
             if may_drop && !creases.is_empty() {
-                return Ok(Attempt::Creases(creases));
+                return Attempt::Creases(creases);
             }
             stuck = if more.iter().all(|one| given.contains(one)) { stuck + 1 } else { 0 };
             if more.is_empty() || stuck == STUCK || rounding == ROUNDINGS {
@@ -138,7 +127,7 @@ impl Relaxed {
                 }
                 let quads = 0.5 * rounded.doubled.iter().sum::<f64>();
                 let flipped = rounded.flipped();
-                return Ok(Attempt::Map(Found { factor, rounded, flipped, quads }));
+                return Attempt::Map(Found { factor, rounded, flipped, quads });
             }
             // What is violated although it was given contradicts what was given before it.
             given.retain(|one| !more.contains(one));

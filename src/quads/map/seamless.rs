@@ -21,22 +21,18 @@ pub(crate) struct Seamless {
 /// The map of least energy; the energy is left assembled and factored for its weights.
 ///
 /// # Errors
-/// If `proceed` says no between factorisations, or the matrix is singular.
+/// If the matrix is singular.
 pub(crate) fn seamless_map(
     prepared: &Prepared,
     seams: &Seams,
     energy: &mut Energy,
     areas: &[f64],
-    proceed: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Seamless, RemeshError> {
     let mut weights = vec![1.0; areas.len()];
     let mut best: Option<(usize, Vec<f64>, Vec<f64>)> = None;
     let none = vec![false; energy.unknowns.len() - seams.pinned.len()];
     let mut last_best = false;
-    for round in 0..ROUNDS {
-        if !proceed(round as f64 / ROUNDS as f64) {
-            return Err(RemeshError::Cancelled);
-        }
+    for _ in 0..ROUNDS {
         let values = solve(seams, energy, &weights, &none)?;
         let doubled = doubled_areas(seams, &values);
         let flipped = doubled.iter().filter(|&&area| area <= 0.0).count();

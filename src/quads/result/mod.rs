@@ -1,4 +1,4 @@
-//! What came out: checked, measured, and put into words.
+//! What came out: checked and measured.
 //!
 //! | file | holds |
 //! |---|---|

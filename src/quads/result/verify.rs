@@ -1,6 +1,7 @@
 //! Whether the faces are a surface like the input: the result is checked itself, not the map from
 //! which it comes.
 
+use crate::math::visits_twice;
 use crate::mesh::{Mesh, Ragged, Topology, around, components};
 use crate::quads::fault::ResultFault;
 
@@ -22,12 +23,7 @@ pub(in crate::quads) fn verify<F: AsRef<[usize]>>(
     expected: Shape,
     fits: impl Fn(&[usize]) -> bool,
 ) -> (Shape, Vec<ResultFault>) {
-    let repeats = |face: &[usize]| {
-        let mut corners = face.to_vec();
-        corners.sort_unstable();
-        corners.windows(2).any(|pair| pair[0] == pair[1])
-    };
-    let wrong = |face: &&F| !fits(face.as_ref()) || repeats(face.as_ref());
+    let wrong = |face: &&F| !fits(face.as_ref()) || visits_twice(face.as_ref());
     let mesh = as_mesh(faces);
     let topology = Topology::new(&mesh);
     let found = shape(&mesh, &topology);

@@ -125,7 +125,7 @@ impl Chains {
         dropped
     }
 
-    /// The length and the vertices of each chain; of a closed one the first vertex is once there.
+    /// The length and the vertices of each chain; a closed one lists its first vertex once.
     pub(super) fn all(&self) -> impl Iterator<Item = (f64, &[usize])> {
         self.0.iter().map(|chain| {
             let last = chain.vertices.len() - usize::from(chain.closed);

@@ -3,7 +3,7 @@
 //! A set of faces becomes the faces made only of them. A set of vertices also gets the new vertices
 //! between its own; if all of its vertices are on the boundary, it is a curve and gets only
 //! boundary vertices. A handle stays at its vertex and moves with it; new boundary vertices between
-//! fixed neighbours are fixed too.
+//! fixed neighbours are fixed too. Of several new vertices at the place of an old one, all are it.
 
 use crate::constraint::{Element, Selector, describe, resolve};
 use crate::math::marked;
@@ -42,7 +42,7 @@ pub(crate) fn carry(
     let moved = |state: &[Point]| edited.in_other_state(from, state);
     let (mut lost, mut dropped) = (Vec::new(), Vec::new());
     let now = moved(positions);
-    let carried = carry_handles(handles, (positions, &now), before.topology(), origins);
+    let carried = carry_handles(handles, (positions, &now), before.topology(), (edited, from));
     let gone = handles.iter().filter(|handle| is_gone(handle.vertex, origins)).count();
     if gone > 0 {
         let handles = words::count(gone, "handle", "handles");
@@ -69,7 +69,7 @@ pub(crate) fn carry(
         variant.positions = moved(&variant.positions).into();
     }
     document.sets.retain(|name, set| {
-        set.vertices = carry_vertices(&set.vertices, before.topology(), origins).into();
+        set.vertices = carry_vertices(&set.vertices, before.topology(), (edited, from)).into();
         set.faces = carry_faces(&set.faces, origins).into();
         let is_left = !set.vertices.is_empty() || !set.faces.is_empty();
         if !is_left {
@@ -81,7 +81,7 @@ pub(crate) fn carry(
     document.closeness.weights.retain_mut(|entry| {
         let on = describe(&entry.on);
         if let Selector::Vertices(vertices) = &mut entry.on {
-            *vertices = carry_vertices(vertices, before.topology(), origins).into();
+            *vertices = carry_vertices(vertices, before.topology(), (edited, from)).into();
         }
         let found = resolve(&entry.on, after.mesh(), after.topology(), &document.sets);
         let is_left = found.is_ok_and(|found| !found.indices().is_empty());
@@ -95,7 +95,7 @@ pub(crate) fn carry(
     let rows = std::mem::take(&mut document.constraints);
     for mut row in rows {
         let label = named(&row);
-        let resolved = carry_row(&mut row, before.topology(), origins).and_then(|()| {
+        let resolved = carry_row(&mut row, before.topology(), (edited, from)).and_then(|()| {
             let resolved = resolve_row(&row, &document, after.mesh(), after.topology());
             resolved.map_err(|why| why.to_string())
         });
@@ -124,17 +124,18 @@ pub(crate) fn carry(
 fn carry_row(
     row: &mut ConstraintSpec,
     topology: &Topology,
-    origins: &Origins,
+    (edited, from): (&Edited, &[Point]),
 ) -> Result<(), String> {
     let info = row.kind.info();
     let Selector::Vertices(vertices) = &mut row.on else { return Ok(()) };
-    let carried = carry_vertices(vertices, topology, origins);
+    let carried = carry_vertices(vertices, topology, (edited, from));
     // If their order matters, no vertices are added.
     if info.elements.is_empty() && info.arity.fits(carried.len()) {
         *vertices = carried.into();
         return Ok(());
     }
-    let same: Option<Rc<[u32]>> = vertices.iter().map(|&v| origins.vertices[v as usize]).collect();
+    let now = &edited.origins.vertices;
+    let same: Option<Rc<[u32]>> = vertices.iter().map(|&v| now[v as usize]).collect();
     let same = same.ok_or("some of its vertices no longer exist")?;
     if same.iter().collect::<BTreeSet<_>>().len() < same.len() {
         return Err("some of its vertices were merged".to_owned());
@@ -148,7 +149,12 @@ fn is_gone(vertex: u32, origins: &Origins) -> bool {
 }
 
 /// Returns the remaining vertices in their order, followed by the vertices between them, ascending.
-fn carry_vertices(vertices: &[u32], topology: &Topology, origins: &Origins) -> Vec<u32> {
+fn carry_vertices(
+    vertices: &[u32],
+    topology: &Topology,
+    (edited, from): (&Edited, &[Point]),
+) -> Vec<u32> {
+    let origins = &edited.origins;
     let has = marked(topology.neighbours().len(), vertices);
     let is_on_boundary = boundary_vertices(topology);
     let is_curve = vertices.iter().all(|&v| is_on_boundary[v as usize]);
@@ -163,7 +169,8 @@ fn carry_vertices(vertices: &[u32], topology: &Topology, origins: &Origins) -> V
     for (v, between) in (0..).zip(origins.between.iter()) {
         let all = between.iter().all(|&old| has[old as usize]);
         let is_new = !std::mem::replace(&mut is_known[v as usize], true);
-        if is_new && all && (!is_curve || on_boundary(between, topology)) {
+        let on_curve = || on_boundary(between, topology) || at_old(v, edited, from).is_some();
+        if is_new && all && (!is_curve || on_curve()) {
             carried.push(v);
         }
     }
@@ -200,33 +207,48 @@ fn carry_handles(
     handles: &[Handle],
     (before, after): (&[Point], &[Point]),
     topology: &Topology,
-    origins: &Origins,
+    (edited, from): (&Edited, &[Point]),
 ) -> Vec<Handle> {
+    let origins = &edited.origins;
     let mut has_handle = vec![false; after.len()];
-    let mut is_fixed = vec![false; before.len()];
+    let mut of_old: Vec<Option<&Handle>> = vec![None; before.len()];
     let mut carried = Vec::with_capacity(handles.len());
-    for handle in handles {
-        is_fixed[handle.vertex as usize] = handle.hold == Hold::Fixed;
-        let Some(vertex) = origins.vertices[handle.vertex as usize] else { continue };
-        // If several handles are on one vertex, keep the first.
-        if std::mem::replace(&mut has_handle[vertex as usize], true) {
-            continue;
-        }
+    let at = |handle: &Handle, vertex: u32| {
         let (from, to) = (before[handle.vertex as usize], after[vertex as usize]);
         let target = std::array::from_fn(|i| {
             if handle.target[i] == from[i] { to[i] } else { handle.target[i] + (to[i] - from[i]) }
         });
-        carried.push(Handle { vertex, target, ..*handle });
+        Handle { vertex, target, ..*handle }
+    };
+    for handle in handles {
+        of_old[handle.vertex as usize] = Some(handle);
+        let Some(vertex) = origins.vertices[handle.vertex as usize] else { continue };
+        // If several handles are on one vertex, keep the first.
+        if !std::mem::replace(&mut has_handle[vertex as usize], true) {
+            carried.push(at(handle, vertex));
+        }
     }
+    let is_fixed =
+        |&old: &u32| of_old[old as usize].is_some_and(|handle| handle.hold == Hold::Fixed);
     let is_known = known(origins);
-    for (vertex, between) in (0..).zip(origins.between.iter()) {
-        let is_new = !is_known[vertex as usize] && on_boundary(between, topology);
-        if is_new && between.iter().all(|&old| is_fixed[old as usize]) {
+    let new = (0..).zip(origins.between.iter()).filter(|(v, _)| !is_known[*v as usize]);
+    for (vertex, between) in new {
+        if let Some(old) = at_old(vertex, edited, from) {
+            carried.extend(of_old[old as usize].map(|handle| at(handle, vertex)));
+        } else if on_boundary(between, topology) && between.iter().all(is_fixed) {
             let target = after[vertex as usize];
             carried.push(Handle { vertex, target, hold: Hold::Fixed });
         }
     }
     carried
+}
+
+/// Returns the old vertex at whose place a vertex lies that was made of it alone.
+fn at_old(vertex: u32, edited: &Edited, from: &[Point]) -> Option<u32> {
+    match *edited.origins.between.row(vertex as usize) {
+        [old] if edited.mesh.positions[vertex as usize] == from[old as usize] => Some(old),
+        _ => None,
+    }
 }
 
 /// Whether these are the two ends of an edge with fewer than two faces.

@@ -98,7 +98,7 @@ impl Layout {
         let mut rings = Vec::new();
         let mut notes = Vec::new();
         for note in &self.remeshed.notes {
-            let of = |&at| MarkedPlace::new(at, RING * size, surface, shape);
+            let of = |&at: &Point| MarkedPlace::new(at.into(), RING * size, surface, shape);
             let places: Vec<MarkedPlace> = note.places.iter().map(of).collect();
             rings.extend(places.iter().map(|place| place.ring.clone()));
             let places = places.into_iter().map(|place| place.around).collect();

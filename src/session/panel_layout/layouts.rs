@@ -60,45 +60,35 @@ impl PanelLayouts {
     /// before.
     ///
     /// # Errors
-    /// If panels of this size cannot cover the surface, or if `observer` cancels.
+    /// If panels of this size cannot cover the surface.
     pub fn lay_out(
         &mut self,
         settings: &LayoutSettings,
         observer: &mut RemeshObserver<'_>,
     ) -> Result<PanelLayout, SceneError> {
         self.refused_at = None;
-        let found = self.best(settings, observer);
-        let layout = found.map_err(|error| {
+        let layout = self.best(settings, observer).map_err(|error| {
             self.refused_at = error.place();
-            refused(&error, &self.units)
+            SceneError { path: String::new(), message: error.words(&self.units) }
         })?;
         Ok(layout.shown(self.shown(), &self.units, self.kept.len()))
     }
 
     /// What the panels come to with each choice at the boundary; empty if the surface to be
     /// covered is closed.
-    ///
-    /// # Errors
-    /// If `observer` cancels.
     pub fn at_boundaries(
         &mut self,
         settings: &LayoutSettings,
         observer: &mut RemeshObserver<'_>,
-    ) -> Result<Vec<BoundaryForecast>, SceneError> {
-        let mut found = Vec::new();
+    ) -> Vec<BoundaryForecast> {
         if !self.has_boundary {
-            return Ok(found);
+            return Vec::new();
         }
-        for boundary in [Boundary::Followed, Boundary::Cut] {
-            found.push(match self.layout(settings, boundary, observer) {
-                Ok(layout) => layout.forecast(&self.units),
-                Err(RemeshError::Cancelled) => {
-                    return Err(refused(&RemeshError::Cancelled, &self.units));
-                }
-                Err(_) => BoundaryForecast { boundary, words: "not possible".to_owned() },
-            });
-        }
-        Ok(found)
+        let of = |boundary| match self.layout(settings, boundary, observer) {
+            Ok(layout) => layout.forecast(&self.units),
+            Err(_) => BoundaryForecast { boundary, words: "not possible".to_owned() },
+        };
+        [Boundary::Followed, Boundary::Cut].map(of).into()
     }
 
     /// The place of the last refusal, if it has one.
@@ -129,7 +119,6 @@ impl PanelLayouts {
         }
         // Panels that are cut may move less. What cannot be cut stays followed.
         match self.layout(settings, Boundary::Cut, observer) {
-            Err(RemeshError::Cancelled) => Err(RemeshError::Cancelled),
             Ok(cut) if cut.move_length() <= CUT_MOVES * layout.move_length() => Ok(cut),
             _ => Ok(layout),
         }
@@ -156,8 +145,4 @@ impl PanelLayouts {
         self.last.push((options, Rc::clone(&layout)));
         Ok(layout)
     }
-}
-
-fn refused(error: &RemeshError, units: &str) -> SceneError {
-    SceneError { path: String::new(), message: error.words(units) }
 }

@@ -63,7 +63,7 @@ impl ModelCopy {
         let settings = read(settings)?;
         let told = self.told.clone();
         let layouts = self.panel_layouts(kept)?;
-        plains(&layouts.at_boundaries(&settings, &mut telling(&told)).map_err(thrown)?)
+        plains(&layouts.at_boundaries(&settings, &mut telling(&told)))
     }
 
     /// The place of the last refusal of panels; undefined if it has none.
@@ -92,15 +92,14 @@ impl ModelCopy {
 }
 
 /// Tells each stage once, in words.
-fn telling(told: &Function) -> impl FnMut(RemeshStage, f64) -> bool {
+fn telling(told: &Function) -> impl FnMut(RemeshStage) {
     let mut last = "";
-    move |stage, _| {
+    move |stage| {
         if last != stage.words() {
             last = stage.words();
             // That nobody listens changes nothing.
             let _ = told.call1(&JsValue::NULL, &last.into());
         }
-        true
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::loaded::Loaded;
 use super::solver::Solver;
-use crate::mesh::{Mesh, Read, diagnose};
+use crate::mesh::{Read, diagnose};
 use crate::scene::{RowNumber, UnitsAndUp};
 use crate::session::{Guessed, OpenedFile, Session, is_scene, named_files};
 use crate::solve::clock;
@@ -96,7 +96,7 @@ impl Solver {
         let diagnostics = Read {
             problems: diagnose(session.mesh()),
             notes: session.lost().to_vec(),
-            mesh: Mesh::default(),
+            ..Read::default()
         };
         let weld = self.weld.as_ref().filter(|_| generation == 0);
         let loaded = plain(&Loaded::new("", session, &diagnostics, Guessed::default(), weld));

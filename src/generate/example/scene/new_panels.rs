@@ -66,7 +66,7 @@ fn laid_out(
 ) -> Mesh {
     let lay_out = || {
         let options = MapOptions::of_size(PanelSize::Count(count));
-        let found = remesh(&triangles, &options, "m", &mut |_, _| true);
+        let found = remesh(&triangles, &options, "m", &mut |_| ());
         found.expect("it is a surface larger than a panel").mesh
     };
     let panels = once.get_or_init(lay_out).clone();
