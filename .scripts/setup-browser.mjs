@@ -37,11 +37,15 @@ async function installChromium() {
 
 /** Installs what `tests/browsers` drives, where that can be done without asking the user. */
 export async function setUpOtherBrowsers() {
-  const missing = ['firefox-esr', 'WebKitWebDriver', 'Xvfb'].filter(
-    (program) => outputOf('which', [program]) === null,
-  );
-  if (missing.length === 0 || !apt.canInstall()) return;
+  const lacks = (...names) => names.every((name) => outputOf('which', [name]) === null);
+  if (!apt.canInstall()) return;
+  const packages = [
+    // With the libraries by which Firefox draws without a graphics card.
+    ...(lacks('firefox', 'firefox-esr') ? ['firefox-esr', 'libegl1', 'libgl1'] : []),
+    ...(lacks('WebKitWebDriver') ? ['webkit2gtk-driver'] : []),
+    ...(lacks('Xvfb') ? ['xvfb'] : []),
+  ];
+  if (packages.length === 0) return;
   say('installing Firefox and WebKit');
-  // The libraries are those by which Firefox draws without a graphics card.
-  await apt.install('firefox-esr', 'libegl1', 'libgl1', 'webkit2gtk-driver', 'xvfb');
+  await apt.install(...packages).catch(({ message }) => say(message));
 }

@@ -63,7 +63,11 @@ export const firefox = {
 async function addressOf(program) {
   for await (const line of createInterface(program.stderr)) {
     const found = /WebDriver BiDi listening on (\S+)/.exec(line);
-    if (found) return found[1];
+    if (found) {
+      // Nobody reads on: what is printed must not fill the pipe.
+      program.stderr.resume();
+      return found[1];
+    }
   }
   throw new Error('Firefox has ended');
 }
@@ -83,6 +87,7 @@ async function connect(address) {
     if (type === 'success') done?.(result);
     else reject?.(new Error(message));
   };
+  socket.onclose = () => waiting.forEach(([, reject]) => reject(new Error('Firefox has ended')));
   let count = 0;
   return (method, params) =>
     new Promise((done, reject) => {

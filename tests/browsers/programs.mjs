@@ -5,6 +5,7 @@ import { once } from 'node:events';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { createServer } from 'node:net';
 import { createInterface } from 'node:readline';
 import { outputOf } from '../../.scripts/run.mjs';
 
@@ -48,5 +49,14 @@ export async function beginScreen() {
     stdio: ['ignore', 'pipe', 'ignore'],
   });
   const [display] = await once(createInterface(screen.stdout), 'line');
-  return { ...process.env, DISPLAY: `:${display}` };
+  return { ...process.env, DISPLAY: `:${display}`, WAYLAND_DISPLAY: undefined };
+}
+
+/** Returns a port that nobody listens at. */
+export async function freePort() {
+  const probe = createServer().listen(0, '127.0.0.1');
+  await once(probe, 'listening');
+  const { port } = probe.address();
+  probe.close();
+  return port;
 }

@@ -1,11 +1,7 @@
 // One story, from a file to a reload, in any browser that can be driven.
 
 import assert from 'node:assert/strict';
-import { createHash } from 'node:crypto';
-import { join } from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
-import { wavyGrid } from '../page/meshes.ts';
-import { folderOfOwn } from './programs.mjs';
 
 /**
  * @typedef {object} Browser
@@ -16,10 +12,6 @@ import { folderOfOwn } from './programs.mjs';
  * @property {(way: import('./pointer.mjs').Place[], keys?: string[]) => Promise<unknown>} pointer
  */
 
-const SIDE = 8;
-const VERTICES = (SIDE + 1) ** 2;
-/** A vertex inside the grid. */
-const HELD = 4 * (SIDE + 1) + 4;
 /** Drawing in software, and a compiler that warms up. */
 const PATIENCE_MS = 120_000;
 
@@ -27,9 +19,11 @@ const PATIENCE_MS = 120_000;
  * Opens a mesh, makes its panels circular, drags a vertex, exports, and reloads.
  * @param {Browser} browser
  * @param {string} address of the page
- * @returns what draws the view, and a digest of the circular shape
+ * @param {{ path: string, vertices: number, held: number }} mesh a file, its number of vertices, and
+ *   the vertex to drag
+ * @returns what draws the view, and the positions of the circular shape
  */
-export async function tell(browser, address) {
+export async function tell(browser, address, { path, vertices, held }) {
   const state = () => browser.ask('() => window.shapeUp.state()');
   const shape = () => browser.ask('() => [...window.shapeUp.positions()]');
   const until = async (what, condition, ...args) => {
@@ -47,9 +41,8 @@ export async function tell(browser, address) {
   await browser.open(address);
   await until('the first model is drawn', isDrawn);
 
-  const folder = folderOfOwn({ 'grid.obj': wavyGrid(SIDE) });
-  await browser.choose('input[type=file]', join(folder, 'grid.obj'));
-  await until('the grid is open', '(n) => window.shapeUp.state().vertices === n', VERTICES);
+  await browser.choose('input[type=file]', path);
+  await until('the mesh is open', '(n) => window.shapeUp.state().vertices === n', vertices);
 
   await press('Make panels circular');
   const ended = '() => !window.shapeUp.state().running && window.shapeUp.state().verdict !== null';
@@ -58,31 +51,33 @@ export async function tell(browser, address) {
   assert.equal(verdict.within, verdict.of, 'all panels are circular');
   const circular = await shape();
 
-  const from = await browser.ask('(v) => window.shapeUp.screen(v)', HELD);
+  const from = await browser.ask('(v) => window.shapeUp.screen(v)', held);
   const way = [0, 10, 25, 40].map((up) => [from[0], from[1] - up]);
   await browser.pointer(way, ['Alt']);
   await until('a handle', '() => window.shapeUp.state().handles.length === 1');
   const dragged = await until('the shape is at rest', shapeAtRest);
-  const moved = Math.hypot(...[0, 1, 2].map((i) => dragged[3 * HELD + i] - circular[3 * HELD + i]));
+  const moved = Math.hypot(...[0, 1, 2].map((i) => dragged[3 * held + i] - circular[3 * held + i]));
   assert.ok(moved > 0.1, `the dragged vertex has moved by ${moved}`);
 
   await browser.ask(keepFiles);
   await press('Export');
   await until('a file', '() => window.saved.length === 1');
   const text = await browser.ask('() => window.saved[0].text()');
-  const written = [...text.matchAll(/^v (\S+) (\S+) (\S+)$/gm)].flatMap((line) => line.slice(1, 4));
-  assert.deepEqual(written.map(Number), dragged, 'the file has the shape of the view');
+  assert.deepEqual(positionsOf(text), dragged, 'the file has the shape of the view');
 
   await browser.ask('() => window.shapeUp.settled()');
   await browser.open(address);
-  await until('the work is back', '(n) => window.shapeUp?.state().vertices === n', VERTICES);
+  await until('the work is back', '(n) => window.shapeUp?.state().vertices === n', vertices);
   await until('it is drawn', isDrawn);
   assert.equal((await state()).handles.length, 1);
   assert.deepEqual(await shape(), dragged);
 
-  const bytes = new Uint8Array(Float64Array.from(circular).buffer);
-  return { renderer, shape: createHash('sha256').update(bytes).digest('hex') };
+  return { renderer, circular };
 }
+
+/** The coordinates in an OBJ file. */
+export const positionsOf = (text) =>
+  [...text.matchAll(/^v (\S+) (\S+) (\S+)$/gm)].flatMap((line) => line.slice(1, 4).map(Number));
 
 /**
  * In the page: the middle of the button of this name, scrolled into view; nothing while it moves or

@@ -5,11 +5,10 @@ import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
 import { actionsOf } from './pointer.mjs';
-import { begin, pathOf } from './programs.mjs';
+import { begin, freePort, pathOf } from './programs.mjs';
 
 /** The key of an element in answers, fixed by the standard. */
 const ELEMENT = 'element-6066-11e4-a52e-4f735466cecf';
-const DRIVER = 'http://127.0.0.1:4723';
 const STARTS_WITHIN_MS = 10_000;
 
 export const webkit = {
@@ -18,8 +17,7 @@ export const webkit = {
 
   /** @returns {Promise<import('./story.mjs').Browser>} */
   async start(path, env) {
-    begin('WebKitWebDriver', [`--port=${new URL(DRIVER).port}`], { env, stdio: 'ignore' });
-    await answering();
+    const send = await beginDriver(env);
     const options = { binary: path, args: ['--automation'] };
     const { sessionId } = await send('POST', '/session', {
       capabilities: { alwaysMatch: { 'webkitgtk:browserOptions': options } },
@@ -54,21 +52,20 @@ const miniBrowser = () =>
     .map((folder) => join('/usr/lib', folder, 'MiniBrowser'))
     .findLast(existsSync);
 
-/** Resolves when the driver answers. */
-async function answering() {
+/** Starts the driver; returns a function that sends it a command and resolves with its value. */
+async function beginDriver(env) {
+  const port = await freePort();
+  const driver = `http://127.0.0.1:${port}`;
+  begin('WebKitWebDriver', [`--port=${port}`], { env, stdio: 'ignore' });
   const start = performance.now();
-  for (;;) {
-    const status = await fetch(`${DRIVER}/status`).catch(() => null);
-    if (status?.ok) return;
-    if (performance.now() > start + STARTS_WITHIN_MS) throw new Error(`${DRIVER} does not answer`);
+  while (!(await fetch(`${driver}/status`).catch(() => null))?.ok) {
+    if (performance.now() > start + STARTS_WITHIN_MS) throw new Error(`${driver} does not answer`);
     await wait(100);
   }
-}
-
-/** Sends a command to the driver, and resolves with its value. */
-async function send(method, path, body) {
-  const answer = await fetch(DRIVER + path, { method, body: body && JSON.stringify(body) });
-  const { value } = await answer.json();
-  if (!answer.ok) throw new Error(`${path}: ${value.error}: ${value.message}`);
-  return value;
+  return async (method, path, body) => {
+    const answer = await fetch(driver + path, { method, body: body && JSON.stringify(body) });
+    const { value } = await answer.json();
+    if (!answer.ok) throw new Error(`${path}: ${value.error}: ${value.message}`);
+    return value;
+  };
 }
