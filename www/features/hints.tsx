@@ -34,10 +34,9 @@ function Hints() {
   const { state } = useApp().store;
   const { at, isDone, finish } = useProgress();
   const words = useThrottled(() => (isDone.value ? '' : hintOf(state, at.value)));
-  const { firstExample, fileName, nothingOpen, renderer } = state;
+  const { firstExample, fileName, nothingOpen } = state;
   const isOfOther = fileName !== '' && !firstExample;
-  // They are about what can be dragged in the view.
-  const isHidden = isDone.value || nothingOpen || isOfOther || renderer === 'none';
+  const isHidden = isDone.value || nothingOpen || isOfOther;
   const isSaid = words !== '' && !isHidden;
   useLayoutEffect(() => {
     byId('hint-card').hidden = isHidden;
@@ -54,7 +53,9 @@ function Hints() {
 
 /** Returns the hint in words; empty before there is anything to say. */
 function hintOf(state: Readonly<State>, at: number) {
-  const { document, numbers, firstExample } = state;
+  const { document, numbers, firstExample, renderer } = state;
+  // Hints are about what can be dragged in the view.
+  if (renderer === 'none') return '';
   const about = declared(state, document?.measure ?? null);
   if (!document || !numbers || !about || !firstExample) return '';
   const met =

@@ -31,7 +31,10 @@ export function fly(viewport: Viewport, change: (view: View) => void) {
   });
 }
 
-/** Turns the model slowly, as on a turntable, until the camera is moved otherwise; or stops that. */
+/**
+ * Turns the model slowly, as on a turntable, until the camera is moved otherwise or another mesh is
+ * shown; or stops that.
+ */
 export function turnSlowly(viewport: Viewport) {
   if (viewport.motion && !viewport.motion.to) return stopTurning(viewport);
   viewport.with((view) => {

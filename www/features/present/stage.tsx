@@ -35,20 +35,21 @@ function Presentation() {
   const { store, actions } = useApp();
   const slides = useMemo(() => presentActions(store, actions), []);
   const asked = useSignal(0);
+  /** Those of the last document: there is none while a mesh is replaced or restored. */
+  const known = useRef<Slide[]>([]);
+  const stepsNow = () => (known.current = store.state.document?.steps ?? known.current);
   /** Undo may remove steps. */
-  const at = useComputed(() => {
-    const { length = 0 } = store.state.document?.steps ?? [];
-    return Math.max(Math.min(asked.value, length - 1), 0);
-  });
+  const at = useComputed(() => Math.max(Math.min(asked.value, stepsNow().length - 1), 0));
   const isDark = useSignal(false);
   const nextButton = useRef<HTMLButtonElement>(null);
-  const steps = store.state.document?.steps ?? [];
+  const steps = stepsNow();
   const step: Slide | undefined = steps[at.value];
   const place = `${at.value + 1} of ${steps.length}`;
 
   async function go(to: number) {
-    const last = (store.get().document?.steps.length ?? 0) - 1;
-    asked.value = Math.min(Math.max(to, 0), last);
+    const { document } = store.get();
+    if (!document) return;
+    asked.value = Math.min(Math.max(to, 0), document.steps.length - 1);
     isDark.value = false;
     await slides.showStep(at.value);
   }
@@ -84,7 +85,6 @@ function Presentation() {
     if (!isHeld) void done[what]();
   }
 
-  // While a mesh is replaced or restored there is no document.
   const isOver = store.state.document !== null && steps.length === 0;
   useLayoutEffect(() => {
     if (isOver) end();

@@ -29,8 +29,8 @@ const TERMS: Term[] = [
   {
     id: 'close',
     label: 'Close',
-    words: ({ closeness, settings }) =>
-      closeness === 'none' && settings.boundary === 'soft' ? BOUNDARY : CLOSENESS[closeness],
+    words: ({ closeness, unusedCloseness }) =>
+      closeness === 'none' && !unusedCloseness ? BOUNDARY : CLOSENESS[closeness],
   },
   { id: 'smooth', label: 'Smooth', words: ({ smoothness }) => SMOOTHNESS[smoothness] },
 ];

@@ -4,6 +4,7 @@ import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { handlesNow, type HandleDrag } from '../../store/handles.ts';
 import { useApp } from '../../store/use-app.ts';
 import { AmountField } from '../../ui/components/fields.tsx';
+import { firstIn } from '../../ui/components/number-steps.ts';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { count, coordinate, decimalsFor } from '../../ui/words.ts';
 import type { HandleRow } from '../../pkg/engine/shape_up.js';
@@ -51,7 +52,7 @@ export function SelectedHandles() {
               value={common(chosen.map(({ target }) => target[axis]))}
               shown={shown[axis] ?? ''}
               placeholder={shown[axis] ?? MIXED}
-              {...{ unit, min: -Infinity, step: 10 ** (2 - decimals) }}
+              {...{ unit, min: -Infinity, step: stepOf(unit, decimals) }}
               onAmount={(to) => move(chosen, axis, () => to)}
               onAddToEach={(by) => move(chosen, axis, (from) => from + by)}
             />
@@ -61,6 +62,13 @@ export function SelectedHandles() {
       <Hold key={chosen.map(({ vertex }) => vertex).join(' ')} chosen={chosen} />
     </div>
   );
+}
+
+/** By what an arrow key changes a coordinate that is shown with so many decimals. */
+function stepOf(unit: string, decimals: number) {
+  const finest = 10 ** -decimals;
+  const usual = firstIn(unit);
+  return usual < finest ? 100 * finest : Math.min(usual, 100 * finest);
 }
 
 /** Returns the value that all handles have; null if they differ. */
