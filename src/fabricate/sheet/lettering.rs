@@ -10,7 +10,8 @@ const HEIGHT: f64 = 6.0;
 /// Width of a letter in grid units.
 const WIDTH: f64 = 4.0;
 
-/// The strokes of a letter: pairs of digits are the x and y of points.
+/// The strokes of a letter, or of `?` instead of one that has none: pairs of digits are the x and y of
+/// points.
 fn glyph(letter: char) -> &'static [&'static str] {
     match letter.to_ascii_uppercase() {
         'A' => &["002640", "1333"],
@@ -66,17 +67,18 @@ fn glyph(letter: char) -> &'static [&'static str] {
         '\'' => &["2624"],
         '"' => &["1614", "3634"],
         '!' => &["2622", "2021"],
-        '?' => &["05163645442322", "2021"],
-        _ => &[],
+        ' ' => &[],
+        _ => &["05163645442322", "2021"],
     }
 }
 
-/// Letters with strokes, each before those instead of which it is written.
-const INSTEAD: &str = "A:ÀÁÂÃÄÅĀĂĄ C:ÇĆĈĊČ D:ÐĎĐ E:ÈÉÊËĒĔĖĘĚ G:ĜĞĠĢ H:ĤĦ I:ÌÍÎÏĨĪĬĮİ J:Ĵ K:Ķ L:ĹĻĽĿŁ \
-    N:ÑŃŅŇŊ O:ÒÓÔÕÖØŌŎŐ R:ŔŖŘ S:ŚŜŞŠȘ T:ŢŤŦȚ U:ÙÚÛÜŨŪŬŮŰŲ W:Ŵ Y:ÝŶŸ Z:ŹŻŽ AE:Æ OE:Œ TH:Þ X:× -:–—";
+/// Letters of ASCII, each before those instead of which it is written.
+const INSTEAD: &str = "A:ÀÁÂÃÄÅĀĂĄ C:ÇĆĈĊČ D:ÐĎĐ E:ÈÉÊËĒĔĖĘĚ G:ĜĞĠĢ H:ĤĦ I:ÌÍÎÏĨĪĬĮİ J:Ĵ K:Ķĸ L:ĹĻĽĿŁ \
+    N:ÑŃŅŇŊ O:ÒÓÔÕÖØŌŎŐ R:ŔŖŘ S:ŚŜŞŠȘ T:ŢŤŦȚ U:ÙÚÛÜŨŪŬŮŰŲ W:Ŵ Y:ÝŶŸ Z:ŹŻŽ AE:Æ IJ:Ĳ OE:Œ SS:ẞ TH:Þ \
+    X:× 2:² 3:³ -:‐‑–—− ':‘’‚‛ʼ′ \":“”„‟«»″ ...:…";
 
-/// A text in capitals that have strokes: base letters instead of accented ones, and `?` instead of what
-/// has neither.
+/// A text in capitals of ASCII: base letters instead of the accented ones of Latin-1 and Latin Extended-A,
+/// plain signs instead of typographic ones, and `?` instead of others.
 pub fn in_capitals(text: &str) -> String {
     let mut written = String::new();
     let instead = || INSTEAD.split(' ').filter_map(|own| own.split_once(':'));
@@ -86,7 +88,7 @@ pub fn in_capitals(text: &str) -> String {
             None if letter.is_whitespace() => written.push(' '),
             // An accent after its letter.
             None if ('\u{300}'..='\u{36f}').contains(&letter) => {}
-            None => written.push(if glyph(letter).is_empty() { '?' } else { letter }),
+            None => written.push(if letter.is_ascii_graphic() { letter } else { '?' }),
         }
     }
     written
@@ -147,12 +149,26 @@ mod tests {
 
     #[test]
     fn no_letter_of_a_text_is_left_out() {
-        let written = ["Sperrholz für Möbel, groß", "Łódź [2] – A\u{30a}", "Χαρτί\t3 × 4"];
-        let expected = ["SPERRHOLZ FUR MOBEL, GROSS", "LODZ [2] - A", "????? 3 X 4"];
-        assert_eq!(written.map(in_capitals), expected);
-        for (base, _) in INSTEAD.split(' ').filter_map(|own| own.split_once(':')) {
-            assert_eq!(in_capitals(base), base);
+        for (text, written) in [
+            ("Sperrholz für Möbel, groß", "SPERRHOLZ FUR MOBEL, GROSS"),
+            ("Łódź [2] – A\u{30a}", "LODZ [2] - A"),
+            ("Χαρτί\t3 × 4", "????? 3 X 4"),
+            ("Bird’s-eye “GROẞ” 80 g/m²", "BIRD'S-EYE \"GROSS\" 80 G/M2"),
+        ] {
+            assert_eq!(in_capitals(text), written);
         }
+        for letter in ('À'..='ſ').filter(|letter| letter.is_alphabetic()) {
+            assert!(!in_capitals(&letter.to_string()).contains('?'), "{letter}");
+        }
+    }
+
+    #[test]
+    fn signs_without_strokes_stay_in_a_text_and_are_drawn_as_question_marks() {
+        let ascii: String = (' '..='`').collect();
+        assert_eq!(in_capitals(&ascii), ascii);
+        let drawn = |text: &str| strokes(text, 6.0, [0.0; 2], [1.0, 0.0]);
+        assert_eq!(drawn("A=<é"), drawn("A???"));
+        assert!(drawn(" ").is_empty());
     }
 
     #[test]
