@@ -171,13 +171,11 @@ impl Build {
             }
             Product::Fins if is_now => self.frame.as_ref().map_or(0, Frame::made),
             Product::Fins => self.frame_at(scale).map_or(0, |frame| frame.made()),
-            Product::Paper => self.made_of_paper(scale).0,
+            Product::Paper if is_now => self.paper.as_ref().map_or(0, PaperModel::made),
+            Product::Paper => {
+                PaperModel::made_at(&self.surface, &self.flat, self.paper_size(scale))
+            }
         }
-    }
-
-    /// As [`PaperModel::made`], at this scale.
-    fn made_of_paper(&self, scale: f64) -> (usize, bool) {
-        PaperModel::made(&self.surface, &self.flat, self.paper_size(scale))
     }
 
     /// Whether every part has room on a sheet at this scale, except for discs, which are as large at
@@ -185,7 +183,7 @@ impl Build {
     fn fits_at(&self, scale: f64) -> bool {
         let BuildSettings { product, kerf, scale: now, .. } = self.settings;
         if product == Product::Paper {
-            return self.made_of_paper(scale).1;
+            return PaperModel::has_room(&self.surface, &self.flat, self.paper_size(scale));
         }
         let most = self.room();
         let mut parts = self.parts.iter().enumerate().filter(|(k, _)| self.disc_of(*k).is_none());

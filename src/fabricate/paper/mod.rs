@@ -123,20 +123,24 @@ impl PaperModel {
         }
     }
 
-    /// The number of panels of which the folds of a model of this size leave an inner face of every facet,
-    /// and whether each facet has room on a sheet. Then every piece has: facets are joined only where they
-    /// have room together.
-    pub fn made(
-        surface: &PanelSurface,
-        flat: &[Option<FlatPanel>],
-        size: PaperSize,
-    ) -> (usize, bool) {
+    /// The number of panels of which the folds leave an inner face of every facet.
+    pub fn made(&self) -> usize {
+        made_of(&self.net.facets, &self.uneven)
+    }
+
+    /// As [`PaperModel::made`], of a model of this size.
+    pub fn made_at(surface: &PanelSurface, flat: &[Option<FlatPanel>], size: PaperSize) -> usize {
         let (mut facets, mut joints, _) = facets(surface, flat, size.model);
-        let too_thick = size.card.cut_back(surface, &mut facets, &mut joints).too_thick;
-        let panels = |own: &mut dyn Iterator<Item = &Facet>| distinct(own.map(|f| f.panel)).len();
-        let lost = panels(&mut too_thick.iter().map(|&f| &facets[f as usize]));
-        let has_room = facets.iter().all(|facet| lies_on(&facet.corners, size.room));
-        (panels(&mut facets.iter()) - lost, has_room)
+        let uneven = size.card.cut_back(surface, &mut facets, &mut joints);
+        made_of(&facets, &uneven)
+    }
+
+    /// Whether each facet of a model of this size has room on a sheet. Then every piece has: facets are
+    /// joined only where they have room together.
+    pub fn has_room(surface: &PanelSurface, flat: &[Option<FlatPanel>], size: PaperSize) -> bool {
+        let (mut facets, mut joints, _) = facets(surface, flat, size.model);
+        size.card.cut_back(surface, &mut facets, &mut joints);
+        facets.iter().all(|facet| lies_on(&facet.corners, size.room))
     }
 
     /// The tab on a side.
@@ -174,6 +178,13 @@ impl PaperModel {
             _ => None,
         })
     }
+}
+
+/// The number of panels with an inner face of every facet.
+fn made_of(facets: &[Facet], uneven: &Uneven) -> usize {
+    let panels = |own: &mut dyn Iterator<Item = &Facet>| distinct(own.map(|f| f.panel)).len();
+    let lost = panels(&mut uneven.too_thick.iter().map(|&f| &facets[f as usize]));
+    panels(&mut facets.iter()) - lost
 }
 
 /// The panels beyond the sides of facets without a joint.
