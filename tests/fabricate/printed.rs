@@ -64,4 +64,10 @@ fn more_pages_than_anybody_would_glue_are_not_made() {
     let less = build(&mesh, &BuildSettings { scale: 50.0, ..own });
     assert!(!words(&less).contains("pages"));
     assert!(printed(&less).len() > all(&less));
+    // A single sheet of that many pages: a typing error.
+    let sheet = [1e5, 1e5];
+    let one = build(&mesh, &BuildSettings { sheet, page: Page::A4, ..settings(Pieces::Nets) });
+    assert_eq!(all(&one), 1);
+    assert!(words(&one).contains("pages"), "{}", words(&one));
+    assert_eq!(printed(&one).len(), 1);
 }
