@@ -1,5 +1,5 @@
 //! Cost of a step of undo: it shares the lists of elements that it does not change with those around
-//! it, and the bytes of positions and meshes in the history are bounded.
+//! it, and the bytes of positions, meshes, handles and constraints in the history are bounded.
 //!
 //! Each step used to hold a copy of the whole scene, and undo or redo copied it three more times:
 //! renaming a row took as long as two iterations at 100,000 vertices.
@@ -115,6 +115,24 @@ fn steps_are_forgotten_by_the_bytes_that_they_hold() {
         redone += 1;
     }
     assert!((260..=steps).contains(&redone), "{redone}");
+}
+
+#[test]
+fn the_lists_of_a_document_count_as_well() {
+    // Each document that was changed held a list of its own, without a bound.
+    let mut session = open(bumpy(1));
+    let row = session.document().constraints[0].clone();
+    for k in 0..2000 {
+        let spec = ConstraintSpec { name: format!("row {k}"), enabled: false, ..row.clone() };
+        let added = Edit::AddConstraint(NewConstraint { spec, set: None });
+        session.edit(added).expect("any row will do");
+    }
+    let most = (64 << 20) / (session.document().constraints.len() * size_of::<ConstraintSpec>());
+    for k in 0..2 * most {
+        session.edit(rename(&format!("roof {k}"))).expect("the row is there");
+    }
+    let steps = undone(&mut session);
+    assert!((most.saturating_sub(2)..=most + 1).contains(&steps), "{steps} of {most}");
 }
 
 #[test]

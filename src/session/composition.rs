@@ -1,7 +1,7 @@
 //! The session itself: its parts, and plain access to them.
 
 use super::measured::MeasureCache;
-use super::run::{Collapse, Collapsed, Meeting, Met, Progress, Search, TraceEntry};
+use super::run::{Collapse, LastRun, Meeting, Met, Progress, Search, TraceEntry};
 use super::state::{ResolvedRow, RestMesh, SolvedScene};
 use super::undo::{History, Transaction};
 use crate::mesh::{Mesh, Point, Topology};
@@ -17,8 +17,8 @@ pub struct Session {
     /// The document as it was opened, without handles and positions: a run of the same problem does
     /// what its author intends, even if it collapses. None if this does not hold.
     pub(super) opened: Option<Rc<Scene>>,
-    /// The last collapse, and the shape that this holds for.
-    pub(super) collapsed: Option<Collapsed>,
+    /// The last run that has ended.
+    pub(super) last_run: Option<LastRun>,
     pub(super) history: History,
     /// The drag, run or variation under way.
     pub(super) transaction: Option<Transaction>,
@@ -97,8 +97,7 @@ impl Session {
     /// How the run that ended with the current shape has collapsed it, if it has; see
     /// [`Session::end_run`].
     pub fn collapse(&self) -> Option<Collapse> {
-        let collapsed = self.collapsed.as_ref().filter(|collapsed| collapsed.is_of(&self.scene));
-        collapsed.map(|collapsed| collapsed.collapse)
+        self.last_run.as_ref().filter(|last| last.is_of(&self.scene))?.collapse
     }
 
     /// Whether the last iteration changed the total by no more than the tolerance, or a run has met the

@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
-use super::run::{Collapse, Collapsed, Search};
+use super::run::{Collapse, LastRun, Search, collapse_since};
 use super::state::{check_targets, same_problem};
 use super::undo::{Transaction, TransactionKind};
 use crate::mesh::Point;
@@ -193,9 +193,11 @@ impl Session {
         } else if !met {
             self.scene.settle();
         }
-        let start = &transaction.before().scene.positions;
-        let before = self.collapsed.take();
-        self.collapsed = self.collapsed_since(start, before);
+        let begun = &transaction.before().scene;
+        let start = self.last_run.take().and_then(|last| last.start_of(begun));
+        let start = start.unwrap_or_else(|| Rc::clone(&begun.positions));
+        let collapse = self.collapse_since(&start);
+        self.last_run = Some(LastRun::new(start, begun, &self.scene, collapse));
         // A run that collapsed is a step of its own, so that it can be undone alone.
         let joins = transaction.joins_last() && self.collapse().is_none();
         match transaction.name_of_run(&self.state()) {
@@ -206,19 +208,15 @@ impl Session {
         self.collapse()
     }
 
-    /// As [`Collapsed::since`], where the current shape is looked at for a collapse.
-    pub(super) fn collapsed_since(
-        &self,
-        start: &Rc<[Point]>,
-        before: Option<Collapsed>,
-    ) -> Option<Collapsed> {
+    /// As [`collapse_since`], where the current shape is looked at for a collapse.
+    pub(super) fn collapse_since(&self, start: &[Point]) -> Option<Collapse> {
         let is_as_opened = |opened| same_problem(self.document(), opened);
         let requires_panels = || self.panel_requirement().is_some_and(Require::is_hard);
         let is_judged = self.is_searched() && requires_panels();
         if is_judged || self.opened.as_deref().is_some_and(is_as_opened) {
             return None;
         }
-        Collapsed::since(start, before, &self.scene, &self.rest)
+        collapse_since(start, &self.scene, &self.rest)
     }
 
     fn move_handles(&mut self, vertices: &[u32], targets: &[Point]) {

@@ -139,13 +139,10 @@ impl Session {
             document.choose_attempt(attempt.chosen());
         }
         self.go_to(&exact.positions(), document)?;
-        let (mut answer, places) = self.answer_of(&attempt, &exact);
-        // An attempt may have had other tolerances than the scene.
-        let required = self.hard_distance();
-        answer.tolerance = required.map_or(answer.tolerance, |(_, tolerance, _)| tolerance);
+        let (answer, places) = self.answer_of(&attempt, &exact);
         let attempts = tried.len() as u32;
         let report = ExactReport { attempts, eased, seconds, ..ExactReport::new(answer, &places) };
-        let mut met = Met::new(&self.scene, report);
+        let mut met = Met::new(&self.scene, self.in_the_scene(report));
         (met.tried, met.chosen) = (tried, chosen);
         (met.converged, met.is_whole) = (end.converged, is_whole);
         self.met = Some(met);

@@ -140,7 +140,7 @@ fn set_up(
         scene,
         progress,
         opened,
-        collapsed: None,
+        last_run: None,
         history,
         transaction,
         measured: MeasureCache::default(),

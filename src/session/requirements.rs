@@ -3,6 +3,7 @@
 
 use super::Session;
 use super::report::ConstraintCoverage;
+use super::run::ExactReport;
 use super::state::RestMesh;
 use crate::math::marked;
 use crate::mesh::{Point, Ragged};
@@ -24,6 +25,14 @@ impl Required {
     /// Returns the requirement in the scene.
     pub(super) fn of(row: &ConstraintSpec) -> Required {
         Required { require: row.require, eased: row.eased.clone() }
+    }
+
+    /// Returns the requirement in the scene, with exactness instead of a tolerance.
+    pub(super) fn exactly(row: &ConstraintSpec) -> Required {
+        match row.require {
+            Require::Within(_) => Required { require: Require::Exact, eased: None },
+            _ => Required::of(row),
+        }
     }
 }
 
@@ -132,6 +141,27 @@ impl Session {
         let tolerance = distances.iter().map(|(_, allowed)| *allowed).fold(0.0, f64::max);
         // Written so that NaN counts as not met.
         Some((most, tolerance, distances.iter().all(|(worst, allowed)| worst <= allowed)))
+    }
+
+    /// Whether the current shape meets its hard constraints exactly, whatever the scene requires.
+    pub(super) fn is_exact(&self) -> bool {
+        let tolerance = exact_tolerance(self.rest.mesh());
+        self.exact().is_some_and(|report| report.met && report.max_distance <= tolerance)
+    }
+
+    /// The requirements that other shapes are to meet as the current one does: exactly, if it is exact;
+    /// none if it does not meet those of the scene.
+    pub(super) fn met_requirements(&self) -> Option<fn(&ConstraintSpec) -> Required> {
+        let is_met = self.exact().is_some_and(|report| report.met);
+        is_met.then_some(if self.is_exact() { Required::exactly } else { Required::of })
+    }
+
+    /// Returns the report on a shape that was found with other requirements, with the tolerance of the
+    /// scene.
+    pub(super) fn in_the_scene(&self, report: ExactReport) -> ExactReport {
+        let required = self.hard_distance();
+        let tolerance = required.map_or(report.tolerance, |(_, tolerance, _)| tolerance);
+        ExactReport { tolerance, ..report }
     }
 
     /// Whether some enabled constraints are hard.

@@ -3,7 +3,6 @@
 
 use super::Session;
 use super::edit::Edit;
-use super::requirements::Required;
 use super::run::{ExactReport, Met};
 use super::undo::{ShownVariation, Transaction, TransactionKind};
 use crate::mesh::Point;
@@ -77,19 +76,17 @@ impl Session {
     /// # Errors
     /// If a set of the scene does not exist, or the system is singular.
     pub fn variations(&self) -> Result<Option<Variations>, Error> {
-        if !self.exact().is_some_and(|exact| exact.met) {
-            return Ok(None);
-        }
+        let Some(required) = self.met_requirements() else { return Ok(None) };
         let make =
             |problem: Problem<'_>,
              requirements: Requirements<'_>,
              handles: &[Handle],
              start: &[Point],
              cache| { ShapeSpace::new(&problem, &requirements, handles, start, cache) };
-        let Some(space) = self.with_requirements(self.document(), &Required::of, make)? else {
+        let Some(space) = self.with_requirements(self.document(), &required, make)? else {
             return Ok(None);
         };
-        let places = self.required_places(&Required::of, true);
+        let places = self.required_places(&required, true);
         Ok(Some(Variations { space: space?, places, generation: self.generation() }))
     }
 
@@ -117,7 +114,7 @@ impl Session {
             self.begin(TransactionKind::Variation(Box::new(shown)));
         }
         self.scene.show(positions);
-        self.met = report.map(|report| Met::new(&self.scene, report));
+        self.met = report.map(|report| Met::new(&self.scene, self.in_the_scene(report)));
         true
     }
 
@@ -134,7 +131,7 @@ impl Session {
         match self.make(Edit::KeepVariant { start }) {
             Ok(Some((name, _))) => {
                 self.add_step(name, transaction.into_before());
-                self.met = Some(Met::new(&self.scene, report));
+                self.met = Some(Met::new(&self.scene, self.in_the_scene(report)));
                 Ok(true)
             }
             Ok(None) => unreachable!("a variant more is a change"),

@@ -5,7 +5,7 @@ use crate::support::drag;
 use shape_up::generate::example::EXAMPLES;
 use shape_up::mesh::{Mesh, read};
 use shape_up::scene::{Closeness, Scene, Smoothness, Weights};
-use shape_up::session::{Edit, Level, PanelStart, Session};
+use shape_up::session::{CollapseReason, Edit, Level, PanelStart, Session};
 
 /// The weights of Fig. 5, which are unsuitable for an open mesh whose boundary is free.
 const FIG_5: Weights = Weights { shape: 5.0, close: 10.0, smooth: 2.0 };
@@ -118,6 +118,92 @@ fn what_was_asked_for_is_no_collapse() {
     dragged.edit(Edit::RemoveHandles { vertices: vec![0] }).unwrap();
     run(&mut dragged, 2000);
     assert!(dragged.moved().max < 1e-3 && dragged.converged(), "{:?}", dragged.collapse());
+}
+
+/// Weights that shrink a mesh to a dot: nothing but its own smoothness acts.
+const SHRINKING: Weights = Weights { shape: 1.0, close: 0.0, smooth: 10.0 };
+
+/// The diagonal of the bounding box of the current shape.
+fn size(session: &Session) -> f64 {
+    let positions = session.positions();
+    let extent = |axis: usize| {
+        let along = || positions.iter().map(|point| point[axis]);
+        along().fold(f64::MIN, f64::max) - along().fold(f64::MAX, f64::min)
+    };
+    (0..3).map(|axis| extent(axis) * extent(axis)).sum::<f64>().sqrt()
+}
+
+#[test]
+fn a_collapse_beside_a_moved_handle_or_another_surface_is_told() {
+    let open = |weights: Weights| {
+        let mesh = crate::support::grid::grid(10, 10, |i, j| [f64::from(i), f64::from(j), 0.0]);
+        let mut session = with_weights_of_fig_5(mesh);
+        session.edit(Edit::SetWeights(weights.into())).unwrap();
+        session
+    };
+    let held = Weights { shape: 1.0, close: 1.0, smooth: 0.1 };
+    let collapses = |session: &mut Session| {
+        run(session, 5000);
+        assert!(size(session) < 2.0, "{}", size(session));
+        let found = session.collapse().map(|collapse| collapse.reason);
+        assert!(found == Some(CollapseReason::Shrunk) && !session.converged(), "{found:?}");
+    };
+    // A handle a quarter of the size away excused everything.
+    let mut session = open(held);
+    session.edit(Edit::AddHandles { vertices: vec![60], fixed: false }).unwrap();
+    session.begin_drag();
+    drag(&mut session, [(60, [5.0, 5.0, 4.0])]).unwrap();
+    session.end_drag(true);
+    run(&mut session, 2000);
+    assert_eq!(session.collapse(), None);
+    session.edit(Edit::SetWeights(SHRINKING.into())).unwrap();
+    collapses(&mut session);
+    // So did a surface.
+    let mut session = open(held);
+    let text = "v -5 -5 4\nv 15 -5 4\nv 15 15 4\nv -5 15 4\nf 1 2 3 4".to_owned();
+    session.edit(Edit::FitTo { name: "above.obj".to_owned(), text }).unwrap();
+    collapses(&mut session);
+}
+
+#[test]
+fn a_collapse_over_several_runs_or_steps_is_told() {
+    // Each of them left more than half of what it began with.
+    let slowly = |smooth: f64| Edit::SetWeights(Weights { smooth, ..SHRINKING }.into());
+    let open = || {
+        let mesh = crate::support::grid::grid(10, 10, |i, j| [f64::from(i), f64::from(j), 0.0]);
+        let mut session = with_weights_of_fig_5(mesh);
+        session.edit(slowly(0.5)).unwrap();
+        // Around its middle, so that no vertex moves far.
+        session.edit(Edit::AddHandles { vertices: vec![60], fixed: true }).unwrap();
+        session
+    };
+    let mut session = open();
+    let first = size(&session);
+    let run_to = |session: &mut Session, part: f64| {
+        session.begin_run();
+        while size(session) > part * first {
+            session.step().unwrap();
+        }
+        assert!(size(session) > (part - 0.06) * first, "{}", size(session) / first);
+        session.end_run()
+    };
+    assert_eq!(run_to(&mut session, 0.75), None);
+    assert!(run_to(&mut session, 0.45).is_some());
+    // So it is after an undo, but not with another problem.
+    session.undo().unwrap();
+    assert_eq!(session.collapse(), None);
+    assert!(run_to(&mut session, 0.45).is_some());
+    session.undo().unwrap();
+    session.edit(Edit::Reset).unwrap();
+    assert_eq!(run_to(&mut session, 0.75), None);
+    session.edit(slowly(0.4)).unwrap();
+    assert_eq!(run_to(&mut session, 0.48), None);
+
+    let mut session = open();
+    while size(&session) > 0.45 * first {
+        session.single_step().unwrap();
+    }
+    assert!(session.collapse().is_some());
 }
 
 #[test]

@@ -440,6 +440,18 @@ fn exactness_that_nobody_asked_for_is_no_requirement() {
     let mut improvement = session.improvement().expect("regular").expect("all is met");
     while improvement.step(&session).expect("regular") {}
     assert!(improvement.shape().report.max_distance < 1e-9);
+    // A run left it as it was, and a trial of what it was already dropped what could be redone.
+    run(&mut session);
+    assert!(session.exact_trial().expect("regular").is_none());
+    // So does what is varied: it was brought back within the tolerance only.
+    let mut variations = session.variations().expect("regular").expect("all is met");
+    while variations.step().expect("regular") {}
+    let varied = variations.go(&[0.02]).expect("regular");
+    assert!(varied.report.max_distance < 1e-9, "{:?}", varied.report);
+    let of = variations.generation();
+    assert!(session.show_variation(of, &varied.positions, Some(varied.report)));
+    assert!(session.exact().is_some_and(|exact| exact.met && exact.tolerance == 1e-3));
+    session.leave_variation();
     session.make_panels("plane", 0.3, PanelStart::Now).expect("it has quads");
     run(&mut session);
     assert!(session.moved().mean < 0.9 * moved, "{} {moved}", session.moved().mean);

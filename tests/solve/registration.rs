@@ -97,6 +97,15 @@ fn a_file_is_fitted_to_in_one_step_that_is_undone_and_shared() {
     assert_eq!(boundary(&session), BoundaryRequire::Exact);
     session.edit(fit).expect("it is a mesh");
     assert_eq!(boundary(&session), BoundaryRequire::Off);
+    // What is held beside another surface is so by the user's choice, also with a newer file.
+    let hold = r#"{ "set": { "id": "boundary", "value": "soft" } }"#;
+    session.edit(Edit::from_json(hold).expect("it is an edit")).expect("it is declared");
+    let raised: Vec<_> = wave().positions.iter().map(|[x, y, z]| [*x, *y, z + 1.0]).collect();
+    let text = write_obj(&wave(), &raised);
+    session.edit(Edit::FitTo { name: "newer.obj".to_owned(), text }).expect("it is a mesh");
+    assert_eq!(boundary(&session), BoundaryRequire::Soft);
+    session.undo().expect("undo works");
+    session.undo().expect("undo works");
     session.undo().expect("undo works");
     session.undo().expect("undo works");
     let broken = Edit::FitTo { name: "wave.off".to_owned(), text: "OFF\n3".to_owned() };

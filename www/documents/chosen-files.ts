@@ -110,7 +110,7 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     const isBelow = event.clientY > FIT_FROM * window.innerHeight;
     // The surface is one file: several are a model, as anywhere else.
     if (store.get().document && isBelow && files.length === 1 && chosen.length === 1) {
-      void actions.reportErrors(readSecondFile(FIT, chosen[0], actions, app.files.replaced));
+      void actions.reportErrors(readSecondFile(FIT, chosen[0], app));
       return;
     }
     const opened = app.files.openings.begin((opening) => openChosen(app, opening, chosen, folders));

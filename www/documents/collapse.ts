@@ -15,7 +15,7 @@ import type { AppContext } from '../app/context.ts';
  * @param collapse description, as the end of a sentence
  */
 export function reportCollapse({ store, alerts, actions }: AppContext, collapse: string) {
-  const text = `In this run ${collapse}.`;
+  const text = `While iterating, ${collapse}.`;
   actions.setStatus(text);
   const withdraw = alerts.notice(
     text,
@@ -41,7 +41,7 @@ function askOnce(collapse: string): Promise<boolean> {
     { id: 'export-anyway', title: 'Export this shape?' },
     element(
       'div.dialog-body',
-      element('p', `In the last run ${collapse}. You probably do not want to export this shape.`),
+      element('p', `While iterating, ${collapse}. You probably do not want to export this shape.`),
       element(
         'div.dialog-foot',
         button('Export anyway', answer('export')),

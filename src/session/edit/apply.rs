@@ -144,10 +144,13 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
         Edit::FitTo { name, text } => {
             let read = read_second(&name, &text, &draft.document)?;
             let document = &mut draft.document;
+            // The curves that it is held on are those of the original; one that is held beside another
+            // surface is so by the user's choice.
+            if document.closeness.to != ClosenessTo::Target {
+                document.closeness.boundary.require = BoundaryRequire::Off;
+            }
             document.closeness.to = ClosenessTo::Target;
             document.closeness.target = Some(Target::Mesh(read.mesh.into()));
-            // The curves that it is held on are those of the original.
-            document.closeness.boundary.require = BoundaryRequire::Off;
             // Without a weight nothing would be drawn to it.
             if document.weights.close == 0.0 {
                 document.weights.close = 1.0;

@@ -1,11 +1,13 @@
 //! Collapse of a shape: a run that shrinks the model to a dot, crushes its faces, or carries it away.
 //!
 //! The shape at the end is compared with that at the beginning and with the original: one that goes
-//! back to the original has not collapsed, nor one that was so before.
+//! back to the original has not collapsed, nor one that was so before. Runs that go on with each other
+//! have one beginning.
 
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged, Surface, at_vertices, diagonal};
-use crate::session::state::{RestMesh, SolvedScene};
+use crate::scene::Scene;
+use crate::session::state::{RestMesh, SceneState, SolvedScene, same_problem};
 use std::fmt;
 use std::rc::Rc;
 
@@ -18,8 +20,8 @@ const LOST: f64 = 0.05;
 /// Largest allowed fraction of faces that lose their area. With the settings of a newly opened mesh
 /// it is less than one in a hundred, on real meshes with circular panels.
 const MOST_LOST: f64 = 0.1;
-/// Length by which a shape may be smaller or farther away, relative to the largest distance from the
-/// original at which a vertex is asked to be.
+/// Length by which a shape may be smaller or farther away than another one, relative to the largest
+/// distance from that one at which a vertex is asked to be.
 const PER_PULL: f64 = 2.0;
 
 /// A collapse of a shape.
@@ -58,59 +60,92 @@ pub enum CollapseReason {
     Moved,
 }
 
-/// A shape that a run has collapsed.
-pub(crate) struct Collapsed {
-    pub(crate) collapse: Collapse,
-    /// The shapes at the beginning and at the end, `#V by 3`.
+/// How the last run has ended, and the shapes that the next one may go on from.
+pub(crate) struct LastRun {
+    pub(crate) collapse: Option<Collapse>,
+    /// The shape that its end was compared with, and that at its beginning; `#V by 3`.
     start: Rc<[Point]>,
-    shape: Rc<[Point]>,
+    begun: Rc<[Point]>,
+    end: SceneState,
 }
 
-impl Collapsed {
-    /// Returns how a run that began at the shape `start` (`#V by 3`) has collapsed the current one, if
-    /// it has. Where the run `before` had collapsed that shape, it counts as continued.
-    pub(crate) fn since(
-        start: &Rc<[Point]>,
-        before: Option<Collapsed>,
+impl LastRun {
+    /// Records a run that began in the state `begun`, compared with the shape `start`.
+    pub(crate) fn new(
+        start: Rc<[Point]>,
+        begun: &SceneState,
         scene: &SolvedScene,
-        rest: &RestMesh,
-    ) -> Option<Collapsed> {
-        let before = before.filter(|before| Rc::ptr_eq(&before.shape, start));
-        let start = before.map_or_else(|| Rc::clone(start), |before| before.start);
-        let design = scene.document().variants.design_positions();
-        let (original, shape) = (design.unwrap_or(rest.positions()), Rc::clone(scene.positions()));
-        let compared = |slack| collapse(&shape, [&start, original], rest.mesh(), slack);
-        // A search for the distance to another surface is left out where nothing has collapsed.
-        compared(0.0)?;
-        let collapse = compared(PER_PULL * pull(scene, original))?;
-        Some(Collapsed { collapse, start, shape })
+        collapse: Option<Collapse>,
+    ) -> LastRun {
+        let begun = Rc::clone(&begun.positions);
+        LastRun { collapse, start, begun, end: scene.state() }
     }
 
-    /// Whether this is the current shape of the scene.
+    /// Returns the shape that a run from the state `begun` is compared with, if it goes on with this run:
+    /// from its end or, after undo, from its beginning, with the same problem or after a collapse. So a
+    /// collapse over several runs or single steps is one as well.
+    pub(crate) fn start_of(&self, begun: &SceneState) -> Option<Rc<[Point]>> {
+        let is_its = |shape| Rc::ptr_eq(shape, &begun.positions);
+        let goes_on = [&self.begun, &self.end.positions].into_iter().any(is_its)
+            && (self.collapse.is_some() || same_problem(&self.end.document, &begun.document));
+        goes_on.then(|| Rc::clone(&self.start))
+    }
+
+    /// Whether it ended with the current shape of the scene.
     pub(crate) fn is_of(&self, scene: &SolvedScene) -> bool {
-        Rc::ptr_eq(&self.shape, scene.positions())
+        Rc::ptr_eq(&self.end.positions, scene.positions())
     }
 }
 
-/// Returns the largest distance from the `original` (`#V by 3`) at which a vertex is asked to be: by a
-/// handle, by another pose, or by closeness to another surface.
-fn pull(scene: &SolvedScene, original: &[Point]) -> f64 {
-    let far = |from: Point, to: Point| (Vec3::from(from) - Vec3::from(to)).length();
+/// Returns how the current shape has collapsed since the shape `start` (`#V by 3`), if it has.
+pub(crate) fn collapse_since(
+    start: &[Point],
+    scene: &SolvedScene,
+    rest: &RestMesh,
+) -> Option<Collapse> {
     let document = scene.document();
+    let original = document.variants.design_positions().unwrap_or(rest.positions());
+    let target = other_surface(document);
+    let before = Before {
+        shapes: [start, original].into_iter().chain(document.pose_positions()).collect(),
+        mesh: rest.mesh(),
+        target: target.map(|target| extent_of(&target.positions, target)),
+        by_handles: PER_PULL * pull_of_handles(scene, start),
+    };
+    before.collapse(scene.positions(), |shape| PER_PULL * pull(scene, shape))
+}
+
+/// The other surface that vertices are kept close to, if there is one.
+fn other_surface(document: &Scene) -> Option<&Rc<Mesh>> {
+    document.closeness.target_mesh().filter(|_| document.weights.close > 0.0)
+}
+
+/// Returns the largest distance from the `shape` (`#V by 3`) at which handles ask a vertex to be.
+fn pull_of_handles(scene: &SolvedScene, shape: &[Point]) -> f64 {
     let handles = scene.handles().iter();
-    let mut pull =
-        handles.map(|it| far(original[it.vertex as usize], it.target)).fold(0.0, f64::max);
-    if let Some(pose) = document.pose_positions() {
-        pull = original.iter().zip(pose).map(|(&from, &to)| far(from, to)).fold(pull, f64::max);
+    handles.map(|it| far(shape[it.vertex as usize], it.target)).fold(0.0, f64::max)
+}
+
+/// The same by handles, by another pose, and by closeness to another surface.
+fn pull(scene: &SolvedScene, shape: &[Point]) -> f64 {
+    let mut pull = pull_of_handles(scene, shape);
+    if let Some(pose) = scene.document().pose_positions() {
+        pull = shape.iter().zip(pose).map(|(&from, &to)| far(from, to)).fold(pull, f64::max);
     }
-    let is_close = document.weights.close > 0.0;
-    if let Some(target) = document.closeness.target_mesh().filter(|_| is_close) {
-        let surface = Surface::of_polygons(&target.positions, target);
+    let target = other_surface(scene.document());
+    if let Some((surface, centre)) = target.and_then(|it| scene.solver().target_surface(it)) {
         let mut hint = Surface::NO_HINT;
-        let distances = original.iter().map(|&from| far(from, surface.closest(from, &mut hint)));
-        pull = distances.fold(pull, f64::max);
+        let mut distance = |point: Point| {
+            let point = (Vec3::from(point) - Vec3::from(centre)).into();
+            far(point, surface.closest(point, &mut hint))
+        };
+        pull = shape.iter().map(|&point| distance(point)).fold(pull, f64::max);
     }
     pull
+}
+
+fn far(from: Point, to: Point) -> f64 {
+    (Vec3::from(from) - Vec3::from(to)).length()
 }
 
 /// The diagonal of what can move of a shape: faces that are left as they are stay where they are.
@@ -121,31 +156,61 @@ fn extent_of(positions: &[Point], mesh: &Mesh) -> f64 {
     }
 }
 
-/// Returns how the shape `now` has collapsed, if it has, compared with both shapes `before`; all
-/// `#V by 3`. The length `slack` is allowed besides.
-fn collapse(now: &[Point], before: [&[Point]; 2], mesh: &Mesh, slack: f64) -> Option<Collapse> {
-    let extents = before.map(|shape| extent_of(shape, mesh));
-    let (extent, least) = (extent_of(now, mesh), extents[0].min(extents[1]));
-    if extent + slack < LEAST_DIAGONAL * least {
-        return Some(Collapse { reason: CollapseReason::Shrunk, amount: extent / least });
+/// What a shape is compared with: it has collapsed if it has compared with all of it.
+struct Before<'a> {
+    /// The shape at the beginning, the original, and another pose; each `#V by 3`.
+    shapes: Vec<&'a [Point]>,
+    mesh: &'a Mesh,
+    /// The diagonal of another surface that it is kept close to.
+    target: Option<f64>,
+    /// Length by which handles may make it smaller than the shape at the beginning.
+    by_handles: f64,
+}
+
+impl Before<'_> {
+    /// Returns how the shape `now` (`#V by 3`) has collapsed, if it has. `farther` returns the length by
+    /// which vertices may be farther away from a shape.
+    fn collapse(&self, now: &[Point], farther: impl Fn(&[Point]) -> f64) -> Option<Collapse> {
+        let Before { shapes, mesh, .. } = self;
+        let extents: Vec<f64> = shapes.iter().map(|shape| extent_of(shape, mesh)).collect();
+        let extent = extent_of(now, mesh);
+        let all = || extents.iter().copied().chain(self.target);
+        // In the order of the shapes: handles have moved since the beginning.
+        let smaller = || std::iter::once(self.by_handles).chain(std::iter::repeat(0.0));
+        if all().zip(smaller()).all(|(before, slack)| extent + slack < LEAST_DIAGONAL * before) {
+            let amount = extent / all().fold(f64::INFINITY, f64::min);
+            return Some(Collapse { reason: CollapseReason::Shrunk, amount });
+        }
+        let areas_before: Vec<Vec<f64>> =
+            shapes.iter().map(|shape| areas(shape, &mesh.faces).collect()).collect();
+        let is_lost = |&(face, now): &(usize, f64)| {
+            let mut before = areas_before.iter().zip(smaller());
+            before.all(|(areas, slack)| now.sqrt() + slack < (LOST * areas[face]).sqrt())
+        };
+        let lost = areas(now, &mesh.faces).enumerate().filter(is_lost).count();
+        let lost = lost as f64 / mesh.faces.len().max(1) as f64;
+        if lost > MOST_LOST {
+            return Some(Collapse { reason: CollapseReason::Area, amount: lost });
+        }
+        let farthest = |slack: &[f64]| {
+            let beyond = |(v, &now): (usize, &Point)| {
+                let shapes = shapes.iter().zip(slack);
+                shapes
+                    .map(|(shape, slack)| far(now, shape[v]) - slack)
+                    .fold(f64::INFINITY, f64::min)
+            };
+            now.iter().enumerate().map(beyond).fold(0.0, f64::max)
+        };
+        // The shape before may be a dot, after an undo.
+        let size = extents.iter().copied().fold(0.0, f64::max);
+        let moved = farthest(&vec![0.0; shapes.len()]);
+        // Distances to another surface are left out where nothing is far away.
+        let is_far = moved > FARTHEST * size && {
+            let slack: Vec<f64> = shapes.iter().map(|shape| farther(shape)).collect();
+            farthest(&slack) > FARTHEST * size
+        };
+        is_far.then(|| Collapse { reason: CollapseReason::Moved, amount: moved / size })
     }
-    let is_lost =
-        |(now, (a, b)): (f64, (f64, f64))| now.sqrt() + slack < (LOST * f64::min(a, b)).sqrt();
-    let [a, b] = before.map(|shape| areas(shape, &mesh.faces));
-    let lost = areas(now, &mesh.faces).zip(a.zip(b)).filter(|&faces| is_lost(faces)).count();
-    let lost = lost as f64 / mesh.faces.len().max(1) as f64;
-    if lost > MOST_LOST {
-        return Some(Collapse { reason: CollapseReason::Area, amount: lost });
-    }
-    let [a, b] = before.map(|shape| {
-        let pairs = now.iter().zip(shape);
-        pairs.map(|(&now, &before)| (Vec3::from(now) - Vec3::from(before)).length_squared())
-    });
-    let farthest = a.zip(b).map(|(a, b)| a.min(b)).fold(0.0, f64::max).sqrt();
-    // The shape before may be a dot, after an undo.
-    let size = extents[0].max(extents[1]);
-    (farthest > FARTHEST * size + slack)
-        .then(|| Collapse { reason: CollapseReason::Moved, amount: farthest / size })
 }
 
 /// Lengths of the area vectors of the faces, `#F`.
@@ -172,14 +237,20 @@ mod tests {
             (strip(|x| x.min(7.0)), CollapseReason::Area),
             (strip(|x| x + 5.0), CollapseReason::Moved),
         ] {
-            let reason_of = |start: &[Point], slack: f64| {
-                collapse(&now, [start, &original], &mesh, slack).map(|found| found.reason)
+            let found = |now: &[Point], start: &[Point], by_handles, farther: f64| {
+                let (shapes, mesh) = (vec![start, &original], &mesh);
+                let before = Before { shapes, mesh, target: None, by_handles };
+                before.collapse(now, |_| farther).map(|found| found.reason)
             };
-            assert_eq!(reason_of(&original, 0.0), Some(reason));
+            assert_eq!(found(&now, &original, 0.0, 0.0), Some(reason));
             // A shape that was so, or that goes back to the original, has not collapsed.
-            assert_eq!(reason_of(&now, 0.0), None);
-            assert_eq!(collapse(&original, [&now, &original], &mesh, 0.0), None);
-            assert_eq!(reason_of(&original, 10.0), None);
+            assert_eq!(found(&now, &now, 0.0, 0.0), None);
+            assert_eq!(found(&original, &now, 0.0, 0.0), None);
+            // Handles that are moved ask for a smaller shape, whatever may be far away does not.
+            let asked = found(&now, &original, 10.0, 10.0);
+            assert_eq!(asked, None);
+            let is_moved = reason == CollapseReason::Moved;
+            assert_eq!(found(&now, &original, 0.0, 10.0), (!is_moved).then_some(reason));
         }
     }
 }

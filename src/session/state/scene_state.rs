@@ -19,16 +19,16 @@ pub(crate) struct SceneState {
 }
 
 impl SceneState {
-    /// Memory in bytes of the positions and meshes that are not shared with `other`; all else is small
-    /// beside them.
+    /// Memory in bytes of what is not shared with `other`, of positions, meshes, handles and the list of
+    /// constraints.
     pub(crate) fn unshared_bytes(&self, other: &SceneState) -> usize {
         let known = other.large();
         self.large().iter().filter(|data| !known.contains(data)).map(|(_, bytes)| bytes).sum()
     }
 
-    /// The positions and meshes: the address of each, and its bytes.
+    /// The positions, meshes, handles and constraints: the address of each list, and its bytes.
     fn large(&self) -> Vec<(usize, usize)> {
-        let Scene { variants, pose, closeness, .. } = &*self.document;
+        let Scene { variants, pose, closeness, constraints, .. } = &*self.document;
         let pose = match pose {
             Some(Pose::Positions(positions)) => Some(positions),
             Some(Pose::File(_)) | None => None,
@@ -39,8 +39,14 @@ impl SceneState {
         };
         let kept = variants.kept.iter().map(|variant| &variant.positions);
         let positions = iter::once(&self.positions).chain(kept).chain(pose);
+        // A document that was changed has a list of constraints of its own.
+        let others = [
+            (self.handles.as_ptr().addr(), size_of_val(&*self.handles)),
+            (constraints.as_ptr().addr(), size_of_val(&**constraints)),
+        ];
         positions
-            .map(|list| (Rc::as_ptr(list).cast::<()>().addr(), size_of_val(&**list)))
+            .map(|list| (list.as_ptr().addr(), size_of_val(&**list)))
+            .chain(others)
             .chain(closeness.target.as_ref().and_then(Target::mesh).map(of_mesh))
             .collect()
     }
@@ -81,6 +87,7 @@ pub(crate) struct Draft<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solve::Hold;
 
     #[test]
     fn data_of_several_states_counts_towards_the_limit_of_undo_once() {
@@ -100,6 +107,11 @@ mod tests {
         assert_eq!(with(&document).unshared_bytes(&before), 24_000);
         document.closeness.target = Some(Target::Mesh(Rc::new(mesh())));
         assert_eq!(with(&document).unshared_bytes(&before), 48_000);
+        // So did handles and rows, which have no limit either.
+        let handle = Handle { vertex: 0, target: [0.0; 3], hold: Hold::Fixed };
+        let held = SceneState { handles: vec![handle; 1000].into(), ..plain.clone() };
+        assert_eq!(held.unshared_bytes(&plain), 1000 * size_of::<Handle>());
+        assert_eq!(held.clone().unshared_bytes(&held), 0);
         // A copy of the document shares its meshes.
         assert_eq!(with(&document).unshared_bytes(&with(&document)), 0);
     }

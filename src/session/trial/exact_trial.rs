@@ -9,7 +9,7 @@ use crate::session::edit::check_lock;
 use crate::session::report::{Exactness, TrialNumbers, TrialWords};
 use crate::session::requirements::Required;
 use crate::session::run::{ExactReport, Met};
-use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage, exact_tolerance};
+use crate::solve::{Exact, ExactAnswer, Moved, Require, Stage};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
@@ -17,7 +17,7 @@ use std::rc::Rc;
 pub struct ExactTrial {
     exact: Exact,
     stage: TrialStage,
-    /// The rows to be made exact; none for an improvement.
+    /// The rows that are tried exactly; none for an improvement.
     rows: Vec<usize>,
     /// The index in the scene's list of constraints of each row of the exact solver.
     places: Vec<usize>,
@@ -75,25 +75,26 @@ pub struct ExactOffer {
 pub struct ExactShape {
     /// The generation of the session at which the trial began.
     pub generation: u32,
-    /// Indices of the rows that become exact; none for an improvement.
+    /// Indices of the rows that it meets exactly instead of within a distance; none for an improvement.
     pub rows: Vec<usize>,
     /// How well the shape meets the hard constraints.
     pub report: ExactReport,
 }
 
 impl Session {
-    /// Tries to meet exactly the constraints within a distance; none if there is no such row, or the
-    /// lesson locks them.
+    /// Tries to meet exactly the constraints within a distance; none if there is no such row, the lesson
+    /// locks them, or the shape is exact already.
     ///
     /// # Errors
     /// As [`Session::meeting`].
     pub fn exact_trial(&self) -> Result<Option<ExactTrial>, Error> {
         let rows: Vec<usize> = self.rows_within().collect();
-        if rows.is_empty() || check_lock(Lock::Constraints, self.document()).is_err() {
+        let is_locked = check_lock(Lock::Constraints, self.document()).is_err();
+        if rows.is_empty() || is_locked || self.is_exact() {
             return Ok(None);
         }
-        let exact = self.meeting_with(&exactly)?;
-        Ok(exact.map(|exact| self.trial(exact, rows, &exactly)))
+        let exact = self.meeting_with(&Required::exactly)?;
+        Ok(exact.map(|exact| self.trial(exact, rows, &Required::exactly)))
     }
 
     /// Searches for less energy with all requirements met, and exactly if they are so now; none if they
@@ -102,9 +103,7 @@ impl Session {
     /// # Errors
     /// As [`Session::meeting`].
     pub fn improvement(&self) -> Result<Option<ExactTrial>, Error> {
-        let Some(report) = self.exact().filter(|report| report.met) else { return Ok(None) };
-        let is_exact = report.max_distance <= exact_tolerance(self.rest.mesh());
-        let required = if is_exact { exactly } else { Required::of };
+        let Some(required) = self.met_requirements() else { return Ok(None) };
         let Some(mut exact) = self.meeting_with(&required)? else { return Ok(None) };
         exact.improve();
         Ok(Some(self.trial(exact, Vec::new(), &required)))
@@ -127,9 +126,9 @@ impl Session {
         }
     }
 
-    /// Accepts the shape of a trial, `#V by 3`, and its requirements, as a step of undo. An `unasked` one
-    /// leaves the requirements as they are, and is a part of the last step if that moved the shape.
-    /// Returns false if the trial began at another shape or with another problem, during a drag, or while
+    /// Accepts the shape of a trial, `#V by 3`, as a step of undo, in which its rows are required to be
+    /// exact. An `unasked` one leaves the requirements as they are, and is a part of the last step if that
+    /// moved the shape. Returns false if the trial began at another shape or with another problem, during a drag, or while
     /// a variation is shown.
     ///
     /// # Errors
@@ -173,10 +172,7 @@ impl Session {
             true => self.history.join(),
             false => self.add_step(name.to_owned(), before),
         }
-        // The trial may have had other requirements than the scene.
-        let required = self.hard_distance();
-        let tolerance = required.map_or(shape.report.tolerance, |(_, tolerance, _)| tolerance);
-        self.met = Some(Met::new(&self.scene, ExactReport { tolerance, ..shape.report }));
+        self.met = Some(Met::new(&self.scene, self.in_the_scene(shape.report)));
         Ok(true)
     }
 
@@ -202,7 +198,9 @@ impl ExactTrial {
         let own = self.cost(session);
         match std::mem::replace(&mut self.stage, TrialStage::Ended) {
             TrialStage::Far if !self.rows.is_empty() && self.costs_more(own, session) => {
-                let Some(mut near) = session.meeting_with(&exactly)? else { return Ok(false) };
+                let Some(mut near) = session.meeting_with(&Required::exactly)? else {
+                    return Ok(false);
+                };
                 near.end_approach_early();
                 let far = std::mem::replace(&mut self.exact, near);
                 self.stage = TrialStage::Near(Box::new(far), own);
@@ -267,13 +265,5 @@ impl ExactTrial {
     /// Returns the positions of that shape, `#V by 3`.
     pub fn positions(&self) -> Vec<Point> {
         self.exact.positions()
-    }
-}
-
-/// The requirement of a row, with exactness instead of a tolerance.
-fn exactly(row: &ConstraintSpec) -> Required {
-    match row.require {
-        Require::Within(_) => Required { require: Require::Exact, eased: None },
-        _ => Required::of(row),
     }
 }

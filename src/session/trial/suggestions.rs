@@ -103,7 +103,7 @@ impl Suggestions {
         let Some(Trial { label, edit, .. }) = self.current.take() else { return Ok(()) };
         let worst = worst(&self.session);
         // Nor does an edit help whose run collapses the shape.
-        let is_whole = self.session.collapsed_since(&self.start, None).is_none();
+        let is_whole = self.session.collapse_since(&self.start).is_none();
         if worst < HELPS * self.before && is_whole && self.session.moved().max < self.far() {
             let place = self.found.partition_point(|other| other.worst <= worst);
             self.found.insert(place, Suggestion { label, edit, worst });

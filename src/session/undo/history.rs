@@ -3,7 +3,7 @@
 use crate::session::state::{RestMesh, SceneState};
 use std::rc::Rc;
 
-/// Memory limit of positions and meshes, in bytes. Beyond it steps of undo are dropped before those of
+/// Memory limit in bytes, as they are counted by [`SceneState::unshared_bytes`]. Beyond it steps of undo are dropped before those of
 /// redo, in each list the one that is farthest from now first.
 const LIMIT_BYTES: usize = 64 << 20;
 
@@ -17,7 +17,7 @@ pub(crate) struct SessionState {
 }
 
 impl SessionState {
-    /// Memory in bytes of the positions and meshes that are not shared with `other`.
+    /// Memory in bytes of what is not shared with `other`: see [`SceneState::unshared_bytes`].
     fn unshared_bytes(&self, other: &SessionState) -> usize {
         let rest = if Rc::ptr_eq(&self.rest, &other.rest) { 0 } else { self.rest.bytes() };
         rest + self.scene.unshared_bytes(&other.scene)

@@ -180,6 +180,13 @@ impl Solver {
             self.parts.surface.get_or_init(|| Rc::new(rest_surface(mesh, self.parts.centre)));
         (Rc::clone(surface), self.parts.centre)
     }
+    /// The surface of the mesh `target` that vertices are kept close to, and the centre that its
+    /// coordinates are relative to; none if they are not kept close to it.
+    pub fn target_surface(&self, target: &Rc<Mesh>) -> Option<(&Surface, Point)> {
+        let (mesh, surface) = self.parts.target.as_ref()?;
+        Rc::ptr_eq(mesh, target).then_some((surface, self.parts.centre))
+    }
+
     /// The data that the next solver on the same mesh can reuse.
     pub fn setup_cache(&self) -> SetupCache {
         let analysis = Some(Rc::clone(self.parts.system.analysis()));

@@ -16,10 +16,11 @@ async function shown(
   report: object = { met: false, worst: [{ vertices: [2, 3] }] },
   lock: string[] = [],
   geometry: object | null = null,
+  constraints: object[] = [],
 ) {
   const store = createStore();
   store.set({
-    document: { constraints: [], lesson: { lock } } as unknown as SceneDocument,
+    document: { constraints, lesson: { lock } } as unknown as SceneDocument,
     numbers: { exact: report } as unknown as State['numbers'],
   });
   const actions = {
@@ -33,7 +34,7 @@ async function shown(
     tint: createViewActions(store).tint,
     select: (elements: object) => ({ edges: [], ...elements }),
     reportErrors: (begun: Promise<unknown>) => begun,
-    trials: { improvement: () => new Promise(() => {}) },
+    trials: { improvement: () => new Promise(() => {}), exactOffer: async () => null },
   };
   const messages = new RunMessages({ store, actions } as unknown as AppContext);
   const viewport = { with() {} };
@@ -96,6 +97,14 @@ test('what goes on can be stopped also where the card that it was on has no room
   messages.now.value?.offers?.[0].act();
   const { isOpen, offers } = messages.now.value ?? {};
   assert.deepEqual([isOpen, offers?.[0].label], [true, 'Stop']);
+});
+
+test('a shape that is exact already is not made exact once more', async () => {
+  // Each run accepted it again as a change, and what was undone could not be redone.
+  const panels = { kind: 'plane', enabled: true, require: { within: 1 } };
+  const { messages } = await shown({ met: true }, [], null, [panels]);
+  const { words, offers } = messages.now.value ?? {};
+  assert.deepEqual([words, offers?.[0].label], ['not possible', 'Improve']);
 });
 
 test('colours that are shown again after the message go with the next change', async () => {

@@ -269,7 +269,7 @@ test('a run that collapses the mesh says so, and can be undone or held closer', 
   const alert = page.getByRole('alert');
   const run = async () => {
     await tool(page, 'Run');
-    await expect(alert).toContainText(/^In this run the mesh shrank to a dot\./);
+    await expect(alert).toContainText(/^While iterating, the mesh shrank to a dot\./);
   };
 
   await run();

@@ -41,7 +41,7 @@ test('a variation is exact, kept, undone, shared and opened again', async ({ pag
   const make = verdict.getByRole('button', { name: 'Make exact' });
   await expect(make.or(verdict.getByText(/Also made exact/))).toBeVisible();
   if (await make.isVisible()) await make.click();
-  await waitForState(page, (now) => now.exact?.met && now.exact.tolerance < 1e-8);
+  await waitForState(page, (now) => now.exact?.met && now.exact.max_distance < 1e-8);
 
   await showStep(page, 'Shape');
   await page.getByRole('button', { name: 'Variations', exact: true }).click();

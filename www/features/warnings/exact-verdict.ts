@@ -92,7 +92,12 @@ export class ExactVerdict {
     });
     const isWanted = () => this.#messages.isShown(message);
     const found = await actions.trials.exactOffer(isWanted).catch(() => null);
-    if (!isWanted() || !found) return this.#messages.withdraw(message);
+    if (!isWanted()) return;
+    // Also where the shape is exact already.
+    if (!found) {
+      this.#messages.withdraw(message);
+      return this.#showMet(words);
+    }
     const { offer: cost } = found;
     if (cost.met && cost.moved.max <= tolerance && cost.folded === 0) {
       if (!(await actions.exact.accept(found, true))) return this.#messages.withdraw(message);

@@ -80,7 +80,7 @@ function FromFile({
   /** beside the button */
   children?: ComponentChildren;
 }) {
-  const { actions, files } = useApp();
+  const app = useApp();
   return (
     <div class="setting">
       <label class="button">
@@ -91,7 +91,7 @@ function FromFile({
           aria-label={label}
           onChange={({ currentTarget }) => {
             const [file] = currentTarget.files ?? [];
-            if (file) void actions.reportErrors(readSecondFile(of, file, actions, files.replaced));
+            if (file) void app.actions.reportErrors(readSecondFile(of, file, app));
             // Allows the same file to be read again after it changed on disk.
             currentTarget.value = '';
           }}
