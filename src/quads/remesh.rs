@@ -7,7 +7,7 @@ use super::part::Asked;
 use super::remeshed::{note_on_left_out, notes_on, together};
 use super::surface::{InputParts, InputSurface, SHORTEST_LOOP, StayingPart};
 use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
-use crate::mesh::{Mesh, Surface};
+use crate::mesh::Mesh;
 
 /// Sizes that are suggested exceed the least one by this factor: rounded for words, they are not less.
 const SUGGESTED: f64 = 1.25;
@@ -32,8 +32,6 @@ pub struct Remesher {
     left_out: Vec<u32>,
     /// The last of each choice at the boundary: both are asked for in turn.
     kept: Vec<Kept>,
-    /// The mesh without the faces that are left out, with its surface: what results are measured against.
-    measured: (Mesh, Surface),
 }
 
 /// The maps of all parts for panels of one size.
@@ -76,10 +74,8 @@ impl Remesher {
         let area = surfaces.iter().map(InputSurface::area).sum();
         // Curves are not covered.
         let mesh = Mesh { unplaced: mesh.unplaced.clone(), ..mesh.without_faces(&[]) };
-        let input = mesh.without_faces(&left_out);
-        let surface = Surface::of_polygons(&input.positions, &input);
-        let (kept, measured) = (Vec::new(), (input, surface));
-        Ok(Remesher { mesh, surfaces, area, staying_parts, stay, left_out, kept, measured })
+        let kept = Vec::new();
+        Ok(Remesher { mesh, surfaces, area, staying_parts, stay, left_out, kept })
     }
 
     /// Covers the surface; see [`remesh`]. The result does not depend on what was asked before.
@@ -155,8 +151,9 @@ impl Remesher {
         let staying: Vec<u32> =
             all.filter(|&face| !std::mem::replace(&mut stays[face as usize], true)).collect();
         let cuts = options.boundary == Boundary::Cut;
-        let staying = (&*mesh, &staying[..]);
-        let mut found = together(&self.measured, parts, staying, cuts, SUGGESTED * least, units);
+        let covered = mesh.without_faces(&[&staying[..], &self.left_out].concat());
+        let mut found = together(&covered, parts, cuts, SUGGESTED * least, units);
+        found.append(mesh, &staying);
         found.notes.extend(notes_on(&staying_parts, units));
         found.notes.extend(note_on_left_out(mesh, &self.left_out, size));
         self.kept.push(kept);

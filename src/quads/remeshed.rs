@@ -6,7 +6,7 @@ use super::part::Part;
 use super::result::{Distances, RemeshMeasures, Tally, places, places_near};
 use super::surface::{Opening, StayingPart};
 use crate::math::{Vec3, mean};
-use crate::mesh::{Mesh, Point, Surface};
+use crate::mesh::{Mesh, Point};
 use crate::words;
 use serde::Serialize;
 
@@ -51,12 +51,11 @@ const TURN: f64 = 1.0;
 /// quarter by more than rounding takes.
 const SHORT: f64 = 0.2;
 
-/// One mesh of all parts and of faces of a mesh that stay, measured and described; the input is given
-/// with its surface. No size of panels below `least` is suggested.
+/// One mesh of all parts, measured against the faces of the input that they cover, and described. No size
+/// of panels below `least` is suggested.
 pub(super) fn together(
-    (input, surface): &(Mesh, Surface),
+    covered_faces: &Mesh,
     parts: Vec<Part>,
-    (with_staying, staying): (&Mesh, &[u32]),
     cuts: bool,
     least: f64,
     units: &str,
@@ -72,10 +71,9 @@ pub(super) fn together(
         }
         tally.add(&part.positions, &part.faces, &part.samples, part.size, cuts);
     }
-    append(&mut mesh, with_staying, staying);
-    let distances = Distances::between(&mesh, input, surface);
+    let distances = Distances::between(&mesh, covered_faces);
     let mut notes = Vec::new();
-    notes.extend(not_followed(&parts, input, &distances, least, units));
+    notes.extend(not_followed(&parts, covered_faces, &distances, least, units));
     notes.extend(dropped(&parts));
     notes.extend(covered(&parts, least, units));
     let measures = tally.measures(
@@ -84,23 +82,26 @@ pub(super) fn together(
         parts.iter().map(|part| part.shape.euler).sum(),
     );
     let level = parts.iter().map(|part| part.level).max().unwrap_or(0);
-    Remeshed { mesh, staying: staying.len(), measures, level, notes }
+    Remeshed { mesh, staying: 0, measures, level, notes }
 }
 
-/// Appends faces of the input as they are.
-fn append(mesh: &mut Mesh, input: &Mesh, faces: &[u32]) {
-    let mut name = vec![u32::MAX; input.positions.len()];
-    for &face in faces {
-        let corner = |&v: &u32| {
-            let own = &mut name[v as usize];
-            if *own == u32::MAX {
-                *own = mesh.positions.len() as u32;
-                mesh.positions.push(input.positions[v as usize]);
-            }
-            *own
-        };
-        let corners: Vec<u32> = input.faces.row(face as usize).iter().map(corner).collect();
-        mesh.faces.push(&corners);
+impl Remeshed {
+    /// Appends faces of the input that stay as they are.
+    pub(super) fn append(&mut self, input: &Mesh, faces: &[u32]) {
+        let mut name = vec![u32::MAX; input.positions.len()];
+        for &face in faces {
+            let corner = |&v: &u32| {
+                let own = &mut name[v as usize];
+                if *own == u32::MAX {
+                    *own = self.mesh.positions.len() as u32;
+                    self.mesh.positions.push(input.positions[v as usize]);
+                }
+                *own
+            };
+            let corners: Vec<u32> = input.faces.row(face as usize).iter().map(corner).collect();
+            self.mesh.faces.push(&corners);
+        }
+        self.staying += faces.len();
     }
 }
 
@@ -151,7 +152,7 @@ pub(super) fn note_on_left_out(input: &Mesh, faces: &[u32], size: f64) -> Option
 /// `least`.
 fn not_followed(
     parts: &[Part],
-    input: &Mesh,
+    covered_faces: &Mesh,
     distances: &Distances,
     least: f64,
     units: &str,
@@ -159,7 +160,7 @@ fn not_followed(
     let size = parts.first()?.size;
     let of_part = |part: &Part| [part.lost.clone(), part.folds.clone()].concat();
     let mut lost: Vec<Vec3<f64>> = parts.iter().flat_map(of_part).collect();
-    let used = input.used_positions();
+    let used = covered_faces.used_positions();
     let far = used.iter().zip(&distances.from_input).filter(|(_, d)| **d > FAR * size);
     lost.extend(far.map(|(&point, _)| Vec3::from(point)));
     let places = places(&lost, NEAR * size);

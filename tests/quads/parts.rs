@@ -282,6 +282,19 @@ fn faces_that_are_to_stay_do() {
     assert!(found.notes.is_empty(), "{:?}", found.notes);
 }
 
+/// Vertices that the panels miss were near to the other wall.
+#[test]
+fn faces_that_stay_change_no_measure_of_the_panels() {
+    let options = MapOptions::of_size(PanelSize::Length(1.5));
+    let mut alone = Remesher::new(&vault()).unwrap();
+    let expected = alone.remesh(&options, "m", &mut |_| ()).unwrap().measures;
+    let missed = expected.distance.from_input;
+    let walls = both(&vault(), &vault(), [0.0, 0.0, -0.3 * missed]);
+    let inner: Vec<u32> = (0..walls.faces.len() as u32).skip(walls.faces.len() / 2).collect();
+    let mut outer = Remesher::beside(&walls, &inner).unwrap();
+    assert_eq!(outer.remesh(&options, "m", &mut |_| ()).unwrap().measures, expected);
+}
+
 #[test]
 fn where_no_face_is_to_be_covered_the_reason_is_said() {
     let mut mesh = vault();

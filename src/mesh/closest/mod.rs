@@ -137,17 +137,35 @@ impl Surface {
     /// Returns the face closest to `p`; none if the surface has no faces. If several are equally close,
     /// it returns one of them.
     pub fn closest_face(&self, p: Point) -> Option<u32> {
-        self.closest_triangle_of(p, f64::INFINITY, |_| true).map(|triangle| triangle.face)
+        self.closest_triangle_of(p, f64::INFINITY, |_| true).map(|(triangle, _)| triangle.face)
     }
 
-    /// Returns the triangle closest to `p`, nearer than `within`, of the faces that `is_meant`; none if
-    /// there is no such triangle.
+    /// Returns the faces with triangles nearer to `p` than `within`, once for each triangle.
+    pub fn faces_near(&self, p: Point, within: f64) -> Vec<u32> {
+        let p = Vec3::from(p) - self.centre;
+        let lanes = splat(p);
+        let mut found = Vec::new();
+        self.bvh.search(lanes, within * within, |leaf, bound| {
+            let of_faces = leaf.clone().zip(self.of_faces.get(leaf).unwrap_or_default());
+            found.extend(of_faces.filter_map(|(t, own)| {
+                let mut best = Hit { point: p, distance_squared: bound };
+                let mut hint = Surface::NO_HINT;
+                self.consider(t, p, lanes, &mut best, &mut hint);
+                (hint != Surface::NO_HINT).then_some(own.face)
+            }));
+            bound
+        });
+        found
+    }
+
+    /// Returns the triangle closest to `p`, nearer than `within`, of the faces that `is_meant`, and its
+    /// distance; none if there is no such triangle.
     pub fn closest_triangle_of(
         &self,
         p: Point,
         within: f64,
         is_meant: impl Fn(u32) -> bool,
-    ) -> Option<FaceTriangle> {
+    ) -> Option<(FaceTriangle, f64)> {
         let p = Vec3::from(p) - self.centre;
         let lanes = splat(p);
         let mut best = Hit { point: p, distance_squared: within * within };
@@ -158,7 +176,8 @@ impl Surface {
             }
             best.distance_squared
         });
-        self.of_faces.get(found as usize).copied()
+        let triangle = self.of_faces.get(found as usize)?;
+        Some((*triangle, best.distance_squared.sqrt()))
     }
 
     /// Returns the same as [`Surface::closest`]. `cache` also comes from the last search for this

@@ -2,12 +2,13 @@
 //! ones.
 
 use super::origins::{Combinations, Edited, Origins};
+use super::parts_under::parts_under;
 use super::rebuild::regrouped;
 use crate::math::{Vec3, marked, mean, twice_vector_area};
 use crate::mesh::{
     FaceTriangle, Mesh, Point, Ragged, Surface, Topology, Weld, components, orientation,
 };
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 /// A new vertex whose weight on a corner is at most this does not depend on it.
 const NEGLIGIBLE: f64 = 1e-9;
@@ -36,16 +37,21 @@ impl Edited {
         let old_parts = components(welded.faces.len(), topology.edge_faces().iter());
         let new_parts = components(cover.positions.len(), cover.faces.iter());
         let part_of = |old: u32| (!is_out[old as usize]).then(|| old_parts[old as usize]);
-        let under = parts_under(cover, &new_parts, &surface, ON * mesh.size(), part_of);
+        let same = cover.same_faces(mesh);
+        let others = cover.faces.iter().zip(&same).filter(|(_, same)| same.is_none());
+        let mut panels =
+            vec![Vec::new(); new_parts.iter().max().map_or(0, |&last| last as usize + 1)];
+        others.for_each(|(face, _)| panels[new_parts[face[0] as usize] as usize].push(face));
+        let near = ON * mesh.size();
+        let under = parts_under(&cover.positions, &panels, &surface, near, part_of);
         let is_under = |v: u32, old: u32| {
             let under = under[new_parts[v as usize] as usize];
             part_of(old).is_some_and(|part| under.is_none_or(|under| part == under))
         };
         let closest = |v: u32, point: Point| {
             let found = surface.closest_triangle_of(point, f64::INFINITY, |old| is_under(v, old));
-            found.unwrap_or_default()
+            found.map(|(triangle, _)| triangle).unwrap_or_default()
         };
-        let same = cover.same_faces(mesh);
         let at_vertices: Vec<FaceTriangle> =
             (0..).zip(&cover.positions).map(|(v, &point)| closest(v, point)).collect();
         let on_faces = cover.positions.iter().zip(&at_vertices);
@@ -104,7 +110,7 @@ impl Edited {
             let is_own =
                 |old: u32| is_under(face[0], old) && normals[old as usize].dot(facing) >= FACING;
             let found = surface.closest_triangle_of(centre.into(), reach, is_own);
-            found.unwrap_or_else(|| closest(face[0], centre.into())).face
+            found.map_or_else(|| closest(face[0], centre.into()), |(triangle, _)| triangle).face
         };
         let origin =
             |(face, same): (&[u32], Option<u32>)| [same.unwrap_or_else(|| at_centre(face))];
@@ -128,37 +134,6 @@ impl Mesh {
         }
         self.faces.iter().map(|face| there.get_mut(&corners(self, face))?.pop()).collect()
     }
-}
-
-/// The part of the old faces, as of `part_of`, under each part of `cover`: that which is `near` most of
-/// its vertices. Those at a seam that is not joined are on both sides of it.
-fn parts_under(
-    cover: &Mesh,
-    new_parts: &[u32],
-    surface: &Surface,
-    near: f64,
-    part_of: impl Fn(u32) -> Option<u32>,
-) -> Vec<Option<u32>> {
-    let mut counts: BTreeMap<[u32; 2], usize> = BTreeMap::new();
-    for (&point, &new) in cover.positions.iter().zip(new_parts) {
-        let mut found = vec![None];
-        let closest = |found: &[Option<u32>]| {
-            let is_other = |old: u32| !found.contains(&part_of(old));
-            part_of(surface.closest_triangle_of(point, near, is_other)?.face)
-        };
-        while let Some(old) = closest(&found) {
-            *counts.entry([new, old]).or_default() += 1;
-            found.push(Some(old));
-        }
-    }
-    let mut most = vec![(0, None); new_parts.iter().max().map_or(0, |&last| last as usize + 1)];
-    for ([new, old], count) in counts {
-        let best = &mut most[new as usize];
-        if count > best.0 {
-            *best = (count, Some(old));
-        }
-    }
-    most.into_iter().map(|(_, old)| old).collect()
 }
 
 /// The normals of all faces, of length one, as if neighbours agreed; zero of faces without area.

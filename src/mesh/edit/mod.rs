@@ -5,6 +5,7 @@
 //! | `weld` | welding of coincident vertices in meshes whose faces do not share vertices |
 //! | `origins` | the map from the elements of a new mesh to those of the mesh it was made from |
 //! | `covering` | a mesh that covers the surface of another one, as made from it |
+//! | `parts_under` | which part of a surface each part of its cover lies on |
 //! | `sharp` | sharp edges and fixed corners |
 //! | `subdivide` | subdivision: Catmull-Clark, linear, Loop |
 //! | `rebuild` | builder of a mesh made from another one |
@@ -14,6 +15,7 @@
 mod covering;
 mod operation;
 mod origins;
+mod parts_under;
 mod rebuild;
 mod sharp;
 mod size;

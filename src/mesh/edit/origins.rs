@@ -67,7 +67,8 @@ pub struct Origins {
     /// The position of each new vertex as an affine combination of old ones.
     pub positions: Combinations,
     /// The old vertices that each new vertex lies between, ascending: one for an old vertex or one that
-    /// moves with it, two for a vertex on an old edge, corners of a face for a vertex inside it.
+    /// moves with it, two for a vertex on an old edge or on a diagonal that cuts a face into triangles,
+    /// corners of a face for another vertex inside it.
     pub between: Ragged,
     /// The old faces that each new face is a part of or was made from; empty for a face that closes
     /// a hole.

@@ -22,23 +22,23 @@ pub(in crate::quads) struct Distances {
 }
 
 impl Distances {
-    /// Measures the distances both ways between two meshes, of which the input has this surface.
-    pub(in crate::quads) fn between(result: &Mesh, input: &Mesh, surface: &Surface) -> Distances {
-        let of_result = Surface::of_polygons(&result.positions, result);
-        let from_input = distances(&input.used_positions(), &of_result);
+    /// Measures the distances both ways between two meshes.
+    pub(in crate::quads) fn between(result: &Mesh, input: &Mesh) -> Distances {
+        let from_input = distances(input, result);
         let largest = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
-        let to_input = largest(&distances(&result.used_positions(), surface));
+        let to_input = largest(&distances(result, input));
         let largest = LargestDistances { to_input, from_input: largest(&from_input) };
         Distances { from_input, largest }
     }
 }
 
-/// The distance of each point to a surface.
-fn distances(points: &[Point], surface: &Surface) -> Vec<f64> {
+/// The distance of each used vertex of a mesh to the faces of another one.
+fn distances(from: &Mesh, to: &Mesh) -> Vec<f64> {
+    let surface = Surface::of_polygons(&to.positions, to);
     let mut hint = Surface::NO_HINT;
     let to_surface = |&point: &Point| {
         let closest = surface.closest(point, &mut hint);
         (Vec3::from(closest) - Vec3::from(point)).length()
     };
-    points.iter().map(to_surface).collect()
+    from.used_positions().iter().map(to_surface).collect()
 }
