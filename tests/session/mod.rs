@@ -14,6 +14,7 @@ mod lesson_meshes;
 mod lesson_words;
 mod lessons;
 mod locks;
+mod made_exact;
 mod make_panels;
 mod measures;
 mod offers;
