@@ -131,9 +131,10 @@ test('a held arrow key moves the handle by one step of undo', async ({ page }) =
 });
 
 test('an arrow key moves a handle visibly whatever the size of the mesh', async ({ page }) => {
-  // What was shown was rounded to 0 decimals and read again: of steps of 0.1, none but the first moved it.
+  // What was shown was rounded to 0 decimals and read again: of steps of 1 cm, none moved it.
   const large = (_: string, ...at: string[]) => `v ${at.map((x) => 1e4 * Number(x)).join(' ')}`;
   await open(page, wavyGrid(N).replace(/^v (\S+) (\S+) (\S+)$/gm, large));
+  await page.getByRole('combobox', { name: 'Unit' }).selectOption('m');
   await makeHandles(page, [MIDDLE]);
   const [[, , before]] = await targets(page);
   await target(page, 'z').focus();

@@ -29,8 +29,7 @@ const TERMS: Term[] = [
   {
     id: 'close',
     label: 'Close',
-    words: ({ closeness, unusedCloseness }) =>
-      closeness === 'none' && !unusedCloseness ? BOUNDARY : CLOSENESS[closeness],
+    words: (document) => (isOfBoundaryOnly(document) ? BOUNDARY : CLOSENESS[document.closeness]),
   },
   { id: 'smooth', label: 'Smooth', words: ({ smoothness }) => SMOOTHNESS[smoothness] },
 ];
@@ -42,6 +41,11 @@ const CLOSENESS = {
 };
 /** What Close is for if it keeps the boundary only. */
 const BOUNDARY = 'stay near the curve of the boundary';
+/** Whether Close is the weight of a boundary and of nothing else. A closed mesh has none. */
+const isOfBoundaryOnly = ({ closeness, settings, unusedCloseness }: SceneDocument) =>
+  closeness === 'none' &&
+  settings.boundary === 'soft' &&
+  (!unusedCloseness || unusedCloseness.settings.includes('boundary'));
 const SMOOTHNESS = { surface: 'keep it smooth', displacement: 'keep the change smooth' };
 
 export function Energies() {
