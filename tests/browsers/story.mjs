@@ -51,8 +51,8 @@ export async function tell(browser, address, { path, vertices, held }) {
   assert.equal(verdict.within, verdict.of, 'all panels are circular');
   const circular = await shape();
 
-  const from = await browser.ask('(v) => window.shapeUp.screen(v)', held);
-  const way = [0, 10, 25, 40].map((up) => [from[0], from[1] - up]);
+  const [x, y] = await until('a vertex that stands still', placeOfVertex, held);
+  const way = [0, 10, 25, 40].map((up) => [x, y - up]);
   await browser.pointer(way, ['Alt']);
   await until('a handle', '() => window.shapeUp.state().handles.length === 1');
   const dragged = await until('the shape is at rest', shapeAtRest);
@@ -97,6 +97,15 @@ const placeOfButton = `async (name) => {
   const now = middle();
   const stands = String(now) === String(before);
   return stands && button.contains(document.elementFromPoint(...now)) ? now : null;
+}`;
+
+/** In the page: where a vertex is drawn; nothing while that changes. */
+const placeOfVertex = `async (vertex) => {
+  const before = window.shapeUp.screen(vertex);
+  await new Promise((done) => setTimeout(done, 1000));
+  await window.shapeUp.drawn();
+  const now = window.shapeUp.screen(vertex);
+  return String(now) === String(before) ? now : null;
 }`;
 
 /** In the page: the current positions; nothing while they change. */
