@@ -5,6 +5,18 @@ use shape_up::mesh::Point;
 use shape_up::session::{Edit, ExactShape, PanelStart, Session};
 use shape_up::solve::Require;
 
+/// A wave whose panels were made flat within the tolerance.
+fn pressed(tolerance: f64) -> Session {
+    let mut session = wave();
+    press(&mut session, tolerance);
+    session
+}
+
+fn press(session: &mut Session, tolerance: f64) {
+    session.make_panels("plane", tolerance, PanelStart::Now).expect("it has quads");
+    run(session);
+}
+
 /// The exact shape of what is within a tolerance, as the page tries it after a run.
 fn exact_trial(session: &mut Session) -> (ExactShape, Vec<Point>) {
     let mut trial = session.exact_trial().expect("regular").expect("something is within");
@@ -15,15 +27,12 @@ fn exact_trial(session: &mut Session) -> (ExactShape, Vec<Point>) {
 #[test]
 fn what_panels_are_judged_by_stays_when_they_become_exact() {
     // It was lost with the requirement, and the next press took another one.
-    let mut session = wave();
-    session.make_panels("plane", 0.3, PanelStart::Now).expect("it has quads");
-    run(&mut session);
+    let mut session = pressed(0.3);
     let (shape, positions) = exact_trial(&mut session);
     assert!(session.make_exact(shape, &positions, false).expect("regular"));
     assert_eq!(session.document().constraints[0].require, Require::Exact);
     assert_eq!(session.tolerance(), 0.3);
-    session.make_panels("plane", 0.2, PanelStart::Now).expect("it has quads");
-    run(&mut session);
+    press(&mut session, 0.2);
     assert_eq!(session.tolerance(), 0.2);
     for _ in 0..3 {
         session.undo().expect("solvable");
@@ -34,9 +43,7 @@ fn what_panels_are_judged_by_stays_when_they_become_exact() {
 #[test]
 fn exactness_that_nobody_asked_for_is_no_requirement() {
     // A larger tolerance did nothing after it, and no press was tried that ends better.
-    let mut session = wave();
-    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
-    run(&mut session);
+    let mut session = pressed(1e-3);
     let (shape, positions) = exact_trial(&mut session);
     assert!(session.make_exact(shape, &positions, true).expect("regular"));
     let exact = session.exact().expect("there is a hard row");
@@ -60,16 +67,13 @@ fn exactness_that_nobody_asked_for_is_no_requirement() {
     assert!(session.show_variation(of, &varied.positions, Some(varied.report)));
     assert!(session.exact().is_some_and(|exact| exact.met && exact.tolerance == 1e-3));
     session.leave_variation();
-    session.make_panels("plane", 0.3, PanelStart::Now).expect("it has quads");
-    run(&mut session);
+    press(&mut session, 0.3);
     assert!(session.moved().mean < 0.9 * moved, "{} {moved}", session.moved().mean);
 }
 
 #[test]
 fn what_becomes_exact_is_a_part_of_the_step_that_led_to_the_shape_and_of_no_other() {
-    let mut session = wave();
-    session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
-    run(&mut session);
+    let mut session = pressed(1e-3);
     let (shape, positions) = exact_trial(&mut session);
     session.edit(Edit::SetUnits { units: "ft".to_owned() }).expect("any unit will do");
     assert!(session.make_exact(shape.clone(), &positions, true).expect("regular"));
@@ -85,9 +89,7 @@ fn what_becomes_exact_is_a_part_of_the_step_that_led_to_the_shape_and_of_no_othe
 
 #[test]
 fn a_row_that_leaves_exactness_has_its_own_tolerance_again() {
-    let mut session = wave();
-    session.make_panels("plane", 0.3, PanelStart::Now).expect("it has quads");
-    run(&mut session);
+    let mut session = pressed(0.3);
     let (shape, positions) = exact_trial(&mut session);
     assert!(session.make_exact(shape, &positions, false).expect("regular"));
     let within = r#"{ "setConstraint": { "index": 0, "require": { "within": 0.1 } } }"#;
