@@ -80,6 +80,13 @@ export function serve(folder, { port, base = '/', extra = {}, read = createReadS
   });
 }
 
+/** Resolves with a port that nobody listens at. */
+export async function freePort() {
+  const { address, close } = await serve(at('dist'), { port: 0 });
+  close();
+  return Number(new URL(address).port);
+}
+
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const [port = '4173', base = '/'] = process.argv.slice(2);
   await main(async () => {

@@ -5,7 +5,6 @@ import { once } from 'node:events';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { createServer } from 'node:net';
 import { createInterface } from 'node:readline';
 import { outputOf } from '../../.scripts/run.mjs';
 
@@ -50,13 +49,4 @@ export async function beginScreen() {
   });
   const [display] = await once(createInterface(screen.stdout), 'line');
   return { ...process.env, DISPLAY: `:${display}`, WAYLAND_DISPLAY: undefined };
-}
-
-/** Returns a port that nobody listens at. */
-export async function freePort() {
-  const probe = createServer().listen(0, '127.0.0.1');
-  await once(probe, 'listening');
-  const { port } = probe.address();
-  probe.close();
-  return port;
 }

@@ -4,8 +4,9 @@
 import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { setTimeout as wait } from 'node:timers/promises';
+import { freePort } from '../../.scripts/serve.mjs';
 import { actionsOf } from './pointer.mjs';
-import { begin, freePort, pathOf } from './programs.mjs';
+import { begin, pathOf } from './programs.mjs';
 
 /** The key of an element in answers, fixed by the standard. */
 const ELEMENT = 'element-6066-11e4-a52e-4f735466cecf';

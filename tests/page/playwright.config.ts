@@ -1,19 +1,9 @@
 // The page tests: dist/ on its own port, in a desktop and a phone window.
 
 import { defineConfig } from '@playwright/test';
-import { createServer } from 'node:net';
 import { browserFlags, findBrowser, webgl2Flags } from '../../.scripts/browser.mjs';
+import { freePort } from '../../.scripts/serve.mjs';
 import { leftOut } from './nightly.ts';
-
-/** Returns a free port. */
-function freePort() {
-  return new Promise<number>((done) => {
-    const probe = createServer().listen(0, '127.0.0.1', () => {
-      const address = probe.address();
-      probe.close(() => done(typeof address === 'object' && address ? address.port : 0));
-    });
-  });
-}
 
 // This file is read again in every worker process, which inherits the port of the first.
 process.env.SHAPE_UP_TEST_PORT ??= String(await freePort());
