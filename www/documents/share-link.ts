@@ -40,6 +40,12 @@ export async function readLink(hash: string): Promise<Linked | null> {
   return example ? { example, text: null, run: parts.has('run'), name: null } : null;
 }
 
+/**
+ * Returns the address of the workbench, without the options that this page was opened with: another
+ * window is no embedded view, and draws as its own machine can.
+ */
+export const pageAddress = () => new URL('./', location.href.split(/[?#]/)[0]).href;
+
 /** Returns the address that opens the current scene, and the rounding step of its positions. */
 export async function linkTo({
   store,
@@ -59,7 +65,7 @@ export async function linkTo({
     ...about,
     tolerance: scene?.tolerance ?? 0,
   });
-  return { address: new URL(fragment, location.href.split('#')[0]).href, rounded };
+  return { address: pageAddress() + fragment, rounded };
 }
 
 /** Whether a mesh is still that of its example: refining and other edits of the mesh change it. */

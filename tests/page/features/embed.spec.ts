@@ -76,10 +76,12 @@ test('a view in a page of another origin starts with a press, or plays by itself
   await a.getByRole('button', { name: 'Start the 3D model' }).click();
   const [first, second] = [await started(page, 'a'), await started(page, 'b')];
   await expect(a.getByRole('banner')).toBeHidden();
-  await expect(a.getByRole('link', { name: 'Open in Shape-Up' })).toHaveAttribute(
-    'href',
-    /#example=hypar$/,
-  );
+  // Also once the link is made of the current scene: without the options of the embedded view.
+  const link = a.getByRole('link', { name: 'Open in Shape-Up' });
+  await expect(link).toHaveAttribute('href', `${baseURL}#example=hypar`);
+  await link.hover();
+  await first.evaluate(() => window.shapeUp.drawn());
+  await expect(link).toHaveAttribute('href', `${baseURL}#example=hypar`);
 
   // The second view runs by itself, the first on request; both reach the same shape.
   await second.waitForFunction(() => window.shapeUp.state().converged);
@@ -99,7 +101,7 @@ test('a view leaves the wheel to the outer page until it is in use', async ({
 }) => {
   await page.goto(
     elsewhere(
-      `<iframe id="a" width="600" height="400" src="${baseURL}?embed&autoplay&measure=none#example=dome"></iframe>
+      `<iframe id="a" width="600" height="400" src="${baseURL}embed.html?embed&autoplay&measure=none#example=dome"></iframe>
        <p style="height: 3000px">Notes</p>`,
     ),
   );

@@ -15,7 +15,7 @@
 import './embedded-view.css';
 import { useSignal } from '@preact/signals';
 import { useLayoutEffect } from 'preact/hooks';
-import { linkTo } from '../../documents/share-link.ts';
+import { linkTo, pageAddress } from '../../documents/share-link.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button, Icon } from '../../ui/components/buttons.tsx';
 import { byId } from '../../ui/dom.ts';
@@ -29,7 +29,7 @@ export function EmbeddedView() {
   const { store, actions, files } = app;
   const { running, document: scene, example, fileName } = store.state;
   const isHinted = useSignal(false);
-  const address = useSignal(`./${location.hash}`);
+  const address = useSignal(pageAddress() + location.hash);
 
   useLayoutEffect(() => {
     const asked = new URLSearchParams(location.search);

@@ -3,6 +3,7 @@
 import './help.css';
 import { useEffect, useState } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
+import { pageAddress } from '../../documents/share-link.ts';
 import { performNamed } from '../../store/perform.ts';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
@@ -244,7 +245,7 @@ const program = (address: string) => `@software{shapeup,
 
 /** Shows how to cite the paper and this program. */
 function showCitation(app: AppContext) {
-  const address = new URL('./', location.href.split(/[?#]/)[0]).href;
+  const address = pageAddress();
   showDialog(app, { id: 'cite', title: 'Cite', light: true, lasts: true }, () => (
     <div class="dialog-body">
       <BibTeX title="The paper, for the method" text={PAPER} />

@@ -151,10 +151,7 @@ const ESCAPES = {
  * @param title of the model
  */
 function frameLine(link: string, title: string) {
-  const address = new URL(link);
-  address.pathname = address.pathname.replace(/[^/]*$/, 'embed.html');
-  const [plain, hash] = address.href.split('#');
-  const source = escaped(`${plain.split('?')[0]}?embed#${hash}`);
+  const source = escaped(link.replace('#', 'embed.html?embed#'));
   return `<iframe src="${source}" title="${escaped(title)}, in Shape-Up" width="720" height="480" loading="lazy" style="border: 0"></iframe>`;
 }
 

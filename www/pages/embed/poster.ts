@@ -10,7 +10,7 @@ import { PRESSED } from '../../ui/embedded.ts';
 
 const { hash, search } = location;
 byId<HTMLAnchorElement>('home').href = `./${hash}`;
-byId('start').addEventListener('click', start);
+byId('start').addEventListener('click', () => start(PRESSED));
 if (new URLSearchParams(search).has('autoplay')) start();
 
 readLink(hash).then(
@@ -21,10 +21,13 @@ readLink(hash).then(
   (error) => setText(byId('trouble'), messageOf(error)),
 );
 
-/** Replaces this page by the view, with the same options. */
-function start() {
+/**
+ * Replaces this page by the view, with the same options.
+ * @param embed how it was started; a view that nobody pressed leaves the wheel to the page around it
+ */
+function start(embed = '') {
   const options = new URLSearchParams(search);
-  options.set('embed', PRESSED);
+  options.set('embed', embed);
   location.replace(`./?${options}${hash}`);
 }
 
