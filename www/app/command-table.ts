@@ -17,7 +17,7 @@ import { share } from '../features/share/dialog-share.tsx';
 import { canVary } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
-import { isLocked } from '../store/panels-card.ts';
+import { LOCKED, isLocked } from '../store/panels-card.ts';
 import { mapInWords } from '../store/stale-map.ts';
 import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
@@ -35,8 +35,7 @@ import type { AppContext, Command } from './context.ts';
 const canChangeMesh = ({ model, document }: State) =>
   Boolean(document && model?.faces && !model.tets && !isLocked({ document }, 'mesh'));
 /** Of a command that changes the mesh: why it is disabled, or else these words. */
-const orLocked = (words: string) => (state: State) =>
-  isLocked(state, 'mesh') ? 'Locked by the lesson' : words;
+const orLocked = (words: string) => (state: State) => (isLocked(state, 'mesh') ? LOCKED : words);
 
 /** The second levels of the steps. */
 const LEVELS = [

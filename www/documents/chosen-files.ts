@@ -2,6 +2,7 @@
 
 import { messageOf } from '../solver/errors.ts';
 import { isReadable, worthReading } from '../solver/opened-files.ts';
+import { isLocked } from '../store/panels-card.ts';
 import { FIT, readSecondFile } from '../store/second-files.ts';
 import { openLarge } from './large-file-import.ts';
 import { namedBytes } from './missing-files.ts';
@@ -84,13 +85,17 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
   const carriesFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false;
   /** What is written in a dialog is about the open model. */
   const isRefused = () => document.querySelector('dialog:modal') !== null;
+  const canFit = () => {
+    const state = store.get();
+    return state.document !== null && !isLocked(state, 'weights') && !isLocked(state, 'mesh');
+  };
   window.addEventListener('dragover', (event) => {
     if (!carriesFiles(event)) return;
     event.preventDefault();
     if (isRefused() && event.dataTransfer) event.dataTransfer.dropEffect = 'none';
     if (isRefused()) return;
     const isOne = (event.dataTransfer?.items.length ?? 1) <= 1;
-    overlay.classList.toggle('fits', isOne && Boolean(store.get().document));
+    overlay.classList.toggle('fits', isOne && canFit());
     overlay.hidden = false;
   });
   window.addEventListener('dragleave', (event) => {
@@ -109,7 +114,7 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     const chosen = [...files].filter(({ name }) => !folders.includes(name));
     const isBelow = event.clientY > FIT_FROM * window.innerHeight;
     // The surface is one file: several are a model, as anywhere else.
-    if (store.get().document && isBelow && files.length === 1 && chosen.length === 1) {
+    if (canFit() && isBelow && files.length === 1 && chosen.length === 1) {
       void actions.reportErrors(readSecondFile(FIT, chosen[0], app));
       return;
     }

@@ -6,6 +6,7 @@
 import { openDialog } from '../ui/controls/dialog.ts';
 import { button } from '../ui/controls/fields.ts';
 import { element } from '../ui/dom.ts';
+import { isLocked } from '../store/panels-card.ts';
 import { untilChanged } from '../store/until-changed.ts';
 import { oneAtATime } from '../ui/once.ts';
 import type { AppContext } from '../app/context.ts';
@@ -20,13 +21,17 @@ export function reportCollapse({ store, alerts, actions }: AppContext, collapse:
   const withdraw = alerts.notice(
     text,
     { label: 'Undo', action: () => actions.undo() },
-    {
-      label: 'Hold near original positions',
-      action: async () => {
-        await actions.undo();
-        if ((await actions.edit('holdCloser')) !== undefined) actions.run();
-      },
-    },
+    ...(isLocked(store.get(), 'weights')
+      ? []
+      : [
+          {
+            label: 'Hold near original positions',
+            action: async () => {
+              await actions.undo();
+              if ((await actions.edit('holdCloser')) !== undefined) actions.run();
+            },
+          },
+        ]),
   );
   untilChanged(store, withdraw);
 }

@@ -45,9 +45,20 @@ export function panelsCard(
   return topic === 'verdict' && room === 'sheet' ? null : topic;
 }
 
+/** Title of a control that a lesson locks. */
+export const LOCKED = 'Locked by the lesson';
+
 /** What a lesson may lock. */
 export type Lock = LessonWords['lock'][number];
 
 /** Whether a lesson locks this. */
 export const isLocked = ({ document }: Pick<State, 'document'>, part: Lock) =>
   document?.lesson?.lock.includes(part) ?? false;
+
+/**
+ * Whether a lesson leaves it to the student which shape is kept: it becomes the one that closeness
+ * keeps to, and takes the handles that are not fixed along.
+ */
+export const mayKeepShapes = (state: Pick<State, 'document'>) =>
+  !isLocked(state, 'weights') &&
+  !(isLocked(state, 'handles') && state.document?.handles.some(({ fixed }) => !fixed));

@@ -1,6 +1,6 @@
 /** The build check: five numbers with their limits; clicking one shows its worst element. */
 
-import { isLocked } from '../../store/panels-card.ts';
+import { LOCKED, isLocked } from '../../store/panels-card.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { showElements } from '../../viewport/camera.ts';
@@ -42,7 +42,7 @@ export function CheckCard({ parts, makePanels }: { parts: Parts; makePanels: Mak
         <Button
           aria-describedby="tighten-reason"
           disabled={at < 0 || isFixed}
-          title={isFixed ? 'Locked by the lesson' : ''}
+          title={isFixed ? LOCKED : ''}
           onClick={tighten}
         >
           Tighten

@@ -7,7 +7,7 @@ import './lesson.css';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import type { ComponentType } from 'preact';
 import { isInLegend, movedInWords } from '../../store/colours/measures.ts';
-import { type Lock } from '../../store/panels-card.ts';
+import { LOCKED, type Lock } from '../../store/panels-card.ts';
 import { showDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, Icon } from '../../ui/components/buttons.tsx';
@@ -140,14 +140,14 @@ export const lockable = (lock: Lock, Part: ComponentType, words?: string) =>
       <>
         {note && (
           <p class="locked-note quiet" id={note}>
-            Locked by the lesson: {words}.
+            {LOCKED}: {words}.
           </p>
         )}
         <fieldset
           class="locked"
           disabled={isLocked}
           role={isLocked ? undefined : 'presentation'}
-          title={isLocked ? 'Locked by the lesson' : undefined}
+          title={isLocked ? LOCKED : undefined}
           aria-describedby={note}
         >
           <Part />

@@ -5,7 +5,7 @@
 
 import './make-panels.css';
 import type { ComponentChildren } from 'preact';
-import { isLocked, offersPanels, panelsCard } from '../../store/panels-card.ts';
+import { LOCKED, isLocked, offersPanels, panelsCard } from '../../store/panels-card.ts';
 import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -121,7 +121,7 @@ function ChangeFirst({ label, operation }: { label: string; operation: string })
       aria-haspopup="dialog"
       aria-describedby={REASON}
       disabled={isFixed}
-      title={isFixed ? 'Locked by the lesson' : ''}
+      title={isFixed ? LOCKED : ''}
       onClick={() => app.actions.reportErrors(openEdit(app, operation))}
     >
       {label}

@@ -1,6 +1,7 @@
 /** The kept shapes: a strip of thumbnails, and a table of their numbers. */
 
 import { useLayoutEffect, useMemo, useRef } from 'preact/hooks';
+import { LOCKED, mayKeepShapes } from '../../store/panels-card.ts';
 import { useAnswerTo } from '../../store/use-answer.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
@@ -85,7 +86,9 @@ function KeptCard({
   shape: Float64Array;
   change: ReturnType<typeof useKeptChange>;
 }) {
-  const { dark } = useApp().store.state;
+  const { state } = useApp().store;
+  const mayGo = isCurrent || mayKeepShapes(state);
+  const title = isCurrent ? 'This shape is open' : `Go to ${name}`;
   const place = useRef<HTMLButtonElement>(null);
   useLayoutEffect(() => {
     if (isCurrent) place.current?.scrollIntoView({ block: 'nearest', inline: 'nearest' });
@@ -96,11 +99,12 @@ function KeptCard({
         ref={place}
         type="button"
         class="kept-picture"
-        title={isCurrent ? 'This shape is open' : `Go to ${name}`}
+        title={mayGo ? title : LOCKED}
+        disabled={!mayGo}
         aria-current={isCurrent || undefined}
         onClick={() => change(name, (index) => ({ goToVariant: { index } }))}
       >
-        <Thumbnail connectivity={connectivity} shape={shape} up={scene.up} dark={dark} />
+        <Thumbnail connectivity={connectivity} shape={shape} up={scene.up} dark={state.dark} />
         <span>{name}</span>
       </button>
       <div>

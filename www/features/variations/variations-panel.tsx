@@ -7,6 +7,7 @@ import './variations.css';
 import { useEffect, useMemo, useRef } from 'preact/hooks';
 import { Docked } from '../../docked/docked.tsx';
 import { CommandButton } from '../../store/command-button.tsx';
+import { LOCKED, mayKeepShapes } from '../../store/panels-card.ts';
 import { isHard, type State } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
@@ -46,6 +47,7 @@ function Panel() {
   const keep = useRef<HTMLButtonElement>(null);
   useEffect(() => keep.current?.focus(), []);
   const isMoved = variations.isMoved();
+  const mayKeep = mayKeepShapes(app.store.state);
   const head = (
     <>
       <p aria-live="polite">{variations.words.value}</p>
@@ -60,8 +62,8 @@ function Panel() {
         ref={keep}
         type="button"
         class="primary"
-        title="Keeps this shape and continues from it"
-        disabled={!isMoved || !variations.isExact.value}
+        title={mayKeep ? 'Keeps this shape and continues from it' : LOCKED}
+        disabled={!mayKeep || !isMoved || !variations.isExact.value}
         onClick={() => variations.keep()}
       >
         Keep
