@@ -59,16 +59,16 @@ export function createTrials(solver: SolverClient, jobs: JobsClient) {
    * @param after a slice, while it is the current trial
    * @param read what it has found, before a trial that waits begins; told whether it is still the
    * current trial
-   * @returns what was read; null without a model
+   * @returns what was read; undefined without a model
    */
   async function run<Found>(
     begin: (copy: Remote<ModelCopy>) => Promise<unknown>,
     goesOn: () => boolean,
     read: (isCurrent: boolean) => Promise<Found> | Found,
     after: () => Promise<unknown> = () => Promise.resolve(),
-  ): Promise<Found | null> {
+  ): Promise<Found | undefined> {
     const model = solver.copy();
-    if (!model) return null;
+    if (!model) return undefined;
     turn += 1;
     begun += 1;
     const [mine, own] = [turn, begun];
@@ -88,9 +88,9 @@ export function createTrials(solver: SolverClient, jobs: JobsClient) {
     return trial;
   }
 
-  /** The exact shape found so far; null if there is nothing to make exact. */
-  async function found(isCurrent: boolean): Promise<ExactFound | null> {
-    if (!isCurrent) return null;
+  /** The exact shape found so far; null if there is nothing to make exact, undefined after a change. */
+  async function found(isCurrent: boolean): Promise<ExactFound | null | undefined> {
+    if (!isCurrent) return undefined;
     const answers = [ask.offer(), ask.shape(), ask.positions()] as const;
     const [offer, shape, positions] = await Promise.all(answers);
     return offer && shape ? { offer, shape, positions } : null;
@@ -107,14 +107,14 @@ export function createTrials(solver: SolverClient, jobs: JobsClient) {
     },
 
     /**
-     * What meeting constraints exactly instead of within a distance would cost; null if something
-     * changes meanwhile.
+     * What meeting constraints exactly instead of within a distance would cost; null if there is
+     * nothing to make exact, undefined if something changes meanwhile.
      * @param goesOn whether somebody waits for it
      */
     exactOffer: (goesOn: () => boolean) => run((copy) => copy.tryExact(), goesOn, found),
 
     /**
-     * Searches for lower energy among equally exact shapes; returns how far it came, or null if
+     * Searches for lower energy among equally exact shapes; returns how far it came, or undefined if
      * something changes meanwhile.
      * @param goesOn whether to search on
      */

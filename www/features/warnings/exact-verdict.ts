@@ -40,7 +40,7 @@ export class ExactVerdict {
   /** Shows that all is exact. */
   #showMet(words: ExactWords) {
     if (this.#hasHint()) return;
-    this.#messages.say({ words: words.brief, offers: [this.#improves()] });
+    this.#messages.say({ result: words.brief, words: '', offers: [this.#improves()] });
   }
 
   #improves(): Offer {
@@ -91,12 +91,13 @@ export class ExactVerdict {
       isOpen: true,
     });
     const isWanted = () => this.#messages.isShown(message);
-    const found = await actions.trials.exactOffer(isWanted).catch(() => null);
+    const found = await actions.trials.exactOffer(isWanted).catch(() => undefined);
     if (!isWanted()) return;
-    // Also where the shape is exact already.
     if (!found) {
       this.#messages.withdraw(message);
-      return this.#showMet(words);
+      // There is nothing to offer: the shape is exact, or a lesson locks what would make it so.
+      if (found === null) this.#showMet(words);
+      return;
     }
     const { offer: cost } = found;
     if (cost.met && cost.moved.max <= tolerance && cost.folded === 0) {

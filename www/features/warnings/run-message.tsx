@@ -15,10 +15,10 @@ export function RunMessage({ isOnCard = false }) {
   const message = conditions(app).messages.now.value;
   const hasCard = panelsCard(app.store.state) === 'verdict';
   if (!message || isOnCard !== hasCard) return null;
-  const { words, isOpen, wasOnCard } = message;
+  const { words, offers = [], isOpen, wasOnCard } = message;
   // Good news that has been read leaves the smaller view beside a docked panel to the model.
   if (!isOnCard) return wasOnCard && !isOpen ? null : <Notice message={message} />;
-  return words ? (
+  return words || offers.length > 0 ? (
     <div class="suggestions" role="group" aria-label="Verdict">
       <Content message={{ ...message, result: '' }} />
     </div>
