@@ -102,9 +102,9 @@ async fn every_switch_changes_the_picture() {
         assert!(count > 20, "{what}: only {count} pixels differ");
         before = after;
     };
-    view.set_display(true, true, false, false, false);
+    view.set_display(true, true, false, false, false, true);
     check(view, "vertices");
-    view.set_display(false, false, false, false, false);
+    view.set_display(false, false, false, false, false, true);
     check(view, "no edges");
     let two_colours = [0.1, 0.3, 0.9, 0.9, 0.2, 0.2];
     view.set_row_colours(vec![1, 2, 0, 0], vec![], &two_colours).unwrap();
@@ -113,9 +113,9 @@ async fn every_switch_changes_the_picture() {
     check(view, "colours of rows on vertices");
     view.set_face_values(Some(vec![0.0, 0.3, 0.6, f32::NAN]), 0.0, 1.0, None, None).unwrap();
     check(view, "values");
-    view.set_display(true, false, false, false, false);
+    view.set_display(true, false, false, false, false, true);
     check(view, "edges between values");
-    view.set_display(false, false, false, false, false);
+    view.set_display(false, false, false, false, false, true);
     check(view, "no edges between values");
     view.set_selection(vec![4], vec![1]).unwrap();
     view.set_edges(&[0, 1, 1, 4]).unwrap();
@@ -126,16 +126,16 @@ async fn every_switch_changes_the_picture() {
     view.set_handles(&[2, 6], &[0, 1], &[2.0, 0.0, 0.5, 0.0, 2.0, 0.0]).unwrap();
     check(view, "handles");
     view.set_shapes(&[0.0, 1.0, 1.0, 0.5, 0.0, 0.0, 1.0, 0.8]).unwrap();
-    view.set_display(false, false, true, false, false);
+    view.set_display(false, false, true, false, false, true);
     check(view, "circle");
     view.set_shapes(&[1.0, 1.0, 1.0, 0.5, 0.0, 0.0, 1.0, 1.1]).unwrap();
     check(view, "sphere");
     // The raised middle moves down, the middle of a side moves up.
     let displacements = [0.0, 0.0, -0.6, 0.5, 0.0, 0.4];
     view.set_projections(&[4, 1], &displacements, &[1, 2], &[0, 1], &two_colours).unwrap();
-    view.set_display(false, false, false, true, false);
+    view.set_display(false, false, false, true, false, true);
     check(view, "outlines");
-    view.set_display(false, false, false, false, true);
+    view.set_display(false, false, false, false, true, true);
     check(view, "arrows");
     view.set_theme(true);
     check(view, "dark");
@@ -433,7 +433,7 @@ async fn projected_shapes_have_an_inside_where_they_lie_beside_their_faces() {
     let canvas = new_canvas();
     let view = open(&canvas).await;
     view.preset("top").unwrap();
-    view.set_display(false, false, false, true, false);
+    view.set_display(false, false, false, true, false, true);
     let ring = [0, 1, 1, 2, 2, 3, 0, 3];
     let show = |view: &mut View, up: f32| {
         let displacements = [0.0, 0.0, up].repeat(4);

@@ -49,7 +49,7 @@ export const LAYERS: [
     (view, state) => view.highlightGizmo(state.gizmoPart, state.dragged.length > 0),
   ],
   [['selection', 'model'], showSelection],
-  [['tints', 'model'], showTint],
+  [['tints', 'model', 'heldOriginal'], showTint],
   [['rowColours', 'model', 'flatMap'], showRowColours],
   [['measure', 'range', 'document', 'tolerances', 'display', 'flatMap'], showValues],
   [['flatMap'], showFlatMap],
@@ -81,12 +81,12 @@ export function showValues(view: View, state: State, geometry: Geometry | null) 
 export function showDisplay(view: View, state: State) {
   const { display, halfway, heldOriginal, document } = state;
   const { edges, vertices } = display;
-  // All three show the current shape, not the original. Outlines also show during a half step, when
+  // All of these show the current shape, not the original. Outlines also show during a half step, when
   // the projections are computed but not yet applied.
   const [shapes, outlines, arrows] = heldOriginal
     ? [false, false, false]
     : [showsFitted(state), display.outlines || halfway, display.arrows];
-  view.setDisplay(edges, vertices, shapes, outlines, arrows);
+  view.setDisplay(edges, vertices, shapes, outlines, arrows, !heldOriginal);
   view.setSurroundings(display.ghost, display.ground);
   view.setGizmo(display.gizmo && !areHandlesLocked(document), FINGERS.matches);
 }
@@ -109,9 +109,9 @@ function showSelection(view: View, { selection }: State) {
   view.setSelectedEdges(Uint32Array.from(selection.edges));
 }
 
-function showTint(view: View, { tints }: State) {
+function showTint(view: View, { tints, heldOriginal }: State) {
   const none = { vertices: NONE, faces: NONE, colour: [0, 0, 0] };
-  const first = MARKINGS.map((cause) => tints[cause]).find(Boolean);
+  const first = heldOriginal ? undefined : MARKINGS.map((cause) => tints[cause]).find(Boolean);
   const { vertices, faces, colour } = first ?? none;
   const [red, green, blue] = colour.map((byte) => byte / 255);
   view.setTint(vertices, faces, red, green, blue);

@@ -158,8 +158,10 @@ impl Renderer {
         faces.draw(pass);
         self.around.draw(pass, faces, lines, tables);
         lines.draw(pass, display.edges);
-        self.over.draw(pass, faces, lines, tables);
-        self.layer.draw(pass, faces, lines, tables);
+        if display.computed {
+            self.over.draw(pass, faces, lines, tables);
+            self.layer.draw(pass, faces, lines, tables);
+        }
         if display.shapes {
             self.spheres.draw_each(pass, 6);
             self.circles.draw_each(pass, 6 * state.circle_pieces());

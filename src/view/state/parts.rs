@@ -39,7 +39,7 @@ impl Default for Look {
     fn default() -> Self {
         Look {
             appearance: Appearance::default(),
-            display: Display { edges: true, ..Display::default() },
+            display: Display { edges: true, computed: true, ..Display::default() },
             dark: false,
             background: None,
             occlusion: 0.0,
@@ -96,6 +96,9 @@ pub struct Display {
     pub outlines: bool,
     /// Arrows from vertices to their projections.
     pub arrows: bool,
+    /// The layer beside the surface and the lines over it: they were computed for the current shape,
+    /// and would be false beside the original.
+    pub computed: bool,
 }
 
 /// Flags of what has changed since the last picture.

@@ -200,7 +200,8 @@ impl View {
         self.model().set_background(grey);
     }
 
-    /// Switches edges, vertex dots, fitted shapes, projected outlines, and arrows on or off.
+    /// Switches edges, vertex dots, fitted shapes, projected outlines, arrows, and what was computed for
+    /// the shape (the layer beside it, the lines over it) on or off.
     #[wasm_bindgen(js_name = setDisplay)]
     pub fn set_display(
         &mut self,
@@ -209,8 +210,10 @@ impl View {
         shapes: bool,
         outlines: bool,
         arrows: bool,
+        computed: bool,
     ) {
-        self.model().set_display(Display { edges, vertices, shapes, outlines, arrows });
+        let display = Display { edges, vertices, shapes, outlines, arrows, computed };
+        self.model().set_display(display);
     }
 
     /// Sets all handles: vertices, states (0 soft, 1 fixed, 2 active), and #H by 3 targets.

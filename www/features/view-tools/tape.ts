@@ -43,7 +43,9 @@ export class Tape {
 
   /** Updates the card and the label after a frame. */
   show() {
-    const { tape, document } = this.#app.store.get();
+    const { tape, document, heldOriginal } = this.#app.store.get();
+    // The numbers are those of the shape, and stay beside the original.
+    if (tape && heldOriginal) return this.#place();
     this.#card.hidden = !tape;
     const measured = tape && this.#measured();
     this.#label.hidden = !measured;
