@@ -2,7 +2,7 @@
 
 use super::stage::{CANVAS, bump, rectangle, state, two_floors};
 use glam::Vec2;
-use shape_up::view::state::{RegionMode, ViewState};
+use shape_up::view::state::{Display, RegionMode, ViewState};
 
 const TOUCHING: RegionMode = RegionMode { touching: true, through: false };
 const WHOLE: RegionMode = RegionMode { touching: false, through: false };
@@ -19,6 +19,22 @@ fn every_vertex_that_is_shown_can_be_pointed_at() {
     assert!(shown > 80, "{shown} of 121 vertices are seen");
     assert_eq!(state.pick_vertex(Vec2::ONE, 6.0), None);
     assert_eq!(state.screen(100_000), None);
+}
+
+#[test]
+fn vertices_that_are_not_drawn_are_not_selected() {
+    let mut state = ViewState::default();
+    state.resize(CANVAS);
+    let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.5, 0.6, 0.0]].concat();
+    state.set_mesh((vec![0, 3], vec![0, 1, 2]), (vec![], vec![]), &positions).unwrap();
+    state.preset("top").unwrap();
+    let stray = state.camera().eye().project(state.mesh().positions[3]).0;
+    let everything = rectangle(Vec2::ZERO, CANVAS);
+    assert_eq!(state.pick_vertex(stray, 3.0), None);
+    assert_eq!(state.vertices_in(&everything, true), [0, 1, 2]);
+    state.set_display(Display { vertices: true, ..state.display() });
+    assert_eq!(state.pick_vertex(stray, 3.0), Some(3));
+    assert_eq!(state.vertices_in(&everything, true), [0, 1, 2, 3]);
 }
 
 #[test]

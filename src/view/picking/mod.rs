@@ -37,10 +37,15 @@ fn hider_of(
     hider(mesh, triangles, from, vertex, tolerance, |point| camera.keeps(point))
 }
 
-/// Returns the visible vertex nearest to a screen position, within a radius.
-pub fn pick_vertex(mesh: &RenderMesh, camera: &Camera, at: Vec2, radius: f32) -> Option<u32> {
-    let all = 0..mesh.positions.len() as u32;
-    let mut near = near_cursor(mesh, camera, all, at, radius);
+/// Returns the visible one of the candidates that is nearest to a screen position, within a radius.
+pub fn pick_vertex(
+    mesh: &RenderMesh,
+    camera: &Camera,
+    candidates: impl Iterator<Item = u32>,
+    at: Vec2,
+    radius: f32,
+) -> Option<u32> {
+    let mut near = near_cursor(mesh, camera, candidates, at, radius);
     near.retain(|&vertex| camera.keeps(mesh.positions[vertex as usize]));
     if near.is_empty() {
         return None;

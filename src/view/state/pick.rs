@@ -10,7 +10,19 @@ use glam::{DVec3, Vec2};
 impl ViewState {
     /// Returns the visible vertex nearest to the cursor.
     pub fn pick_vertex(&self, at: Vec2, radius: f32) -> Option<u32> {
-        picking::pick_vertex(&self.content.mesh, &self.viewpoint.camera, at, radius)
+        let drawn = self.drawn_vertices().into_iter();
+        picking::pick_vertex(&self.content.mesh, &self.viewpoint.camera, drawn, at, radius)
+    }
+
+    /// Returns the vertices that are drawn, in ascending order: those of faces, curves and edges that
+    /// can be picked, and all others only as dots. Nobody selects what is not drawn.
+    pub(super) fn drawn_vertices(&self) -> Vec<u32> {
+        let mesh = &self.content.mesh;
+        let mut is_drawn = vec![self.look.display.vertices; mesh.exact.len()];
+        for &vertex in mesh.used.iter().chain(self.content.edges.iter().flatten()) {
+            is_drawn[vertex as usize] = true;
+        }
+        (0..).zip(is_drawn).filter_map(|(vertex, is)| is.then_some(vertex)).collect()
     }
 
     /// Returns the handle nearest to the cursor, hidden or not.

@@ -118,16 +118,16 @@ impl ViewState {
         near.into_iter().find(is_seen).map(|(_, _, edge, _)| edge)
     }
 
-    /// Returns the vertices inside, in ascending order.
+    /// Returns the vertices inside that are drawn, in ascending order.
     pub fn vertices_in(&mut self, outline: &Outline, through: bool) -> Vec<u32> {
+        let drawn = self.drawn_vertices();
         let seen = SeenMesh::new(self, through);
-        let count = seen.mesh.positions.len() as u32;
         let inside = |&vertex: &u32| {
             let point = seen.mesh.positions[vertex as usize];
             let (at, depth) = seen.project(point);
             depth > 0.0 && outline.contains(at) && seen.shows(point)
         };
-        (0..count).filter(inside).collect()
+        drawn.into_iter().filter(inside).collect()
     }
 
     /// Returns the edges inside, in the order of [`ViewState::set_edges`]. An edge is visible if
