@@ -1,29 +1,33 @@
 /** Animated transition from one shape to another, so that the effect of a command is visible. */
 
+import type { Geometry } from '../solver/solver-client.ts';
+
+type Shape = Pick<Geometry, 'positions' | 'generation'>;
+
 export class ShapeTransition {
   #from;
   #milliseconds;
   #mixed;
-  /** The positions at creation: the transition starts when newer ones arrive. */
+  /** Generation of the shape at creation: the transition starts when another one arrives. */
   #first;
   #began = 0;
   /** Progress from 0 to 1. */
   part = 0;
 
-  /** @param from `#V by 3`; it may be overwritten afterwards */
-  constructor(from: Float64Array, milliseconds: number) {
-    this.#first = from;
-    this.#from = from.slice();
-    this.#mixed = from.slice();
+  /** @param from its positions may be overwritten afterwards */
+  constructor({ positions, generation }: Shape, milliseconds: number) {
+    this.#first = generation;
+    this.#from = positions.slice();
+    this.#mixed = positions.slice();
     this.#milliseconds = milliseconds;
   }
 
   /**
    * Returns the current positions, eased in and out.
-   * @param to `#V by 3`, which may change during the transition
+   * @param shape which may change during the transition
    */
-  towards(to: Float64Array) {
-    if (to === this.#first) return this.#from;
+  towards({ positions: to, generation }: Shape) {
+    if (generation === this.#first) return this.#from;
     const now = performance.now();
     this.#began ||= now;
     this.part = Math.min(1, (now - this.#began) / this.#milliseconds);

@@ -14,7 +14,7 @@ import { LAYERS, showDisplay, showValues } from './layers.ts';
 import { frameOf } from '../store/frame.ts';
 import type { View } from '../pkg/view-webgl2/shape_up.js';
 import type { State, Store } from '../store/state.ts';
-import type { SolverClient } from '../solver/solver-client.ts';
+import type { Geometry, SolverClient } from '../solver/solver-client.ts';
 import type { Actions } from '../store/actions.ts';
 import type { MoveConstraint } from '../store/handles.ts';
 
@@ -118,7 +118,7 @@ export class Viewport extends Emitter<ViewportEvents> {
     this.endTransition();
     const { geometry } = this.#solver;
     if (!this.view || !geometry) return Promise.resolve();
-    const shapes = new ShapeTransition(geometry.positions, milliseconds);
+    const shapes = new ShapeTransition(geometry, milliseconds);
     return new Promise((arrived) => (this.#transition = { shapes, arrived }));
   }
 
@@ -316,9 +316,9 @@ export class Viewport extends Emitter<ViewportEvents> {
     });
   }
 
-  /** Returns the positions to show for the latest ones, `#V by 3`. */
-  #positions(newest: Float64Array, { heldOriginal }: State) {
-    const positions = this.#transition?.shapes.towards(newest) ?? newest;
+  /** Returns the positions to show for the latest shape, `#V by 3`. */
+  #positions(newest: Geometry, { heldOriginal }: State) {
+    const positions = this.#transition?.shapes.towards(newest) ?? newest.positions;
     if (this.#transition?.shapes.part === 1) this.endTransition();
     if (this.#transition) {
       // During a transition the next picture differs even without a new frame.
@@ -347,7 +347,7 @@ export class Viewport extends Emitter<ViewportEvents> {
       if (state.camera) view.placeCamera(Float64Array.from(state.camera));
     }
     this.#newFrame = false;
-    view.setPositions(this.#positions(geometry.positions, state));
+    view.setPositions(this.#positions(geometry, state));
     showValues(view, state, geometry);
     if (geometry.shapes) view.setShapes(geometry.shapes);
     if (geometry.projections) {

@@ -38,7 +38,7 @@ export const MOUSE_NAMES: Record<Mouse, string> = {
 
 /** What the middle and the right button do. */
 export const MOUSE_WORDS: Record<Mouse, string> = {
-  rhino: 'right drag orbits; Shift + right drag and middle drag pan',
+  rhino: `right drag orbits, with ${CTRL} zooms; Shift + right drag and middle drag pan`,
   web: 'right drag pans, middle drag zooms',
   blender: `middle drag orbits, with Shift pans, with ${CTRL} zooms`,
 };
