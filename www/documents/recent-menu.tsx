@@ -31,7 +31,8 @@ export function RecentMenu() {
   if (list?.length === 0) {
     return (
       <p class="quiet" role="menuitem" aria-disabled="true" tabindex={-1}>
-        Nothing else yet. What you open or change is saved in this browser and listed here.
+        Nothing else yet. Files that you open and examples that you change are saved in this browser
+        and listed here.
       </p>
     );
   }

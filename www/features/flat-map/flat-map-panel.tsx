@@ -195,7 +195,10 @@ const isClosed = ({ parts, closedParts }: Parametrization) => closedParts === pa
 
 function closedWords({ parts, closedParts }: Parametrization) {
   if (closedParts === 0) return '';
-  const which = parts === 1 ? 'The surface has' : `${closedParts} of ${parts} parts have`;
+  const which =
+    parts === 1
+      ? 'The surface has'
+      : `${closedParts} of ${parts} parts ${closedParts === 1 ? 'has' : 'have'}`;
   return `${which} no boundary: the map folds over itself. To flatten it, cut it open in the program that made it.`;
 }
 

@@ -277,8 +277,8 @@ function LessonDialog({
       </label>
       <p class="quiet">
         Students see the text and whether each goal is satisfied while they work. Locked controls
-        are disabled. Until you close the page, Undo unlocks them. A constraint with limit 0 must be
-        exact.
+        are disabled. Undo unlocks them in this browser, but not in the file or the link. A
+        constraint with limit 0 must be exact.
       </p>
       <p class="refused" aria-live="assertive">
         {refusal}

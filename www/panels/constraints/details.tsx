@@ -141,6 +141,8 @@ function Share({ row }: { row: ConstraintRow }) {
   const { state } = useApp().store;
   const numbers = useThrottled(() => state.numbers);
   const total = energyOrZero(numbers?.energy.total ?? 0, state.model?.size ?? 0);
-  if (!row.enabled || !numbers || total <= 0) return null;
-  return <p class="quiet figure">{part(numbers.shares[row.index])} of the total energy</p>;
+  // A row that was just added has none.
+  const share = numbers?.shares[row.index];
+  if (!row.enabled || share === undefined || total <= 0) return null;
+  return <p class="quiet figure">{part(share)} of the total energy</p>;
 }

@@ -67,8 +67,7 @@ export function SelectedHandles() {
 /** By what an arrow key changes a coordinate that is shown with so many decimals. */
 function stepOf(unit: string, decimals: number) {
   const finest = 10 ** -decimals;
-  const usual = firstIn(unit);
-  return usual < finest ? 100 * finest : Math.min(usual, 100 * finest);
+  return Math.min(Math.max(firstIn(unit), finest), 100 * finest);
 }
 
 /** Returns the value that all handles have; null if they differ. */

@@ -156,7 +156,7 @@ function Ends() {
   const { range } = state;
   const { symbol, factor } = shownUnit(state);
   const step = useAfterViewUpdate(
-    (now) => (!now.display.log && viewport.unmeasured((view) => view.bandStep())) || null,
+    (now) => (!now.spread?.axis.log && viewport.unmeasured((view) => view.bandStep())) || null,
   );
   const steps = step && `steps of ${brief(rounded(step * factor, 3))} `;
   return (
