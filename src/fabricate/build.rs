@@ -216,7 +216,7 @@ impl Build {
         if !are_as_asked {
             build.faults.push(Fault::no_rows());
         }
-        build.cut();
+        build.cut(stand);
         if build.printed_page() != build.settings.page {
             build.faults.push(Fault::too_many_pages(build.pages()));
         }
@@ -363,7 +363,7 @@ impl Build {
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };
         let arrow = match self.settings.product {
-            Product::Panels => "ARROW: TO ITS FIRST EDGE IN THE MODEL",
+            Product::Panels => "ARROW: UP, IF LEVEL TO THE TOP OF KEY 1",
             Product::Fins if self.discs.is_empty() => "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Fins => "ARROW OF A FIN: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Paper => match (self.settings.fold, self.settings.print_inside) {

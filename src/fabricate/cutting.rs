@@ -5,16 +5,17 @@ use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, Splice};
 use super::fault::Fault;
 use super::panel::{
-    PieceSide, SplicePlate, Spliced, check_size, corners, distinct_corners, inset, is_simple,
-    smallest_box, smallest_box_within, spliced,
+    PieceSide, SplicePlate, Spliced, Stand, check_size, corners, direction_of, distinct_corners,
+    inset, is_simple, smallest_box, smallest_box_within, spliced,
 };
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
 use super::sheet::{
     CutPart, Hole, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
 use super::surface::{beam_name, node_name};
+use super::view_axes::upwards_in;
 use crate::math::plane::{Point2, area, bounds, length, minus, rotated};
-use crate::scene::{BuildSettings, Product};
+use crate::scene::{BuildSettings, Product, Up};
 
 /// Why a panel has no outline whose sides are moved inwards by `by`.
 fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
@@ -28,10 +29,10 @@ fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
 }
 
 impl Build {
-    /// Cuts all parts, lays them out, and names them.
-    pub(super) fn cut(&mut self) {
+    /// Cuts all parts of a shape that stands like this, lays them out, and names them.
+    pub(super) fn cut(&mut self, stand: &Stand) {
         match self.settings.product {
-            Product::Panels => self.cut_panels(),
+            Product::Panels => self.cut_panels(stand.up == Up::Z),
             Product::Fins => self.cut_fins(),
             Product::Paper => self.cut_paper(),
         }
@@ -45,9 +46,9 @@ impl Build {
         }
     }
 
-    fn cut_panels(&mut self) {
+    fn cut_panels(&mut self, z_up: bool) {
         for f in 0..self.flat.len() {
-            let found = self.cut_panel(f);
+            let found = self.cut_panel(f, z_up);
             if let Err(why) = found {
                 let is_part = self.flat[f].is_some();
                 self.not_cut.push(NotCut { part: self.names[f].clone(), why, is_part });
@@ -80,7 +81,7 @@ impl Build {
         Ok([scaled, outline])
     }
 
-    fn cut_panel(&mut self, f: usize) -> Result<CutPanel, &'static str> {
+    fn cut_panel(&mut self, f: usize, z_up: bool) -> Result<CutPanel, &'static str> {
         let [scaled, outline] = self.outline(f, &self.settings)?;
         let (turn, size) = smallest_box(&outline);
         let turned =
@@ -93,13 +94,12 @@ impl Build {
         };
         let n = outline.len();
         let has_side = |k: usize| outline[k] != outline[(k + 1) % n];
-        let has_first_side = has_side(0);
         let sides = self.surface.sides.row(f).iter().zip(0..).filter(|(_, k)| has_side(*k));
         let neighbours = sides.map(|(&e, _)| across(e)).collect();
         let outline = distinct_corners(&outline);
         let (name, panels) = (self.names[f].clone(), vec![f as u32]);
-        let part =
-            CutPart { name, panels, outline, neighbours, has_first_side, ..CutPart::default() };
+        let arrow = self.flat[f].as_ref().map(|flat| rotated(upwards_in(flat.axes, z_up), turn));
+        let part = CutPart { name, panels, outline, neighbours, arrow, ..CutPart::default() };
         let first = self.parts.len();
         let spliced = self.spliced(&part.outline, self.settings.splice);
         let pieces = spliced.as_ref().map_or(1, |spliced| spliced.pieces.len());
@@ -145,10 +145,7 @@ impl Build {
     fn add_pieces(&mut self, panel: &CutPart, Spliced { pieces, plates }: Spliced) {
         let first = self.parts.len();
         let name = |k: usize| format!("{}.{}", panel.name, k + 1);
-        for (k, mut piece) in pieces.into_iter().enumerate() {
-            // Its outline begins with the first side of the panel, if it has it.
-            let start = piece.iter().position(|(_, side)| *side == PieceSide::Panel(0));
-            piece.rotate_left(start.unwrap_or(0));
+        for (k, piece) in pieces.into_iter().enumerate() {
             let beyond = |(_, side): &(Point2, PieceSide)| match side {
                 PieceSide::Panel(k) => panel.neighbours[*k].clone(),
                 PieceSide::Piece(other) => Some(name(*other)),
@@ -158,7 +155,7 @@ impl Build {
                 panels: panel.panels.clone(),
                 outline: corners(&piece),
                 neighbours: piece.iter().map(beyond).collect(),
-                has_first_side: panel.has_first_side && start.is_some(),
+                arrow: panel.arrow,
                 ..CutPart::default()
             });
         }
@@ -225,13 +222,14 @@ impl Build {
                     // The ends are the second and the last side.
                     let mut neighbours = vec![None; fin.cut.len()];
                     (neighbours[1], neighbours[fin.cut.len() - 1]) = (one, other);
+                    let [c, s] = direction_of(outline[0], outline[1]);
                     self.fins.push(e as u32);
                     self.parts.push(CutPart {
                         name,
                         panels,
                         outline,
                         neighbours,
-                        has_first_side: true,
+                        arrow: Some([s, -c]),
                         is_oriented: true,
                         ..CutPart::default()
                     });
@@ -297,7 +295,7 @@ impl Build {
                                 name: &part.name,
                                 neighbours: &part.neighbours,
                                 is_oriented: part.is_oriented,
-                                with_arrow: part.has_first_side,
+                                arrow: part.arrow,
                                 turn,
                                 holes: &holes,
                             })

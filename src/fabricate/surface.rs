@@ -366,8 +366,8 @@ pub(super) fn distinct(indices: impl Iterator<Item = u32>) -> Vec<u32> {
     (0..).zip(is_there).filter(|(_, is_there)| *is_there).map(|(index, _)| index).collect()
 }
 
-/// The corners of a face backwards. Its first side stays the first one, to which arrows point and
-/// from which rotations and strips are counted.
+/// The corners of a face backwards. Its first side stays the first one, from which rotations and strips
+/// are counted.
 fn reversed(face: &[u32]) -> Vec<u32> {
     let (first, rest) = face.split_at(face.len().min(2));
     first.iter().rev().chain(rest.iter().rev()).copied().collect()

@@ -311,7 +311,7 @@ fn names_that_nobody_could_read_are_not_on_the_part() {
             name: "B192-193",
             neighbours: &[None, Some("N193".to_owned()), None, Some("N192".to_owned())],
             is_oriented: true,
-            with_arrow: false,
+            arrow: None,
             turn: [1.0, 0.0],
             holes: &[],
         })
@@ -328,16 +328,9 @@ fn a_short_fin_names_both_of_its_nodes_beside_its_long_name() {
     let outline = &[[0.0, 0.0], [25.99, 0.0], [24.65, 12.72], [1.34, 12.72]][..];
     let neighbours = &[None, Some("N193".to_owned()), None, Some("N192".to_owned())][..];
     for turn in [[1.0, 0.0], [-1.0, 0.0]] {
-        let (name, with_arrow, holes) = ("B192-193", true, &[][..]);
-        let found = label(Inscription {
-            outline,
-            name,
-            neighbours,
-            is_oriented: true,
-            with_arrow,
-            turn,
-            holes,
-        });
+        let (name, arrow, holes) = ("B192-193", Some([0.0, -1.0]), &[][..]);
+        let found =
+            label(Inscription { outline, name, neighbours, is_oriented: true, arrow, turn, holes });
         assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
     }
 }

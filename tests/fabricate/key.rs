@@ -189,7 +189,7 @@ fn a_piece_of_paper_is_named_on_each_of_its_panels() {
 fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
     let mesh = grid(3, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
     for (product, print_inside, words) in [
-        (Product::Panels, false, "SEEN FROM OUTSIDE, ARROW: TO ITS FIRST EDGE IN THE MODEL"),
+        (Product::Panels, false, "SEEN FROM OUTSIDE, ARROW: UP, IF LEVEL TO THE TOP OF KEY 1"),
         (
             Product::Fins,
             false,

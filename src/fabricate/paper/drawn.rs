@@ -113,7 +113,7 @@ pub fn write_names(
                 beside.reverse();
                 beside.rotate_left(1);
             }
-            let (outline, neighbours, with_arrow) = (&polygon[..], &beside[..], false);
+            let (outline, neighbours) = (&polygon[..], &beside[..]);
             let holes = &[][..];
             let named = |name: &str| {
                 label(Inscription {
@@ -121,7 +121,7 @@ pub fn write_names(
                     name,
                     neighbours,
                     is_oriented: false,
-                    with_arrow,
+                    arrow: None,
                     turn,
                     holes,
                 })

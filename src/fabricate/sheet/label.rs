@@ -1,4 +1,4 @@
-//! Names inside an outline: its own in the middle, optionally an arrow to edge 0, and the names of
+//! Names inside an outline: its own in the middle, optionally an arrow beside it, and the names of
 //! neighbours along their edges, or across short ones. Names that do not fit are made smaller down
 //! to a readable height, then left out and counted. All names are upright on the sheet, however the
 //! part is rotated.
@@ -62,8 +62,8 @@ pub struct Inscription<'a> {
     /// of the sheet. It has names at its ends only, so that a side without a neighbour is not taken for
     /// that of a name near it, as on a panel.
     pub is_oriented: bool,
-    /// Whether an arrow points to edge 0.
-    pub with_arrow: bool,
+    /// Where its arrow points, as a unit vector.
+    pub arrow: Option<Point2>,
     /// The rotation of the part on its sheet, as cosine and sine.
     pub turn: Point2,
     /// Holes in the part, which names must avoid.
@@ -76,7 +76,7 @@ pub fn label(own: Inscription<'_>) -> Labels {
     let mut best: Option<(usize, Labels)> = None;
     for height in OWN {
         let (labels, has_arrow) = label_of_height(own, room, height);
-        let missing = labels.dropped + usize::from(own.with_arrow && !has_arrow);
+        let missing = labels.dropped + usize::from(own.arrow.is_some() && !has_arrow);
         if best.as_ref().is_none_or(|(least, _)| missing < *least) {
             best = Some((missing, labels));
         }
@@ -89,9 +89,7 @@ pub fn label(own: Inscription<'_>) -> Labels {
 
 /// As `label`, with the relative height `own` of the own name; also whether the arrow is there.
 fn label_of_height(
-    Inscription { outline, name, neighbours, is_oriented, with_arrow, turn, holes }: Inscription<
-        '_,
-    >,
+    Inscription { outline, name, neighbours, is_oriented, arrow, turn, holes }: Inscription<'_>,
     (centre, radius): (Point2, f64),
     own: f64,
 ) -> (Labels, bool) {
@@ -135,7 +133,8 @@ fn label_of_height(
     labels.lines.extend(strokes(name, height, own.centre, own.along));
     labels.texts.push(name.to_owned());
     taken.insert(0, own);
-    let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
+    let has_arrow =
+        arrow.is_some_and(|way| draw_arrow(outline, &mut labels, &mut taken, height, way));
     let mut highest: f64 = 0.0;
     let is_possible = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
     let possible_sides = sides(outline).enumerate().filter(|&(i, _)| is_possible(i));
@@ -238,41 +237,40 @@ fn is_nearest(own: [Point2; 2], possible_sides: &[[Point2; 2]], point: Point2) -
     possible_sides.iter().all(|other| far(other) >= least)
 }
 
-/// Adds an arrow from the middle towards edge 0, as long as a letter is high; false if there is no
+/// Adds an arrow in this direction beside the name, as long as a letter is high; false if there is no
 /// room.
-fn arrow(
+fn draw_arrow(
     outline: &[Point2],
     labels: &mut Labels,
     taken: &mut Vec<TextBox>,
     height: f64,
-    radius: f64,
+    along: Point2,
 ) -> bool {
     let Some(own) = taken.first().copied() else { return false };
-    let n = outline.len();
-    let aim = [0, 1].map(|x| 0.5 * (outline[0][x] + outline[1 % n][x]));
-    let along = direction_of(own.centre, aim);
     let half = [0.5 * height, 0.25 * height];
-    // Just outside the box of the name.
-    let mut away = 0.0;
-    let room = |away: f64| {
-        let centre = [0, 1].map(|x| own.centre[x] + away * along[x]);
-        TextBox { centre, along, half }
+    let [c, s] = along;
+    // Ahead of the name, just outside its box, else on either side of it, or behind.
+    let beside = [along, [-s, c], [s, -c], [-c, -s]].map(|way| {
+        let at = |away: f64| {
+            let centre = [0, 1].map(|x| own.centre[x] + away * way[x]);
+            TextBox { centre, along, half }
+        };
+        // Farther away than this it is apart.
+        let most = own.half[0] + own.half[1] + height;
+        let mut away = 0.0;
+        while away < most && !at(away).is_apart(&own) {
+            away += 0.1 * height;
+        }
+        at(away)
+    });
+    let has_room = |found: &TextBox| {
+        let tip = [0, 1].map(|x| found.centre[x] + half[0] * along[x]);
+        taken.iter().all(|other| found.is_apart(other))
+            && found.is_in(outline)
+            && distance_to_outline(outline, tip) >= 0.2 * height
     };
-    while !room(away).is_apart(&own) && away < 4.0 * radius {
-        away += 0.1 * height;
-    }
-    let found = room(away);
-    let tip = [0, 1].map(|x| found.centre[x] + half[0] * along[x]);
-    if !taken.iter().all(|other| found.is_apart(other))
-        || !found.is_in(outline)
-        || distance_to_outline(outline, tip) < 0.2 * height
-    {
-        return false;
-    }
-    let at = |x: f64, y: f64| {
-        let [c, s] = along;
-        [found.centre[0] + c * x - s * y, found.centre[1] + s * x + c * y]
-    };
+    let Some(found) = beside.into_iter().find(has_room) else { return false };
+    let at = |x: f64, y: f64| [found.centre[0] + c * x - s * y, found.centre[1] + s * x + c * y];
     let [x, y] = [half[0], 0.8 * half[1]];
     labels.lines.push(vec![at(-x, 0.0), at(x, 0.0)]);
     labels.lines.push(vec![at(0.1 * x, y), at(x, 0.0), at(0.1 * x, -y)]);
@@ -317,14 +315,14 @@ mod tests {
         let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]];
         let one = [Some("H".to_owned())];
         let [own, both] = [&[][..], &one[..]].map(|neighbours| {
-            let (name, with_arrow, turn) = ("H", false, AS_IT_IS);
+            let (name, arrow, turn) = ("H", None, AS_IT_IS);
             let holes = &[][..];
             label(Inscription {
                 outline: &outline,
                 name,
                 neighbours,
                 is_oriented: false,
-                with_arrow,
+                arrow,
                 turn,
                 holes,
             })
@@ -338,19 +336,12 @@ mod tests {
     fn the_own_name_is_underlined_where_those_of_neighbours_are_as_high() {
         let neighbour = Some("P7".to_owned());
         let neighbours = &[neighbour.clone(), None, neighbour, None][..];
-        let (name, with_arrow, turn, holes) = ("P5", false, AS_IT_IS, &[][..]);
+        let (name, arrow, turn, holes) = ("P5", None, AS_IT_IS, &[][..]);
         // Equally wide, with or without room for a larger name in the middle.
         for (high, is_underlined) in [(14.0, false), (11.5, true)] {
             let outline = &[[0.0, 0.0], [8.0, 0.0], [8.0, high], [0.0, high]][..];
-            let own = Inscription {
-                outline,
-                name,
-                neighbours,
-                is_oriented: false,
-                with_arrow,
-                turn,
-                holes,
-            };
+            let own =
+                Inscription { outline, name, neighbours, is_oriented: false, arrow, turn, holes };
             let found = label(own);
             assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
             let below = |line: &&Vec<Point2>| {
@@ -365,7 +356,7 @@ mod tests {
     fn a_name_is_nearer_to_its_own_edge_than_to_another() {
         // At its short edges there is room for a name only beside a longer one.
         let outline = [[0.0, 0.0], [30.0, 0.0], [32.0, 4.0], [30.0, 20.0], [0.0, 20.0]];
-        let (with_arrow, turn, holes) = (false, AS_IT_IS, &[][..]);
+        let (arrow, turn, holes) = (None, AS_IT_IS, &[][..]);
         for k in 0..outline.len() {
             let mut neighbours = vec![None; outline.len()];
             let own = |neighbours: &[Option<String>]| {
@@ -375,7 +366,7 @@ mod tests {
                     name: "P1",
                     neighbours,
                     is_oriented: false,
-                    with_arrow,
+                    arrow,
                     turn,
                     holes,
                 })
@@ -403,17 +394,10 @@ mod tests {
     fn names_at_the_ends_of_a_slender_part_lie_along_it() {
         let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, 5.0], [0.0, 5.0]];
         let neighbours = [None, Some("N12".to_owned()), None, Some("N7".to_owned())];
-        let (name, with_arrow, turn) = ("B7-12", true, AS_IT_IS);
+        let (name, arrow, turn) = ("B7-12", Some([0.0, -1.0]), AS_IT_IS);
         let (outline, neighbours, holes) = (&outline[..], &neighbours[..], &[][..]);
-        let found = label(Inscription {
-            outline,
-            name,
-            neighbours,
-            is_oriented: true,
-            with_arrow,
-            turn,
-            holes,
-        });
+        let found =
+            label(Inscription { outline, name, neighbours, is_oriented: true, arrow, turn, holes });
         assert_eq!((found.dropped, found.small), (0, false));
         assert_eq!(found.texts, ["B7-12", "N12", "N7"]);
     }
@@ -430,7 +414,7 @@ mod tests {
                 name,
                 neighbours,
                 is_oriented: false,
-                with_arrow: false,
+                arrow: None,
                 turn,
                 holes,
             };
@@ -439,6 +423,30 @@ mod tests {
             extent(&found.lines)[1]
         };
         assert!((height(&holes) - height(&[])).abs() < 1e-9);
+    }
+
+    #[test]
+    fn an_arrow_has_its_direction_wherever_there_is_room_for_it() {
+        // Ahead of the name there is room in the square only; beside it in the bar too.
+        for high in [60.0, 9.0] {
+            let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, high], [0.0, high]];
+            for degrees in (0..360).step_by(15) {
+                let way = crate::math::cosine_and_sine_of_degrees(f64::from(degrees));
+                let own = |arrow: Option<Point2>| {
+                    let (neighbours, holes, turn) = (&[][..], &[][..], AS_IT_IS);
+                    let (outline, name) = (&outline[..], "P1");
+                    let is_oriented = false;
+                    let own =
+                        Inscription { outline, name, neighbours, is_oriented, arrow, turn, holes };
+                    label(own).lines
+                };
+                let (without, with) = (own(None), own(Some(way)));
+                assert_eq!(with.len(), without.len() + 2, "{high} {degrees}");
+                let [from, to] = with[without.len()][..] else { panic!("a line") };
+                let found = direction_of(from, to);
+                assert!(distance(found, way) < 1e-9, "{high} {degrees}: {found:?}");
+            }
+        }
     }
 
     #[test]

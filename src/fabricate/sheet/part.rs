@@ -158,8 +158,9 @@ pub struct CutPart {
     pub outline: Vec<Point2>,
     /// The name of what lies beyond each side of the outline, if it is to be written there.
     pub neighbours: Vec<Option<String>>,
-    /// Whether its first side is the first one in the model, and not eaten by the joint.
-    pub has_first_side: bool,
+    /// Where its arrow points, as a unit vector: upwards in the model, or on a fin to its side at the edge
+    /// of the model.
+    pub arrow: Option<Point2>,
     /// Whether its letters say how it lies: they run along the x axis of the part, however it is
     /// rotated on its sheet.
     pub is_oriented: bool,

@@ -1,21 +1,25 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 28] = [
+const READING: [(&str, &str); 29] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
         "outlines",
         "each side moved inwards by half the joint, outwards by half the kerf; reliefs for the tool added",
     ),
-    ("panels.csv nodes", "counterclockwise seen from outside, from the edge at the arrow"),
+    (
+        "arrows",
+        "upwards in the model, in the plane of the part; if it is within 5 degrees of level, to the top of key 1",
+    ),
+    ("panels.csv nodes", "counterclockwise seen from outside"),
     ("panels.csv order", "of assembly, from the supports upwards"),
     ("panels.csv corners", "of the whole panel, also for a piece; nodes too"),
     (
         "panels.csv x_sheet_mm",
         "of the mean of the corners of the whole panel, also for a piece; with y_sheet_mm",
     ),
-    ("panels.csv turn_deg", "direction of the edge at the arrow, on the sheet"),
+    ("panels.csv turn_deg", "direction from its first node to its second, on the sheet"),
     ("fins.csv x_sheet_mm", "of node_a; with y_sheet_mm"),
     (
         "splices.csv pieces",
@@ -53,7 +57,7 @@ const READING: [(&str, &str); 28] = [
 /// The table beside whose parts something is explained.
 fn table_of(what: &str) -> &str {
     match what {
-        "outlines" => "panels.csv",
+        "outlines" | "arrows" => "panels.csv",
         "names of fins" => "fins.csv",
         "names at slots of discs" => "discs.csv",
         "tabs" => "pieces.csv",
