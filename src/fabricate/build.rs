@@ -382,9 +382,13 @@ impl Build {
         };
         let discs = "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT";
         let discs = if self.discs.is_empty() { "" } else { discs };
+        let is_bevelled = self.parts.iter().any(|part| part.bevels.iter().any(Option::is_some));
+        let bevels = "AT EDGES: BEVEL IN DEGREES, + CUTS THE INSIDE BACK";
+        let bevels = if is_bevelled { bevels } else { "" };
         let splices = "FRAME AT A SEAM: PLATE BEHIND IT";
         let splices = if self.splices.is_empty() { "" } else { splices };
-        let words = [side, arrow, discs, splices].into_iter().filter(|words| !words.is_empty());
+        let words =
+            [side, arrow, bevels, discs, splices].into_iter().filter(|words| !words.is_empty());
         words.collect::<Vec<_>>().join(", ")
     }
 

@@ -9,12 +9,14 @@ use super::panel::{
     inset, is_simple, smallest_box, smallest_box_within, spliced,
 };
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
+use super::report::JOINT_STEP;
 use super::sheet::{
     CutPart, Hole, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
 use super::surface::{beam_name, node_name};
 use super::view_axes::upwards_in;
 use crate::math::plane::{Point2, area, bounds, length, minus, rotated};
+use crate::math::{cosine, sine};
 use crate::scene::{BuildSettings, Product, Up};
 
 /// Why a panel has no outline whose sides are moved inwards by `by`.
@@ -95,11 +97,12 @@ impl Build {
         let n = outline.len();
         let has_side = |k: usize| outline[k] != outline[(k + 1) % n];
         let sides = self.surface.sides.row(f).iter().zip(0..).filter(|(_, k)| has_side(*k));
-        let neighbours = sides.map(|(&e, _)| across(e)).collect();
+        let (neighbours, bevels) = sides.map(|(&e, _)| (across(e), self.bevel(e))).unzip();
         let outline = distinct_corners(&outline);
         let (name, panels) = (self.names[f].clone(), vec![f as u32]);
         let arrow = self.flat[f].as_ref().map(|flat| rotated(upwards_in(flat.axes, z_up), turn));
-        let part = CutPart { name, panels, outline, neighbours, arrow, ..CutPart::default() };
+        let part =
+            CutPart { name, panels, outline, neighbours, bevels, arrow, ..CutPart::default() };
         let first = self.parts.len();
         let spliced = self.spliced(&part.outline, self.settings.splice);
         let pieces = spliced.as_ref().map_or(1, |spliced| spliced.pieces.len());
@@ -108,6 +111,18 @@ impl Build {
             None => self.parts.push(part),
         }
         Ok(CutPanel { whole, turn, size, part: first, pieces })
+    }
+
+    /// The bevel of the panels at an edge in degrees, to be written on them: none where they are too
+    /// thin for one, or it takes less off them than can be cut.
+    fn bevel(&self, e: u32) -> Option<f64> {
+        /// Thinner panels are glued or taped with square sides, in mm.
+        const THINNEST: f64 = 1.0;
+        let bevel = self.surface.bevel(&self.surface.edges[e as usize])?;
+        let turns = bevel / std::f64::consts::TAU;
+        let thickness = self.settings.thickness;
+        let cut_back = thickness * (sine(turns) / cosine(turns)).abs();
+        (thickness >= THINNEST && cut_back >= JOINT_STEP).then(|| bevel.to_degrees())
     }
 
     /// The longer and the shorter side of the room for parts on a sheet.
@@ -150,11 +165,16 @@ impl Build {
                 PieceSide::Panel(k) => panel.neighbours[*k].clone(),
                 PieceSide::Piece(other) => Some(name(*other)),
             };
+            let bevel = |(_, side): &(Point2, PieceSide)| match side {
+                PieceSide::Panel(k) => panel.bevels[*k],
+                PieceSide::Piece(_) => None,
+            };
             self.parts.push(CutPart {
                 name: name(k),
                 panels: panel.panels.clone(),
                 outline: corners(&piece),
                 neighbours: piece.iter().map(beyond).collect(),
+                bevels: piece.iter().map(bevel).collect(),
                 arrow: panel.arrow,
                 ..CutPart::default()
             });
@@ -294,6 +314,7 @@ impl Build {
                                 outline: &part.outline,
                                 name: &part.name,
                                 neighbours: &part.neighbours,
+                                bevels: &part.bevels,
                                 is_oriented: part.is_oriented,
                                 arrow: part.arrow,
                                 turn,

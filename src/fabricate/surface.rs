@@ -298,6 +298,12 @@ impl PanelSurface {
         let folds = both.filter(|_| t != Vec3::zero()).map(fold);
         folds.max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
+
+    /// The bevel of the sides of both panels at an edge in radians, from square, so that they meet in the
+    /// plane between them: half of the fold. Positive at a ridge, where the inside is cut back.
+    pub fn bevel(&self, edge: &Edge) -> Option<f64> {
+        self.fold(edge).map(|fold| 0.5 * fold)
+    }
 }
 
 /// Normalises a vector; zero if it has no direction.

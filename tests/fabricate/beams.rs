@@ -310,6 +310,7 @@ fn names_that_nobody_could_read_are_not_on_the_part() {
             outline: &[[0.0, 0.0], [width, 0.0], [width, 2.5], [0.0, 2.5]],
             name: "B192-193",
             neighbours: &[None, Some("N193".to_owned()), None, Some("N192".to_owned())],
+            bevels: &[],
             is_oriented: true,
             arrow: None,
             turn: [1.0, 0.0],
@@ -329,8 +330,16 @@ fn a_short_fin_names_both_of_its_nodes_beside_its_long_name() {
     let neighbours = &[None, Some("N193".to_owned()), None, Some("N192".to_owned())][..];
     for turn in [[1.0, 0.0], [-1.0, 0.0]] {
         let (name, arrow, holes) = ("B192-193", Some([0.0, -1.0]), &[][..]);
-        let found =
-            label(Inscription { outline, name, neighbours, is_oriented: true, arrow, turn, holes });
+        let found = label(Inscription {
+            outline,
+            name,
+            neighbours,
+            bevels: &[],
+            is_oriented: true,
+            arrow,
+            turn,
+            holes,
+        });
         assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
     }
 }

@@ -215,6 +215,7 @@ fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides
             outline,
             name,
             neighbours: side_names,
+            bevels: &[],
             is_oriented: false,
             arrow,
             turn,

@@ -120,6 +120,7 @@ pub fn write_names(
                     outline,
                     name,
                     neighbours,
+                    bevels: &[],
                     is_oriented: false,
                     arrow: None,
                     turn,

@@ -6,6 +6,7 @@
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use super::text_box::{ROOM, TextBox};
+use crate::fabricate::file::places;
 use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
 use crate::math::plane::{Point2, distance, dot, rotated};
 
@@ -58,6 +59,9 @@ pub struct Inscription<'a> {
     /// For each edge, the name of the neighbour there, if any. Edge `k` goes from corner `k` to the
     /// next one.
     pub neighbours: &'a [Option<String>],
+    /// For each edge the bevel there in degrees, if any: written behind the neighbour's name if both have
+    /// room, positive where the inside is cut back. Edges beyond the last have none.
+    pub bevels: &'a [Option<f64>],
     /// Whether its letters say how it lies, as on a fin: its own name runs in one direction only, that
     /// of the sheet. It has names at its ends only, so that a side without a neighbour is not taken for
     /// that of a name near it, as on a panel.
@@ -89,7 +93,9 @@ pub fn label(own: Inscription<'_>) -> Labels {
 
 /// As `label`, with the relative height `own` of the own name; also whether the arrow is there.
 fn label_of_height(
-    Inscription { outline, name, neighbours, is_oriented, arrow, turn, holes }: Inscription<'_>,
+    Inscription { outline, name, neighbours, bevels, is_oriented, arrow, turn, holes }: Inscription<
+        '_,
+    >,
     (centre, radius): (Point2, f64),
     own: f64,
 ) -> (Labels, bool) {
@@ -136,6 +142,8 @@ fn label_of_height(
     let has_arrow =
         arrow.is_some_and(|way| draw_arrow(outline, &mut labels, &mut taken, height, way));
     let mut highest: f64 = 0.0;
+    // For each name that has room: its edge, its box among those taken, its words and its height.
+    let mut beside_edges: Vec<(usize, usize, String, f64)> = Vec::new();
     let is_possible = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
     let possible_sides = sides(outline).enumerate().filter(|&(i, _)| is_possible(i));
     let possible_sides: Vec<[Point2; 2]> = possible_sides.map(|(_, side)| side).collect();
@@ -153,17 +161,44 @@ fn label_of_height(
         match found {
             Some((height, own)) => {
                 highest = highest.max(height);
-                labels.lines.extend(strokes(neighbour, height, own.centre, own.along));
-                labels.texts.push(neighbour.clone());
+                beside_edges.push((k, taken.len(), neighbour.clone(), height));
                 taken.push(own);
             }
             None => labels.dropped += 1,
         }
     }
+    // A bevel takes no room from a name.
+    for (k, at, words, height) in &mut beside_edges {
+        let Some(bevel) = bevels.get(*k).copied().flatten() else { continue };
+        let edge = [outline[*k], outline[(*k + 1) % outline.len()]];
+        let longer = format!("{words} {}", bevel_words(bevel));
+        let mut others = taken.clone();
+        others.swap_remove(*at);
+        let found = beside_edge(
+            outline,
+            (edge, &possible_sides),
+            (&longer, *height),
+            turn,
+            (&others, holes),
+        );
+        if let Some((lower, own)) = found.filter(|(lower, _)| *lower >= SMALL * *height) {
+            (taken[*at], *words, *height) = (own, longer, lower);
+        }
+    }
+    for (_, at, words, height) in beside_edges {
+        labels.lines.extend(strokes(&words, height, taken[at].centre, taken[at].along));
+        labels.texts.push(words);
+    }
     if highest > ALIKE * height {
         labels.lines.push(underline(own, text_width(name, height), height));
     }
     (labels, has_arrow)
+}
+
+/// A bevel with its sign, to a tenth of a degree.
+fn bevel_words(degrees: f64) -> String {
+    let sign = if degrees < 0.0 { '-' } else { '+' };
+    format!("{sign}{}", places(degrees.abs(), 1))
 }
 
 /// A line below the text of a box.
@@ -321,6 +356,7 @@ mod tests {
                 outline: &outline,
                 name,
                 neighbours,
+                bevels: &[],
                 is_oriented: false,
                 arrow,
                 turn,
@@ -365,6 +401,7 @@ mod tests {
                     outline,
                     name: "P1",
                     neighbours,
+                    bevels: &[],
                     is_oriented: false,
                     arrow,
                     turn,
@@ -413,6 +450,7 @@ mod tests {
                 outline,
                 name,
                 neighbours,
+                bevels: &[],
                 is_oriented: false,
                 arrow: None,
                 turn,
@@ -446,6 +484,33 @@ mod tests {
                 let found = direction_of(from, to);
                 assert!(distance(found, way) < 1e-9, "{high} {degrees}: {found:?}");
             }
+        }
+    }
+
+    #[test]
+    fn a_bevel_is_written_behind_a_name_where_that_leaves_all_names_as_they_are() {
+        let neighbours = ["P12", "P3", "P4", "P5"].map(|name| Some(name.to_owned()));
+        let bevels = [Some(12.34), Some(-0.46), None, Some(45.0)];
+        for (size, expected) in [
+            (60.0, ["P1", "P12 +12.3", "P3 -0.5", "P4", "P5 +45"]),
+            (13.0, ["P1", "P12", "P3", "P4", "P5"]),
+        ] {
+            let outline = &[[0.0, 0.0], [size, 0.0], [size, size], [0.0, size]][..];
+            let found = |bevels: &[Option<f64>]| {
+                label(Inscription {
+                    outline,
+                    name: "P1",
+                    neighbours: &neighbours,
+                    bevels,
+                    is_oriented: false,
+                    arrow: None,
+                    turn: AS_IT_IS,
+                    holes: &[],
+                })
+            };
+            let (with, without) = (found(&bevels), found(&[]));
+            assert_eq!((with.dropped, with.small), (without.dropped, without.small));
+            assert_eq!(with.texts, expected);
         }
     }
 

@@ -158,6 +158,8 @@ pub struct CutPart {
     pub outline: Vec<Point2>,
     /// The name of what lies beyond each side of the outline, if it is to be written there.
     pub neighbours: Vec<Option<String>>,
+    /// For each of them, the bevel there in degrees, if it is to be written too.
+    pub bevels: Vec<Option<f64>>,
     /// Where its arrow points, as a unit vector: upwards in the model, or on a fin to its side at the edge
     /// of the model.
     pub arrow: Option<Point2>,

@@ -1,9 +1,13 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 29] = [
+const READING: [(&str, &str); 30] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
+    (
+        "edges.csv bevel_deg",
+        "of the sides of both panels from square: half of the fold; more than 0 cuts the inside back, less the outside",
+    ),
     (
         "outlines",
         "each side moved inwards by half the joint, outwards by half the kerf; reliefs for the tool added",

@@ -2,8 +2,8 @@
 //! as the table says.
 
 use super::files::{Files, Part};
-use super::outline::{lengths, widened, written};
-use super::shape::{Flat, Found, Point, assembled, matching, sides_of_panels};
+use super::outline::{bevels, lengths, widened, written};
+use super::shape::{Flat, Found, Point, Side, assembled, matching, sides_of_panels};
 use super::splices::joined;
 use shape_up::math::plane::{Point2, cross, dot, minus};
 use std::cell::Cell;
@@ -48,6 +48,11 @@ pub(super) fn assemble(files: &Files) -> Found {
         assert!(by_names.contains(&by_table), "{}: {by_names:?}, {by_table}", part.name);
         assert!(by_names.len() == 1 || part.texts.len() < 2, "{}: {by_names:?}", part.name);
         own.rotate_left(by_table);
+        for (name, bevel) in bevels(&part.texts) {
+            let fits =
+                |side: &Side| side.beyond == name && (0.5 * side.fold - bevel).abs() < 0.0501;
+            assert!(own.iter().any(fits), "{}: {name} {bevel}", part.name);
+        }
         if let Some(arrow) = part.arrow {
             assert_up(&part.name, minus(arrow[1], arrow[0]), &corners, |k| nodes[&own[k].from]);
             with_arrow.set(with_arrow.get() + 1);
