@@ -91,13 +91,14 @@ pub struct NotCut {
     pub is_part: bool,
 }
 
-/// Numbers of what is left out of parts, or written too small.
+/// Numbers of what is left out of parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct LeftOut {
     /// Neighbours' names without room, on parts that are on a sheet.
     pub dropped_names: usize,
-    /// Parts on a sheet whose own name, or of one of whose panels, is lower than 2 mm.
+    /// Parts on a sheet on which their own name, or that of one of their panels, has no room for letters
+    /// of 2 mm: it is not engraved.
     pub small_names: usize,
     /// Holes without room.
     pub dropped_holes: usize,

@@ -225,7 +225,7 @@ impl BuildReport {
             counted(
                 left.small_names,
                 words::count(left.small_names, "part has", "parts have")
-                    + " a name smaller than 2 mm.",
+                    + " no room for letters of 2 mm; the tables say where each name is.",
             ),
             counted(
                 left.dropped_holes,

@@ -322,13 +322,11 @@ impl Build {
                             })
                         }
                     };
-                    let Labels { lines, texts, dropped, small } = labels;
+                    let Labels { lines, dropped, small, .. } = labels;
                     part.engraved.extend(lines);
-                    // Without room there is no small name either.
-                    let small = small && !texts.is_empty();
                     // Its own name says which neighbour is where.
                     let dropped = if part.is_oriented { 0 } else { dropped };
-                    MissingNames { dropped, small, piece: texts.is_empty() }
+                    MissingNames { dropped, small, piece: small }
                 }
             };
             part.named = if missing.piece { NamePlace::Nowhere } else { NamePlace::OnPart };

@@ -3,6 +3,7 @@
 use super::identities::revolution;
 use super::{build, text_of};
 use crate::support::grid::grid;
+use shape_up::fabricate::sheet::NamePlace;
 use shape_up::fabricate::{BuildReport, CheckWords, PanelSuggestion};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, Fold, Names, OffsetKind, Product};
@@ -215,14 +216,21 @@ fn the_summary_says_how_to_read_the_tables_and_names_that_are_there() {
 }
 
 #[test]
-fn a_name_beside_a_part_or_nowhere_is_not_a_small_name_on_it() {
-    // Slivers too narrow for any letter.
+fn names_lower_than_2_mm_are_not_engraved_but_counted_and_tabulated() {
+    // Slivers too narrow for letters.
     let sliver = grid(3, 1, |i, j| [f64::from(i), 2e-3 * f64::from(j), 0.0]);
     let own = BuildSettings { scale: 50.0, ..BuildSettings::default() };
     let made = build(&sliver, &own);
     let report = made.report();
-    assert_eq!((report.placed, report.left_out.small_names), (3, 0));
+    assert_eq!((report.placed, report.left_out.small_names), (3, 3));
     assert_eq!(report.left_out.dropped_names, 4);
+    assert!(made.parts.iter().all(|part| part.named != NamePlace::OnPart));
+    let said = "3 parts have no room for letters of 2 mm; the tables say where each name is.";
+    assert!(made.words(&report).warnings.contains(&said.to_owned()));
+    let table = text_of(&made, "panels.csv");
+    assert!(
+        table.lines().skip(1).all(|row| row.contains(",beside it,") || row.contains(",nowhere,"))
+    );
 }
 
 #[test]

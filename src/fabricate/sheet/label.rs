@@ -12,9 +12,8 @@ use crate::math::plane::{Point2, distance, dot, rotated};
 
 /// Largest height of neighbours' names, in mm.
 pub(super) const TALLEST: f64 = 8.0;
-/// Smallest height of names, in mm, and that of a part's own name if there is no room for more.
+/// Smallest height of names, in mm: lower ones are not engraved.
 pub(super) const LEAST: f64 = 2.0;
-pub(super) const LEAST_OWN: f64 = 1.0;
 /// Height of neighbours' names relative to the radius of the largest circle in the outline.
 const OF_RADIUS: f64 = 0.25;
 /// Height of the own name relative to neighbours' names; smaller if that leaves room for more.
@@ -45,7 +44,7 @@ pub struct Labels {
     pub texts: Vec<String>,
     /// Neighbours' names without room.
     pub dropped: usize,
-    /// Whether its own name is too small to be read well, or not written for lack of room.
+    /// Whether its own name is not written, for lack of room for letters of 2 mm.
     pub small: bool,
 }
 
@@ -124,18 +123,18 @@ fn label_of_height(
     let sheet = [turn[0], -turn[1]];
     let mut directions = vec![sheet, upright(across, turn)];
     directions.retain(|&along| !is_oriented || dot(along, sheet) > ORIENTED);
-    while own.is_none() && height >= LEAST_OWN {
+    loop {
         own = [centre, middle]
             .into_iter()
             .flat_map(|centre| directions.iter().map(move |&along| (centre, along)))
             .map(|(centre, along)| TextBox::of_text(name, height, centre, along))
             .find(|own| own.is_in(outline) && taken.iter().all(|hole| own.is_apart(hole)));
-        if own.is_none() {
-            height *= 0.85;
+        if own.is_some() || height <= LEAST {
+            break;
         }
+        height = (0.85 * height).max(LEAST);
     }
     let Some(own) = own else { return (nothing(), false) };
-    labels.small = height < LEAST;
     labels.lines.extend(strokes(name, height, own.centre, own.along));
     labels.texts.push(name.to_owned());
     taken.insert(0, own);
