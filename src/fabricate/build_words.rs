@@ -7,7 +7,7 @@ use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
 use super::offset::Choice;
 use super::paper::LEAST_TAB;
-use super::report::{BuildReport, FrameReport};
+use super::report::{BuildReport, FrameReport, JOINT_STEP};
 use super::tighten::PanelSuggestion;
 use crate::scene::{BuildSettings, Fold, OffsetKind, Product, panel_adjective};
 use crate::words;
@@ -299,7 +299,7 @@ impl BuildReport {
             ("", None) => "no joint".to_owned(),
             (why, _) => format!("a joint that is not known ({why})"),
         };
-        match [of_side(0), of_side(1)] {
+        let needed = match [of_side(0), of_side(1)] {
             [outside, inside] if outside == inside => format!("{panels} need {outside}."),
             [outside, inside] => {
                 // What is the same for both is said once.
@@ -307,7 +307,41 @@ impl BuildReport {
                 let inside = of_both.unwrap_or(&inside);
                 format!("{panels} need {outside} outside the surface, and {inside} inside.")
             }
+        };
+        needed + &self.steepest() + &self.served()
+    }
+
+    /// Between which panels the least joint of each side is needed, as a sentence after another one; empty
+    /// if none is needed.
+    fn steepest(&self) -> String {
+        let of_side = |(side, k): (&str, usize)| {
+            self.least_joint_mm[k].map(|_| format!("{side} between {}", self.least_joint_at[k]))
+        };
+        let sides: Vec<String> =
+            [("outside", 0), ("inside", 1)].into_iter().filter_map(of_side).collect();
+        match sides.is_empty() {
+            true => String::new(),
+            false => format!(" It is needed {}.", sides.join(", ")),
         }
+    }
+
+    /// On which side the joint that is set is enough, as a sentence after another one; empty if there is
+    /// none, none is needed, or it is enough on neither side.
+    fn served(&self) -> String {
+        let is_enough = |k: usize| {
+            self.no_least_joint[k].is_empty()
+                && self.least_joint_mm[k].is_none_or(|least| least - self.joint_mm < JOINT_STEP)
+        };
+        let sides = match [is_enough(0), is_enough(1)] {
+            _ if self.joint_mm < JOINT_STEP || self.least_joint_mm == [None, None] => {
+                return String::new();
+            }
+            [true, true] => "on both sides",
+            [true, false] => "outside only",
+            [false, true] => "inside only",
+            [false, false] => return String::new(),
+        };
+        format!(" The joint of {} is enough {sides}.", words::millimetres(self.joint_mm))
     }
 }
 

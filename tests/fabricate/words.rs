@@ -81,10 +81,40 @@ fn a_joint_is_needed_where_panels_of_a_thickness_would_collide() {
         ),
         ([None, None], "need no joint."),
     ] {
-        assert_eq!(joint(least), format!("Panels of 0.5 mm {words}"));
+        let said = joint(least);
+        assert!(said.starts_with(&format!("Panels of 0.5 mm {words}")), "{said}");
+        let sides = [" outside between P", " inside between P"].map(|side| said.contains(side));
+        assert_eq!(sides, least.map(|least| least.is_some()), "{said}");
     }
     let thin = build(&wavy(), &BuildSettings { thickness: 0.0, ..own });
     assert!(thin.words(&thin.report()).joint.is_empty());
+}
+
+#[test]
+fn a_joint_that_is_enough_on_one_side_is_said_to_be_so_with_the_worst_edge_of_either() {
+    // A ridge of 30 degrees between the first two of three panels, a valley of 60 between the last two.
+    let [c, s] = shape_up::math::cosine_and_sine_of_degrees(30.0);
+    let profile = [[-c, -s], [0.0, 0.0], [1.0, 0.0], [1.5, 0.75_f64.sqrt()]];
+    let mesh = grid(3, 1, |i, j| [profile[i as usize][0], f64::from(j), profile[i as usize][1]]);
+    let words = |joint: f64| {
+        let own = BuildSettings { thickness: 3.0, joint, scale: 10.0, ..BuildSettings::default() };
+        let made = build(&mesh, &own);
+        let report = made.report();
+        assert_eq!(report.least_joint_at, ["P1 and P2", "P0 and P1"]);
+        made.words(&report)
+    };
+    // 2 T tan of half of the fold: 3.46 mm outside, 1.61 mm inside.
+    let neither = words(0.01);
+    assert!(neither.joint.is_empty() && neither.advice[0].choices.len() == 2, "{neither:?}");
+    assert!(
+        neither.advice[0].words.ends_with("P1 and P2, inside between P0 and P1."),
+        "{neither:?}"
+    );
+    for (joint, end) in [(0.02, "is enough inside only."), (0.04, "is enough on both sides.")] {
+        let said = words(joint);
+        assert_eq!(said.advice, []);
+        assert!(said.joint.contains("3.46 mm outside") && said.joint.ends_with(end), "{said:?}");
+    }
 }
 
 #[test]
