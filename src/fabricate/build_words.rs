@@ -181,6 +181,14 @@ impl BuildReport {
         }
     }
 
+    /// The smallest part, with its size on the sheet; empty without parts.
+    pub(super) fn smallest_in_words(&self) -> String {
+        self.smallest_part_mm.map_or_else(String::new, |[length, width]| {
+            let [length, width] = [length, width].map(words::millimetres);
+            format!("{}, {width} wide and {length} long", self.smallest_part)
+        })
+    }
+
     fn warnings(&self, settings: &BuildSettings) -> Vec<String> {
         let bare = self.paper.as_ref().map_or(&[][..], |paper| &paper.without_tab);
         // With tabs, they are among those without one.
@@ -214,6 +222,15 @@ impl BuildReport {
                 ),
             ),
             named(&self.not_cut, format!("Not cut: {uncut}.")),
+            named(
+                &self.narrow,
+                format!(
+                    "Narrower than {} on the sheet: {}. The smallest part is {}.",
+                    words::millimetres_limit(settings.limits.part),
+                    some(&self.narrow),
+                    self.smallest_in_words()
+                ),
+            ),
             counted(
                 left.dropped_names,
                 format!("No room for {} of neighbours.", count(left.dropped_names, "name")),

@@ -102,6 +102,12 @@ pub struct BuildReport {
     pub too_large: Vec<String>,
     /// Width and height of a sheet with room for each of them within the same margin.
     pub larger_sheet_mm: Option<[f64; 2]>,
+    /// The name of the part whose smallest box is narrowest; empty if there are no parts.
+    pub smallest_part: String,
+    /// Length and width of that box, on the sheet.
+    pub smallest_part_mm: Option<[f64; 2]>,
+    /// The names of parts that are narrower than their limit.
+    pub narrow: Vec<String>,
     /// Parts that cannot be cut, each with the reason.
     pub not_cut: Vec<String>,
     /// Panels that are cut into pieces.
@@ -215,10 +221,15 @@ impl Build {
         });
         let least = [1.0, -1.0].map(|side| self.least_joint(&folds, side));
         let between = |edge: &Edge| {
-            let both = edge.panels.iter().flatten();
-            both.map(|&f| &*self.names[f as usize]).collect::<Vec<_>>().join(" and ")
+            let both = distinct(edge.panels.into_iter().flatten()).into_iter();
+            both.map(|f| &*self.names[f as usize]).collect::<Vec<_>>().join(" and ")
         };
         let errors = self.flat.iter().flatten().map(|flat| flat.flattening_error);
+        let boxes: Vec<(&CutPart, [f64; 2])> =
+            self.parts.iter().map(|part| (part, smallest_box(&part.outline).1)).collect();
+        let smallest = boxes.iter().min_by(|(_, a), (_, b)| a[1].total_cmp(&b[1]));
+        let is_narrow =
+            |(_, [_, width]): &&(&CutPart, [f64; 2])| *width < self.settings.limits.part;
         let nodes = distinct(self.surface.faces.indices().iter().copied());
         BuildReport {
             product: self.settings.product,
@@ -244,6 +255,9 @@ impl Build {
                 .iter()
                 .map(|&part| self.parts[part].name.clone())
                 .collect(),
+            smallest_part: smallest.map_or_else(String::new, |(part, _)| part.name.clone()),
+            smallest_part_mm: smallest.map(|(_, size)| *size),
+            narrow: boxes.iter().filter(is_narrow).map(|(part, _)| part.name.clone()).collect(),
             larger_sheet_mm: self.larger_sheet(),
             not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
             spliced: self.cut.iter().flatten().filter(|cut| cut.pieces > 1).count(),

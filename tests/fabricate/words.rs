@@ -6,7 +6,7 @@ use crate::support::grid::grid;
 use shape_up::fabricate::sheet::NamePlace;
 use shape_up::fabricate::{BuildReport, CheckWords, PanelSuggestion};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Fold, Names, OffsetKind, Product};
+use shape_up::scene::{BuildSettings, CheckLimits, Fold, Names, OffsetKind, Product};
 
 /// Quads that are neither flat nor circular.
 fn wavy() -> Mesh {
@@ -115,6 +115,27 @@ fn a_joint_that_is_enough_on_one_side_is_said_to_be_so_with_the_worst_edge_of_ei
         assert_eq!(said.advice, []);
         assert!(said.joint.contains("3.46 mm outside") && said.joint.ends_with(end), "{said:?}");
     }
+}
+
+#[test]
+fn the_smallest_part_is_named_with_its_width_where_that_is_below_its_limit() {
+    // The panel in the middle is 60 mm wide, and so 3 mm on the sheet.
+    let x = [0.0, 1.0, 1.06, 2.0];
+    let mesh = grid(3, 1, |i, j| [x[i as usize], f64::from(j), 0.0]);
+    let made = |part: f64| {
+        let limits = CheckLimits { part, ..CheckLimits::default() };
+        let own = BuildSettings { scale: 20.0, limits, ..BuildSettings::default() };
+        let made = build(&mesh, &own);
+        let report = made.report();
+        assert_eq!(report.smallest_part, "P1");
+        let [length, width] = report.smallest_part_mm.unwrap();
+        assert!((length - 50.0).abs() < 1e-9 && (width - 3.0).abs() < 1e-9);
+        assert!(text_of(&made, "summary.csv").contains("\r\nsmallest part,P1,\r\n"));
+        made.words(&report).warnings.concat()
+    };
+    let said = "Narrower than 3.5 mm on the sheet: P1. The smallest part is P1, 3.00 mm wide and 50.0 mm long.";
+    assert!(made(3.5).contains(said), "{}", made(3.5));
+    assert!(!made(2.9).contains("Narrower"));
 }
 
 #[test]

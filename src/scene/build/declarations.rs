@@ -309,6 +309,13 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         number(Mm, FROM_0),
         "Corners of a panel from its plane, at full size.",
     ),
+    setting(
+        Limits,
+        "limits.part",
+        "Least width",
+        number(Mm, ON_SHEET),
+        "Narrower parts on the sheet are named: letters have no room on them.",
+    ),
 ];
 
 impl BuildSettings {
