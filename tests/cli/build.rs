@@ -128,6 +128,10 @@ fn a_report_page_has_the_title_of_the_scene_or_file_and_the_link() {
     assert!(of_scene.contains("href=\"https://example.org/?a&amp;b\""), "{of_scene}");
     let of_file = page("roof.obj", &[]);
     assert!(of_file.contains("<h1>roof</h1>") && !of_file.contains("<a "), "{of_file}");
+    for link in ["javascript:alert(1)", "data:text/html,a", "example.org", " https://example.org"] {
+        let asked = ["build", "roof.obj", "--report-page", "r.html", "--link", link];
+        folder.run(&asked).misused("--link takes an address that begins with https:// or http://");
+    }
 }
 
 #[test]
