@@ -38,12 +38,15 @@ fn cuboid(low: f64, high: f64) -> Mesh {
 }
 
 #[test]
-fn a_roof_is_seen_from_above_with_each_name_on_its_panel() {
+fn a_roof_is_seen_from_above_and_from_a_side_with_each_name_on_its_panel() {
     let mesh = grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
     let made = build(&mesh, &BuildSettings::default());
     let key = made.key(true);
-    let [drawing] = &key[..] else { panic!("{} drawings", key.len()) };
-    assert_eq!(drawing.title, "KEY 1/1, NOT TO BE CUT, SEEN FROM ABOVE");
+    let [drawing, side] = &key[..] else { panic!("{} drawings", key.len()) };
+    assert_eq!(drawing.title, "KEY 1/2, NOT TO BE CUT, SEEN FROM ABOVE");
+    // It rises to one corner, and faces the other.
+    assert_eq!(side.title, "KEY 2/2, NOT TO BE CUT, SEEN FROM -X -Y, ABOVE");
+    assert_eq!(names(side).len(), mesh.faces.len());
     let found = names(drawing);
     assert_eq!(found.len(), mesh.faces.len());
     // One scale and one offset take the middles of all panels to their names.
