@@ -350,7 +350,7 @@ impl Build {
 
     /// What the lines on a sheet mean: which side is seen, or how the letters of a part lie in the
     /// model, and where its arrow points.
-    fn legend(&self) -> String {
+    pub(super) fn legend(&self) -> String {
         let side = match self.settings.product {
             _ if self.surface.one_sided.is_some() => "",
             // Above and below as the letters stand, which is outwards.

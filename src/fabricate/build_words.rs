@@ -5,6 +5,7 @@ use super::advice::Advice;
 use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
+use super::file::Drawing;
 use super::offset::Choice;
 use super::paper::LEAST_TAB;
 use super::report::{BuildReport, FrameReport, JOINT_STEP};
@@ -368,13 +369,27 @@ impl Build {
         let advice = self.advice(report);
         let joint = report.joint(self.settings.thickness);
         let is_advised = advice.iter().any(|advice| advice.words == joint);
+        let mut warnings = report.warnings(&self.settings);
+        warnings.extend(self.legend_left_out());
         BuildWords {
             sheets: report.sheets_in_words(),
-            warnings: report.warnings(&self.settings),
+            warnings,
             joint: if is_advised { String::new() } else { joint },
             advice,
             card: self.card_words(&report.card),
         }
+    }
+
+    /// Says that the margin of the sheets has no room for their legend, if it has none.
+    fn legend_left_out(&self) -> Option<String> {
+        let BuildSettings { sheet: [width, _], margin, outlines_only, .. } = self.settings;
+        let legend = self.legend();
+        let has_room = Drawing::height_in_margin(&legend, width, margin).is_some();
+        let is_asked = !outlines_only && !legend.is_empty() && !self.layout.sheets.is_empty();
+        (is_asked && !has_room).then(|| {
+            "The margin of the sheets has no room for their legend; it is in summary.csv."
+                .to_owned()
+        })
     }
 
     /// The card of this build in words.

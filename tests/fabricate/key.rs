@@ -1,7 +1,7 @@
 //! Key drawings: every part has its name where it is.
 
 use super::identities::revolution;
-use super::{build, metres};
+use super::{build, metres, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::file::Drawing;
 use shape_up::fabricate::sheet::{Role, strokes, text_width};
@@ -208,5 +208,20 @@ fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
         for letter in strokes(words, 2.5, [middle, height - 2.5], [1.0, 0.0]) {
             assert!(drawings[0].lines.iter().any(|line| line.points == letter), "{words}");
         }
+    }
+}
+
+#[test]
+fn a_legend_without_room_on_the_sheets_is_said_to_be_in_the_summary() {
+    let mesh = grid(3, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    for (margin, outlines_only, is_said) in
+        [(5.0, false, false), (3.0, false, true), (3.0, true, false)]
+    {
+        let own = BuildSettings { margin, outlines_only, ..BuildSettings::default() };
+        let made = build(&mesh, &own);
+        let said = made.words(&made.report()).warnings.concat();
+        assert_eq!(said.contains("no room for their legend"), is_said, "{margin}: {said}");
+        let summary = text_of(&made, "summary.csv");
+        assert!(summary.contains("\r\nlegend of the sheets,\"SEEN FROM OUTSIDE, ARROW: UP"));
     }
 }

@@ -91,6 +91,7 @@ fn summary(build: &Build, names: &[&str]) -> String {
             row(&format!("least joint, panels {side}"), Cell::from(known), "sheet mm");
         }
     }
+    row("legend of the sheets", Cell::from(&*build.legend()), "");
     row("types of panels", Cell::from(report.types), "");
     for check in &report.card.check {
         row(check.label, Cell::from(check.value), check.unit);
