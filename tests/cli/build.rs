@@ -25,10 +25,12 @@ fn sheets_tables_and_a_report_are_written_whole() {
     let expected = [
         "edges.csv",
         "key-1.svg",
+        "key-2.svg",
         "key.pdf",
         "model.glb",
         "nodes.csv",
         "panels.csv",
+        "panels.obj",
         "sheet-01.dxf",
         "sheet-01.svg",
         "sheets.pdf",
