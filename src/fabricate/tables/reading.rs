@@ -1,7 +1,7 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 30] = [
+const READING: [(&str, &str); 32] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -31,6 +31,10 @@ const READING: [(&str, &str); 30] = [
     ),
     ("splices.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
     ("splices.csv turn_deg", "direction of the seam, on the sheet, with piece_a on its left"),
+    (
+        "fins.csv order",
+        "of assembly, from the supports upwards, with the first of the panels beside it",
+    ),
     ("fins.csv turn_deg", "direction from node_a to node_b, on the sheet"),
     ("names of fins", "from their first node to their second, tops of letters outwards"),
     ("fins.csv end_a_deg", "in the fin, between its side at the edge and its end at node_a"),
@@ -43,6 +47,7 @@ const READING: [(&str, &str); 30] = [
     ),
     ("names at slots of discs", "the node that the fin leads to"),
     ("discs.csv x_sheet_mm", "of the axis of its node; with y_sheet_mm"),
+    ("discs.csv order", "of the first fin that is pushed into it: it is there before"),
     ("discs.csv turn_deg", "direction of the first beam in node-beams.csv, on the sheet"),
     ("pieces.csv order", "of assembly, from the supports upwards: of the first of its panels"),
     ("pieces.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
