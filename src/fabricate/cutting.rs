@@ -206,23 +206,23 @@ impl Build {
         }
     }
 
-    /// The beams of a model at this scale; none without an offset, and for other products.
-    pub(super) fn frame_at(&self, scale: f64) -> Option<Frame> {
-        let BuildSettings { product, thickness, alike_deg, mirror, .. } = self.settings;
+    /// The beams of a model with these settings, of which the scale and the node discs may be others; none
+    /// without an offset, and for other products.
+    pub(super) fn frame_of(&self, settings: &BuildSettings) -> Option<Frame> {
+        let &BuildSettings { product, thickness, alike_deg, mirror, scale, .. } = settings;
         let (axes, _) = self.offset.as_ref().filter(|_| product == Product::Fins)?;
-        let model = self.mm_of_sheet_at(scale);
         let size = FrameSize {
             height: self.distance(),
             width: self.beam_width(),
-            thickness: thickness / model,
-            discs: self.disc_size(model),
+            thickness: thickness / self.mm_of_sheet_at(scale),
+            discs: self.disc_size(settings),
         };
         Some(Frame::new(&self.surface, &axes.axes, size, alike_deg, mirror))
     }
 
     fn cut_fins(&mut self) {
-        let Some(frame) = self.frame_at(self.settings.scale) else { return };
-        self.faults.extend(self.no_slots());
+        let Some(frame) = self.frame_of(&self.settings) else { return };
+        self.faults.extend(Build::no_slots(&self.settings));
         let (model, kerf) = (self.mm_of_sheet(), self.settings.kerf);
         for (e, fin) in frame.fins.iter().enumerate() {
             let edge = &self.surface.edges[e];

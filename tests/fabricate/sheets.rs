@@ -258,7 +258,7 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
     let advice = whole.words(&whole.report()).advice;
     let advised =
         advice.iter().flat_map(|advice| &advice.choices).find(|own| own.setting == "splice");
-    let splice = advised.expect("it helps").value;
+    let splice = advised.and_then(|own| own.value).expect("it helps");
     let made = build(&mesh, &BuildSettings { splice, ..own });
     let report = made.report();
     assert_eq!((report.too_large.len(), report.spliced, report.plates), (0, 1, 2));

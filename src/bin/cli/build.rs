@@ -145,7 +145,8 @@ fn paper_line(paper: &PaperReport) -> String {
 /// An advice, with the options that follow it.
 fn advice_line(Advice { words, choices }: &Advice) -> String {
     let option = |choice: &AdvisedValue| {
-        Some(format!("{} {}", declared(choice.setting)?.option()?, choice.value))
+        let value = choice.value.map_or("auto".to_owned(), |value| value.to_string());
+        Some(format!("{} {value}", declared(choice.setting)?.option()?))
     };
     let options: Vec<String> = choices.iter().filter_map(option).collect();
     format!("{words} Try {}.", options.join(" or "))
