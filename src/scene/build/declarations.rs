@@ -5,7 +5,7 @@
 use super::choice::Product::{self, Fins, Panels, Paper};
 use super::declared::{ABOVE_0, BuildForm, BuildGroup, BuildOption, BuildSetting, BuildUnit};
 use super::settings::BuildSettings;
-use BuildGroup::{Cutting, Files, Limits, Offset, Parts, Types};
+use BuildGroup::{Cutting, Files, Limits, Model, Offset, Parts, Types};
 use BuildUnit::{Degrees, Mesh, Mm, Plain};
 
 /// Largest length on the sheet or of the material in mm: larger ones are typing errors, at which
@@ -92,7 +92,7 @@ const PAGES: BuildForm =
 
 /// All settings of Build, in the order in which hosts list them.
 pub const BUILD_SETTINGS: &[BuildSetting] = &[
-    setting(Parts, "product", "Make", PRODUCTS, "What is made of the shape."),
+    setting(Model, "product", "Make", PRODUCTS, "What is made of the shape."),
     setting(Parts, "pieces", "Pieces", PIECES, "Nets, or strips of quads in one direction.")
         .of(&[Paper]),
     setting(
@@ -114,11 +114,18 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     )
     .of(&[Paper]),
     setting(
-        Parts,
+        Model,
         "scale",
         "Scale 1 :",
         number(Plain, [LEAST_SCALE, LARGEST]),
         "The building is this many times as large as the model.",
+    ),
+    setting(
+        Parts,
+        "material",
+        "Sheet label",
+        BuildForm::Text,
+        "The name of the material, in the title of the sheets.",
     ),
     setting(Parts, "thickness", "Thickness", number(Mm, ON_SHEET), "Thickness of the material."),
     setting(
@@ -251,13 +258,6 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "Parts that are mirror images have one type: turn the sheet over.",
     )
     .of(FLAT),
-    setting(
-        Files,
-        "material",
-        "Sheet label",
-        BuildForm::Text,
-        "The name of the material, in the title of the sheets.",
-    ),
     setting(
         Files,
         "names",

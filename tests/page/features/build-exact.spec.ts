@@ -109,8 +109,9 @@ test('panels made circular and then exact are the outlines in the saved drawings
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await waitForState(page, (now) => now.build !== null);
   const parts = page.getByRole('region', { name: 'Build: parts and sheets' });
-  await parts.getByLabel('Sheet width, mm').fill('60');
-  await parts.getByLabel('Sheet width, mm').press('Tab');
+  const width = await settingOf(page, 'Sheet width, mm');
+  await width.fill('60');
+  await width.press('Tab');
   const { build } = await waitForState(page, (now) => now.build?.sheet_mm[0] === 60);
   expect(build?.scale).toBe(SCALE);
   expect(build?.sheets, 'the story has several drawings').toBeGreaterThan(1);
