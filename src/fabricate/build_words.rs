@@ -29,6 +29,10 @@ pub struct CheckWords {
     pub limit: String,
     /// Whether it is within the limit, and how many elements are not.
     pub state: String,
+    /// What it measures, as a sentence.
+    pub meaning: &'static str,
+    /// What helps, as a sentence, if it is not within the limit; else empty.
+    pub remedy: &'static str,
 }
 
 /// The card in words.
@@ -75,6 +79,29 @@ impl CheckRow {
             Some(false) => "not satisfied".to_owned(),
             None => String::new(),
         };
+        let [meaning, remedy] = match self.id {
+            "beam_warp" => [
+                "How far the four corners of a beam are from one plane: a warped beam cannot be cut from a board.",
+                "Tighten the panels, or choose something else under “Measured at”.",
+            ],
+            "distance_error" => [
+                "How much the distance between the shape and its offset differs from place to place.",
+                "Tighten the panels, or choose something else under “Measured at”.",
+            ],
+            "lean" => [
+                "How far the axis of a node leans from the normal of the surface.",
+                "Choose something else under “Measured at”, or increase “Upright axes” where that is shown.",
+            ],
+            "safe_distance" => [
+                "The distance of the offset: beyond its limit edges flip.",
+                "Bring “Distance” nearer to 0.",
+            ],
+            _ => [
+                "How far the corners of a panel are from one plane: others cannot be cut from flat sheet.",
+                "Tighten the panels, or divide them into triangles, which are flat.",
+            ],
+        };
+        let remedy = if self.met == Some(false) { remedy } else { "" };
         let limit = |limit| match self.unit {
             "deg" => format!("≤ {}°", words::brief(limit)),
             _ => format!("≤ {}", words::millimetres_limit(limit)),
@@ -95,6 +122,8 @@ impl CheckRow {
                 None => String::new(),
             },
             state,
+            meaning,
+            remedy,
         }
     }
 

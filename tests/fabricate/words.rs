@@ -145,9 +145,13 @@ fn a_row_of_the_check_has_its_value_its_limit_and_whether_it_is_met() {
     let words = made.card_words(&card);
     assert_eq!(words, made.words(&made.report()).card);
     let at = |id: &str| card.check.iter().position(|row| row.id == id).unwrap();
-    let CheckWords { value, limit, state } = &words.check[at("panel_flatness")];
+    let CheckWords { value, limit, state, .. } = &words.check[at("panel_flatness")];
     assert!(value.ends_with(" mm") && limit.starts_with("≤ ") && limit.ends_with(" mm"));
     assert_eq!(state, &format!("not satisfied by {}", card.check[at("panel_flatness")].failed));
+    for (row, said) in card.check.iter().zip(&words.check) {
+        assert!(said.meaning.ends_with('.'), "{said:?}");
+        assert_eq!(said.remedy.is_empty(), row.met != Some(false), "{said:?}");
+    }
     let lean = &words.check[at("lean")];
     assert!(lean.value.ends_with('°') && lean.limit.ends_with('°'), "{lean:?}");
     let PanelSuggestion { constraint, .. } = card.tighten.suggestions[0];

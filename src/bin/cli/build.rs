@@ -152,8 +152,11 @@ fn advice_line(Advice { words, choices }: &Advice) -> String {
     format!("{words} Try {}.", options.join(" or "))
 }
 
-fn check_line((row, CheckWords { value, limit, state }): (&CheckRow, &CheckWords)) -> String {
+fn check_line(
+    (row, CheckWords { value, limit, state, remedy, .. }): (&CheckRow, &CheckWords),
+) -> String {
     let limit = if limit.is_empty() { String::new() } else { format!(" ({limit})") };
     let state = if state.is_empty() { String::new() } else { format!(": {state}") };
-    format!("{:<15} {value}{limit}{state}", row.label)
+    let remedy = if remedy.is_empty() { String::new() } else { format!(". {remedy}") };
+    format!("{:<15} {value}{limit}{state}{remedy}", row.label)
 }

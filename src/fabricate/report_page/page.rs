@@ -135,7 +135,7 @@ fn check_row(row: &CheckRow, values: &[f64]) -> String {
         Some(false) => "unmet",
         None => "open",
     };
-    let CheckWords { value, limit, state } = row.words();
+    let CheckWords { value, limit, state, .. } = row.words();
     let [value, limit, state] = [value, limit, state].map(|words| escaped(&words));
     let spread = histogram(values, row.limit.unwrap_or_default(), |end| row.value_in_words(end));
     format!(

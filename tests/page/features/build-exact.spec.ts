@@ -7,6 +7,7 @@ import DxfParser, { type IDxf, type ILwpolylineEntity } from 'dxf-parser';
 import { unzipSync } from 'fflate';
 import { downloaded, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
+import { settingOf } from '../sheets.ts';
 import { expect, openPage, sceneOf, test, waitForState, type PageState } from '../support.ts';
 
 test.use({ sameDocument: true });
