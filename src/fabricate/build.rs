@@ -360,7 +360,7 @@ impl Build {
             Product::Fins => {
                 "FIN NAMES READ FROM FIRST TO SECOND NODE, OUTSIDE UP, MODEL EDGE AT THE TOP"
             }
-            Product::Paper if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
+            _ if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };
         let arrow = match self.settings.product {

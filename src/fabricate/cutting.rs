@@ -41,11 +41,24 @@ impl Build {
         self.drill();
         self.cut_discs();
         self.relieve();
+        if self.is_turned_over() {
+            self.parts.iter_mut().for_each(CutPart::turn_over);
+        }
         let BuildSettings { sheet, margin, gap, order, outlines_only, .. } = self.settings;
         self.layout = lay_out(&self.parts, SheetSize { size: sheet, margin, gap }, order);
         if !outlines_only {
             self.write_names();
         }
+    }
+
+    /// Whether panels lie on their sheets with their inside up.
+    pub(super) fn is_turned_over(&self) -> bool {
+        self.settings.print_inside && self.settings.product == Product::Panels
+    }
+
+    /// A point or a vector of a panel as it is cut, in mm, on its part; also the other way around.
+    pub(super) fn on_part(&self, [x, y]: Point2) -> Point2 {
+        [if self.is_turned_over() { -x } else { x }, y]
     }
 
     fn cut_panels(&mut self, z_up: bool) {

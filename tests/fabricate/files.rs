@@ -528,9 +528,9 @@ fn totals_are_the_sums_of_the_tables_and_of_the_drawings() {
         (BuildSettings { sheet, ..of(Product::Panels) }, vec!["panels.csv"]),
         // Without a gap, common lines are cut once.
         (BuildSettings { sheet, gap: 0.0, ..of(Product::Panels) }, vec!["panels.csv"]),
-        (BuildSettings { sheet: [90.0, 60.0], ..of(Product::Panels) }, vec!["panels.csv"]),
+        (BuildSettings { sheet: [60.0, 45.0], ..of(Product::Panels) }, vec!["panels.csv"]),
         (
-            BuildSettings { sheet: [90.0, 60.0], splice: 20.0, ..of(Product::Panels) },
+            BuildSettings { sheet: [60.0, 45.0], splice: 20.0, ..of(Product::Panels) },
             vec!["panels.csv", "splices.csv"],
         ),
         (fins, vec!["fins.csv", "discs.csv"]),

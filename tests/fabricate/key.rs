@@ -200,6 +200,11 @@ fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
         ),
         (Product::Paper, false, "SEEN FROM OUTSIDE"),
         (Product::Paper, true, "SEEN FROM INSIDE, MIRRORED"),
+        (
+            Product::Panels,
+            true,
+            "SEEN FROM INSIDE, MIRRORED, ARROW: UP, IF LEVEL TO THE TOP OF KEY 1",
+        ),
     ] {
         let settings = BuildSettings { product, print_inside, ..BuildSettings::default() };
         let [_, height] = settings.sheet;

@@ -121,7 +121,11 @@ impl Build {
                 let f = part.panels[0];
                 let element = match self.names[f as usize] == part.name {
                     true => Element::Panel(f),
-                    false => Element::Piece(f, self.in_space(f, &part.outline)),
+                    false => {
+                        let outline: Vec<Point2> =
+                            part.outline.iter().map(|&corner| self.on_part(corner)).collect();
+                        Element::Piece(f, self.in_space(f, &outline))
+                    }
                 };
                 Mark { name: part.name.clone(), element }
             };

@@ -177,9 +177,40 @@ pub struct CutPart {
 }
 
 impl CutPart {
+    /// Turns it over, about its y axis. Its sides are as many as its neighbours.
+    pub fn turn_over(&mut self) {
+        let mirror = |points: &mut Vec<Point2>| points.iter_mut().for_each(|at| at[0] = -at[0]);
+        mirror(&mut self.outline);
+        // Counterclockwise again; what is beyond stays with its side.
+        self.outline.reverse();
+        reverse_sides(&mut self.neighbours);
+        reverse_sides(&mut self.bevels);
+        for hole in &mut self.holes {
+            hole.centre[0] = -hole.centre[0];
+            if let Some(slot) = &mut hole.slot {
+                mirror(slot);
+                slot.reverse();
+            }
+        }
+        for lines in [&mut self.engraved, &mut self.ridges, &mut self.valleys] {
+            lines.iter_mut().for_each(mirror);
+        }
+        if let Some(arrow) = &mut self.arrow {
+            arrow[0] = -arrow[0];
+        }
+    }
+
     /// Its area without its holes, in square mm.
     pub fn area(&self) -> f64 {
         self.holes.iter().fold(area(&self.outline), |left, hole| left - area(&hole.outline()))
+    }
+}
+
+/// Reverses a list of one value for each side of a polygon, whose corners are reversed.
+fn reverse_sides<T>(values: &mut [T]) {
+    values.reverse();
+    if !values.is_empty() {
+        values.rotate_left(1);
     }
 }
 

@@ -112,7 +112,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         BuildForm::Switch,
         "Prints the side that will be inside: mirrored, with readable names.",
     )
-    .of(&[Paper]),
+    .of(&[Panels, Paper]),
     setting(
         Model,
         "scale",

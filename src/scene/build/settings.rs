@@ -77,7 +77,7 @@ pub struct BuildSettings {
     pub fold: Fold,
     /// Height of tabs on creased paper; 0 for none.
     pub tab: f64,
-    /// Whether paper is printed on the side that will be inside: mirrored, with readable names.
+    /// Whether panels or paper are printed on the side that will be inside: mirrored, with readable names.
     pub print_inside: bool,
     /// Page size of the PDF: larger sheets are tiled.
     #[serde(deserialize_with = "word")]

@@ -14,7 +14,11 @@ pub(super) fn assemble(files: &Files) -> Found {
     let scale = files.number("Scale 1 : (scale)");
     let by = 0.5 * (files.number("joint on the sheet") - files.number("Kerf (kerf)"));
     let sides = sides_of_panels(files);
-    let parts = joined(files.parts().0, files.number("Kerf (kerf)"));
+    let is_inside = files.text("Print on the inside (print_inside)") == "on";
+    let mut parts = joined(files.parts().0, files.number("Kerf (kerf)"));
+    if is_inside {
+        parts.iter_mut().for_each(turn_over);
+    }
     // The direction of the first side in radians, and the node where it begins.
     let firsts: BTreeMap<String, (f64, String)> = files
         .table("panels.csv")
@@ -23,7 +27,8 @@ pub(super) fn assemble(files: &Files) -> Found {
             let first = row.text("nodes").split(' ').next().unwrap().to_owned();
             // Pieces lie as the first one.
             let name = row.text("name").trim_end_matches(".1").to_owned();
-            (name, (row.number("turn_deg").to_radians(), first))
+            let turn = row.number("turn_deg");
+            (name, (if is_inside { 180.0 - turn } else { turn }.to_radians(), first))
         })
         .collect();
     let nodes = files.nodes();
@@ -78,5 +83,15 @@ fn assert_up(name: &str, arrow: Point2, corners: &[Point2], place: impl Fn(usize
     if level.length() > 0.17 * normal {
         let aside = way.dot(level) / (way.length() * level.length());
         assert!(way.z > 0.0 && aside.abs() < 0.02, "{name}: {way:?}, {aside}");
+    }
+}
+
+/// Turns a part over that lies with its inside up.
+fn turn_over(part: &mut Part) {
+    part.outline.reverse();
+    let arrow = part.arrow.iter_mut().flatten();
+    let texts = part.texts.iter_mut().map(|text| &mut text.centre);
+    for at in part.outline.iter_mut().chain(arrow).chain(texts) {
+        at[0] = -at[0];
     }
 }
