@@ -4,9 +4,9 @@ use super::identities::revolution;
 use super::{build, bytes_of, dxf, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::file::{self, svg};
-use shape_up::fabricate::sheet::{Inscription, Place, Role, label};
+use shape_up::fabricate::sheet::{Inscription, Place, label};
 use shape_up::fabricate::{Build, BuildFile, Stand};
-use shape_up::math::plane::{self, area};
+use shape_up::math::plane::area;
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, Dxf, Order, Pieces, Product};
 use shape_up::words::LengthUnit;
@@ -494,87 +494,4 @@ fn the_unit_of_the_mesh_and_the_scale_decide_the_size_on_the_sheet() {
     let drawings = made.drawings();
     assert!(drawings[0].title.contains("SCALE 1:10") && drawings[0].title.contains("MODEL IN MM"));
     assert!(svg(&drawings[0]).contains(&drawings[0].title));
-}
-
-#[test]
-fn panels_are_groups_of_their_names_over_the_nodes() {
-    let mesh = vault();
-    for product in [Product::Panels, Product::Paper] {
-        let made = build(&mesh, &BuildSettings { product, ..settings() });
-        let text = text_of(&made, "panels.obj");
-        assert!(text.contains("# its first vertex is node N0"), "{}", &text[..200]);
-        let read = shape_up::mesh::read("panels.obj", text.as_bytes()).unwrap().mesh;
-        assert_eq!(
-            (read.positions.len(), read.faces.len()),
-            (mesh.positions.len(), mesh.faces.len())
-        );
-        for (face, name) in (0..).zip(&made.names) {
-            let own = read.groups.iter().find(|group| group.name == *name);
-            assert_eq!(own.map(|group| &*group.faces), Some(&[face][..]), "{name}");
-        }
-        let away = |(p, q): (&[f64; 3], &[f64; 3])| {
-            (0..3).map(|k| (p[k] - q[k]).abs()).fold(0.0, f64::max)
-        };
-        assert!(read.positions.iter().zip(&mesh.positions).all(|pair| away(pair) < 1e-9));
-    }
-}
-
-#[test]
-fn totals_are_the_sums_of_the_tables_and_of_the_drawings() {
-    let of = |product| BuildSettings { product, scale: 10.0, thickness: 3.0, ..settings() };
-    let sheet = [1000.0, 700.0];
-    let fins = BuildSettings { disc: None, sheet, distance: Some(0.3), ..of(Product::Fins) };
-    for (own, tables) in [
-        (BuildSettings { sheet, ..of(Product::Panels) }, vec!["panels.csv"]),
-        // Without a gap, common lines are cut once.
-        (BuildSettings { sheet, gap: 0.0, ..of(Product::Panels) }, vec!["panels.csv"]),
-        (BuildSettings { sheet: [60.0, 45.0], ..of(Product::Panels) }, vec!["panels.csv"]),
-        (
-            BuildSettings { sheet: [60.0, 45.0], splice: 20.0, ..of(Product::Panels) },
-            vec!["panels.csv", "splices.csv"],
-        ),
-        (fins, vec!["fins.csv", "discs.csv"]),
-        (BuildSettings { sheet, ..of(Product::Paper) }, vec!["pieces.csv"]),
-    ] {
-        let made = build(&vault(), &own);
-        let report = made.report();
-        let (mut parts, mut area, mut tabs, mut sheets) =
-            (0, 0.0, 0, std::collections::BTreeSet::new());
-        for name in tables {
-            let text = text_of(&made, name);
-            let header: Vec<&str> = text.lines().next().unwrap().split(',').collect();
-            let at = |column: &str| header.iter().position(|own| *own == column);
-            for row in text.lines().skip(1) {
-                let cell = |column: &str| at(column).map(|at| row.split(',').nth(at).unwrap());
-                let Ok(sheet) = cell("sheet").unwrap().parse::<usize>() else { continue };
-                sheets.insert(sheet);
-                parts += 1;
-                area += cell("area_sheet_mm2").unwrap().parse::<f64>().unwrap();
-                tabs += cell("tabs").map_or(0, |tabs| tabs.parse().unwrap());
-            }
-        }
-        let summary = text_of(&made, "summary.csv");
-        let total = |what: &str| -> f64 {
-            let row = summary.lines().find_map(|row| row.strip_prefix(&format!("{what},")));
-            row.unwrap().split(',').next().unwrap().parse().unwrap()
-        };
-        assert!(parts > 0, "{own:?}");
-        assert_eq!(
-            (total("parts on sheets"), total("sheets")),
-            (parts as f64, sheets.len() as f64)
-        );
-        assert!((total("area of parts") - area).abs() < 1e-4 * parts as f64, "{own:?}");
-        assert_eq!(report.paper.as_ref().map_or(0, |paper| paper.tabs), tabs);
-        // What a machine would do for the drawings.
-        let lines = made.drawings().into_iter().flat_map(|drawing| drawing.cut_once().lines);
-        let cuts = lines.filter(|line| [Role::Cut, Role::Hole].contains(&line.role));
-        let length: f64 = cuts
-            .map(|line| {
-                let around = line.points.iter().chain(line.points.first().filter(|_| line.closed));
-                let points: Vec<_> = around.collect();
-                points.windows(2).map(|ends| plane::distance(*ends[0], *ends[1])).sum::<f64>()
-            })
-            .sum();
-        assert!((total("length of cuts") / length - 1.0).abs() < 1e-6, "{own:?}: {length}");
-    }
 }

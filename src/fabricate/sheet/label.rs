@@ -3,6 +3,7 @@
 //! to a readable height, then left out and counted. All names are upright on the sheet, however the
 //! part is rotated.
 
+use super::arrow::draw_arrow;
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use super::text_box::{ROOM, TextBox};
@@ -269,47 +270,6 @@ fn is_nearest(own: [Point2; 2], possible_sides: &[[Point2; 2]], point: Point2) -
     let far = |side: &[Point2; 2]| distance_to_outline(side, point);
     let least = far(&own) * (1.0 - 1e-9);
     possible_sides.iter().all(|other| far(other) >= least)
-}
-
-/// Adds an arrow in this direction beside the name, as long as a letter is high; false if there is no
-/// room.
-fn draw_arrow(
-    outline: &[Point2],
-    labels: &mut Labels,
-    taken: &mut Vec<TextBox>,
-    height: f64,
-    along: Point2,
-) -> bool {
-    let Some(own) = taken.first().copied() else { return false };
-    let half = [0.5 * height, 0.25 * height];
-    let [c, s] = along;
-    // Ahead of the name, just outside its box, else on either side of it, or behind.
-    let beside = [along, [-s, c], [s, -c], [-c, -s]].map(|way| {
-        let at = |away: f64| {
-            let centre = [0, 1].map(|x| own.centre[x] + away * way[x]);
-            TextBox { centre, along, half }
-        };
-        // Farther away than this it is apart.
-        let most = own.half[0] + own.half[1] + height;
-        let mut away = 0.0;
-        while away < most && !at(away).is_apart(&own) {
-            away += 0.1 * height;
-        }
-        at(away)
-    });
-    let has_room = |found: &TextBox| {
-        let tip = [0, 1].map(|x| found.centre[x] + half[0] * along[x]);
-        taken.iter().all(|other| found.is_apart(other))
-            && found.is_in(outline)
-            && distance_to_outline(outline, tip) >= 0.2 * height
-    };
-    let Some(found) = beside.into_iter().find(has_room) else { return false };
-    let at = |x: f64, y: f64| [found.centre[0] + c * x - s * y, found.centre[1] + s * x + c * y];
-    let [x, y] = [half[0], 0.8 * half[1]];
-    labels.lines.push(vec![at(-x, 0.0), at(x, 0.0)]);
-    labels.lines.push(vec![at(0.1 * x, y), at(x, 0.0), at(0.1 * x, -y)]);
-    taken.push(found);
-    true
 }
 
 /// The direction or its opposite, such that letters are upright when the part is rotated; nearly
