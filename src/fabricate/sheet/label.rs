@@ -117,24 +117,24 @@ fn label_of_height(
     let across = direction_of(outline[longest], outline[(longest + 1) % n]);
     let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
     let mut taken: Vec<TextBox> = holes.iter().map(TextBox::of_hole).collect();
-    let (mut height, mut own) = (own * beside, None);
+    let mut height = own * beside;
     // Try the roomiest point (it may be beside a hole at one end of a slender part) and the middle;
     // along the sheet and along the longest edge; with decreasing height until the name is inside.
     let middle = middle(outline);
     let sheet = [turn[0], -turn[1]];
     let mut directions = vec![sheet, upright(across, turn)];
     directions.retain(|&along| !is_oriented || dot(along, sheet) > ORIENTED);
-    loop {
-        own = [centre, middle]
+    let own = loop {
+        let found = [centre, middle]
             .into_iter()
             .flat_map(|centre| directions.iter().map(move |&along| (centre, along)))
             .map(|(centre, along)| TextBox::of_text(name, height, centre, along))
             .find(|own| own.is_in(outline) && taken.iter().all(|hole| own.is_apart(hole)));
-        if own.is_some() || height <= LEAST {
-            break;
+        if found.is_some() || height <= LEAST {
+            break found;
         }
         height = (0.85 * height).max(LEAST);
-    }
+    };
     let Some(own) = own else { return (nothing(), false) };
     labels.lines.extend(strokes(name, height, own.centre, own.along));
     labels.texts.push(name.to_owned());
